@@ -1,0 +1,144 @@
+//! Attitude of the vehicle and its forms: quaternion inside, Euler angles and tip form outside.
+//!
+//! The rotation B takes vehicle axes to ground axes: B = Rx(pitch Ψ)·Ry(yaw Φ)·Rz(roll Ξ), the
+//! report's matrix (1). Euler angles fail at cos Φ = 0; the quaternion does not.
+
+use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
+
+/// Orientation of the vehicle: takes vehicle axes to ground axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attitude(UnitQuaternion<f64>);
+
+/// Pitch Ψ, yaw Φ and roll Ξ of the report, rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Euler {
+    /// Ψ, about the ground X axis.
+    pub pitch: f64,
+    /// Φ, about the once turned y axis.
+    pub yaw: f64,
+    /// Ξ, about the vehicle's centreline.
+    pub roll: f64,
+}
+
+/// A tipped vehicle (4.2.5): the centreline leans by ν in the direction Γ after a roll K.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tip {
+    /// ν: angle between centreline and vertical, rad, 0 to π.
+    pub tip: f64,
+    /// Γ: azimuth of the tip axis from ground X, rad; the top leans toward (−sin Γ, cos Γ).
+    pub azimuth: f64,
+    /// K: roll about the centreline, rad.
+    pub nominal_roll: f64,
+}
+
+/// Below this cos Φ (about 1e-7 deg from a right angle) pitch and roll turn about the same line.
+const GIMBAL_LOCK: f64 = 2e-9;
+
+impl Attitude {
+    /// The attitude with the given Euler angles.
+    pub fn from_euler(euler: Euler) -> Self {
+        let about = UnitQuaternion::from_axis_angle;
+        Self(
+            about(&Vector3::x_axis(), euler.pitch)
+                * about(&Vector3::y_axis(), euler.yaw)
+                * about(&Vector3::z_axis(), euler.roll),
+        )
+    }
+
+    /// The attitude of a tipped vehicle: B = Rot((cos Γ, sin Γ, 0), ν)·Rz(K).
+    pub fn from_tip(tip: Tip) -> Self {
+        let axis = Unit::new_unchecked(Vector3::new(tip.azimuth.cos(), tip.azimuth.sin(), 0.0));
+        Self(
+            UnitQuaternion::from_axis_angle(&axis, tip.tip)
+                * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), tip.nominal_roll),
+        )
+    }
+
+    /// The attitude with the given quaternion (w, x, y, z), of any length but zero.
+    pub fn from_quaternion([w, x, y, z]: [f64; 4]) -> Self {
+        Self(UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(
+            w, x, y, z,
+        )))
+    }
+
+    /// Unit quaternion (w, x, y, z).
+    pub fn quaternion(&self) -> [f64; 4] {
+        [self.0.w, self.0.i, self.0.j, self.0.k]
+    }
+
+    /// The rotation matrix B, vehicle to ground.
+    pub fn matrix(&self) -> Matrix3<f64> {
+        *self.0.to_rotation_matrix().matrix()
+    }
+
+    /// Euler angles, pitch and roll in (−π, π], yaw in [−π/2, π/2]. Where cos Φ vanishes only the
+    /// sum or difference of pitch and roll is determined; there roll is given as zero.
+    pub fn euler(&self) -> Euler {
+        let b = self.matrix();
+        let cos_yaw = b[(0, 0)].hypot(b[(0, 1)]);
+        let yaw = b[(0, 2)].atan2(cos_yaw);
+        if cos_yaw < GIMBAL_LOCK {
+            return Euler {
+                pitch: b[(2, 1)].atan2(b[(1, 1)]),
+                yaw,
+                roll: 0.0,
+            };
+        }
+        Euler {
+            pitch: (-b[(1, 2)]).atan2(b[(2, 2)]),
+            yaw,
+            roll: (-b[(0, 1)]).atan2(b[(0, 0)]),
+        }
+    }
+
+    /// Tip form, ν in [0, π]; an upright vehicle has azimuth zero and all turn in K.
+    pub fn tip(&self) -> Tip {
+        let b = self.matrix();
+        // The centreline in ground axes is (sin Γ sin ν, −cos Γ sin ν, cos ν).
+        let (east, north) = (b[(0, 2)], -b[(1, 2)]);
+        let sine = east.hypot(north);
+        let tip = sine.atan2(b[(2, 2)]);
+        let azimuth = if sine < GIMBAL_LOCK {
+            0.0
+        } else {
+            east.atan2(north)
+        };
+        let upright = Self::from_tip(Tip {
+            tip,
+            azimuth,
+            nominal_roll: 0.0,
+        });
+        let roll = (upright.0.inverse() * self.0).to_rotation_matrix();
+        Tip {
+            tip,
+            azimuth,
+            nominal_roll: roll[(1, 0)].atan2(roll[(0, 0)]),
+        }
+    }
+}
+
+impl Euler {
+    /// Rates (Ψ̇, Φ̇, Ξ̇) that belong to the angular velocity ω in vehicle axes, rad/s, or `None`
+    /// where cos Φ vanishes and no finite rates exist.
+    pub fn rates(&self, omega: [f64; 3]) -> Option<[f64; 3]> {
+        let cos_yaw = self.yaw.cos();
+        if cos_yaw.abs() < GIMBAL_LOCK {
+            return None;
+        }
+        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        let pitch = (omega[0] * cos_roll - omega[1] * sin_roll) / cos_yaw;
+        let yaw = omega[0] * sin_roll + omega[1] * cos_roll;
+        Some([pitch, yaw, omega[2] - pitch * self.yaw.sin()])
+    }
+
+    /// Angular velocity in vehicle axes, rad/s, that belongs to the rates (Ψ̇, Φ̇, Ξ̇).
+    pub fn angular_velocity(&self, [pitch, yaw, roll]: [f64; 3]) -> [f64; 3] {
+        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
+        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        [
+            cos_yaw * cos_roll * pitch + sin_roll * yaw,
+            -cos_yaw * sin_roll * pitch + cos_roll * yaw,
+            sin_yaw * pitch + roll,
+        ]
+    }
+}

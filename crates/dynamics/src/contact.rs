@@ -1,0 +1,248 @@
+//! The active piece of every law of one leg, and how events change it.
+//!
+//! A [`LegMode`] is the discrete side of a leg's state: crush memory, friction branches, strut and
+//! hinge. It yields the coefficients for the equations of motion and the range of each signal over
+//! which they hold; when a signal leaves its range, [`LegMode::cross`] puts the next piece in
+//! place.
+
+use crate::crush::{Crush, CrushLaw};
+use crate::friction::Sliding;
+use crate::hinge::{Hinge, Stops};
+use crate::integrator::event::{Bounds, Exit};
+use crate::motion::{LegPieces, LegSignals, Signal};
+use crate::outcome::{Failure, Outcome};
+use crate::scene::CrushRule;
+use crate::strut::{Stance, StrutLaw};
+use crate::vehicle::Leg;
+
+/// cos 65 deg: a loaded pad inclined further has no law in the model.
+const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
+
+/// The laws of one leg.
+#[derive(Debug, Clone)]
+pub struct LegLaws {
+    pad: CrushLaw,
+    block: CrushLaw,
+    strut: StrutLaw,
+    stops: Stops,
+    rule: CrushRule,
+}
+
+impl LegLaws {
+    /// The laws of a leg under a crush rule.
+    pub fn new(leg: &Leg, rule: CrushRule) -> Self {
+        let design = leg.design();
+        Self {
+            pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
+            block: CrushLaw::new(&design.block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD),
+            strut: StrutLaw::new(&design.strut),
+            stops: Stops {
+                inner: design.footpad.minimum_angle,
+                outer: design.footpad.maximum_angle,
+            },
+            rule,
+        }
+    }
+}
+
+/// The discrete state of one leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LegMode {
+    pad: [Crush; 2],
+    block: Crush,
+    pad_sliding: Sliding,
+    block_sliding: Sliding,
+    stance: Stance,
+    hinge: Hinge,
+}
+
+impl LegMode {
+    /// A leg before its first contact.
+    pub fn untouched(laws: &LegLaws) -> Self {
+        Self {
+            pad: [Crush::untouched(&laws.pad); 2],
+            block: Crush::untouched(&laws.block),
+            pad_sliding: Sliding::Steady,
+            block_sliding: Sliding::Steady,
+            stance: Stance::extended(false, 0.0),
+            hinge: Hinge::free(),
+        }
+    }
+
+    /// Whether either pad section is in contact.
+    pub fn pad_in_contact(&self) -> bool {
+        self.pad.iter().any(Crush::in_contact)
+    }
+
+    /// Whether the block is in contact.
+    pub fn block_in_contact(&self) -> bool {
+        self.block.in_contact()
+    }
+
+    /// Whether the leg is on the surface.
+    fn on_surface(&self) -> bool {
+        self.pad_in_contact() || self.block_in_contact()
+    }
+
+    fn pad_loaded(&self) -> bool {
+        self.pad.iter().any(Crush::is_loaded)
+    }
+
+    /// Coefficients of the active pieces.
+    pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
+        let (strut, link) = self.stance.pieces(&laws.strut);
+        LegPieces {
+            pad: self.pad.map(|section| section.line(&laws.pad)),
+            block: self.block.line(&laws.block),
+            pad_friction: self.pad_sliding.piece(),
+            block_friction: self.block_sliding.piece(),
+            strut,
+            link,
+            hinge: self.hinge.piece(laws.stops),
+        }
+    }
+
+    /// Plastic sets of outboard section, inboard section and block, ft.
+    pub fn sets(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 3] {
+        [
+            self.pad[0].set_at(&laws.pad, signals[Signal::OuterInterference as usize]),
+            self.pad[1].set_at(&laws.pad, signals[Signal::InnerInterference as usize]),
+            self.block
+                .set_at(&laws.block, signals[Signal::BlockInterference as usize]),
+        ]
+    }
+
+    /// Range of every signal over which the active pieces hold.
+    pub fn bounds(&self, laws: &LegLaws) -> [Bounds; Signal::COUNT] {
+        let by_pivot = laws.rule == CrushRule::PivotRate;
+        Signal::ALL.map(|signal| match signal {
+            Signal::OuterInterference => self.pad[0].interference_bounds(&laws.pad),
+            Signal::InnerInterference => self.pad[1].interference_bounds(&laws.pad),
+            Signal::BlockInterference => self.block.interference_bounds(&laws.block),
+            Signal::OuterRate => self.pad[0].rate_bounds(),
+            Signal::InnerRate => self.pad[1].rate_bounds(),
+            Signal::BlockRate => self.block.rate_bounds(),
+            Signal::PivotRate if by_pivot => {
+                self.pad[0].drive_bounds().meet(self.pad[1].drive_bounds())
+            }
+            Signal::BlockCentreRate if by_pivot => self.block.drive_bounds(),
+            Signal::PadSliding if self.pad_loaded() => self.pad_sliding.bounds(),
+            Signal::BlockSliding if self.block.is_loaded() => self.block_sliding.bounds(),
+            Signal::Stroke => self.stance.stroke_bounds(&laws.strut),
+            Signal::LinkRate => self.stance.rate_bounds(),
+            Signal::LinkTorque => self.stance.torque_bounds(),
+            Signal::PadAngle => self.hinge.angle_bounds(laws.stops),
+            Signal::PadRate => self.hinge.rate_bounds(),
+            Signal::HingeSpeed => self.hinge.speed_bounds(),
+            Signal::PadInclination if self.pad_loaded() => Bounds::above(LEAST_PAD_INCLINATION),
+            Signal::PivotRate
+            | Signal::BlockCentreRate
+            | Signal::PadSliding
+            | Signal::BlockSliding
+            | Signal::PadInclination
+            | Signal::StrutForce => Bounds::FREE,
+        })
+    }
+
+    /// Puts the next piece in place after `signal` left its range. `leg` is this leg's index.
+    ///
+    /// # Errors
+    /// The outcome, when the event ends the landing.
+    pub fn cross(
+        &mut self,
+        laws: &LegLaws,
+        leg: usize,
+        signal: Signal,
+        exit: Exit,
+        signals: &LegSignals<f64>,
+    ) -> Result<(), Outcome> {
+        let before = *self;
+        let value = |signal: Signal| signals[signal as usize];
+        let driven = |rate: Signal| laws.rule == CrushRule::Section || value(rate) >= 0.0;
+        match signal {
+            Signal::OuterInterference => {
+                let driven = driven(Signal::PivotRate);
+                self.pad[0].cross_interference(&laws.pad, exit, value(signal), driven);
+            }
+            Signal::InnerInterference => {
+                let driven = driven(Signal::PivotRate);
+                self.pad[1].cross_interference(&laws.pad, exit, value(signal), driven);
+            }
+            Signal::BlockInterference => {
+                let driven = driven(Signal::BlockCentreRate);
+                self.block
+                    .cross_interference(&laws.block, exit, value(signal), driven);
+            }
+            Signal::OuterRate => {
+                self.pad[0].leave_front(&laws.pad, value(Signal::OuterInterference));
+            }
+            Signal::InnerRate => {
+                self.pad[1].leave_front(&laws.pad, value(Signal::InnerInterference));
+            }
+            Signal::BlockRate => {
+                self.block
+                    .leave_front(&laws.block, value(Signal::BlockInterference));
+            }
+            Signal::PivotRate => {
+                let driven = exit == Exit::Above;
+                self.pad[0].drive(&laws.pad, driven, value(Signal::OuterInterference));
+                self.pad[1].drive(&laws.pad, driven, value(Signal::InnerInterference));
+            }
+            Signal::BlockCentreRate => {
+                self.block.drive(
+                    &laws.block,
+                    exit == Exit::Above,
+                    value(Signal::BlockInterference),
+                );
+            }
+            Signal::PadSliding => {
+                self.pad_sliding = self.pad_sliding.neighbour(exit == Exit::Above);
+            }
+            Signal::BlockSliding => {
+                self.block_sliding = self.block_sliding.neighbour(exit == Exit::Above);
+            }
+            Signal::Stroke => {
+                if exit == Exit::Above && value(signal) >= laws.strut.bottoming_stroke() {
+                    return Err(Outcome::Bottomed { leg });
+                }
+                self.stance
+                    .cross_stroke(exit, before.on_surface(), value(Signal::LinkRate));
+            }
+            Signal::LinkRate => {
+                let stroke = value(Signal::Stroke);
+                self.stance.cross_rate(
+                    &laws.strut,
+                    exit,
+                    before.on_surface(),
+                    stroke,
+                    value(signal),
+                );
+            }
+            Signal::LinkTorque => self.stance.cross_torque(exit),
+            Signal::PadAngle => self.hinge.cross_angle(exit),
+            Signal::PadRate => self.hinge.cross_rate(),
+            Signal::HingeSpeed => self.hinge.cross_speed(exit),
+            Signal::StrutForce => {}
+            Signal::PadInclination => {
+                return Err(Outcome::Failure(Failure::PadInclination { leg }));
+            }
+        }
+        self.follow_contact(&before, signals);
+        Ok(())
+    }
+
+    /// What contact gained or lost brings with it: which friction branch holds, whether the link
+    /// hangs or rests on its stop.
+    fn follow_contact(&mut self, before: &Self, signals: &LegSignals<f64>) {
+        let value = |signal: Signal| signals[signal as usize];
+        if self.pad_loaded() && !before.pad_loaded() {
+            self.pad_sliding = Sliding::at(value(Signal::PadSliding));
+        }
+        if self.block.is_loaded() && !before.block.is_loaded() {
+            self.block_sliding = Sliding::at(value(Signal::BlockSliding));
+        }
+        if self.on_surface() != before.on_surface() && self.stance.is_extended() {
+            self.stance = Stance::extended(self.on_surface(), value(Signal::LinkRate));
+        }
+    }
+}

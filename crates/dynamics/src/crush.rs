@@ -1,0 +1,232 @@
+//! Crushing of footpad sections and body blocks (model chapter 4).
+//!
+//! An element's pressure profile p(I) is its crushing front; unloading and reloading run along
+//! the elastic line E (I − P) with E the slope of the first segment and P the plastic set. Between
+//! events an element is on one straight line of pressure against interference.
+
+use crate::integrator::event::{Bounds, Exit};
+use crate::profile::{Profile, Segment};
+use crate::scalar::Real;
+
+/// A straight line of relative pressure against interference (ft).
+#[derive(Debug, Clone, Copy)]
+pub struct PressureLine<S> {
+    offset: S,
+    slope: S,
+}
+
+impl<S: Real> PressureLine<S> {
+    /// Relative pressure at interference I.
+    #[inline(always)]
+    pub fn at(&self, interference: S) -> S {
+        self.offset + self.slope * interference
+    }
+}
+
+/// Crush law of one kind of element.
+#[derive(Debug, Clone)]
+pub struct CrushLaw {
+    elastic_slope: f64,
+    segments: Vec<Segment>,
+    pressure_threshold: f64,
+}
+
+/// Elements count as in contact above this elastic interference I − P, ft.
+const CONTACT_THRESHOLD: f64 = 1e-6;
+/// Slack of interference guards, ft.
+const SLACK: f64 = 1e-13;
+/// Slack of the guards on rates, ft/s.
+const RATE_SLACK: f64 = 1e-11;
+
+impl CrushLaw {
+    /// Least I − P at which a footpad section has pressure, ft.
+    pub const PAD_PRESSURE_THRESHOLD: f64 = 1e-5;
+    /// Least I − P at which a block has pressure, ft.
+    pub const BLOCK_PRESSURE_THRESHOLD: f64 = 1e-6;
+
+    /// The law of a profile, with the least I − P (ft) that gives pressure.
+    pub fn new(profile: &Profile, pressure_threshold: f64) -> Self {
+        let segments = profile.segments();
+        Self {
+            elastic_slope: segments[0].slope,
+            segments,
+            pressure_threshold,
+        }
+    }
+
+    /// Plastic set that the crushing front leaves at interference I: I − p(I)/E.
+    fn front_set(&self, segment: usize, interference: f64) -> f64 {
+        let Segment { offset, slope, .. } = self.segments[segment];
+        interference - (offset + slope * interference) / self.elastic_slope
+    }
+
+    fn segment_at(&self, interference: f64) -> usize {
+        let last = self.segments.len() - 1;
+        self.segments
+            .iter()
+            .position(|s| interference < s.upper)
+            .unwrap_or(last)
+    }
+}
+
+/// Where an element is on its law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stage {
+    /// Not in contact: I − P ≤ 1e-6 ft.
+    Clear,
+    /// In contact, not yet pressed.
+    Touching,
+    /// On the elastic line, short of the front.
+    Elastic,
+    /// On the elastic line beyond the front: driven deeper while crushing was not allowed.
+    Overdriven,
+    /// On the crushing front, in this segment of the profile.
+    Front(usize),
+}
+
+/// Crush memory and active stage of one element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crush {
+    stage: Stage,
+    /// Plastic set P, ft, as of the last time off the front.
+    set: f64,
+    /// Interference at which the front is met again, ft.
+    onset: f64,
+    /// Segment of the front met there.
+    onset_segment: usize,
+}
+
+impl Crush {
+    /// An element that nothing has touched.
+    pub fn untouched(law: &CrushLaw) -> Self {
+        Self {
+            stage: Stage::Clear,
+            set: 0.0,
+            onset: law.segments[0].upper,
+            onset_segment: 1.min(law.segments.len() - 1),
+        }
+    }
+
+    /// Whether the element is in contact: I − P > 1e-6 ft.
+    pub fn in_contact(&self) -> bool {
+        self.stage != Stage::Clear
+    }
+
+    /// Whether the element carries pressure.
+    pub fn is_loaded(&self) -> bool {
+        matches!(
+            self.stage,
+            Stage::Elastic | Stage::Overdriven | Stage::Front(_)
+        )
+    }
+
+    /// Which way an element may move, if it matters: the front is left when the element is no
+    /// longer driven into the ground, and jumped onto when it is again.
+    pub fn drive_bounds(&self) -> Bounds {
+        match self.stage {
+            Stage::Front(_) => Bounds::above(0.0).widened(RATE_SLACK),
+            Stage::Overdriven => Bounds::below(0.0).widened(RATE_SLACK),
+            Stage::Clear | Stage::Touching | Stage::Elastic => Bounds::FREE,
+        }
+    }
+
+    /// The active line of pressure.
+    pub fn line(&self, law: &CrushLaw) -> PressureLine<f64> {
+        match self.stage {
+            Stage::Clear | Stage::Touching => PressureLine {
+                offset: 0.0,
+                slope: 0.0,
+            },
+            Stage::Elastic | Stage::Overdriven => PressureLine {
+                offset: -law.elastic_slope * self.set,
+                slope: law.elastic_slope,
+            },
+            Stage::Front(segment) => {
+                let Segment { offset, slope, .. } = law.segments[segment];
+                PressureLine { offset, slope }
+            }
+        }
+    }
+
+    /// Plastic set at the present interference, ft.
+    pub fn set_at(&self, law: &CrushLaw, interference: f64) -> f64 {
+        match self.stage {
+            Stage::Front(segment) => law.front_set(segment, interference),
+            _ => self.set,
+        }
+    }
+
+    /// Range of the interference over which the active line holds.
+    pub fn interference_bounds(&self, law: &CrushLaw) -> Bounds {
+        match self.stage {
+            Stage::Clear => Bounds::below(self.set + CONTACT_THRESHOLD),
+            Stage::Touching => Bounds::between(
+                self.set + CONTACT_THRESHOLD,
+                self.set + law.pressure_threshold,
+            ),
+            Stage::Elastic => Bounds::between(self.set + law.pressure_threshold, self.onset),
+            Stage::Overdriven => Bounds::above(self.onset),
+            Stage::Front(segment) => Bounds::below(law.segments[segment].upper),
+        }
+        .widened(SLACK)
+    }
+
+    /// Range of the interference rate over which the active line holds: the front is left where
+    /// the element stops going deeper.
+    pub fn rate_bounds(&self) -> Bounds {
+        match self.stage {
+            Stage::Front(_) => Bounds::above(0.0).widened(RATE_SLACK),
+            _ => Bounds::FREE,
+        }
+    }
+
+    /// The interference left its range. `driven` says whether the element may crush further.
+    pub fn cross_interference(
+        &mut self,
+        law: &CrushLaw,
+        exit: Exit,
+        interference: f64,
+        driven: bool,
+    ) {
+        let touching_is_empty = law.pressure_threshold <= CONTACT_THRESHOLD;
+        self.stage = match (self.stage, exit) {
+            (Stage::Clear, _) if touching_is_empty => Stage::Elastic,
+            (Stage::Clear, _) => Stage::Touching,
+            (Stage::Touching, Exit::Above) => Stage::Elastic,
+            (Stage::Touching, Exit::Below) => Stage::Clear,
+            (Stage::Elastic, Exit::Above) if !driven => Stage::Overdriven,
+            (Stage::Elastic, Exit::Above)
+                if interference < law.segments[self.onset_segment].upper =>
+            {
+                Stage::Front(self.onset_segment)
+            }
+            (Stage::Elastic, Exit::Above) => Stage::Front(law.segment_at(interference)),
+            (Stage::Elastic, Exit::Below) if touching_is_empty => Stage::Clear,
+            (Stage::Elastic, Exit::Below) => Stage::Touching,
+            (Stage::Overdriven, _) => Stage::Elastic,
+            (Stage::Front(segment), _) => Stage::Front((segment + 1).min(law.segments.len() - 1)),
+        };
+    }
+
+    /// Leaves the front for the elastic line: the set reached stays.
+    pub fn leave_front(&mut self, law: &CrushLaw, interference: f64) {
+        if let Stage::Front(segment) = self.stage {
+            self.set = law.front_set(segment, interference).max(self.set);
+            self.onset = interference;
+            self.onset_segment = segment;
+            self.stage = Stage::Elastic;
+        }
+    }
+
+    /// The rate that allows crushing (listing rule) changed sign. Allowed again, an element that
+    /// was driven past its front jumps onto it: its set grows at once.
+    pub fn drive(&mut self, law: &CrushLaw, driven: bool, interference: f64) {
+        match self.stage {
+            Stage::Front(_) if !driven => self.leave_front(law, interference),
+            Stage::Overdriven if driven => {
+                self.stage = Stage::Front(law.segment_at(interference));
+            }
+            _ => {}
+        }
+    }
+}

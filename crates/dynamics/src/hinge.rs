@@ -1,0 +1,197 @@
+//! The footpad hinge and its stops (model chapter 6): α between an inner and an outer stop.
+//!
+//! Beyond a stop and moving outward, dα/dt = α̇ (1 − 1000·overrun), so that α comes to rest 0.001 rad
+//! beyond it, while the state α̇ keeps integrating and holds the pad there until it changes sign.
+//! |dα/dt| never exceeds 100 rad/s.
+
+use crate::integrator::event::{Bounds, Exit};
+use crate::scalar::Real;
+
+/// Fading of the rate beyond a stop, 1/rad: its inverse is the greatest overrun.
+const FADING: f64 = 1000.0;
+/// Greatest |dα/dt|, rad/s.
+const FASTEST: f64 = 100.0;
+/// Distance from the resting place at which the pad counts as arrived, rad.
+const ARRIVED: f64 = 1e-12;
+/// Slacks of the guards on angle (rad), rate state (rad/s) and hinge speed (rad/s).
+const ANGLE_SLACK: f64 = 1e-14;
+const RATE_SLACK: f64 = 1e-10;
+const SPEED_SLACK: f64 = 1e-9;
+
+/// Coefficients of the active piece: unclipped speed = (gain + fading α) α̇, and
+/// dα/dt = follow · unclipped speed + clip.
+#[derive(Debug, Clone, Copy)]
+pub struct HingePiece<S> {
+    gain: S,
+    fading: S,
+    follow: S,
+    clip: S,
+}
+
+impl<S: Real> HingePiece<S> {
+    /// Hinge speed before the clip, rad/s.
+    #[inline(always)]
+    pub fn unclipped_speed(&self, angle: S, rate: S) -> S {
+        (self.gain + self.fading * angle) * rate
+    }
+
+    /// dα/dt, rad/s, from the speed before the clip.
+    #[inline(always)]
+    pub fn speed(&self, unclipped: S) -> S {
+        self.follow * unclipped + self.clip
+    }
+}
+
+/// The stops of one footpad, rad.
+#[derive(Debug, Clone, Copy)]
+pub struct Stops {
+    /// Least angle.
+    pub inner: f64,
+    /// Greatest angle.
+    pub outer: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Inner,
+    Outer,
+}
+
+impl Side {
+    /// +1 where outward is toward greater α.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Inner => -1.0,
+            Self::Outer => 1.0,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Zone {
+    /// Between the stops.
+    Free,
+    /// Beyond a stop and moving outward.
+    Pressing(Side),
+    /// At rest on a stop.
+    Held(Side),
+    /// Beyond a stop and moving back.
+    Returning(Side),
+}
+
+/// What the hinge is doing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hinge {
+    zone: Zone,
+    /// Sign of the clipped speed, 0 when it is not clipped.
+    clip: f64,
+}
+
+impl Hinge {
+    /// A pad between its stops and at rest.
+    pub fn free() -> Self {
+        Self {
+            zone: Zone::Free,
+            clip: 0.0,
+        }
+    }
+
+    /// Coefficients of the active piece.
+    pub fn piece(&self, stops: Stops) -> HingePiece<f64> {
+        let (gain, fading) = match self.zone {
+            Zone::Free | Zone::Returning(_) => (1.0, 0.0),
+            Zone::Pressing(Side::Outer) => (1.0 + FADING * stops.outer, -FADING),
+            Zone::Pressing(Side::Inner) => (1.0 - FADING * stops.inner, FADING),
+            Zone::Held(_) => (0.0, 0.0),
+        };
+        let follow = if self.clip == 0.0 { 1.0 } else { 0.0 };
+        HingePiece {
+            gain,
+            fading,
+            follow,
+            clip: FASTEST * self.clip,
+        }
+    }
+
+    /// Range of α over which the active piece holds.
+    pub fn angle_bounds(&self, stops: Stops) -> Bounds {
+        let resting = 1.0 / FADING - ARRIVED;
+        match self.zone {
+            Zone::Free => Bounds::between(stops.inner, stops.outer),
+            Zone::Pressing(Side::Outer) => Bounds::below(stops.outer + resting),
+            Zone::Pressing(Side::Inner) => Bounds::above(stops.inner - resting),
+            Zone::Held(_) => Bounds::FREE,
+            Zone::Returning(Side::Outer) => Bounds::above(stops.outer),
+            Zone::Returning(Side::Inner) => Bounds::below(stops.inner),
+        }
+        .widened(ANGLE_SLACK)
+    }
+
+    /// Range of the rate state α̇ over which the active piece holds.
+    pub fn rate_bounds(&self) -> Bounds {
+        let outward = match self.zone {
+            Zone::Free => return Bounds::FREE,
+            Zone::Pressing(side) | Zone::Held(side) => side.sign(),
+            Zone::Returning(side) => -side.sign(),
+        };
+        let bounds = if outward > 0.0 {
+            Bounds::above(0.0)
+        } else {
+            Bounds::below(0.0)
+        };
+        bounds.widened(RATE_SLACK)
+    }
+
+    /// Range of the unclipped speed over which the active piece holds.
+    pub fn speed_bounds(&self) -> Bounds {
+        if matches!(self.zone, Zone::Held(_)) {
+            return Bounds::FREE;
+        }
+        if self.clip > 0.0 {
+            Bounds::above(FASTEST)
+        } else if self.clip < 0.0 {
+            Bounds::below(-FASTEST)
+        } else {
+            Bounds::between(-FASTEST, FASTEST)
+        }
+        .widened(SPEED_SLACK)
+    }
+
+    /// The angle left its range.
+    pub fn cross_angle(&mut self, exit: Exit) {
+        match self.zone {
+            Zone::Free => {
+                self.zone = Zone::Pressing(match exit {
+                    Exit::Above => Side::Outer,
+                    Exit::Below => Side::Inner,
+                });
+            }
+            Zone::Pressing(side) => {
+                *self = Self {
+                    zone: Zone::Held(side),
+                    clip: 0.0,
+                }
+            }
+            Zone::Returning(_) => self.zone = Zone::Free,
+            Zone::Held(_) => {}
+        }
+    }
+
+    /// The rate state changed sign.
+    pub fn cross_rate(&mut self) {
+        self.zone = match self.zone {
+            Zone::Free => Zone::Free,
+            Zone::Pressing(side) | Zone::Held(side) => Zone::Returning(side),
+            Zone::Returning(side) => Zone::Pressing(side),
+        };
+    }
+
+    /// The unclipped speed crossed the clip.
+    pub fn cross_speed(&mut self, exit: Exit) {
+        self.clip = match (self.clip == 0.0, exit) {
+            (true, Exit::Above) => 1.0,
+            (true, Exit::Below) => -1.0,
+            (false, _) => 0.0,
+        };
+    }
+}

@@ -1,0 +1,311 @@
+//! Event location: when does a signal first leave the range over which the active laws hold?
+//!
+//! The ranges are widened by a slack that is large against rounding and small against anything
+//! physical. An event is located just outside the widened range, and the range that holds after it
+//! reaches back over the boundary by the same slack: the side after an event is known, not
+//! measured, and the same root cannot fire twice.
+
+/// Open range of a signal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Lower end.
+    pub lower: f64,
+    /// Upper end.
+    pub upper: f64,
+}
+
+/// Side on which a signal left its range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Exit {
+    /// Through the lower end.
+    Below,
+    /// Through the upper end.
+    Above,
+}
+
+impl Bounds {
+    /// No restriction.
+    pub const FREE: Self = Self {
+        lower: f64::NEG_INFINITY,
+        upper: f64::INFINITY,
+    };
+
+    /// Values above `lower`.
+    pub fn above(lower: f64) -> Self {
+        Self {
+            lower,
+            upper: f64::INFINITY,
+        }
+    }
+
+    /// Values below `upper`.
+    pub fn below(upper: f64) -> Self {
+        Self {
+            lower: f64::NEG_INFINITY,
+            upper,
+        }
+    }
+
+    /// Values between the two.
+    pub fn between(lower: f64, upper: f64) -> Self {
+        Self { lower, upper }
+    }
+
+    /// The range with `slack` added at both ends.
+    pub fn widened(self, slack: f64) -> Self {
+        Self {
+            lower: self.lower - slack,
+            upper: self.upper + slack,
+        }
+    }
+
+    /// Values in both ranges.
+    pub fn meet(self, other: Self) -> Self {
+        Self {
+            lower: self.lower.max(other.lower),
+            upper: self.upper.min(other.upper),
+        }
+    }
+
+    /// On which side `value` lies outside, if it does. Not a number lies outside.
+    #[inline(always)]
+    pub fn exit(&self, value: f64) -> Option<Exit> {
+        if value < self.lower {
+            Some(Exit::Below)
+        } else if value <= self.upper {
+            None
+        } else {
+            Some(Exit::Above)
+        }
+    }
+
+    /// How far `value` lies outside; negative inside.
+    #[inline(always)]
+    fn violation(&self, value: f64) -> f64 {
+        (value - self.upper).max(self.lower - value)
+    }
+}
+
+/// A set of signals at one instant.
+pub trait Signals: Clone {
+    /// Number of signals.
+    fn count(&self) -> usize;
+    /// Signal `index`.
+    fn get(&self, index: usize) -> f64;
+}
+
+impl<const SIGNALS: usize, const LEGS: usize> Signals for [[f64; SIGNALS]; LEGS] {
+    #[inline(always)]
+    fn count(&self) -> usize {
+        SIGNALS * LEGS
+    }
+
+    #[inline(always)]
+    fn get(&self, index: usize) -> f64 {
+        self.as_flattened()[index]
+    }
+}
+
+/// Signals at one point of a step.
+#[derive(Debug, Clone)]
+pub struct Node<V> {
+    /// Fraction of the step, 0 to 1.
+    pub theta: f64,
+    /// The signals there.
+    pub signals: V,
+}
+
+/// Whether any signal is outside its range.
+#[inline(always)]
+pub fn any_outside<V: Signals>(signals: &V, bounds: &[Bounds]) -> bool {
+    let mut outside = false;
+    for (i, b) in bounds.iter().enumerate() {
+        let v = signals.get(i);
+        outside |= !(v >= b.lower && v <= b.upper);
+    }
+    outside
+}
+
+/// How much of a predicted overshoot is believed to be missing from the prediction.
+const CAUTION: f64 = 0.5;
+/// Looks taken at one suspected excursion.
+const LOOKS: usize = 6;
+
+/// Finds the first exit of any signal within the step from `start` to `end`, where all signals
+/// are inside at `start`. `evaluate` gives the signals at a fraction of the step. Excursions that
+/// begin and end between the given nodes are looked for where three neighbouring values bend
+/// toward an end of the range. Returns the node just outside, within `resolution` of the exit.
+pub fn first_exit<V: Signals>(
+    start: &Node<V>,
+    middle: &Node<V>,
+    end: &Node<V>,
+    bounds: &[Bounds],
+    resolution: f64,
+    mut evaluate: impl FnMut(f64) -> V,
+) -> Option<Node<V>> {
+    let outer = if any_outside(&middle.signals, bounds) {
+        Some((start, middle))
+    } else if any_outside(&end.signals, bounds) {
+        Some((middle, end))
+    } else {
+        None
+    };
+    let hidden = hidden_excursion(start, middle, end, bounds, &mut evaluate);
+    let (inside, outside) = match (outer, hidden) {
+        (None, None) => return None,
+        (Some((a, b)), None) => (a.clone(), b.clone()),
+        (None, Some(pair)) => pair,
+        (Some((a, b)), Some(pair)) if b.theta <= pair.1.theta => (a.clone(), b.clone()),
+        (Some(_), Some(pair)) => pair,
+    };
+    Some(locate(inside, outside, bounds, resolution, evaluate))
+}
+
+/// Fraction of the step at which the parabola through three nodes has its extremum, with its
+/// value, when that lies between the outer nodes.
+fn vertex(t: [f64; 3], v: [f64; 3]) -> Option<(f64, f64)> {
+    let first = (v[1] - v[0]) / (t[1] - t[0]);
+    let second = (v[2] - v[1]) / (t[2] - t[1]);
+    let curvature = (second - first) / (t[2] - t[0]);
+    // Slope at t[0]; the parabola turns where slope + 2 curvature x vanishes.
+    let slope = first - curvature * (t[1] - t[0]);
+    let x = -slope / (2.0 * curvature);
+    (x > 0.0 && x < t[2] - t[0]).then(|| (t[0] + x, v[0] + 0.5 * slope * x))
+}
+
+/// Looks for a signal that is inside at all three nodes but may leave its range between them.
+fn hidden_excursion<V: Signals>(
+    start: &Node<V>,
+    middle: &Node<V>,
+    end: &Node<V>,
+    bounds: &[Bounds],
+    evaluate: &mut impl FnMut(f64) -> V,
+) -> Option<(Node<V>, Node<V>)> {
+    let mut earliest: Option<(Node<V>, Node<V>)> = None;
+    for (index, range) in bounds.iter().enumerate() {
+        let mut v = [
+            start.signals.get(index),
+            middle.signals.get(index),
+            end.signals.get(index),
+        ];
+        // Bounded, and bending back: nothing else can come and go.
+        let bounded = range.lower != f64::NEG_INFINITY || range.upper != f64::INFINITY;
+        let slopes = [
+            (v[1] - v[0]) * (end.theta - middle.theta),
+            (v[2] - v[1]) * (middle.theta - start.theta),
+        ];
+        let turns = (3.0 * slopes[0] - slopes[1]) * (3.0 * slopes[1] - slopes[0]) <= 0.0;
+        if !bounded || !turns {
+            continue;
+        }
+        let mut t = [start.theta, middle.theta, end.theta];
+        if v.iter().any(|&v| range.exit(v).is_some()) {
+            continue;
+        }
+        let mut inside: Option<Node<V>> = None;
+        for _ in 0..LOOKS {
+            let Some((theta, value)) = vertex(t, v) else {
+                break;
+            };
+            let nearest = if value > v[1] {
+                v[0].max(v[1]).max(v[2])
+            } else {
+                v[0].min(v[1]).min(v[2])
+            };
+            if range.exit(value + CAUTION * (value - nearest)).is_none() {
+                break;
+            }
+            let node = Node {
+                theta,
+                signals: evaluate(theta),
+            };
+            let seen = node.signals.get(index);
+            if any_outside(&node.signals, bounds) {
+                if earliest
+                    .as_ref()
+                    .is_none_or(|(_, found)| theta < found.theta)
+                {
+                    earliest = Some((inside.unwrap_or_else(|| start.clone()), node));
+                }
+                break;
+            }
+            // Keep the three nodes that surround the extremum.
+            if theta < t[1] {
+                (t, v) = ([t[0], theta, t[1]], [v[0], seen, v[1]]);
+            } else {
+                (t, v) = ([t[1], theta, t[2]], [v[1], seen, v[2]]);
+                inside = Some(Node {
+                    theta: t[0],
+                    signals: evaluate(t[0]),
+                });
+            }
+        }
+    }
+    earliest
+}
+
+/// Narrows the bracket to `resolution` by the ITP method (Oliveira and Takahashi 2020) on the
+/// greatest normalised violation of the signals that are outside at its far end.
+fn locate<V: Signals>(
+    mut inside: Node<V>,
+    mut outside: Node<V>,
+    bounds: &[Bounds],
+    resolution: f64,
+    mut evaluate: impl FnMut(f64) -> V,
+) -> Node<V> {
+    let width = outside.theta - inside.theta;
+    let halvings = (width / resolution).log2().ceil().max(0.0);
+    let mut allowance = resolution * (halvings + 1.0).exp2();
+    while outside.theta - inside.theta > resolution {
+        let (a, b) = (inside.theta, outside.theta);
+        let at_a = violation(&inside.signals, &outside.signals, bounds);
+        let middle = 0.5 * (a + b);
+        let secant = (a - at_a * b) / (1.0 - at_a);
+        let truncation = 0.2 / width * (b - a) * (b - a);
+        let toward = (middle - secant).signum();
+        let truncated = if truncation <= (middle - secant).abs() {
+            secant + toward * truncation
+        } else {
+            middle
+        };
+        let radius = (allowance - 0.5 * (b - a)).max(0.0);
+        let theta = if (truncated - middle).abs() <= radius {
+            truncated
+        } else {
+            middle - toward * radius
+        };
+        allowance *= 0.5;
+        // Guard against a proposal that rounds onto an end.
+        let theta = if theta > a && theta < b {
+            theta
+        } else {
+            middle
+        };
+        if theta <= a || theta >= b {
+            break;
+        }
+        let node = Node {
+            theta,
+            signals: evaluate(theta),
+        };
+        if any_outside(&node.signals, bounds) {
+            outside = node;
+        } else {
+            inside = node;
+        }
+    }
+    outside
+}
+
+/// Greatest violation at `inside` among the signals that are outside at `outside`, each in units
+/// of its violation there: not positive.
+fn violation<V: Signals>(inside: &V, outside: &V, bounds: &[Bounds]) -> f64 {
+    let mut worst = f64::NEG_INFINITY;
+    for (i, b) in bounds.iter().enumerate() {
+        let beyond = b.violation(outside.get(i));
+        if beyond > 0.0 {
+            worst = worst.max(b.violation(inside.get(i)) / beyond);
+        }
+    }
+    if worst.is_finite() { worst } else { -1.0 }
+}

@@ -1,0 +1,73 @@
+//! Step size from error: a proportional-integral controller.
+//!
+//! K. Gustafsson, "Control-theoretic techniques for stepsize selection in explicit Runge-Kutta
+//! methods", ACM Trans. Math. Softw. 17 (1991) 533-554; constants as in Hairer, Nørsett and
+//! Wanner's DOPRI5.
+
+const SAFETY: f64 = 0.9;
+const INTEGRAL: f64 = 0.04;
+const PROPORTIONAL: f64 = 0.2 - 0.75 * INTEGRAL;
+const LEAST_FACTOR: f64 = 0.2;
+const GREATEST_FACTOR: f64 = 5.0;
+/// No step is longer than this, s: a step cannot outgrow what its three looks at the signals see.
+pub const LONGEST: f64 = 0.02;
+/// Below this the time no longer advances, s.
+pub const SHORTEST: f64 = 1e-14;
+
+/// The controller's memory.
+#[derive(Debug, Clone, Copy)]
+pub struct StepControl {
+    proposed: f64,
+    last_error: f64,
+    rejected: bool,
+}
+
+impl StepControl {
+    /// A controller that proposes `first` seconds.
+    pub fn new(first: f64) -> Self {
+        Self {
+            proposed: first.min(LONGEST),
+            last_error: 1e-4,
+            rejected: false,
+        }
+    }
+
+    /// Length of the next step to try, s.
+    pub fn proposed(&self) -> f64 {
+        self.proposed
+    }
+
+    /// Takes note of a tried step with error `norm` in units of the tolerance; true when the step
+    /// is good enough.
+    pub fn accept(&mut self, length: f64, norm: f64) -> bool {
+        if norm <= 1.0 {
+            let error = norm.max(1e-8);
+            let factor = (SAFETY * error.powf(-PROPORTIONAL) * self.last_error.powf(INTEGRAL))
+                .clamp(
+                    LEAST_FACTOR,
+                    if self.rejected { 1.0 } else { GREATEST_FACTOR },
+                );
+            self.proposed = (length * factor).min(LONGEST);
+            self.last_error = error.max(1e-4);
+            self.rejected = false;
+            true
+        } else {
+            // A norm that is not a number shrinks the step as far as it goes.
+            let factor = SAFETY * norm.powf(-PROPORTIONAL);
+            let factor = if factor > LEAST_FACTOR {
+                factor
+            } else {
+                LEAST_FACTOR
+            };
+            self.proposed = length * factor;
+            self.rejected = true;
+            false
+        }
+    }
+
+    /// Takes note of an event after which the motion goes on under other laws.
+    pub fn restart(&mut self) {
+        self.last_error = 1e-4;
+        self.rejected = false;
+    }
+}

@@ -1,0 +1,308 @@
+//! Where everything is: the surface seen from the vehicle, and the geometry of one leg
+//! (model chapters 1 and 3).
+//!
+//! All vectors are in vehicle axes: the inward surface normal and gravity are turned into the
+//! vehicle once, and each leg then needs dot products only.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::scalar::Real;
+use crate::scene::Scene;
+use crate::state::{Body, rotation};
+use crate::vehicle::Leg;
+
+/// The rigid body's frame at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct BodyFrame<S> {
+    /// The rotation B, vehicle to ground (1).
+    pub rotation: Matrix3<S>,
+    /// Inward surface normal n in vehicle axes.
+    pub normal: Vector3<S>,
+    /// CG velocity in vehicle axes, ft/s.
+    pub velocity: Vector3<S>,
+    /// Angular velocity ω in vehicle axes, rad/s.
+    pub rate: Vector3<S>,
+    /// Depth Z' of the CG below the surface, ft (negative above).
+    pub depth: S,
+    /// 1/cos ξ_B: the blocks stand along the centreline, cos ξ_B = k·n.
+    pub upright: S,
+}
+
+/// The surface: sine and cosine of the slope θs.
+#[derive(Debug, Clone, Copy)]
+pub struct Surface<S> {
+    sine: S,
+    cosine: S,
+}
+
+impl<S: Real> Surface<S> {
+    /// The surface of a scene.
+    pub fn new(scene: &Scene) -> Self {
+        let (sine, cosine) = scene.conditions().slope.sin_cos();
+        Self {
+            sine: S::constant(sine),
+            cosine: S::constant(cosine),
+        }
+    }
+
+    /// Depth Z' of a point in ground axes below the surface, ft.
+    #[inline(always)]
+    pub fn depth(&self, point: &Vector3<S>) -> S {
+        self.sine * point.y + self.cosine * point.z
+    }
+
+    /// The body's frame over this surface.
+    #[inline(always)]
+    pub fn frame(&self, body: &Body<S>) -> BodyFrame<S> {
+        let rotation = rotation(&body.quaternion);
+        let normal = Vector3::new(
+            self.sine * rotation[(1, 0)] + self.cosine * rotation[(2, 0)],
+            self.sine * rotation[(1, 1)] + self.cosine * rotation[(2, 1)],
+            self.sine * rotation[(1, 2)] + self.cosine * rotation[(2, 2)],
+        );
+        BodyFrame {
+            upright: S::one() / normal.z,
+            normal,
+            velocity: rotation.tr_mul(&body.velocity),
+            rate: body.rate,
+            depth: self.depth(&body.position),
+            rotation,
+        }
+    }
+}
+
+/// Constants of a leg's geometry.
+#[derive(Debug, Clone, Copy)]
+pub struct LegGeometry<S> {
+    /// Outboard direction e_j = (sin θj, cos θj, 0).
+    outboard: [S; 2],
+    hardpoint_radius: S,
+    hardpoint_depth: S,
+    link_length: S,
+    /// l_A l_L and l_A² + l_L² of (11).
+    product: S,
+    squares: S,
+    sin_beta: S,
+    cos_beta: S,
+    extended_length: S,
+    /// Centroid offset of a pad section from the pivot, 2 d_f / 3π.
+    centroid: S,
+    pad_height: S,
+    block_radius: S,
+    block_depth: S,
+}
+
+/// Geometry of a leg at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct LegPose<S> {
+    /// Footpad pivot r_p relative to the CG (7), ft.
+    pub pivot: Vector3<S>,
+    /// Normal s of the lower link: pivot velocity per l_L γ̇.
+    pub link_normal: Vector3<S>,
+    /// Pad axes y'' and z''.
+    pub pad_y: Vector3<S>,
+    /// See `pad_y`.
+    pub pad_z: Vector3<S>,
+    /// cos ξ = z''·n.
+    pub pad_inclination: S,
+    /// 1/cos ξ.
+    pub pad_upright: S,
+    /// y''·n.
+    pub pad_y_normal: S,
+    /// Strut stroke δ, ft.
+    pub stroke: S,
+    /// Strut lever dl_D/dγ (12), ft.
+    pub strut_lever: S,
+    /// Interference of the outboard and inboard pad sections (19), ft.
+    pub pad_interference: [S; 2],
+    /// Interference of the block (28), ft.
+    pub block_interference: S,
+    /// Crushed centre of the block relative to the CG, ft.
+    pub block_center: Vector3<S>,
+}
+
+impl<S: Real> LegGeometry<S> {
+    /// Geometry of a leg whose hardpoints lie `hardpoint_depth` (ΔCG, ft) below the CG.
+    pub fn new(leg: &Leg, hardpoint_depth: f64) -> Self {
+        let design = leg.design();
+        let (linkage, footpad, block) = (&design.linkage, &design.footpad, &design.block);
+        let (a, l) = (linkage.hardpoint_distance, linkage.lower_link_length);
+        let constant = S::constant;
+        Self {
+            outboard: [
+                constant(design.azimuth.sin()),
+                constant(design.azimuth.cos()),
+            ],
+            hardpoint_radius: constant(linkage.lower_hardpoint_radius),
+            hardpoint_depth: constant(hardpoint_depth),
+            link_length: constant(l),
+            product: constant(a * l),
+            squares: constant(a * a + l * l),
+            sin_beta: constant(linkage.hardpoint_angle.sin()),
+            cos_beta: constant(linkage.hardpoint_angle.cos()),
+            extended_length: constant(design.strut.extended_length),
+            centroid: constant(2.0 * footpad.diameter / (3.0 * std::f64::consts::PI)),
+            pad_height: constant(footpad.height),
+            block_radius: constant(block.radius),
+            block_depth: constant(hardpoint_depth + block.height),
+        }
+    }
+
+    /// Length l_L of the lower link, ft.
+    #[inline(always)]
+    pub fn link_length(&self) -> S {
+        self.link_length
+    }
+
+    /// Uncrushed pad height h_f0, ft.
+    #[inline(always)]
+    pub fn pad_height(&self) -> S {
+        self.pad_height
+    }
+
+    /// Centroid offsets y'' of the outboard and inboard sections, ft.
+    #[inline(always)]
+    pub fn centroids(&self) -> [S; 2] {
+        [self.centroid, -self.centroid]
+    }
+
+    /// Lower hardpoint relative to the CG (6), ft.
+    #[inline(always)]
+    pub fn lower_hardpoint(&self) -> Vector3<S> {
+        let [ex, ey] = self.outboard;
+        Vector3::new(
+            self.hardpoint_radius * ex,
+            self.hardpoint_radius * ey,
+            self.hardpoint_depth,
+        )
+    }
+
+    /// Footpad pivot relative to the CG at link angle γ (7), ft.
+    #[inline(always)]
+    pub fn pivot(&self, link_angle: S) -> Vector3<S> {
+        let (sine, cosine) = link_angle.sin_cos();
+        let reach = self.hardpoint_radius + self.link_length * cosine;
+        let [ex, ey] = self.outboard;
+        Vector3::new(
+            reach * ex,
+            reach * ey,
+            self.hardpoint_depth + self.link_length * sine,
+        )
+    }
+
+    /// The leg at link angle γ and pad angle α.
+    #[inline(always)]
+    pub fn pose(&self, frame: &BodyFrame<S>, link_angle: S, pad_angle: S) -> LegPose<S> {
+        let n = &frame.normal;
+        let [ex, ey] = self.outboard;
+        let (sin_g, cos_g) = link_angle.sin_cos();
+        let (sin_d, cos_d) = (link_angle - pad_angle).sin_cos();
+
+        let reach = self.hardpoint_radius + self.link_length * cos_g;
+        let drop = self.hardpoint_depth + self.link_length * sin_g;
+        let pivot = Vector3::new(reach * ex, reach * ey, drop);
+        let link_normal = Vector3::new(-sin_g * ex, -sin_g * ey, cos_g);
+        let pad_y = Vector3::new(cos_d * ex, cos_d * ey, sin_d);
+        let pad_z = Vector3::new(-sin_d * ex, -sin_d * ey, cos_d);
+
+        // γ − β in (11) and (12)
+        let sin_gb = sin_g * self.cos_beta - cos_g * self.sin_beta;
+        let cos_gb = cos_g * self.cos_beta + sin_g * self.sin_beta;
+        let length = (self.squares + (self.product + self.product) * sin_gb).sqrt();
+
+        let outward = n.x * ex + n.y * ey;
+        let pad_y_normal = cos_d * outward + sin_d * n.z;
+        let pad_inclination = cos_d * n.z - sin_d * outward;
+        let pivot_depth = frame.depth + reach * outward + drop * n.z;
+        // Z'(r_k)/cos ξ with r_k = r_p ± centroid y'' + h_f0 z''
+        let upright = S::one() / pad_inclination;
+        let lean = self.centroid * pad_y_normal;
+        let pad_interference = [
+            (pivot_depth + lean) * upright + self.pad_height,
+            (pivot_depth - lean) * upright + self.pad_height,
+        ];
+
+        let block_depth = frame.depth + self.block_radius * outward + self.block_depth * n.z;
+        let block_interference = block_depth * frame.upright;
+        let block_center = Vector3::new(
+            self.block_radius * ex,
+            self.block_radius * ey,
+            self.block_depth - block_interference,
+        );
+
+        LegPose {
+            pivot,
+            link_normal,
+            pad_y,
+            pad_z,
+            pad_inclination,
+            pad_upright: upright,
+            pad_y_normal,
+            stroke: self.extended_length - length,
+            strut_lever: self.product * cos_gb / length,
+            pad_interference,
+            block_interference,
+            block_center,
+        }
+    }
+}
+
+/// Velocity, relative to the surface, of a point of the body, split along the inward normal.
+#[derive(Debug, Clone, Copy)]
+pub struct PointVelocity<S> {
+    /// Rate into the ground, ft/s.
+    pub inward: S,
+    /// Sliding velocity, ft/s.
+    pub sliding: Vector3<S>,
+    /// Squared sliding speed S², ft²/s².
+    pub sliding_squared: S,
+}
+
+impl<S: Real> BodyFrame<S> {
+    /// Splits the velocity of a point at `arm` from the CG that moves with `extra` in the vehicle.
+    #[inline(always)]
+    pub fn velocity_at(&self, arm: &Vector3<S>, extra: &Vector3<S>) -> PointVelocity<S> {
+        let velocity = self.velocity + self.rate.cross(arm) + extra;
+        let inward = self.normal.dot(&velocity);
+        let sliding = velocity - self.normal * inward;
+        PointVelocity {
+            inward,
+            sliding,
+            sliding_squared: sliding.dot(&sliding),
+        }
+    }
+
+    /// dI/dt of the pad sections (19), ft/s, for link rate γ̇ and pad rate dα/dt, rad/s.
+    #[inline(always)]
+    pub fn pad_interference_rates(
+        &self,
+        pose: &LegPose<S>,
+        geometry: &LegGeometry<S>,
+        pivot_inward: S,
+        link_rate: S,
+        pad_speed: S,
+    ) -> [S; 2] {
+        // I = depth/cos ξ: dI/dt = (d depth/dt − I d cos ξ/dt)/cos ξ, and in vehicle axes the
+        // normal turns as dn/dt = n×ω.
+        let turn = link_rate - pad_speed;
+        let normal_rate = self.normal.cross(&self.rate);
+        let inclination_rate = normal_rate.dot(&pose.pad_z) - turn * pose.pad_y_normal;
+        let lean_rate = normal_rate.dot(&pose.pad_y) + turn * pose.pad_inclination;
+        let [outer, inner] = pose.pad_interference;
+        let [above_outer, above_inner] = [outer - geometry.pad_height, inner - geometry.pad_height];
+        let upright = pose.pad_upright;
+        let lean = geometry.centroid * lean_rate;
+        [
+            (pivot_inward + lean - above_outer * inclination_rate) * upright,
+            (pivot_inward - lean - above_inner * inclination_rate) * upright,
+        ]
+    }
+
+    /// dI/dt of the block (28), ft/s.
+    #[inline(always)]
+    pub fn block_interference_rate(&self, centre_inward: S) -> S {
+        // The uncrushed centre lies I_B k below the crushed one, and depth = I_B k·n:
+        // k·n dI/dt = n·(V + ω×r_c + I_B ω×k) − I_B k·(n×ω) = n·(V + ω×r_c).
+        centre_inward * self.upright
+    }
+}

@@ -1,0 +1,38 @@
+//! Touchdown dynamics of legged landers.
+//!
+//! A rigid body on hinged legs with shock absorbers, crushable footpads and body blocks touches a
+//! sloping surface with friction; [`landing::land`] integrates from first contact until the
+//! vehicle has come to rest, toppled, or bottomed a strut. The model is that of Bendix report
+//! MM-66-19 (1966); numbers in parentheses in the documentation are its equations.
+//!
+//! Units are foot, slug, pound, second and radian throughout. Nothing here reads or writes files,
+//! starts threads, or looks at a clock.
+//!
+//! | idea | module |
+//! |---|---|
+//! | the lander and the touchdown | [`vehicle`], [`profile`], [`scene`], [`attitude`] |
+//! | where everything is | [`state`], [`kinematics`] |
+//! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
+//! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
+//! | the answer | [`stability`], [`outcome`], [`landing`], [`record`] |
+//! | how it is integrated | [`integrator`] |
+
+pub mod attitude;
+pub mod contact;
+pub mod crush;
+pub mod friction;
+pub mod hinge;
+pub mod integrator;
+pub mod invalid;
+pub mod kinematics;
+pub mod landing;
+pub mod motion;
+pub mod outcome;
+pub mod profile;
+pub mod record;
+pub mod scalar;
+pub mod scene;
+pub mod stability;
+pub mod state;
+pub mod strut;
+pub mod vehicle;

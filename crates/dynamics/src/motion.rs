@@ -1,0 +1,397 @@
+//! The equations of motion (55), (60), (68), (69) as straight-line arithmetic (model chapter 6).
+//!
+//! Which piece of each law is active arrives as coefficients, [`LegPieces`]; there is no branch
+//! and no table search here. Along with the derivative come the signals whose ranges tell how
+//! long those coefficients hold.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::crush::PressureLine;
+use crate::friction::FrictionPiece;
+use crate::hinge::HingePiece;
+use crate::kinematics::{BodyFrame, LegGeometry, PointVelocity, Surface};
+use crate::scalar::Real;
+use crate::scene::Scene;
+use crate::state::{Body, LegState, State, quaternion_rate};
+use crate::strut::{LinkPiece, StrutPiece};
+use crate::vehicle::{Leg, Vehicle};
+
+/// Coefficients of the active piece of every law of one leg.
+#[derive(Debug, Clone, Copy)]
+pub struct LegPieces<S> {
+    /// Pressure on the outboard and inboard pad sections.
+    pub pad: [PressureLine<S>; 2],
+    /// Pressure on the block.
+    pub block: PressureLine<S>,
+    /// Friction under the pad.
+    pub pad_friction: FrictionPiece<S>,
+    /// Friction under the block.
+    pub block_friction: FrictionPiece<S>,
+    /// Shock absorber.
+    pub strut: StrutPiece<S>,
+    /// Lower link.
+    pub link: LinkPiece<S>,
+    /// Footpad hinge.
+    pub hinge: HingePiece<S>,
+}
+
+/// What is watched on a leg: each signal has a range over which the active pieces hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Signal {
+    /// I of the outboard pad section, ft.
+    OuterInterference,
+    /// I of the inboard pad section, ft.
+    InnerInterference,
+    /// I of the block, ft.
+    BlockInterference,
+    /// dI/dt of the outboard pad section, ft/s.
+    OuterRate,
+    /// dI/dt of the inboard pad section, ft/s.
+    InnerRate,
+    /// dI/dt of the block, ft/s.
+    BlockRate,
+    /// Rate of the pad pivot into the ground, ft/s.
+    PivotRate,
+    /// Rate of the crushed block centre into the ground, ft/s.
+    BlockCentreRate,
+    /// S² of the pad, ft²/s².
+    PadSliding,
+    /// S² of the block, ft²/s².
+    BlockSliding,
+    /// Strut stroke δ, ft.
+    Stroke,
+    /// Link rate γ̇, rad/s.
+    LinkRate,
+    /// Torque of the surface on the link, ft·lb.
+    LinkTorque,
+    /// Pad angle α, rad.
+    PadAngle,
+    /// Pad rate state α̇, rad/s.
+    PadRate,
+    /// Hinge speed before the clip, rad/s.
+    HingeSpeed,
+    /// cos ξ of the pad.
+    PadInclination,
+    /// Strut force F, lb: for the record, without a range.
+    StrutForce,
+}
+
+impl Signal {
+    /// Number of signals of a leg.
+    pub const COUNT: usize = 18;
+
+    /// Every signal, in storage order.
+    pub const ALL: [Self; Self::COUNT] = [
+        Self::OuterInterference,
+        Self::InnerInterference,
+        Self::BlockInterference,
+        Self::OuterRate,
+        Self::InnerRate,
+        Self::BlockRate,
+        Self::PivotRate,
+        Self::BlockCentreRate,
+        Self::PadSliding,
+        Self::BlockSliding,
+        Self::Stroke,
+        Self::LinkRate,
+        Self::LinkTorque,
+        Self::PadAngle,
+        Self::PadRate,
+        Self::HingeSpeed,
+        Self::PadInclination,
+        Self::StrutForce,
+    ];
+}
+
+/// The signals of one leg, indexed by [`Signal`].
+pub type LegSignals<S> = [S; Signal::COUNT];
+
+/// Forces on one leg, lb.
+#[derive(Debug, Clone, Copy)]
+pub struct LegLoads<S> {
+    /// Strut force F, compression positive.
+    pub strut: S,
+    /// Normal force N on the pad.
+    pub pad_normal: S,
+    /// Friction force on the pad.
+    pub pad_friction: S,
+    /// Normal force on the block.
+    pub block_normal: S,
+    /// Friction force on the block.
+    pub block_friction: S,
+}
+
+/// Constants of the equations of motion of one vehicle on one surface.
+#[derive(Debug, Clone, Copy)]
+pub struct Motion<S, const LEGS: usize> {
+    surface: Surface<S>,
+    gravity: S,
+    inverse_mass: S,
+    inertia: Matrix3<S>,
+    inverse_inertia: Matrix3<S>,
+    legs: [LegMotion<S>; LEGS],
+}
+
+#[derive(Debug, Clone, Copy)]
+struct LegMotion<S> {
+    geometry: LegGeometry<S>,
+    link_inertia: S,
+    inverse_link_inertia: S,
+    inverse_pad_inertia: S,
+    /// Half of π d_f²/8 C_f: the attitude factor of (29) and (33) is then 1 + cos²ξ.
+    pad_strength: S,
+    /// Half of π d_B²/4 C_B.
+    block_strength: S,
+    pad_friction: S,
+    block_friction: S,
+}
+
+impl<S: Real> LegMotion<S> {
+    fn new(leg: &Leg, hardpoint_depth: f64, scene: &Scene) -> Self {
+        let design = leg.design();
+        let (pad, block) = (&design.footpad, &design.block);
+        let quarter_circle = std::f64::consts::FRAC_PI_4;
+        let constant = S::constant;
+        Self {
+            geometry: LegGeometry::new(leg, hardpoint_depth),
+            link_inertia: constant(design.linkage.inertia),
+            inverse_link_inertia: constant(1.0 / design.linkage.inertia),
+            inverse_pad_inertia: constant(1.0 / pad.inertia),
+            pad_strength: constant(
+                0.25 * quarter_circle * pad.diameter * pad.diameter * pad.crush_pressure,
+            ),
+            block_strength: constant(
+                0.5 * quarter_circle * block.diameter * block.diameter * block.crush_pressure,
+            ),
+            pad_friction: constant(scene.conditions().pad_friction),
+            block_friction: constant(scene.conditions().block_friction),
+        }
+    }
+}
+
+/// What one leg does to the body and itself.
+struct LegAction<S> {
+    force: Vector3<S>,
+    torque: Vector3<S>,
+    derivative: LegState<S>,
+    signals: LegSignals<S>,
+    loads: LegLoads<S>,
+}
+
+impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
+    /// The equations of motion of a vehicle in a scene.
+    pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Self {
+        let inertia = *vehicle.inertia();
+        // A positive definite matrix has an inverse; the vehicle was checked.
+        let inverse = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
+        let depth = vehicle.center_of_gravity_height();
+        Self {
+            surface: Surface::new(scene),
+            gravity: S::constant(vehicle.gravity()),
+            inverse_mass: S::constant(1.0 / vehicle.mass()),
+            inertia: inertia.map(S::constant),
+            inverse_inertia: inverse.map(S::constant),
+            legs: std::array::from_fn(|j| LegMotion::new(&vehicle.legs()[j], depth, scene)),
+        }
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> &Surface<S> {
+        &self.surface
+    }
+
+    /// Geometry of leg `index`.
+    pub fn geometry(&self, index: usize) -> &LegGeometry<S> {
+        &self.legs[index].geometry
+    }
+
+    /// Time derivative of the state.
+    // One copy of the code serves all stages of a step: inlined into each, it would not fit the
+    // instruction cache.
+    #[inline(never)]
+    pub fn derivative(
+        &self,
+        state: &State<S, LEGS>,
+        pieces: &[LegPieces<S>; LEGS],
+    ) -> State<S, LEGS> {
+        self.derivative_and_signals(state, pieces).0
+    }
+
+    /// Signals of all legs.
+    #[inline(never)]
+    pub fn signals(
+        &self,
+        state: &State<S, LEGS>,
+        pieces: &[LegPieces<S>; LEGS],
+    ) -> [LegSignals<S>; LEGS] {
+        self.derivative_and_signals(state, pieces).1
+    }
+
+    /// Time derivative of the state and the signals of all legs.
+    #[inline(never)]
+    pub fn evaluate(
+        &self,
+        state: &State<S, LEGS>,
+        pieces: &[LegPieces<S>; LEGS],
+    ) -> (State<S, LEGS>, [LegSignals<S>; LEGS]) {
+        self.derivative_and_signals(state, pieces)
+    }
+
+    /// Loads of all legs.
+    pub fn loads(
+        &self,
+        state: &State<S, LEGS>,
+        pieces: &[LegPieces<S>; LEGS],
+    ) -> [LegLoads<S>; LEGS] {
+        let frame = self.surface.frame(&state.body());
+        std::array::from_fn(|j| self.legs[j].action(&frame, &state.leg(j), &pieces[j]).loads)
+    }
+
+    #[inline(always)]
+    fn derivative_and_signals(
+        &self,
+        state: &State<S, LEGS>,
+        pieces: &[LegPieces<S>; LEGS],
+    ) -> (State<S, LEGS>, [LegSignals<S>; LEGS]) {
+        let body = state.body();
+        let frame = self.surface.frame(&body);
+        let mut force = Vector3::zeros();
+        let mut torque = Vector3::zeros();
+        let mut signals = [[S::zero(); Signal::COUNT]; LEGS];
+        let mut derivative = State::zero();
+        for j in 0..LEGS {
+            let action = self.legs[j].action(&frame, &state.leg(j), &pieces[j]);
+            force += action.force;
+            torque += action.torque;
+            signals[j] = action.signals;
+            derivative.set_leg(j, &action.derivative);
+        }
+        let mut acceleration = frame.rotation * force * self.inverse_mass;
+        acceleration.z += self.gravity;
+        let momentum = self.inertia * body.rate;
+        derivative.set_body(&Body {
+            position: body.velocity,
+            velocity: acceleration,
+            quaternion: quaternion_rate(&body.quaternion, &body.rate),
+            rate: self.inverse_inertia * (torque - body.rate.cross(&momentum)),
+        });
+        (derivative, signals)
+    }
+}
+
+impl<S: Real> LegMotion<S> {
+    #[inline(always)]
+    fn action(
+        &self,
+        frame: &BodyFrame<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+    ) -> LegAction<S> {
+        let pose = self.geometry.pose(frame, leg.link_angle, leg.pad_angle);
+        let link_length = self.geometry.link_length();
+
+        // Surface on the pad: normal force (29), friction along the pivot's sliding velocity.
+        let swing = pose.link_normal * (link_length * leg.link_rate);
+        let pivot = frame.velocity_at(&pose.pivot, &swing);
+        let cos_pad = pose.pad_inclination;
+        let per_pressure = self.pad_strength * (pose.pad_upright + cos_pad);
+        let [outer, inner] = pose.pad_interference;
+        let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
+        let pad_normal = per_pressure * (pressure[0] + pressure[1]);
+        let pad_drag = self.pad_friction * pieces.pad_friction.per_speed(pivot.sliding_squared);
+        // n + μ t̂: against it the surface pushes with N.
+        let pad_line = frame.normal + pivot.sliding * pad_drag;
+        let pad_force = pad_line * -pad_normal;
+
+        // Surface on the block (33).
+        let centre = frame.velocity_at(&pose.block_center, &Vector3::zeros());
+        let cos_block = frame.normal.z;
+        let block_normal = self.block_strength
+            * (S::one() + cos_block * cos_block)
+            * pieces.block.at(pose.block_interference);
+        let block_drag =
+            self.block_friction * pieces.block_friction.per_speed(centre.sliding_squared);
+        let block_force = (frame.normal + centre.sliding * block_drag) * -block_normal;
+
+        // Lower link (49), (68).
+        let strut_rate = pose.strut_lever * leg.link_rate;
+        let strut = pieces.strut.force(pose.stroke, leg.link_rate, strut_rate);
+        let surface_torque = link_length * pose.link_normal.dot(&pad_force);
+        let link_torque = surface_torque + strut * pose.strut_lever;
+        let link_acceleration = pieces
+            .link
+            .acceleration(link_torque * self.inverse_link_inertia, leg.link_rate);
+
+        // Footpad hinge (52), (69).
+        let along_z = pad_line.dot(&pose.pad_z);
+        let along_y = pad_line.dot(&pose.pad_y);
+        let centroids = self.geometry.centroids();
+        let height = self.geometry.pad_height();
+        let lever =
+            |k: usize| (height - pose.pad_interference[k]) * along_y - centroids[k] * along_z;
+        let pad_torque = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
+        let unclipped = pieces.hinge.unclipped_speed(leg.pad_angle, leg.pad_rate);
+        let pad_speed = pieces.hinge.speed(unclipped);
+
+        let derivative = LegState {
+            link_angle: pieces.link.moving * leg.link_rate,
+            link_rate: link_acceleration,
+            pad_angle: pad_speed,
+            pad_rate: pad_torque * self.inverse_pad_inertia + link_acceleration,
+            work: [
+                -strut * strut_rate,
+                pad_normal * pivot.inward,
+                pad_normal * pad_drag * pivot.sliding_squared,
+                block_normal * centre.inward,
+                block_normal * block_drag * centre.sliding_squared,
+                (link_torque - self.link_inertia * link_acceleration) * leg.link_rate,
+            ],
+        };
+        let rates = frame.pad_interference_rates(
+            &pose,
+            &self.geometry,
+            pivot.inward,
+            leg.link_rate,
+            pad_speed,
+        );
+        let signals = [
+            outer,
+            inner,
+            pose.block_interference,
+            rates[0],
+            rates[1],
+            frame.block_interference_rate(centre.inward),
+            pivot.inward,
+            centre.inward,
+            pivot.sliding_squared,
+            centre.sliding_squared,
+            pose.stroke,
+            leg.link_rate,
+            surface_torque,
+            leg.pad_angle,
+            leg.pad_rate,
+            unclipped,
+            cos_pad,
+            strut,
+        ];
+        LegAction {
+            force: pad_force + block_force,
+            torque: pose.pivot.cross(&pad_force) + pose.block_center.cross(&block_force),
+            derivative,
+            signals,
+            loads: LegLoads {
+                strut,
+                pad_normal,
+                pad_friction: pad_normal * drag_force(pad_drag, &pivot),
+                block_normal,
+                block_friction: block_normal * drag_force(block_drag, &centre),
+            },
+        }
+    }
+}
+
+/// Friction force per pound of normal force: μ(S).
+#[inline(always)]
+fn drag_force<S: Real>(per_speed: S, point: &PointVelocity<S>) -> S {
+    per_speed * point.sliding_squared.sqrt()
+}

@@ -1,0 +1,95 @@
+//! Piecewise-linear tables: crush pressure against interference, strut multipliers against stroke.
+
+use crate::invalid::Invalid;
+
+/// A continuous piecewise-linear function given by knots.
+///
+/// Beyond its last knot the last segment is extended; below its first knot the function is
+/// whatever the law that uses it says (all tables of the report start at zero abscissa).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    knots: Vec<[f64; 2]>,
+}
+
+/// The straight line `offset + slope · x` that holds up to (and not beyond) `upper`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// Value of the line at x = 0.
+    pub offset: f64,
+    /// Slope of the line.
+    pub slope: f64,
+    /// Abscissa at which the next segment takes over; infinite for the last one.
+    pub upper: f64,
+}
+
+impl Profile {
+    /// Builds a table from `[x, y]` knots.
+    ///
+    /// # Errors
+    /// At least two knots, starting at x = 0, strictly increasing in x, finite and with y ≥ 0.
+    pub fn new(knots: Vec<[f64; 2]>) -> Result<Self, Invalid> {
+        if knots.len() < 2 {
+            return Err(Invalid::new(
+                "table",
+                knots.len() as f64,
+                "at least two knots",
+            ));
+        }
+        for knot in &knots {
+            if !knot[0].is_finite() || !knot[1].is_finite() || knot[1] < 0.0 {
+                let bad = if knot[0].is_finite() {
+                    knot[1]
+                } else {
+                    knot[0]
+                };
+                return Err(Invalid::new("table", bad, "finite numbers, ordinates ≥ 0"));
+            }
+        }
+        if knots[0][0] != 0.0 {
+            return Err(Invalid::new("table", knots[0][0], "first abscissa 0"));
+        }
+        for pair in knots.windows(2) {
+            if pair[1][0] <= pair[0][0] {
+                return Err(Invalid::new(
+                    "table",
+                    pair[1][0],
+                    "abscissas in increasing order",
+                ));
+            }
+        }
+        Ok(Self { knots })
+    }
+
+    /// The knots, `[x, y]` each.
+    pub fn knots(&self) -> &[[f64; 2]] {
+        &self.knots
+    }
+
+    /// The segments from left to right.
+    pub fn segments(&self) -> Vec<Segment> {
+        let last = self.knots.len() - 2;
+        self.knots
+            .windows(2)
+            .enumerate()
+            .map(|(index, pair)| {
+                let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+                let slope = (y1 - y0) / (x1 - x0);
+                Segment {
+                    offset: y0 - slope * x0,
+                    slope,
+                    upper: if index == last { f64::INFINITY } else { x1 },
+                }
+            })
+            .collect()
+    }
+
+    /// The segment that holds just above `x`.
+    pub fn segment_at(&self, x: f64) -> Segment {
+        let segments = self.segments();
+        let index = segments
+            .iter()
+            .position(|s| x < s.upper)
+            .unwrap_or(segments.len() - 1);
+        segments[index]
+    }
+}

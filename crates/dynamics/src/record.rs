@@ -1,0 +1,166 @@
+//! What a landing reports: its result, its energy account, its history.
+
+use nalgebra::Vector3;
+
+use crate::attitude::Attitude;
+use crate::outcome::Outcome;
+
+/// Work done on one leg's elements since touchdown, ft·lb. Strut and crush work include what is
+/// still stored elastically.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct LegWork {
+    /// Shock absorber.
+    pub strut: f64,
+    /// Footpad, normal to the surface (crushing).
+    pub pad_crush: f64,
+    /// Footpad, sliding.
+    pub pad_friction: f64,
+    /// Body block, normal to the surface (crushing).
+    pub block_crush: f64,
+    /// Body block, sliding.
+    pub block_friction: f64,
+    /// Link motion ended by the extension stop or frozen off the surface.
+    pub stop: f64,
+}
+
+impl LegWork {
+    /// Work in the order in which the state carries it.
+    pub(crate) fn from_state(work: [f64; 6]) -> Self {
+        let [
+            strut,
+            pad_crush,
+            pad_friction,
+            block_crush,
+            block_friction,
+            stop,
+        ] = work;
+        Self {
+            strut,
+            pad_crush,
+            pad_friction,
+            block_crush,
+            block_friction,
+            stop,
+        }
+    }
+
+    /// Sum over the elements, ft·lb.
+    pub fn total(&self) -> f64 {
+        self.strut
+            + self.pad_crush
+            + self.pad_friction
+            + self.block_crush
+            + self.block_friction
+            + self.stop
+    }
+}
+
+/// Energy account of a landing, ft·lb.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Energies<const LEGS: usize> {
+    /// Kinetic energy at first contact: body and lower links.
+    pub initial_kinetic: f64,
+    /// Potential energy released since, M g times the descent of the CG.
+    pub potential_change: f64,
+    /// Work done on the elements.
+    pub legs: [LegWork; LEGS],
+    /// Kinetic energy at the end: body and lower links.
+    pub final_kinetic: f64,
+}
+
+impl<const LEGS: usize> Energies<LEGS> {
+    /// Energy taken up by all elements, ft·lb.
+    pub fn dissipated(&self) -> f64 {
+        self.legs.iter().map(LegWork::total).sum()
+    }
+
+    /// What the account does not explain, ft·lb; zero but for integration error.
+    pub fn closure(&self) -> f64 {
+        self.initial_kinetic + self.potential_change - self.dissipated() - self.final_kinetic
+    }
+}
+
+/// What one landing came to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Landing<const LEGS: usize> {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// When, s after first contact.
+    pub end_time: f64,
+    /// Least stability angle σ, rad; zero or less for a pitch topple.
+    pub min_stability_angle: f64,
+    /// Time of the least stability angle, s.
+    pub min_stability_time: f64,
+    /// Least ground clearance of the lower hardpoints, ft (71).
+    pub min_clearance: f64,
+    /// Largest strut force magnitudes, lb.
+    pub max_strut_force: [f64; LEGS],
+    /// First contact of each footpad, s.
+    pub pad_contact: [Option<f64>; LEGS],
+    /// First contact of each body block, s.
+    pub block_contact: [Option<f64>; LEGS],
+    /// Energy account.
+    pub energies: Energies<LEGS>,
+    /// Accepted integration steps.
+    pub steps: u64,
+    /// Evaluations of the equations of motion, event location included.
+    pub evaluations: u64,
+    /// Events located: changes of a law's active piece.
+    pub events: u64,
+}
+
+/// State and loads at one instant of a landing, for histories. Foot, pound, second, radian.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Instant<const LEGS: usize> {
+    /// Time after first contact, s.
+    pub time: f64,
+    /// CG in ground axes, ft.
+    pub position: Vector3<f64>,
+    /// CG velocity in ground axes, ft/s.
+    pub velocity: Vector3<f64>,
+    /// Attitude, vehicle to ground.
+    pub attitude: Attitude,
+    /// Body angular velocity, vehicle axes, rad/s.
+    pub angular_velocity: Vector3<f64>,
+    /// Stability angle σ, rad.
+    pub stability_angle: f64,
+    /// Least height of the lower hardpoints above the surface, ft.
+    pub clearance: f64,
+    /// Kinetic energy of body and lower links, ft·lb.
+    pub kinetic_energy: f64,
+    /// Potential energy released since first contact, ft·lb.
+    pub potential_change: f64,
+    /// The legs.
+    pub legs: [LegInstant; LEGS],
+}
+
+/// One leg at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LegInstant {
+    /// Lower-link angle γ, rad.
+    pub link_angle: f64,
+    /// Its rate γ̇, rad/s.
+    pub link_rate: f64,
+    /// Footpad angle α, rad.
+    pub pad_angle: f64,
+    /// Its rate state α̇, rad/s (winds up while the pad presses on a stop).
+    pub pad_rate: f64,
+    /// Strut stroke δ, ft.
+    pub stroke: f64,
+    /// Strut force, lb, compression positive; zero off the surface and on the extension stop.
+    pub strut_force: f64,
+    /// Normal force of the surface on the footpad, lb.
+    pub pad_normal: f64,
+    /// Friction force on the footpad, lb.
+    pub pad_friction: f64,
+    /// Normal force of the surface on the block, lb.
+    pub block_normal: f64,
+    /// Friction force on the block, lb.
+    pub block_friction: f64,
+    /// Plastic sets of the outboard and inboard pad sections, ft.
+    pub pad_sets: [f64; 2],
+    /// Plastic set of the block, ft.
+    pub block_set: f64,
+    /// Work done on this leg's elements since first contact.
+    pub work: LegWork,
+}

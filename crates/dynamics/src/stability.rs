@@ -1,0 +1,291 @@
+//! Stability angle, critical feet and the quantities outcomes are judged by (2.7, model chapter 7).
+
+use nalgebra::Vector3;
+
+use crate::integrator::event::{Bounds, Signals};
+use crate::motion::Motion;
+use crate::scene::Scene;
+use crate::state::State;
+
+/// Speed below which the CG has no direction of its own, ft/s.
+const DIRECTIONLESS: f64 = 0.001;
+/// Least magnitude of the denominator of (76), ft²/s.
+const LEAST_DENOMINATOR: f64 = 1e-4;
+/// Calm: speed (ft/s) and angular rate (rad/s) components below which motion has subsided.
+const CALM_SPEED: f64 = 2.0;
+const CALM_RATE: f64 = 0.1;
+/// Rock-back: σ has been below this, rad, and has risen from its least value by that, rad.
+#[allow(
+    clippy::approx_constant,
+    reason = "the listing's rounded number, not a quarter of π"
+)]
+const ROCKED_UP: f64 = 0.7854;
+const ROCKED_BACK: f64 = 0.874;
+/// Slacks: foot side (ft²/s or ft), stability angle (rad), the rest (ft/s, rad/s, ft).
+const SIDE_SLACK: f64 = 1e-9;
+const ANGLE_SLACK: f64 = 1e-12;
+const CALM_SLACK: f64 = 1e-11;
+
+/// The plane in which toppling is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Plane {
+    /// That of the CG's horizontal velocity.
+    Motion,
+    /// That of the steepest slope, while the CG hardly moves sideways.
+    Slope,
+}
+
+/// Two feet astride the plane, between which the vehicle would topple.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CriticalFeet {
+    /// The foot on the negative side.
+    pub negative: usize,
+    /// Its ring neighbour on the positive side.
+    pub positive: usize,
+}
+
+/// The report's rule for the critical feet: the foot alone on its side with its neighbour, the one
+/// before it when it stands on the positive side and the one after it when on the negative. Both
+/// say the same: the step from a foot on the negative side to the next one on the positive side.
+/// In this form the rule serves any ring of feet. `None`: all feet on one side, toppling in yaw.
+pub fn critical_feet<const LEGS: usize>(positive: &[bool; LEGS]) -> Option<CriticalFeet> {
+    (0..LEGS)
+        .map(|foot| (foot, (foot + 1) % LEGS))
+        .find(|&(foot, next)| !positive[foot] && positive[next])
+        .map(|(foot, next)| CriticalFeet {
+            negative: foot,
+            positive: next,
+        })
+}
+
+/// What outcomes are judged by, at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Observation<const LEGS: usize> {
+    /// Side of each foot: positive to the left of the plane.
+    pub sides: [f64; LEGS],
+    /// Stability angle σ, rad (79); positive inboard of the critical feet.
+    pub angle: f64,
+    /// Ẋ, Ẏ, Ż in ft/s, ω in rad/s, height of the CG over the surface in ft.
+    pub calm: [f64; CALM],
+    /// Least height of the lower hardpoints over the surface (71), ft.
+    pub clearance: f64,
+}
+
+const CALM: usize = 7;
+
+impl<const LEGS: usize> Signals for Observation<LEGS> {
+    fn count(&self) -> usize {
+        LEGS + 1 + CALM
+    }
+
+    #[inline(always)]
+    fn get(&self, index: usize) -> f64 {
+        if index < LEGS {
+            self.sides[index]
+        } else if index == LEGS {
+            self.angle
+        } else {
+            self.calm[index - LEGS - 1]
+        }
+    }
+}
+
+/// Verdict on a vehicle at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// All feet on one side of the plane.
+    Yaw,
+    /// σ ≤ 0.
+    Pitch,
+    /// Rocked up and came back.
+    Rockback,
+    /// Motion subsided.
+    Subsided,
+}
+
+/// How stability is being judged: plane, critical feet, and which limits the motion is within.
+#[derive(Debug, Clone)]
+pub struct Judge<const LEGS: usize> {
+    /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
+    slope_side: f64,
+    calm_height: f64,
+    plane: Plane,
+    feet: CriticalFeet,
+    bounds: Vec<Bounds>,
+}
+
+impl<const LEGS: usize> Judge<LEGS> {
+    /// A judge for a scene and a first look at the state at touchdown. Motion counts as subsided
+    /// only while the CG is within `calm_height` (ft) of the surface.
+    ///
+    /// # Errors
+    /// [`Verdict::Yaw`] when all feet stand on one side of the plane already.
+    pub fn new(
+        scene: &Scene,
+        calm_height: f64,
+        motion: &Motion<f64, LEGS>,
+        state: &State<f64, LEGS>,
+    ) -> Result<(Self, Observation<LEGS>), Verdict> {
+        let slope = scene.conditions().slope;
+        let mut judge = Self {
+            slope_side: if slope == 0.0 { 1.0 } else { -slope.signum() },
+            calm_height,
+            plane: Plane::Motion,
+            feet: CriticalFeet {
+                negative: 0,
+                positive: 1,
+            },
+            bounds: Vec::with_capacity(LEGS + 1 + CALM),
+        };
+        let observation = judge.look(motion, state)?;
+        Ok((judge, observation))
+    }
+
+    /// Chooses plane and critical feet anew; σ is then measured against them until a signal
+    /// leaves its range.
+    ///
+    /// # Errors
+    /// [`Verdict::Yaw`] when all feet stand on one side of the plane.
+    pub fn look(
+        &mut self,
+        motion: &Motion<f64, LEGS>,
+        state: &State<f64, LEGS>,
+    ) -> Result<Observation<LEGS>, Verdict> {
+        let velocity = state.body().velocity;
+        let slow = |speed: f64| speed.abs() < DIRECTIONLESS;
+        self.plane = if slow(velocity.x) && slow(velocity.y) {
+            Plane::Slope
+        } else {
+            Plane::Motion
+        };
+        let sides = self.observe(motion, state).sides;
+        self.feet = critical_feet(&sides.map(|side| side >= 0.0)).ok_or(Verdict::Yaw)?;
+        Ok(self.observe(motion, state))
+    }
+
+    /// What the chosen plane and critical feet show at a state.
+    pub fn observe(
+        &self,
+        motion: &Motion<f64, LEGS>,
+        state: &State<f64, LEGS>,
+    ) -> Observation<LEGS> {
+        let body = state.body();
+        let frame = motion.surface().frame(&body);
+        let feet: [Vector3<f64>; LEGS] = std::array::from_fn(|j| {
+            frame.rotation * motion.geometry(j).pivot(state.leg(j).link_angle)
+        });
+        let (vx, vy) = (body.velocity.x, body.velocity.y);
+        let sides = feet.map(|foot| match self.plane {
+            Plane::Motion => vy * foot.x - vx * foot.y,
+            Plane::Slope => self.slope_side * foot.x,
+        });
+        let clearance = (0..LEGS)
+            .map(|j| -(frame.depth + frame.normal.dot(&motion.geometry(j).lower_hardpoint())))
+            .fold(f64::INFINITY, f64::min);
+        Observation {
+            sides,
+            angle: self.angle(&feet[self.feet.negative], &feet[self.feet.positive], vx, vy),
+            calm: [
+                vx,
+                vy,
+                body.velocity.z,
+                body.rate.x,
+                body.rate.y,
+                body.rate.z,
+                -frame.depth,
+            ],
+            clearance,
+        }
+    }
+
+    /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
+    /// where the line joining the critical feet meets the plane. A lies in the plane, so its
+    /// horizontal part has the direction of motion and σ is a plain polar angle.
+    fn angle(&self, from: &Vector3<f64>, to: &Vector3<f64>, vx: f64, vy: f64) -> f64 {
+        let span = to - from;
+        let denominator = match self.plane {
+            Plane::Motion => vx * span.y - vy * span.x,
+            Plane::Slope => 0.0,
+        };
+        let along = if denominator.abs() >= LEAST_DENOMINATOR {
+            (vy * from.x - vx * from.y) / denominator
+        } else if span.x != 0.0 {
+            -from.x / span.x
+        } else {
+            0.5
+        };
+        let a = from + span * along;
+        match self.plane {
+            Plane::Motion => {
+                let speed = vx.hypot(vy);
+                ((a.x * vx + a.y * vy) / speed).atan2(a.z)
+            }
+            Plane::Slope => a.x.hypot(a.y).atan2(a.z),
+        }
+    }
+
+    /// Ranges over which the present plane, feet and verdict hold, given what is observed now and
+    /// the least σ so far, in the order of [`Observation`]'s signals.
+    pub fn bounds(&mut self, seen: &Observation<LEGS>, least_angle: f64) -> &[Bounds] {
+        self.bounds.clear();
+        for side in seen.sides {
+            let range = if side >= 0.0 {
+                Bounds::above(0.0)
+            } else {
+                Bounds::below(0.0)
+            };
+            self.bounds.push(range.widened(SIDE_SLACK));
+        }
+        let highest = if least_angle < ROCKED_UP {
+            least_angle + ROCKED_BACK
+        } else {
+            f64::INFINITY
+        };
+        self.bounds.push(Bounds {
+            lower: 0.0,
+            upper: highest + ANGLE_SLACK,
+        });
+        for (index, &value) in seen.calm.iter().enumerate() {
+            self.bounds
+                .push(self.calm_cell(index, value).widened(CALM_SLACK));
+        }
+        &self.bounds
+    }
+
+    /// The stretch between two neighbouring limits in which a calm quantity lies.
+    fn calm_cell(&self, index: usize, value: f64) -> Bounds {
+        let limits: &[f64] = match index {
+            0 | 1 => &[-CALM_SPEED, -DIRECTIONLESS, DIRECTIONLESS, CALM_SPEED],
+            2 => &[-CALM_SPEED, CALM_SPEED],
+            3..=5 => &[-CALM_RATE, CALM_RATE],
+            _ => &[self.calm_height],
+        };
+        let mut cell = Bounds::FREE;
+        for &limit in limits {
+            if value >= limit {
+                cell.lower = limit;
+            } else {
+                cell.upper = limit;
+                break;
+            }
+        }
+        cell
+    }
+
+    /// The verdict on what is observed now, if there is one.
+    pub fn verdict(&self, seen: &Observation<LEGS>, least_angle: f64) -> Option<Verdict> {
+        let [vx, vy, vz, wx, wy, wz, height] = seen.calm;
+        let calm = [vx, vy, vz].iter().all(|v| v.abs() <= CALM_SPEED)
+            && [wx, wy, wz].iter().all(|w| w.abs() <= CALM_RATE)
+            && height <= self.calm_height;
+        if seen.angle <= 0.0 {
+            Some(Verdict::Pitch)
+        } else if least_angle < ROCKED_UP && seen.angle - least_angle > ROCKED_BACK {
+            Some(Verdict::Rockback)
+        } else if calm {
+            Some(Verdict::Subsided)
+        } else {
+            None
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! The integrated state: rigid body, legs, and the work done on their elements.
+
+use nalgebra::{Matrix3, Vector3, Vector4};
+
+use crate::scalar::Real;
+
+/// State of a vehicle with `LEGS` legs, or its time derivative.
+///
+/// Stored flat so that linear combinations run over plain arrays; the named views [`Body`] and
+/// [`LegState`] are how the physics reads and writes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State<S, const LEGS: usize> {
+    body: [S; BODY],
+    legs: [[S; LEG]; LEGS],
+}
+
+const BODY: usize = 13;
+const LEG: usize = 10;
+/// Leading components of a leg that move; the rest are work integrals.
+const LEG_MOTION: usize = 4;
+
+/// The rigid body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body<S> {
+    /// CG in ground axes, ft.
+    pub position: Vector3<S>,
+    /// CG velocity in ground axes, ft/s.
+    pub velocity: Vector3<S>,
+    /// Quaternion (w, x, y, z) of the attitude, vehicle to ground; its length does not matter.
+    pub quaternion: Vector4<S>,
+    /// Angular velocity ω in vehicle axes, rad/s.
+    pub rate: Vector3<S>,
+}
+
+/// One leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LegState<S> {
+    /// Lower-link angle γ, rad.
+    pub link_angle: S,
+    /// Its rate γ̇, rad/s.
+    pub link_rate: S,
+    /// Footpad angle α, rad.
+    pub pad_angle: S,
+    /// Its rate state α̇, rad/s.
+    pub pad_rate: S,
+    /// Work done on strut, pad (crush, friction), block (crush, friction) and stop, ft·lb.
+    pub work: [S; LEG - LEG_MOTION],
+}
+
+impl<S: Real, const LEGS: usize> State<S, LEGS> {
+    /// Packs body and legs.
+    pub fn new(body: &Body<S>, legs: [LegState<S>; LEGS]) -> Self {
+        let mut state = Self::zero();
+        state.set_body(body);
+        for (index, leg) in legs.iter().enumerate() {
+            state.set_leg(index, leg);
+        }
+        state
+    }
+
+    /// Writes the rigid body.
+    #[inline(always)]
+    pub fn set_body(&mut self, body: &Body<S>) {
+        let Body {
+            position: p,
+            velocity: v,
+            quaternion: q,
+            rate: w,
+        } = body;
+        self.body = [
+            p.x, p.y, p.z, v.x, v.y, v.z, q.x, q.y, q.z, q.w, w.x, w.y, w.z,
+        ];
+    }
+
+    /// Writes leg `index`.
+    #[inline(always)]
+    pub fn set_leg(&mut self, index: usize, leg: &LegState<S>) {
+        let w = leg.work;
+        self.legs[index] = [
+            leg.link_angle,
+            leg.link_rate,
+            leg.pad_angle,
+            leg.pad_rate,
+            w[0],
+            w[1],
+            w[2],
+            w[3],
+            w[4],
+            w[5],
+        ];
+    }
+
+    /// All components zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            body: [S::zero(); BODY],
+            legs: [[S::zero(); LEG]; LEGS],
+        }
+    }
+
+    /// The rigid body.
+    #[inline(always)]
+    pub fn body(&self) -> Body<S> {
+        let b = &self.body;
+        Body {
+            position: Vector3::new(b[0], b[1], b[2]),
+            velocity: Vector3::new(b[3], b[4], b[5]),
+            quaternion: Vector4::new(b[6], b[7], b[8], b[9]),
+            rate: Vector3::new(b[10], b[11], b[12]),
+        }
+    }
+
+    /// Leg `index`.
+    #[inline(always)]
+    pub fn leg(&self, index: usize) -> LegState<S> {
+        let l = &self.legs[index];
+        LegState {
+            link_angle: l[0],
+            link_rate: l[1],
+            pad_angle: l[2],
+            pad_rate: l[3],
+            work: [l[4], l[5], l[6], l[7], l[8], l[9]],
+        }
+    }
+
+    /// self + Σ weight · slope, component by component.
+    #[inline(always)]
+    pub fn advanced<const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+    ) -> Self {
+        self.advanced_through::<LEG, TERMS>(weights, slopes)
+    }
+
+    /// self + Σ weight · slope of what moves; the work integrals, on which nothing depends, stay.
+    #[inline(always)]
+    pub fn advanced_motion<const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+    ) -> Self {
+        self.advanced_through::<LEG_MOTION, TERMS>(weights, slopes)
+    }
+
+    #[inline(always)]
+    fn advanced_through<const LAST: usize, const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+    ) -> Self {
+        let mut result = *self;
+        for i in 0..BODY {
+            for k in 0..TERMS {
+                result.body[i] += weights[k] * slopes[k].body[i];
+            }
+        }
+        for leg in 0..LEGS {
+            for i in 0..LAST {
+                for k in 0..TERMS {
+                    result.legs[leg][i] += weights[k] * slopes[k].legs[leg][i];
+                }
+            }
+        }
+        result
+    }
+
+    /// self · factor.
+    #[inline(always)]
+    pub fn scaled(&self, factor: S) -> Self {
+        Self {
+            body: self.body.map(|v| v * factor),
+            legs: self.legs.map(|leg| leg.map(|v| v * factor)),
+        }
+    }
+}
+
+impl<const LEGS: usize> State<f64, LEGS> {
+    /// Greatest error of a moving component in units of its tolerance, which is relative above
+    /// 1 ft, ft/s, rad or rad/s and absolute below. The work integrals follow from the motion and
+    /// have no say.
+    pub fn error_norm(&self, before: &Self, after: &Self, tolerance: f64) -> f64 {
+        let mut worst: f64 = 0.0;
+        let mut weigh = |error: f64, a: f64, b: f64| {
+            let scaled = error.abs() / a.abs().max(b.abs()).max(1.0);
+            // A plain maximum would drop what is not a number.
+            worst = if scaled.is_nan() {
+                f64::INFINITY
+            } else {
+                worst.max(scaled)
+            };
+        };
+        for i in 0..BODY {
+            weigh(self.body[i], before.body[i], after.body[i]);
+        }
+        for leg in 0..LEGS {
+            for i in 0..LEG_MOTION {
+                weigh(self.legs[leg][i], before.legs[leg][i], after.legs[leg][i]);
+            }
+        }
+        worst / tolerance
+    }
+
+    /// Whether every component is a finite number.
+    pub fn is_finite(&self) -> bool {
+        self.body
+            .iter()
+            .chain(self.legs.as_flattened())
+            .all(|v| v.is_finite())
+    }
+}
+
+/// The rotation matrix B, vehicle to ground (1), of a quaternion of any length but zero.
+#[inline(always)]
+pub fn rotation<S: Real>(q: &Vector4<S>) -> Matrix3<S> {
+    let (w, x, y, z) = (q.x, q.y, q.z, q.w);
+    let two = S::constant(2.0) / (w * w + x * x + y * y + z * z);
+    let one = S::one();
+    Matrix3::new(
+        one - two * (y * y + z * z),
+        two * (x * y - w * z),
+        two * (x * z + w * y),
+        two * (x * y + w * z),
+        one - two * (x * x + z * z),
+        two * (y * z - w * x),
+        two * (x * z - w * y),
+        two * (y * z + w * x),
+        one - two * (x * x + y * y),
+    )
+}
+
+/// Rate of the quaternion at angular velocity ω in vehicle axes: q̇ = ½ q ∘ (0, ω).
+#[inline(always)]
+pub fn quaternion_rate<S: Real>(q: &Vector4<S>, rate: &Vector3<S>) -> Vector4<S> {
+    let half = S::constant(0.5);
+    let (w, x, y, z) = (q.x * half, q.y * half, q.z * half, q.w * half);
+    Vector4::new(
+        -x * rate.x - y * rate.y - z * rate.z,
+        w * rate.x + y * rate.z - z * rate.y,
+        w * rate.y + z * rate.x - x * rate.z,
+        w * rate.z + x * rate.y - y * rate.x,
+    )
+}

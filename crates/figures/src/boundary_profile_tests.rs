@@ -1,0 +1,72 @@
+use super::*;
+
+const TABLE: &str = "\
+roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,landings,derivative_evaluations
+-20,none,,,,101,1
+-10,unstable,12,11.9995,12.0005,57,1
+0,unstable,11.5,11.4995,11.5005,55,1
+10,bottomed,14,13.9995,14.0005,65,1
+20,none,,,,101,1
+";
+
+fn caption() -> Caption {
+    Caption {
+        title: "V_H <versus> roll".to_owned(),
+        conditions: "14 ft/s".to_owned(),
+        searched_to: Some(25.0),
+    }
+}
+
+#[test]
+fn marks_stand_where_the_table_says() {
+    let svg = draw(TABLE, &caption()).unwrap();
+    assert!(svg.starts_with("<svg width=\"900\" height=\"560\""));
+    let circles: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.starts_with("<circle"))
+        .collect();
+    // Two topple points, and the legend's.
+    assert_eq!(circles.len(), 3, "{circles:?}");
+    assert_eq!(svg.matches("first transition: ").count(), 2);
+    assert!(svg.contains("stable up to 25 ft/s"));
+    assert!(svg.contains("Roll angle Ξ, deg"));
+    assert!(svg.contains("&lt;versus&gt;"));
+    let across = |line: &str| -> f64 {
+        let rest = line.split("cx=\"").nth(1).unwrap_or("");
+        rest.split('"')
+            .next()
+            .unwrap_or("")
+            .parse()
+            .unwrap_or(f64::NAN)
+    };
+    // Roll 0 stands in the middle of the plot, which lies between 76 and 872 pixels.
+    assert!((across(circles[1]) - 474.0).abs() <= 2.0, "{}", circles[1]);
+}
+
+#[test]
+fn same_table_same_picture() {
+    assert_eq!(draw(TABLE, &caption()), draw(TABLE, &caption()));
+}
+
+#[test]
+fn single_points_and_points_without_any_transition_have_a_picture() {
+    let (heading, rest) = TABLE.split_once('\n').unwrap();
+    let first = rest.lines().next().unwrap();
+    assert!(draw(&format!("{heading}\n{first}\n"), &Caption::default()).is_ok());
+}
+
+#[test]
+fn two_axes_are_refused() {
+    let table = TABLE
+        .replace("roll_deg", "cross_slope_deg,roll_deg")
+        .replace("\n-", "\n180,-");
+    let table = table
+        .replace("\n0,", "\n180,0,")
+        .replace("\n10,", "\n180,10,");
+    let table = table.replace("\n20,", "\n180,20,");
+    let complaint = draw(&table, &caption()).unwrap_err().to_string();
+    assert!(
+        complaint.contains("not cross_slope_deg, roll_deg"),
+        "{complaint}"
+    );
+}

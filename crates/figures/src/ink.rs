@@ -1,0 +1,57 @@
+//! Colours, type and marks common to all pictures; they keep their order in grey and for
+//! colour-blind readers (after Okabe and Ito).
+
+use plotters::prelude::*;
+
+use crate::boundary_table::Kind;
+
+/// Typefaces, in the order in which a viewer should look for them.
+pub const TYPEFACE: &str = "Helvetica, Arial, DejaVu Sans, sans-serif";
+/// Axes and their text.
+pub const TEXT: RGBColor = RGBColor(38, 38, 38);
+/// Second lines and remarks.
+pub const PALE_TEXT: RGBColor = RGBColor(96, 96, 96);
+/// Grid lines.
+pub const GRID: RGBColor = RGBColor(226, 226, 226);
+/// The line that joins transitions.
+pub const LINE: RGBColor = RGBColor(60, 60, 60);
+/// Marks of points without a transition.
+pub const NONE: RGBColor = RGBColor(0, 130, 100);
+/// Half the breadth of a mark, pixels.
+pub const MARK: i32 = 5;
+/// Half the breadth of marks that would touch each other, pixels.
+pub const SMALL_MARK: i32 = 3;
+
+/// Colour of the marks of a kind of transition.
+pub fn mark(kind: Kind) -> RGBColor {
+    match kind {
+        Kind::Unstable => RGBColor(0, 90, 160),
+        Kind::Bottomed => RGBColor(213, 94, 0),
+        Kind::Failure => RGBColor(150, 40, 110),
+    }
+}
+
+/// Colour of the region above a kind of transition.
+pub fn region(kind: Kind) -> RGBColor {
+    match kind {
+        Kind::Unstable => RGBColor(223, 234, 245),
+        Kind::Bottomed => RGBColor(251, 229, 212),
+        Kind::Failure => RGBColor(240, 224, 236),
+    }
+}
+
+/// What happens above a kind of transition, in a word for the region.
+pub fn word(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Unstable => "topples",
+        Kind::Bottomed => "strut bottoms",
+        Kind::Failure => "not computed",
+    }
+}
+
+/// Text in the common typeface: size in pixels of the picture, and colour.
+pub fn text(size: u32, colour: RGBColor) -> TextStyle<'static> {
+    // The SVG backend divides sizes by 1.24.
+    let size = f64::from(size) * 1.24;
+    (TYPEFACE, size).into_font().color(&colour)
+}

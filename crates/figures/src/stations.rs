@@ -1,0 +1,119 @@
+//! The points of a profile along its axis: their extent, neighbours and runs.
+
+use crate::boundary_table::{BoundaryTable, Kind, Transition};
+
+/// A point of the profile.
+#[derive(Debug, Clone, Copy)]
+pub struct Station {
+    /// Value of the axis.
+    pub x: f64,
+    /// What the sweep found there.
+    pub transition: Option<Transition>,
+}
+
+/// The points of a table with one axis, from left to right.
+pub fn along(table: &BoundaryTable) -> Vec<Station> {
+    let mut stations: Vec<Station> = table
+        .points
+        .iter()
+        .filter_map(|point| {
+            Some(Station {
+                x: *point.coordinates.first()?,
+                transition: point.transition,
+            })
+        })
+        .collect();
+    stations.sort_by(|a, b| a.x.total_cmp(&b.x));
+    stations
+}
+
+/// Values of the axis from the first to the last point, with a margin.
+pub fn horizontal_range(stations: &[Station]) -> (f64, f64) {
+    let first = stations.first().map_or(0.0, |station| station.x);
+    let last = stations.last().map_or(1.0, |station| station.x);
+    // A single point still needs a picture with some width.
+    let margin = if last > first {
+        0.025 * (last - first)
+    } else {
+        1.0
+    };
+    (first - margin, last + margin)
+}
+
+/// Speeds from well below the lowest transition, so that the stable side shows, to the top.
+pub fn vertical_range(stations: &[Station], searched_to: Option<f64>) -> (f64, f64) {
+    let speeds = || {
+        stations
+            .iter()
+            .filter_map(|station| Some(station.transition?.speed))
+    };
+    let least = speeds().fold(f64::INFINITY, f64::min);
+    let greatest = speeds().fold(0.0, f64::max);
+    let high = searched_to
+        .unwrap_or(2.0 * (greatest / 2.0 + 0.5).ceil())
+        .max(greatest);
+    if least.is_infinite() {
+        return (0.0, high.max(1.0));
+    }
+    let below = least - 0.3 * (high - least).max(1.0);
+    ((2.0 * (below / 2.0).floor()).max(0.0), high)
+}
+
+/// Neighbours that both have a transition: only between them is there a line to draw.
+pub fn segments(
+    stations: &[Station],
+) -> impl Iterator<Item = (Station, Station, Transition, Transition)> {
+    stations
+        .windows(2)
+        .filter_map(|pair| Some((pair[0], pair[1], pair[0].transition?, pair[1].transition?)))
+}
+
+/// Middle of the longest run of neighbours with this transition, and the speed there.
+pub fn broadest(stations: &[Station], kind: Kind) -> Option<(f64, f64)> {
+    let same = |station: &Station| station.transition.is_some_and(|found| found.kind == kind);
+    let run = stations
+        .chunk_by(|a, b| same(a) == same(b))
+        .filter(|run| same(&run[0]) && run.len() > 2)
+        .max_by(|a, b| (a[a.len() - 1].x - a[0].x).total_cmp(&(b[b.len() - 1].x - b[0].x)))?;
+    let middle = run[run.len() / 2];
+    Some((middle.x, middle.transition?.speed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn station(x: f64, speed: Option<f64>) -> Station {
+        let transition = speed.map(|speed| Transition {
+            kind: Kind::Unstable,
+            speed,
+            bracket: [speed, speed],
+        });
+        Station { x, transition }
+    }
+
+    #[test]
+    fn lines_join_neighbours_with_a_transition_only() {
+        let speeds = [Some(11.0), Some(12.0), None, Some(13.0)];
+        let stations: Vec<Station> = (0..4).map(|i| station(i as f64, speeds[i])).collect();
+        let joined: Vec<_> = segments(&stations).map(|(a, b, ..)| (a.x, b.x)).collect();
+        assert_eq!(joined, [(0.0, 1.0)]);
+    }
+
+    #[test]
+    fn the_picture_reaches_from_below_the_boundary_to_the_top_of_the_search() {
+        let stations = [station(-1.0, Some(11.4)), station(1.0, None)];
+        assert_eq!(vertical_range(&stations, Some(25.0)), (6.0, 25.0));
+        assert_eq!(vertical_range(&stations[1..], Some(25.0)), (0.0, 25.0));
+        assert_eq!(vertical_range(&stations, None), (10.0, 14.0));
+        assert_eq!(horizontal_range(&stations), (-1.05, 1.05));
+    }
+
+    #[test]
+    fn broadest_run_has_at_least_three_points() {
+        let run: Vec<Station> = (0..5).map(|i| station(i as f64, Some(12.0))).collect();
+        assert_eq!(broadest(&run, Kind::Unstable), Some((2.0, 12.0)));
+        assert_eq!(broadest(&run[..2], Kind::Unstable), None);
+        assert_eq!(broadest(&run, Kind::Bottomed), None);
+    }
+}

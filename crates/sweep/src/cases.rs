@@ -1,0 +1,148 @@
+//! Tables of cases: one landing per row.
+
+use std::path::Path;
+
+use csv::StringRecord;
+use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::scene::Scene;
+
+use crate::input_error::{InputError, Place};
+use crate::landing_table;
+use crate::scene_input::{NAMES, NamedConditions};
+
+/// Columns that every table of cases must have.
+const REQUIRED: [&str; 6] = [
+    "case",
+    "vertical_velocity_fps",
+    "horizontal_velocity_fps",
+    "cross_slope_deg",
+    "slope_deg",
+    "friction",
+];
+/// Columns of the attitude, unless it is given in tip form.
+const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
+
+/// The cases of a table, in its order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Cases {
+    /// Their names, from the column `case`.
+    pub names: Vec<String>,
+    /// Their scenes.
+    pub scenes: Vec<Scene>,
+}
+
+/// Reads and checks a whole table; columns that are no touchdown condition are ignored, and an
+/// empty cell leaves its condition to the default.
+///
+/// # Errors
+/// Names file, line, row, column and value of the first thing wrong, and what is allowed.
+pub fn read(path: &Path) -> Result<Cases, InputError> {
+    let place = Place::file(path);
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| InputError::other(format!("cannot be read: {error}")).at(place.clone()))?;
+    parse(&place, &text)
+}
+
+fn parse(place: &Place, text: &str) -> Result<Cases, InputError> {
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let broken = |error: csv::Error| {
+        let place = match error.position() {
+            Some(position) => place.line(position.line() as usize),
+            None => place.clone(),
+        };
+        InputError::other(format!("not a table of comma-separated values: {error}")).at(place)
+    };
+    let heading = reader.headers().map_err(broken)?.clone();
+    check_heading(&heading).map_err(|error| error.at(place.line(1)))?;
+
+    let mut cases = Cases::default();
+    for (index, record) in reader.records().enumerate() {
+        let record = record.map_err(broken)?;
+        let line = record.position().map_or(0, |position| position.line());
+        let place = place.line(line as usize).row(index + 1);
+        let scene = scene(&heading, &record).map_err(|error| error.at(place))?;
+        cases.scenes.push(scene);
+        cases.names.push(cell(&heading, &record, "case").to_owned());
+    }
+    if cases.names.is_empty() {
+        return Err(
+            InputError::other("has no rows: required is at least one case").at(place.clone()),
+        );
+    }
+    Ok(cases)
+}
+
+fn check_heading(heading: &StringRecord) -> Result<(), InputError> {
+    let has = |name: &str| heading.iter().any(|column| column == name);
+    let attitude: &[&str] = if has("tip_deg") { &[] } else { &EULER };
+    if let Some(absent) = REQUIRED.iter().chain(attitude).find(|name| !has(name)) {
+        let alike = crate::input_error::nearest(absent, &heading.iter().collect::<Vec<_>>());
+        let hint = alike.map_or(String::new(), |name| format!(" (there is a column {name})"));
+        let needed = [&REQUIRED[..], attitude].concat().join(", ");
+        return Err(InputError::other(format!(
+            "column {absent} is missing{hint}: required are {needed}"
+        )));
+    }
+    let twice = NAMES
+        .iter()
+        .find(|name| heading.iter().filter(|column| column == *name).count() > 1);
+    match twice {
+        Some(name) => Err(InputError::other(format!(
+            "column {name} is there twice: allowed is once"
+        ))),
+        None => Ok(()),
+    }
+}
+
+fn cell<'r>(heading: &StringRecord, record: &'r StringRecord, name: &str) -> &'r str {
+    let position = heading.iter().position(|column| column == name);
+    position.and_then(|index| record.get(index)).unwrap_or("")
+}
+
+fn scene(heading: &StringRecord, record: &StringRecord) -> Result<Scene, InputError> {
+    let mut conditions = NamedConditions::default();
+    for name in NAMES {
+        let text = cell(heading, record, name);
+        if text.is_empty() {
+            continue;
+        }
+        match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => conditions.set(name, value),
+            _ => return Err(InputError::value(name, text, "a finite number")),
+        }
+    }
+    conditions.scene().map_err(|fault| match fault.value {
+        Some(value) => InputError::value(fault.name, value, &fault.allowed),
+        None => InputError::missing(fault.name, &fault.allowed),
+    })
+}
+
+/// The results of all cases as CSV: `case`, then the columns of [`landing_table`].
+///
+/// # Errors
+/// None but those of memory.
+pub fn table<const LEGS: usize>(
+    names: &[String],
+    landings: &[Landing<LEGS>],
+) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for (index, (name, landing)) in names.iter().zip(landings).enumerate() {
+        let (columns, values): (Vec<_>, Vec<_>) =
+            landing_table::columns(landing).into_iter().unzip();
+        if index == 0 {
+            writer.write_field("case")?;
+            writer.write_record(columns)?;
+        }
+        writer.write_field(name)?;
+        writer.write_record(values.iter().map(landing_table::Cell::to_string))?;
+    }
+    writer
+        .into_inner()
+        .map_err(|error| error.into_error().into())
+}
+
+#[cfg(test)]
+#[path = "cases_tests.rs"]
+mod tests;

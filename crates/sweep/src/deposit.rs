@@ -1,0 +1,175 @@
+//! Files that appear whole or not at all: written beside their place, then renamed into it.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+use crate::input_error::{InputError, Place};
+
+/// A folder in which files can be written.
+#[derive(Debug, Clone)]
+pub struct Folder {
+    path: PathBuf,
+}
+
+impl Folder {
+    /// Makes the folder if it is not there, and makes sure that files can be written in it.
+    ///
+    /// # Errors
+    /// Names the folder and what is in the way.
+    pub fn open(path: &Path) -> Result<Self, InputError> {
+        let refuse = |error: io::Error| {
+            let complaint = format!("{error}: allowed is a folder in which files can be written");
+            InputError::other(format!("output folder cannot be written: {complaint}"))
+                .at(Place::file(path))
+        };
+        fs::create_dir_all(path).map_err(refuse)?;
+        let folder = Self {
+            path: path.to_owned(),
+        };
+        // Permissions, quotas and read-only mounts show only when a file is really made.
+        folder.beside(b"").map_err(refuse)?;
+        Ok(folder)
+    }
+
+    /// The folder of a file that is to be written, checked as in [`Folder::open`].
+    ///
+    /// # Errors
+    /// Also when `file` is a folder.
+    pub fn of(file: &Path) -> Result<Self, InputError> {
+        if file.is_dir() || file.file_name().is_none() {
+            let complaint = "is a folder: allowed is the name of a file";
+            return Err(InputError::other(complaint).at(Place::file(file)));
+        }
+        match file.parent() {
+            Some(parent) if parent != Path::new("") => Self::open(parent),
+            _ => Self::open(Path::new(".")),
+        }
+    }
+
+    /// The path that a file has in this folder.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.path.join(name)
+    }
+
+    /// Writes files: all of them beside their places first, and only then renames them, so that a
+    /// full disk leaves none of them and old ones untouched.
+    ///
+    /// # Errors
+    /// Names the file that could not be written.
+    pub fn deposit(&self, files: &[(String, Vec<u8>)]) -> Result<Vec<PathBuf>, DepositError> {
+        let mut written = Vec::with_capacity(files.len());
+        for (name, bytes) in files {
+            let path = self.path(name);
+            match self.beside(bytes) {
+                Ok(file) => written.push((path, file)),
+                Err(error) => return Err(DepositError { path, error }),
+            }
+        }
+        let rename = |(path, file): (PathBuf, NamedTempFile)| match file.persist(&path) {
+            Ok(_) => Ok(path),
+            Err(error) => Err(DepositError {
+                path,
+                error: error.error,
+            }),
+        };
+        written.into_iter().map(rename).collect()
+    }
+
+    fn beside(&self, bytes: &[u8]) -> io::Result<NamedTempFile> {
+        let mut builder = Builder::new();
+        builder.prefix(".touchdown-");
+        // Temporary files are private by default, but results are for all to read.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut file = builder.tempfile_in(&self.path)?;
+        file.write_all(bytes)?;
+        file.as_file().sync_all()?;
+        Ok(file)
+    }
+}
+
+/// A file that could not be written.
+#[derive(Debug)]
+pub struct DepositError {
+    /// The file.
+    pub path: PathBuf,
+    /// What was in the way.
+    pub error: io::Error,
+}
+
+impl std::fmt::Display for DepositError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "{}: cannot be written: {}",
+            self.path.display(),
+            self.error
+        )
+    }
+}
+
+impl std::error::Error for DepositError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> = fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn files_replace_older_ones_and_nothing_else_is_left() {
+        let home = tempfile::tempdir().unwrap();
+        let folder = Folder::open(&home.path().join("new/results")).unwrap();
+        for content in ["old", "new"] {
+            let files = [
+                ("a.csv".to_owned(), content.into()),
+                ("b.svg".to_owned(), vec![]),
+            ];
+            folder.deposit(&files).unwrap();
+        }
+        let path = home.path().join("new/results");
+        assert_eq!(names(&path), ["a.csv", "b.svg"]);
+        assert_eq!(fs::read_to_string(path.join("a.csv")).unwrap(), "new");
+    }
+
+    #[test]
+    fn one_impossible_file_leaves_nothing_beside() {
+        let home = tempfile::tempdir().unwrap();
+        let folder = Folder::open(home.path()).unwrap();
+        fs::create_dir_all(home.path().join("a.csv/in the way")).unwrap();
+        let error = folder
+            .deposit(&[("a.csv".to_owned(), vec![1])])
+            .unwrap_err();
+        assert!(error.to_string().contains("a.csv: cannot be written"));
+        assert_eq!(names(home.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn a_file_is_no_folder_and_a_folder_no_file() {
+        let home = tempfile::tempdir().unwrap();
+        let file = home.path().join("file");
+        fs::write(&file, "").unwrap();
+        let complaint = Folder::open(&file.join("results")).unwrap_err().to_string();
+        assert!(
+            complaint.contains("output folder cannot be written"),
+            "{complaint}"
+        );
+        assert!(
+            Folder::of(home.path())
+                .unwrap_err()
+                .to_string()
+                .contains("is a folder")
+        );
+        assert!(Folder::of(&home.path().join("history.csv")).is_ok());
+    }
+}

@@ -1,0 +1,271 @@
+//! TOML files as trees of numbers, texts, lists and tables, each with the line where it stands.
+//!
+//! TOML's integers and floats are both numbers here; `nan` and `inf` are refused wherever they
+//! stand, because no quantity of a landing can have them.
+
+use std::fs;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use toml::de::{DeTable, DeValue};
+
+use crate::input_error::{InputError, Place};
+
+/// A file and what it says.
+#[derive(Debug, Clone)]
+pub struct Document {
+    path: PathBuf,
+    root: Vec<Entry>,
+}
+
+/// A key with its value.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// The key, without the tables above it.
+    pub key: String,
+    /// Its value.
+    pub node: Node,
+}
+
+/// A value and where it stands.
+#[derive(Debug, Clone)]
+pub struct Node {
+    /// Line of the key (of the value itself inside a list), from 1.
+    pub line: usize,
+    /// The value as the file writes it; tables and long lists in short.
+    pub written: String,
+    /// The value.
+    pub value: Value,
+}
+
+/// What a key can stand for.
+#[derive(Debug, Clone)]
+pub enum Value {
+    /// A finite number.
+    Number(f64),
+    /// A text.
+    Text(String),
+    /// Values in square brackets, or the entries of an array of tables.
+    List(Vec<Node>),
+    /// Keys with values, in the order of the file.
+    Table(Vec<Entry>),
+    /// A boolean, date or time, which no key of these files is.
+    Foreign,
+}
+
+impl Document {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// When the file cannot be read, is not TOML, or holds a number that is not finite.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let text = fs::read_to_string(path).map_err(|error| {
+            InputError::other(format!("cannot be read: {error}")).at(Place::file(path))
+        })?;
+        Self::parse(path, &text)
+    }
+
+    /// Takes `text` for the content of the file `path`.
+    ///
+    /// # Errors
+    /// When it is not TOML, or holds a number that is not finite.
+    pub fn parse(path: &Path, text: &str) -> Result<Self, InputError> {
+        let reader = Reader {
+            text,
+            place: Place::file(path),
+        };
+        let table = DeTable::parse(text).map_err(|error| reader.syntax(&error))?;
+        let root = reader.entries(table.get_ref(), "")?;
+        Ok(Self {
+            path: path.to_owned(),
+            root,
+        })
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The file as a place.
+    pub fn place(&self) -> Place {
+        Place::file(&self.path)
+    }
+
+    /// Keys outside of any table, and the tables.
+    pub fn root(&self) -> &[Entry] {
+        &self.root
+    }
+}
+
+/// Turns the parser's tree into ours.
+struct Reader<'t> {
+    text: &'t str,
+    place: Place,
+}
+
+impl Reader<'_> {
+    fn syntax(&self, error: &toml::de::Error) -> InputError {
+        let place = match error.span() {
+            Some(span) => self.place.line(self.line(&span)),
+            None => self.place.clone(),
+        };
+        let said = error
+            .span()
+            .and_then(|span| self.text[span.start..].lines().next())
+            .map(|rest| format!(" at `{}`", rest.trim()))
+            .unwrap_or_default();
+        InputError::other(format!("not TOML{said}: {}", error.message())).at(place)
+    }
+
+    fn line(&self, span: &Range<usize>) -> usize {
+        1 + self.text[..span.start].matches('\n').count()
+    }
+
+    fn entries(&self, table: &DeTable<'_>, path: &str) -> Result<Vec<Entry>, InputError> {
+        let mut spanned: Vec<_> = table.iter().collect();
+        // The parser sorts by key, but the order of the axes is the order in the file.
+        spanned.sort_by_key(|(key, _)| key.span().start);
+        spanned
+            .into_iter()
+            .map(|(key, value)| {
+                let path = dotted(path, key.get_ref());
+                let line = self.line(&key.span());
+                let node = self.node(value.get_ref(), &value.span(), line, &path)?;
+                Ok(Entry {
+                    key: key.get_ref().to_string(),
+                    node,
+                })
+            })
+            .collect()
+    }
+
+    fn node(
+        &self,
+        value: &DeValue<'_>,
+        span: &Range<usize>,
+        line: usize,
+        path: &str,
+    ) -> Result<Node, InputError> {
+        let mut written = self.text[span.clone()].to_owned();
+        let value = match value {
+            DeValue::Integer(number) => {
+                let radix = number.radix();
+                let parsed = i64::from_str_radix(number.as_str(), radix).map(|n| n as f64);
+                Value::Number(self.finite(parsed.ok(), &written, line, path)?)
+            }
+            DeValue::Float(number) => {
+                let parsed = number.as_str().parse::<f64>();
+                Value::Number(self.finite(parsed.ok(), &written, line, path)?)
+            }
+            DeValue::String(text) => Value::Text(text.to_string()),
+            DeValue::Array(items) => {
+                let nodes = items
+                    .iter()
+                    .enumerate()
+                    .map(|(index, item)| {
+                        let path = format!("{path}[{}]", index + 1);
+                        let line = self.line(&item.span());
+                        self.node(item.get_ref(), &item.span(), line, &path)
+                    })
+                    .collect::<Result<_, _>>()?;
+                Value::List(nodes)
+            }
+            DeValue::Table(table) => {
+                if !written.starts_with('{') {
+                    written = "a table".to_owned();
+                }
+                Value::Table(self.entries(table, path)?)
+            }
+            DeValue::Boolean(_) | DeValue::Datetime(_) => Value::Foreign,
+        };
+        if written.len() > 60 || written.contains('\n') {
+            let bracket = if written.starts_with('{') {
+                "{…}"
+            } else {
+                "[…]"
+            };
+            written = bracket.to_owned();
+        }
+        Ok(Node {
+            line,
+            written,
+            value,
+        })
+    }
+
+    fn finite(
+        &self,
+        number: Option<f64>,
+        written: &str,
+        line: usize,
+        path: &str,
+    ) -> Result<f64, InputError> {
+        number.filter(|number| number.is_finite()).ok_or_else(|| {
+            InputError::value(path, written, "a finite number").at(self.place.line(line))
+        })
+    }
+}
+
+/// `table.key`, or `key` outside of any table.
+pub(crate) fn dotted(path: &str, key: &str) -> String {
+    if path.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{path}.{key}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn complaint(text: &str) -> String {
+        match Document::parse(Path::new("f.toml"), text) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        }
+    }
+
+    #[test]
+    fn order_is_the_files() {
+        let document = Document::parse(Path::new("f"), "zeta = 1\nalpha = 2.5\n").unwrap();
+        let keys: Vec<_> = document.root().iter().map(|e| e.key.as_str()).collect();
+        assert_eq!(keys, ["zeta", "alpha"]);
+        assert_eq!(document.root()[1].node.line, 2);
+    }
+
+    #[test]
+    fn integers_floats_and_underscores_are_numbers() {
+        let document = Document::parse(Path::new("f"), "a = 1_000\nb = 1e5\nc = 0x10").unwrap();
+        let numbers: Vec<_> = document
+            .root()
+            .iter()
+            .map(|e| match e.node.value {
+                Value::Number(number) => number,
+                _ => f64::NAN,
+            })
+            .collect();
+        assert_eq!(numbers, [1000.0, 1e5, 16.0]);
+    }
+
+    #[test]
+    fn refuses_what_is_not_finite_with_its_line_and_key() {
+        assert_eq!(
+            complaint("[scene]\nslope_deg = nan\n"),
+            "f.toml:2: scene.slope_deg = nan: allowed is a finite number"
+        );
+        assert!(
+            complaint("[axes]\nroll_deg = [0,\n -inf]")
+                .starts_with("f.toml:3: axes.roll_deg[2] = -inf")
+        );
+        assert!(complaint("a = 1e999").contains("a = 1e999"));
+    }
+
+    #[test]
+    fn syntax_errors_have_their_line() {
+        let said = complaint("a = 1\nb = = 2\n");
+        assert!(said.starts_with("f.toml:2: not TOML at `"), "{said}");
+        assert!(complaint("a = 1\na = 2\n").starts_with("f.toml:2:"));
+    }
+}

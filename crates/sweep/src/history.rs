@@ -1,0 +1,161 @@
+//! The history of a landing as a table: motion, loads and deformations, energies.
+
+use touchdown_dynamics::landing::{Instant, LegInstant};
+
+/// A history in the making.
+#[derive(Debug)]
+pub struct History {
+    writer: csv::Writer<Vec<u8>>,
+    is_empty: bool,
+}
+
+impl Default for History {
+    fn default() -> Self {
+        Self {
+            writer: csv::Writer::from_writer(Vec::new()),
+            is_empty: true,
+        }
+    }
+}
+
+impl History {
+    /// Adds an instant.
+    ///
+    /// # Errors
+    /// None but those of memory.
+    pub fn add<const LEGS: usize>(&mut self, instant: &Instant<LEGS>) -> Result<(), csv::Error> {
+        let columns = columns(instant);
+        if self.is_empty {
+            self.writer
+                .write_record(columns.iter().map(|(name, _)| name))?;
+            self.is_empty = false;
+        }
+        self.writer
+            .write_record(columns.iter().map(|(_, value)| value.to_string()))
+    }
+
+    /// The table as CSV.
+    ///
+    /// # Errors
+    /// None but those of memory.
+    pub fn table(self) -> Result<Vec<u8>, csv::Error> {
+        self.writer
+            .into_inner()
+            .map_err(|error| error.into_error().into())
+    }
+}
+
+/// Headings with units, and values in them.
+fn columns<const LEGS: usize>(instant: &Instant<LEGS>) -> Vec<(String, f64)> {
+    let euler = instant.attitude.euler();
+    let [position, velocity, rate] = [
+        &instant.position,
+        &instant.velocity,
+        &instant.angular_velocity,
+    ];
+    let body = [
+        ("t_s", instant.time),
+        ("x_ft", position.x),
+        ("y_ft", position.y),
+        ("z_ft", position.z),
+        ("x_rate_fps", velocity.x),
+        ("y_rate_fps", velocity.y),
+        ("z_rate_fps", velocity.z),
+        ("psi_deg", euler.pitch.to_degrees()),
+        ("phi_deg", euler.yaw.to_degrees()),
+        ("xi_deg", euler.roll.to_degrees()),
+        ("omega_x_dps", rate.x.to_degrees()),
+        ("omega_y_dps", rate.y.to_degrees()),
+        ("omega_z_dps", rate.z.to_degrees()),
+        ("sigma_deg", instant.stability_angle.to_degrees()),
+        ("clearance_ft", instant.clearance),
+        ("kinetic_energy_ftlb", instant.kinetic_energy),
+        ("potential_energy_change_ftlb", instant.potential_change),
+    ];
+    let mut columns: Vec<(String, f64)> = body.map(|(name, value)| (name.to_owned(), value)).into();
+    for (index, leg) in instant.legs.iter().enumerate() {
+        columns.extend(leg_columns(index + 1, leg));
+    }
+    columns
+}
+
+fn leg_columns(number: usize, leg: &LegInstant) -> impl Iterator<Item = (String, f64)> {
+    let work = &leg.work;
+    [
+        ("gamma_#_deg", leg.link_angle.to_degrees()),
+        ("gamma_rate_#_dps", leg.link_rate.to_degrees()),
+        ("alpha_#_deg", leg.pad_angle.to_degrees()),
+        ("alpha_rate_#_dps", leg.pad_rate.to_degrees()),
+        ("stroke_#_ft", leg.stroke),
+        ("strut_force_#_lb", leg.strut_force),
+        ("pad_normal_#_lb", leg.pad_normal),
+        ("pad_friction_#_lb", leg.pad_friction),
+        ("block_normal_#_lb", leg.block_normal),
+        ("block_friction_#_lb", leg.block_friction),
+        ("pad_set_#_outboard_ft", leg.pad_sets[0]),
+        ("pad_set_#_inboard_ft", leg.pad_sets[1]),
+        ("block_set_#_ft", leg.block_set),
+        ("strut_work_#_ftlb", work.strut),
+        ("pad_crush_work_#_ftlb", work.pad_crush),
+        ("pad_friction_work_#_ftlb", work.pad_friction),
+        ("block_crush_work_#_ftlb", work.block_crush),
+        ("block_friction_work_#_ftlb", work.block_friction),
+        ("stop_work_#_ftlb", work.stop),
+    ]
+    .into_iter()
+    .map(move |(name, value)| (name.replace('#', &number.to_string()), value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use touchdown_dynamics::attitude::{Attitude, Euler};
+    use touchdown_dynamics::landing::LegWork;
+
+    #[test]
+    fn headings_carry_units_and_leg_numbers() {
+        let leg = LegInstant {
+            link_angle: 0.0,
+            link_rate: 0.0,
+            pad_angle: 0.0,
+            pad_rate: 0.0,
+            stroke: 0.125,
+            strut_force: 185.0,
+            pad_normal: 0.0,
+            pad_friction: 0.0,
+            block_normal: 0.0,
+            block_friction: 0.0,
+            pad_sets: [0.0625, 0.0],
+            block_set: 0.0,
+            work: LegWork::default(),
+        };
+        let attitude = Attitude::from_euler(Euler {
+            pitch: 0.0,
+            yaw: 0.0,
+            roll: 0.0,
+        });
+        let instant = Instant {
+            time: 0.5,
+            position: Default::default(),
+            velocity: Default::default(),
+            attitude,
+            angular_velocity: Default::default(),
+            stability_angle: 0.0,
+            clearance: 1.0,
+            kinetic_energy: 2.0,
+            potential_change: 3.0,
+            legs: [leg; 2],
+        };
+        let mut history = History::default();
+        history.add(&instant).unwrap();
+        history.add(&instant).unwrap();
+        let text = String::from_utf8(history.table().unwrap()).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 3);
+        assert!(lines[0].starts_with("t_s,x_ft,y_ft,z_ft,x_rate_fps"));
+        assert!(lines[0].contains("pad_set_2_outboard_ft"));
+        assert_eq!(lines[0].split(',').count(), 17 + 2 * 19);
+        assert_eq!(lines[1].split(',').count(), 17 + 2 * 19);
+        assert!(lines[1].starts_with("0.5,0,0,0"));
+    }
+}

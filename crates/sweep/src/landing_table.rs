@@ -1,0 +1,141 @@
+//! One landing as a row of named results; units are in the names, −1 is never.
+
+use std::fmt;
+
+use serde_json::Value;
+use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::outcome::Outcome;
+
+/// A result.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// A word or a sentence.
+    Word(String),
+    /// A measure.
+    Number(f64),
+    /// A count.
+    Count(u64),
+}
+
+impl fmt::Display for Cell {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Word(word) => f.write_str(word),
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Count(count) => write!(f, "{count}"),
+        }
+    }
+}
+
+impl From<Cell> for Value {
+    fn from(cell: Cell) -> Self {
+        match cell {
+            Cell::Word(word) => word.into(),
+            Cell::Number(number) => number.into(),
+            Cell::Count(count) => count.into(),
+        }
+    }
+}
+
+/// Name of a result, with the result.
+pub type Column = (String, Cell);
+
+/// All results of a landing, in the order of the columns.
+pub fn columns<const LEGS: usize>(landing: &Landing<LEGS>) -> Vec<Column> {
+    let mut columns = vec![column("outcome", Cell::Word(landing.outcome.to_string()))];
+    let mut number = |name: &str, value| columns.push(column(name, Cell::Number(value)));
+    number("end_time_s", landing.end_time);
+    number(
+        "min_stability_angle_deg",
+        landing.min_stability_angle.to_degrees(),
+    );
+    number("min_clearance_ft", landing.min_clearance);
+    number(
+        "initial_kinetic_energy_ftlb",
+        landing.energies.initial_kinetic,
+    );
+    number(
+        "potential_energy_change_ftlb",
+        landing.energies.potential_change,
+    );
+    for (leg, force) in landing.max_strut_force.iter().enumerate() {
+        number(&format!("max_strut_force_{}_lb", leg + 1), *force);
+    }
+    for (leg, time) in landing.pad_contact.iter().enumerate() {
+        number(&format!("pad_contact_{}_s", leg + 1), time.unwrap_or(-1.0));
+    }
+    for (leg, time) in landing.block_contact.iter().enumerate() {
+        number(
+            &format!("block_contact_{}_s", leg + 1),
+            time.unwrap_or(-1.0),
+        );
+    }
+    number("energy_closure_ftlb", landing.energies.closure());
+    columns.push(column("steps", Cell::Count(landing.steps)));
+    columns.push(column(
+        "derivative_evaluations",
+        Cell::Count(landing.evaluations),
+    ));
+    columns.push(column("failure", Cell::Word(failure(&landing.outcome))));
+    columns
+}
+
+fn column(name: &str, cell: Cell) -> Column {
+    (name.to_owned(), cell)
+}
+
+/// Why a landing could not be computed; empty when it could.
+fn failure(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::Failure(reason) => reason.to_string(),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use touchdown_dynamics::landing::{Energies, LegWork};
+    use touchdown_dynamics::outcome::Failure;
+
+    /// A landing made up for tests of tables.
+    pub fn example() -> Landing<3> {
+        Landing {
+            outcome: Outcome::Failure(Failure::PadInclination { leg: 1 }),
+            end_time: 1.5,
+            min_stability_angle: std::f64::consts::PI / 6.0,
+            min_stability_time: 1.0,
+            min_clearance: 0.5,
+            max_strut_force: [1.0, 2.0, 3.0],
+            pad_contact: [Some(0.0), None, Some(0.25)],
+            block_contact: [None; 3],
+            energies: Energies {
+                initial_kinetic: 100.0,
+                potential_change: 10.0,
+                legs: [LegWork::default(); 3],
+                final_kinetic: 109.5,
+            },
+            steps: 7,
+            evaluations: 70,
+            events: 3,
+        }
+    }
+
+    #[test]
+    fn columns_have_the_names_of_the_contract() {
+        let (names, values): (Vec<_>, Vec<_>) = columns(&example()).into_iter().unzip();
+        assert_eq!(
+            names.join(","),
+            "outcome,end_time_s,min_stability_angle_deg,min_clearance_ft,\
+             initial_kinetic_energy_ftlb,potential_energy_change_ftlb,\
+             max_strut_force_1_lb,max_strut_force_2_lb,max_strut_force_3_lb,\
+             pad_contact_1_s,pad_contact_2_s,pad_contact_3_s,\
+             block_contact_1_s,block_contact_2_s,block_contact_3_s,\
+             energy_closure_ftlb,steps,derivative_evaluations,failure"
+        );
+        let expected = "failure,1.5,29.999999999999996,0.5,100,10,1,2,3,0,-1,0.25,-1,-1,-1,\
+                        0.5,7,70,loaded footpad 2 inclined more than 65 deg";
+        let values: Vec<String> = values.iter().map(Cell::to_string).collect();
+        assert_eq!(values.join(","), expected);
+    }
+}

@@ -1,0 +1,28 @@
+//! Sweeps of lander touchdowns: from input files to result tables.
+//!
+//! | step | modules |
+//! |---|---|
+//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
+//! | find where the lander begins to topple | [`boundary`] |
+//! | do so on every core | [`run`] |
+//! | tell | [`results`], [`history`], [`landing_table`], [`deposit`] |
+//!
+//! Nothing here prints: progress goes to a [`run::Observer`], complaints are
+//! [`input_error::InputError`]s.
+
+pub mod axes;
+pub mod boundary;
+pub mod cases;
+pub mod deposit;
+pub mod document;
+pub mod found;
+pub mod history;
+pub mod input_error;
+pub mod landing_table;
+pub mod results;
+pub mod run;
+pub mod scene_input;
+pub mod section;
+pub mod settings_input;
+pub mod sweep_file;
+pub mod vehicle_file;

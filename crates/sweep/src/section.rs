@@ -1,0 +1,223 @@
+//! Reading one table of a document, key by key, with complaints that say where and what.
+
+use touchdown_dynamics::invalid::Invalid;
+
+use crate::document::{Document, Entry, Value, dotted};
+use crate::found::Found;
+use crate::input_error::{InputError, Place};
+
+/// A table of a document, or several over each other: what the upper ones say holds, what they
+/// leave out is looked up in the lower ones. One leg's own values stand so over the vehicle's.
+#[derive(Debug, Clone)]
+pub struct Section<'d> {
+    place: Place,
+    layers: Vec<Layer<'d>>,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Layer<'d> {
+    pub(crate) entries: &'d [Entry],
+    pub(crate) path: String,
+    pub(crate) line: usize,
+}
+
+impl<'d> Section<'d> {
+    /// The whole document, which may have the `known` keys only.
+    ///
+    /// # Errors
+    /// Names an unknown key and the known one nearest to it.
+    pub fn root(document: &'d Document, known: &[&str]) -> Result<Self, InputError> {
+        let layer = Layer {
+            entries: document.root(),
+            path: String::new(),
+            line: 1,
+        };
+        Self::checked(document.place(), vec![layer], known)
+    }
+
+    /// A table that must be there and may have the `known` keys only.
+    ///
+    /// # Errors
+    /// When it is missing, is no table, or has an unknown key.
+    pub fn section(&self, key: &str, known: &[&str]) -> Result<Section<'d>, InputError> {
+        self.optional_section(key, known)?
+            .ok_or_else(|| self.missing(key, &format!("a table [{}]", self.dotted(key))))
+    }
+
+    /// A table that may be left out.
+    ///
+    /// # Errors
+    /// When it is no table or has an unknown key.
+    pub fn optional_section(
+        &self,
+        key: &str,
+        known: &[&str],
+    ) -> Result<Option<Section<'d>>, InputError> {
+        let mut layers = Vec::new();
+        for found in self.all(key) {
+            layers.push(found.layer()?);
+        }
+        if layers.is_empty() {
+            return Ok(None);
+        }
+        Self::checked(self.place.clone(), layers, known).map(Some)
+    }
+
+    /// The entries of an array of tables, none when the key is not there.
+    ///
+    /// # Errors
+    /// When it is something else or an entry has an unknown key.
+    pub fn sections(&self, key: &str, known: &[&str]) -> Result<Vec<Section<'d>>, InputError> {
+        let Some(found) = self.optional(key) else {
+            return Ok(Vec::new());
+        };
+        let allowed = format!("tables [[{key}]]");
+        found
+            .items(&allowed)?
+            .into_iter()
+            .map(|item| Self::checked(self.place.clone(), vec![item.layer()?], known))
+            .collect()
+    }
+
+    /// This section over another, which says what this one leaves out.
+    pub fn over(&self, lower: &Section<'d>) -> Section<'d> {
+        let layers = [self.layers.as_slice(), lower.layers.as_slice()].concat();
+        Section {
+            place: self.place.clone(),
+            layers,
+        }
+    }
+
+    pub(crate) fn checked(
+        place: Place,
+        layers: Vec<Layer<'d>>,
+        known: &[&str],
+    ) -> Result<Self, InputError> {
+        for layer in &layers {
+            for entry in layer.entries {
+                if !known.contains(&entry.key.as_str()) {
+                    let path = dotted(&layer.path, &entry.key);
+                    let error = InputError::unknown(&path, &entry.node.written, known);
+                    return Err(error.at(place.line(entry.node.line)));
+                }
+            }
+        }
+        Ok(Self { place, layers })
+    }
+
+    fn all(&self, key: &str) -> impl Iterator<Item = Found<'d>> {
+        self.layers.iter().filter_map(move |layer| {
+            let entry = layer.entries.iter().find(|entry| entry.key == key)?;
+            Some(Found {
+                place: self.place.clone(),
+                path: dotted(&layer.path, key),
+                node: &entry.node,
+            })
+        })
+    }
+
+    fn dotted(&self, key: &str) -> String {
+        // What no layer has is missing from the lowest, which serves all.
+        dotted(self.layers.last().map_or("", |layer| &layer.path), key)
+    }
+
+    /// The complaint that `key` is not in this section.
+    pub fn missing(&self, key: &str, allowed: &str) -> InputError {
+        let line = self.layers.last().map_or(1, |layer| layer.line);
+        InputError::missing(&self.dotted(key), allowed).at(self.place.line(line))
+    }
+
+    /// The value of `key`, if it is there.
+    pub fn optional(&self, key: &str) -> Option<Found<'d>> {
+        self.all(key).next()
+    }
+
+    /// The value of `key`.
+    ///
+    /// # Errors
+    /// When it is missing; `allowed` says what it should have been.
+    pub fn value(&self, key: &str, allowed: &str) -> Result<Found<'d>, InputError> {
+        self.optional(key).ok_or_else(|| self.missing(key, allowed))
+    }
+
+    /// The number that `key` must have.
+    ///
+    /// # Errors
+    /// When it is missing or no number.
+    pub fn number(&self, key: &str) -> Result<f64, InputError> {
+        self.value(key, "a number")?.number()
+    }
+
+    /// The number that `key` may have.
+    ///
+    /// # Errors
+    /// When it is no number.
+    pub fn optional_number(&self, key: &str) -> Result<Option<f64>, InputError> {
+        self.optional(key).map(|found| found.number()).transpose()
+    }
+
+    /// The text that `key` must have.
+    ///
+    /// # Errors
+    /// When it is missing or no text.
+    pub fn text(&self, key: &str) -> Result<&'d str, InputError> {
+        self.value(key, "a text in quotes")?.text()
+    }
+
+    /// All keys with their values, of the uppermost layer, in the order of the file.
+    pub fn all_values(&self) -> impl Iterator<Item = (&'d str, Found<'d>)> {
+        self.layers.iter().take(1).flat_map(move |layer| {
+            layer.entries.iter().map(move |entry| {
+                let found = Found {
+                    place: self.place.clone(),
+                    path: dotted(&layer.path, &entry.key),
+                    node: &entry.node,
+                };
+                (entry.key.as_str(), found)
+            })
+        })
+    }
+
+    /// The complaint of the physics about a quantity, brought to the line of its key.
+    ///
+    /// The quantity is a dotted key relative to this section, with an explanation in brackets
+    /// where it is not the key's own value that is wrong.
+    pub fn complain(&self, invalid: &Invalid) -> InputError {
+        let key = invalid.quantity.split(" (").next().unwrap_or_default();
+        let explanation = &invalid.quantity[key.len()..];
+        let Some(found) = self.descend(key) else {
+            let line = self.layers.last().map_or(1, |layer| layer.line);
+            return InputError::value(
+                &self.dotted(&invalid.quantity),
+                invalid.value,
+                &invalid.allowed,
+            )
+            .at(self.place.line(line));
+        };
+        let value = match found.node.value {
+            // As written, because the physics may have it in another unit.
+            Value::Number(_) if explanation.is_empty() => found.node.written.clone(),
+            _ => invalid.value.to_string(),
+        };
+        let name = format!("{}{explanation}", found.path);
+        InputError::value(&name, value, &invalid.allowed).at(self.place.line(found.node.line))
+    }
+
+    fn descend(&self, dotted: &str) -> Option<Found<'d>> {
+        match dotted.split_once('.') {
+            None => self.optional(dotted),
+            Some((table, rest)) => {
+                let layers = self.all(table).filter_map(|found| found.layer().ok());
+                let section = Section {
+                    place: self.place.clone(),
+                    layers: layers.collect(),
+                };
+                section.descend(rest)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "section_tests.rs"]
+mod tests;

@@ -1,0 +1,169 @@
+use super::*;
+use std::fs;
+
+const FIGURE: &str = include_str!("../../../sweeps/figure-4-09.toml");
+const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+
+fn read(text: &str) -> Result<Sweep<3>, InputError> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("vehicles")).unwrap();
+    fs::write(
+        folder.path().join("vehicles/surveyor-table-4-1.toml"),
+        SURVEYOR,
+    )
+    .unwrap();
+    let path = folder.path().join("figure.toml");
+    fs::write(&path, text).unwrap();
+    Sweep::read(&path)
+}
+
+#[test]
+fn figure_4_9_is_read() {
+    let sweep = read(FIGURE).unwrap();
+    assert_eq!(sweep.stem(), "figure");
+    assert_eq!(sweep.grid.count(), 25);
+    assert_eq!(sweep.search.most_landings(), 109);
+    assert_eq!(sweep.settings.tolerance(), 1e-6);
+    let scene = sweep.scene(24).unwrap();
+    let roll = scene.conditions().attitude.euler().roll.to_degrees();
+    assert!((roll - 60.0).abs() < 1e-12);
+    assert_eq!(scene.conditions().block_friction, 1.0);
+}
+
+#[test]
+fn solver_may_be_left_out_and_friction_may_vary() {
+    let (head, _) = FIGURE.split_once("[solver]").unwrap();
+    let text = head
+        .replace("friction = 1.0", "")
+        .replace("[axes]", "[axes]\nfriction = [0.4, 0.8]");
+    let sweep = read(&text).unwrap();
+    assert_eq!(sweep.grid.count(), 50);
+    assert_eq!(sweep.grid.axes()[0].name(), "friction");
+    assert_eq!(sweep.settings.time_limit(), 40.0);
+    assert_eq!(sweep.scene(30).unwrap().conditions().block_friction, 0.8);
+}
+
+#[test]
+fn tip_form_is_an_axis_like_any_other() {
+    let text = FIGURE
+        .replace("friction = 1.0", "friction = 1.0\ntip_deg = 9")
+        .replace("roll_deg =", "tip_azimuth_deg =");
+    assert_eq!(read(&text).unwrap().grid.count(), 25);
+    let mixed = FIGURE.replace(
+        "friction = 1.0",
+        "friction = 1.0\ntip_deg = 9\ntip_azimuth_deg = 0",
+    );
+    let complaint = read(&mixed).unwrap_err().to_string();
+    assert!(
+        complaint.contains(":14: axes.roll_deg = { from = -60, to = 60, step = 5 }: -60 is"),
+        "{complaint}"
+    );
+    assert!(complaint.contains("not both"), "{complaint}");
+}
+
+/// What is replaced in the file of Figure 4-9, by what, and what the complaint must contain.
+const WRONG: [(&str, &str, &[&str]); 15] = [
+    (
+        "slope_deg = 15",
+        "slope_rad = 0.26",
+        &[":8: scene.slope_rad = 0.26", "mean slope_deg?"],
+    ),
+    ("friction = 1.0", "", &["scene.friction is missing", "≥ 0"]),
+    (
+        "slope_deg = 15",
+        "slope_deg = 90",
+        &[":8: scene.slope_deg = 90", "< 90"],
+    ),
+    (
+        "friction = 1.0",
+        "friction = -1",
+        &[":9: scene.friction = -1", "≥ 0"],
+    ),
+    (
+        "friction = 1.0",
+        "friction = true",
+        &[":9: scene.friction = true", "a number"],
+    ),
+    (
+        "step = 5",
+        "step = -5",
+        &[":12: axes.roll_deg.step = -5", "> 0"],
+    ),
+    (
+        "from = -60",
+        "from = 60",
+        &[":12: axes.roll_deg.from = 60", "below to"],
+    ),
+    (
+        "roll_deg = {",
+        "roll = {",
+        &[":12: axes.roll", "mean roll_deg?"],
+    ),
+    (
+        "roll_deg = { from = -60, to = 60, step = 5 }",
+        "roll_deg = []",
+        &["axes.roll_deg = []"],
+    ),
+    (
+        "roll_deg = { from = -60, to = 60, step = 5 }",
+        "",
+        &[":11: axes", "at least one"],
+    ),
+    (
+        "roll_deg = {",
+        "cross_slope_deg = {",
+        &[":12: axes.cross_slope_deg", "[scene]"],
+    ),
+    (
+        "roll_deg = {",
+        "horizontal_velocity_fps = {",
+        &["axes.horizontal_velocity_fps", "[search]"],
+    ),
+    (
+        "from_fps = 0",
+        "from_fps = 25",
+        &[":15: search.from_fps = 25", "below to_fps = 25"],
+    ),
+    (
+        "tolerance_fps = 0.001",
+        "tolerance_fps = 1",
+        &["search.tolerance_fps = 1", "≤ scan_step_fps"],
+    ),
+    (
+        "\"pivot-rate\"",
+        "\"pivot\"",
+        &["solver.crush_rule = \"pivot\"", "\"section\""],
+    ),
+];
+
+#[test]
+fn complaints_name_line_key_value_and_what_is_allowed() {
+    for (right, wrong, fragments) in WRONG {
+        let text = FIGURE.replacen(right, wrong, 1);
+        assert_ne!(text, FIGURE, "{right} is not in the file");
+        let complaint = read(&text).unwrap_err().to_string();
+        for fragment in fragments {
+            assert!(complaint.contains(fragment), "{wrong}: {complaint}");
+        }
+    }
+}
+
+#[test]
+fn every_value_of_an_axis_is_checked() {
+    let text = FIGURE
+        .replace("slope_deg = 15", "")
+        .replace("roll_deg = { from = -60", "slope_deg = { from = 0")
+        .replace("to = 60", "to = 90");
+    let complaint = read(&text).unwrap_err().to_string();
+    assert!(complaint.contains("90 is among them"), "{complaint}");
+}
+
+#[test]
+fn a_missing_vehicle_is_named() {
+    let text = FIGURE.replace("surveyor-table", "surveyor-chair");
+    let complaint = read(&text).unwrap_err().to_string();
+    assert!(
+        complaint.contains(":3: vehicle = \"vehicles/surveyor-chair-4-1.toml\""),
+        "{complaint}"
+    );
+}

@@ -1,0 +1,257 @@
+//! Vehicle files: mass properties, and legs given once for all or one by one.
+
+use std::path::Path;
+
+use touchdown_dynamics::profile::Profile;
+use touchdown_dynamics::vehicle::{
+    Block, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, Vehicle,
+};
+
+use crate::document::Document;
+use crate::input_error::InputError;
+use crate::section::Section;
+
+const INCHES_PER_FOOT: f64 = 12.0;
+
+const VEHICLE: [&str; 10] = [
+    "name",
+    "mass_slug",
+    "gravity_fps2",
+    "center_of_gravity_height_ft",
+    "inertia_slug_ft2",
+    "linkage",
+    "strut",
+    "footpad",
+    "block",
+    "legs",
+];
+const INERTIA: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
+const LEG: [&str; 5] = ["azimuth_deg", "linkage", "strut", "footpad", "block"];
+const LINKAGE: [&str; 5] = [
+    "lower_hardpoint_radius_ft",
+    "lower_link_length_ft",
+    "hardpoint_distance_ft",
+    "hardpoint_angle_deg",
+    "inertia_slug_ft2",
+];
+const STRUT: [&str; 11] = [
+    "extended_length_ft",
+    "minimum_length_ft",
+    "structural_stiffness_lb_per_ft",
+    "preload_lb",
+    "spring_constant_lb_per_ft",
+    "friction_fraction",
+    "compression_damping",
+    "rebound_damping",
+    "rebound_growth_per_ft",
+    "spring_profile",
+    "damping_profile",
+];
+const FOOTPAD: [&str; 7] = [
+    "diameter_ft",
+    "height_ft",
+    "crush_pressure_psf",
+    "inertia_slug_ft2",
+    "minimum_angle_deg",
+    "maximum_angle_deg",
+    "profile",
+];
+const BLOCK: [&str; 5] = [
+    "radius_ft",
+    "height_ft",
+    "diameter_ft",
+    "crush_pressure_psf",
+    "profile",
+];
+const MULTIPLIER: [&str; 2] = ["stroke_in", "multiplier"];
+const PRESSURE: [&str; 2] = ["interference_in", "relative_pressure"];
+
+/// A vehicle with the file that describes it.
+#[derive(Debug, Clone)]
+pub struct VehicleFile<const LEGS: usize> {
+    /// The file as it was read.
+    pub document: Document,
+    /// Its name for the vehicle.
+    pub name: String,
+    /// The vehicle.
+    pub vehicle: Vehicle<LEGS>,
+}
+
+impl<const LEGS: usize> VehicleFile<LEGS> {
+    /// Reads a vehicle with `LEGS` legs.
+    ///
+    /// # Errors
+    /// Names file, line, key and value of the first thing wrong, and what is allowed.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        Self::from_document(Document::read(path)?)
+    }
+
+    /// Takes the vehicle from a document.
+    ///
+    /// # Errors
+    /// As [`VehicleFile::read`].
+    pub fn from_document(document: Document) -> Result<Self, InputError> {
+        let root = Section::root(&document, &VEHICLE)?;
+        let name = root.text("name")?.to_owned();
+        let entries = root.sections("legs", &LEG)?;
+        let legs: Vec<Leg> = entries
+            .iter()
+            .map(|entry| leg(&entry.over(&root)))
+            .collect::<Result<_, _>>()?;
+        let allowed = format!("{} tables [[legs]], one a leg", in_words(LEGS));
+        let legs: [Leg; LEGS] =
+            legs.try_into()
+                .map_err(|legs: Vec<Leg>| match root.optional("legs") {
+                    Some(found) => found.complain_that(&format!(
+                        "{} legs are described: allowed is {allowed}",
+                        legs.len()
+                    )),
+                    None => root.missing("legs", &allowed),
+                })?;
+        let vehicle = Vehicle::new(
+            root.number("mass_slug")?,
+            root.number("gravity_fps2")?,
+            root.number("center_of_gravity_height_ft")?,
+            inertia(&root.section("inertia_slug_ft2", &INERTIA)?)?,
+            legs,
+        )
+        .map_err(|invalid| root.complain(&invalid))?;
+        Ok(Self {
+            document,
+            name,
+            vehicle,
+        })
+    }
+}
+
+fn in_words(legs: usize) -> String {
+    match legs {
+        3 => "three".to_owned(),
+        4 => "four".to_owned(),
+        5 => "five".to_owned(),
+        6 => "six".to_owned(),
+        _ => legs.to_string(),
+    }
+}
+
+fn inertia(section: &Section) -> Result<Inertia, InputError> {
+    Ok(Inertia {
+        xx: section.number("xx")?,
+        yy: section.number("yy")?,
+        zz: section.number("zz")?,
+        xy: section.number("xy")?,
+        xz: section.number("xz")?,
+        yz: section.number("yz")?,
+    })
+}
+
+/// A leg from its own entry over what the vehicle says for all legs.
+fn leg(entry: &Section) -> Result<Leg, InputError> {
+    let design = LegDesign {
+        azimuth: entry.number("azimuth_deg")?.to_radians(),
+        linkage: linkage(&entry.section("linkage", &LINKAGE)?)?,
+        strut: strut(&entry.section("strut", &STRUT)?)?,
+        footpad: footpad(&entry.section("footpad", &FOOTPAD)?)?,
+        block: block(&entry.section("block", &BLOCK)?)?,
+    };
+    Leg::new(design).map_err(|invalid| entry.complain(&invalid))
+}
+
+fn linkage(section: &Section) -> Result<Linkage, InputError> {
+    Ok(Linkage {
+        lower_hardpoint_radius: section.number("lower_hardpoint_radius_ft")?,
+        lower_link_length: section.number("lower_link_length_ft")?,
+        hardpoint_distance: section.number("hardpoint_distance_ft")?,
+        hardpoint_angle: section.number("hardpoint_angle_deg")?.to_radians(),
+        inertia: section.number("inertia_slug_ft2")?,
+    })
+}
+
+fn strut(section: &Section) -> Result<Strut, InputError> {
+    Ok(Strut {
+        extended_length: section.number("extended_length_ft")?,
+        minimum_length: section.number("minimum_length_ft")?,
+        structural_stiffness: section.number("structural_stiffness_lb_per_ft")?,
+        preload: section.number("preload_lb")?,
+        spring_constant: section.number("spring_constant_lb_per_ft")?,
+        friction_fraction: section.number("friction_fraction")?,
+        compression_damping: section.number("compression_damping")?,
+        rebound_damping: section.number("rebound_damping")?,
+        rebound_growth: section.number("rebound_growth_per_ft")?,
+        spring_profile: profile(section, "spring_profile", MULTIPLIER)?,
+        damping_profile: profile(section, "damping_profile", MULTIPLIER)?,
+    })
+}
+
+fn footpad(section: &Section) -> Result<Footpad, InputError> {
+    Ok(Footpad {
+        diameter: section.number("diameter_ft")?,
+        height: section.number("height_ft")?,
+        crush_pressure: section.number("crush_pressure_psf")?,
+        inertia: section.number("inertia_slug_ft2")?,
+        minimum_angle: section.number("minimum_angle_deg")?.to_radians(),
+        maximum_angle: section.number("maximum_angle_deg")?.to_radians(),
+        profile: profile(section, "profile", PRESSURE)?,
+    })
+}
+
+fn block(section: &Section) -> Result<Block, InputError> {
+    Ok(Block {
+        radius: section.number("radius_ft")?,
+        height: section.number("height_ft")?,
+        diameter: section.number("diameter_ft")?,
+        crush_pressure: section.number("crush_pressure_psf")?,
+        profile: profile(section, "profile", PRESSURE)?,
+    })
+}
+
+/// A table whose abscissas are in inches, as the report prints them.
+fn profile(section: &Section, key: &str, columns: [&str; 2]) -> Result<Profile, InputError> {
+    let table = section.section(key, &columns)?;
+    let [abscissas, ordinates] = columns;
+    let x = column(&table, abscissas)?;
+    let y = column(&table, ordinates)?;
+    let list = table.value(ordinates, "a list of numbers")?;
+    if x.len() != y.len() {
+        return Err(list.complain_that(&format!(
+            "{} numbers: allowed is as many as {abscissas}, {}",
+            y.len(),
+            x.len()
+        )));
+    }
+    if x.len() < 2 {
+        let list = table.value(abscissas, "a list of numbers")?;
+        return Err(list.complain("at least two knots"));
+    }
+    let items = table
+        .value(abscissas, "a list of numbers")?
+        .items("a list of numbers")?;
+    for (index, pair) in x.windows(2).enumerate() {
+        if pair[1] <= pair[0] {
+            return Err(items[index + 1].complain("abscissas in increasing order"));
+        }
+    }
+    if x[0] != 0.0 {
+        return Err(items[0].complain("first abscissa 0"));
+    }
+    for (ordinate, item) in y.iter().zip(list.items("a list of numbers")?) {
+        if *ordinate < 0.0 {
+            return Err(item.complain("a number ≥ 0"));
+        }
+    }
+    let knots = x.iter().zip(y).map(|(x, y)| [x / INCHES_PER_FOOT, y]);
+    Profile::new(knots.collect()).map_err(|invalid| list.complain(&invalid.allowed))
+}
+
+fn column(table: &Section, key: &str) -> Result<Vec<f64>, InputError> {
+    table
+        .value(key, "a list of numbers")?
+        .items("a list of numbers")?
+        .iter()
+        .map(|item| item.number())
+        .collect()
+}
+
+#[cfg(test)]
+#[path = "vehicle_file_tests.rs"]
+mod tests;

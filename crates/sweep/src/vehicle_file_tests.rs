@@ -1,0 +1,127 @@
+use super::*;
+
+const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+
+fn read(text: &str) -> Result<VehicleFile<3>, InputError> {
+    VehicleFile::from_document(Document::parse(Path::new("v.toml"), text)?)
+}
+
+#[test]
+fn the_surveyor_is_read_in_feet_and_radians() {
+    let file = read(SURVEYOR).unwrap();
+    assert_eq!(file.name, "Surveyor, Table 4-1");
+    assert_eq!(file.vehicle.mass(), 20.0);
+    assert_eq!(file.vehicle.inertia()[(0, 1)], -6.81);
+    let leg = &file.vehicle.legs()[1];
+    assert_eq!(leg.design().azimuth, 120f64.to_radians());
+    assert_eq!(
+        leg.design().strut.spring_profile.knots()[19],
+        [6.5 / 12.0, 1.447]
+    );
+    assert!((leg.extended_angle().to_degrees() - 17.9978).abs() < 1e-4);
+}
+
+#[test]
+fn a_leg_may_differ_in_anything_its_tables_included() {
+    let text = format!(
+        "{SURVEYOR}[legs.strut]\ncompression_damping = 60\n\
+         [legs.footpad.profile]\ninterference_in = [0, 1]\nrelative_pressure = [0, 2]\n"
+    );
+    let vehicle = read(&text).unwrap().vehicle;
+    let [first, _, last] = vehicle.legs();
+    assert_eq!(first.design().strut.compression_damping, 54.0);
+    assert_eq!(last.design().strut.compression_damping, 60.0);
+    assert_eq!(last.design().strut.rebound_damping, 864.0);
+    assert_eq!(
+        last.design().footpad.profile.knots(),
+        [[0.0, 0.0], [1.0 / 12.0, 2.0]]
+    );
+    assert_eq!(first.design().footpad.profile.knots().len(), 14);
+}
+
+/// What is replaced in the Surveyor's file, by what, and what the complaint must contain.
+const WRONG: [(&str, &str, &[&str]); 12] = [
+    (
+        "mass_slug = 20",
+        "mass_slug = -20",
+        &["v.toml:3: mass_slug = -20", "> 0"],
+    ),
+    (
+        "mass_slug = 20",
+        "mass_kg = 292",
+        &["v.toml:3: mass_kg = 292", "did you mean mass_slug?"],
+    ),
+    ("mass_slug = 20", "", &["mass_slug is missing"]),
+    (
+        "mass_slug = 20",
+        "mass_slug = \"20\"",
+        &["v.toml:3: mass_slug = \"20\"", "a number"],
+    ),
+    (
+        "xx = 138.12",
+        "xx = 0.2",
+        &["v.toml:7: inertia_slug_ft2 (least principal moment)"],
+    ),
+    (
+        "preload_lb = 185",
+        "preload_lb = 0",
+        &["v.toml:26: strut.preload_lb = 0"],
+    ),
+    (
+        "stroke_in = [0, 0.25, 0.5",
+        "stroke_in = [0, 0.5, 0.25",
+        &[
+            "v.toml:34: strut.spring_profile.stroke_in[3] = 0.25",
+            "increasing",
+        ],
+    ),
+    (
+        "interference_in = [0, 0.1, 5.75, 7.75]",
+        "interference_in = [0, 0.1, 5.75]",
+        &[
+            "block.profile.relative_pressure",
+            "as many as interference_in, 3",
+        ],
+    ),
+    (
+        "relative_pressure = [0, 1, 1, 21]",
+        "relative_pressure = [0, 1, -1, 21]",
+        &["block.profile.relative_pressure[3] = -1"],
+    ),
+    (
+        "relative_pressure = [0, 1, 1, 21]",
+        "relative_pressure = [0, 1, 0.5, 21]",
+        &["block.profile", "falling"],
+    ),
+    (
+        "[[legs]]\nazimuth_deg = 240",
+        "",
+        &["2 legs are described", "three tables [[legs]]"],
+    ),
+    (
+        "azimuth_deg = 240",
+        "azimuth_deg = 240\ncolour = 3",
+        &["legs[3].colour = 3", "azimuth_deg"],
+    ),
+];
+
+#[test]
+fn complaints_name_line_key_value_and_what_is_allowed() {
+    for (right, wrong, fragments) in WRONG {
+        let text = SURVEYOR.replacen(right, wrong, 1);
+        assert_ne!(text, SURVEYOR, "{right} is not in the file");
+        let complaint = read(&text).unwrap_err().to_string();
+        for fragment in fragments {
+            assert!(complaint.contains(fragment), "{wrong}: {complaint}");
+        }
+    }
+}
+
+#[test]
+fn too_short_a_table_is_refused() {
+    let text = SURVEYOR
+        .replace("[0, 0.1, 5.75, 7.75]", "[0]")
+        .replace("[0, 1, 1, 21]", "[0]");
+    let complaint = read(&text).unwrap_err().to_string();
+    assert!(complaint.contains("block.profile.interference_in = [0]: allowed is at least two"));
+}

@@ -1,0 +1,51 @@
+//! `touchdown land --cases`: one landing for each row of a table.
+
+use std::path::Path;
+
+use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::cases;
+use touchdown_sweep::run::Workers;
+use touchdown_sweep::vehicle_file::VehicleFile;
+
+use crate::failure::Failure;
+use crate::land::{Options, place_of};
+use crate::progress::Progress;
+use crate::say::say;
+use crate::{LEGS, interrupt, summary};
+
+/// Lands all cases and writes their results to `out`.
+pub fn run(
+    options: &Options,
+    vehicle: &VehicleFile<LEGS>,
+    settings: &Settings,
+    table: &Path,
+    out: &Path,
+) -> Result<(), Failure> {
+    let cases = cases::read(table)?;
+    let (folder, name) = place_of(out)?;
+    let cancel = interrupt::flag()?;
+    let workers = Workers::start(options.threads)?;
+
+    let progress = Progress::start("cases", cases.scenes.len(), options.quiet);
+    let landings = workers.cases(
+        &vehicle.vehicle,
+        &cases.scenes,
+        settings,
+        &progress,
+        &cancel,
+    );
+    let wall_time = progress.finish();
+    let landings = landings?;
+
+    let results = cases::table(&cases.names, &landings).map_err(Failure::running)?;
+    let files = folder.deposit(&[(name, results)])?;
+    if !options.quiet {
+        say(&summary::cases(
+            &landings,
+            wall_time,
+            workers.threads(),
+            &files,
+        ))?;
+    }
+    Ok(())
+}

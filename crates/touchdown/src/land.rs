@@ -1,0 +1,188 @@
+//! `touchdown land`: one landing, or with `--cases` one for each row of a table.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use touchdown_dynamics::landing::land_observed;
+use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::history::History;
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::settings_input::crush_rule;
+use touchdown_sweep::vehicle_file::VehicleFile;
+
+use crate::failure::Failure;
+use crate::say::say;
+use crate::touchdown_options::{TouchdownOptions, finite};
+use crate::{LEGS, cases, report};
+
+/// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
+const LONGEST_HISTORY: f64 = 1e7;
+
+const EXAMPLES: &str = "\
+Examples:
+  The baseline of the 1966 report, straight down a slope of 15 deg:
+    touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \\
+      --vertical-velocity 14 --horizontal-velocity 11.25 --cross-slope 180 \\
+      --slope 15 --friction 1.0 --history baseline.csv
+
+  One landing for each row of a table with the columns case, vertical_velocity_fps,
+  horizontal_velocity_fps, cross_slope_deg, pitch_deg, yaw_deg, roll_deg, slope_deg, friction:
+    touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \\
+      --cases cases.csv --out outcomes.csv";
+
+/// Options of `land`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Options {
+    /// Vehicle file (TOML)
+    #[arg(long, value_name = "FILE")]
+    pub vehicle: PathBuf,
+    #[command(flatten)]
+    touchdown: TouchdownOptions,
+    /// When an element may crush further: "pivot-rate", only while its pivot moves into the
+    /// ground, as in the 1966 program, or "section", at its maximum penetration
+    #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule,
+          help_heading = "Solver")]
+    crush_rule: CrushRule,
+    /// Relative error tolerance per step, from 1e-12 to 1e-2 [default: 1e-6]
+    #[arg(long, value_name = "TOL", value_parser = finite, allow_hyphen_values = true,
+          help_heading = "Solver")]
+    tolerance: Option<f64>,
+    /// Time at which a landing without an outcome is given up, s [default: 40]
+    #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true,
+          help_heading = "Solver")]
+    time_limit: Option<f64>,
+    /// Write motion, loads, deformations and energies over time to this CSV file
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with = "cases",
+        help_heading = "Output"
+    )]
+    history: Option<PathBuf>,
+    /// Time between the rows of the history, s
+    #[arg(long, value_name = "S", default_value_t = 0.01, requires = "history",
+          value_parser = finite, allow_hyphen_values = true, help_heading = "Output")]
+    interval: f64,
+    /// Print the result as JSON
+    #[arg(long, conflicts_with = "cases", help_heading = "Output")]
+    json: bool,
+    /// Land once for each row of this CSV table instead
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "out",
+        conflicts_with = "TouchdownOptions",
+        help_heading = "Many landings"
+    )]
+    pub cases: Option<PathBuf>,
+    /// Write the results of --cases to this CSV file
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "cases",
+        help_heading = "Many landings"
+    )]
+    pub out: Option<PathBuf>,
+    /// Threads for --cases [default: one for each core]
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "cases",
+        help_heading = "Many landings"
+    )]
+    pub threads: Option<NonZeroUsize>,
+    /// Show no progress of --cases
+    #[arg(long, requires = "cases", help_heading = "Many landings")]
+    pub quiet: bool,
+}
+
+fn rule(name: &str) -> Result<CrushRule, String> {
+    crush_rule(name).ok_or_else(|| "allowed is pivot-rate or section".to_owned())
+}
+
+/// Runs `land`.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let settings = settings(options)?;
+    let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?;
+    match (&options.cases, &options.out) {
+        (Some(cases), Some(out)) => cases::run(options, &vehicle, &settings, cases, out),
+        _ => land_once(options, &vehicle, &settings),
+    }
+}
+
+fn settings(options: &Options) -> Result<Settings, InputError> {
+    let tolerance = options.tolerance.unwrap_or(Settings::DEFAULT_TOLERANCE);
+    let time_limit = options.time_limit.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
+    Settings::new(tolerance, time_limit, options.crush_rule).map_err(|invalid| {
+        let option = match invalid.quantity.as_str() {
+            "time_limit_s" => "--time-limit",
+            _ => "--tolerance",
+        };
+        InputError::value(option, invalid.value, &invalid.allowed)
+    })
+}
+
+fn land_once(
+    options: &Options,
+    vehicle: &VehicleFile<LEGS>,
+    settings: &Settings,
+) -> Result<(), Failure> {
+    let scene = options.touchdown.scene()?;
+    let interval = interval(options, settings.time_limit())?;
+    let history_place = options.history.as_deref().map(place_of).transpose()?;
+
+    let mut history = History::default();
+    let mut written = Ok(());
+    let landing = land_observed(&vehicle.vehicle, &scene, settings, interval, |instant| {
+        if history_place.is_some() && written.is_ok() {
+            written = history.add(instant);
+        }
+    });
+
+    if let Some((folder, name)) = history_place {
+        written.map_err(Failure::running)?;
+        let table = history.table().map_err(Failure::running)?;
+        folder.deposit(&[(name, table)])?;
+    }
+    let conditions = options.touchdown.named();
+    say(&if options.json {
+        format!(
+            "{:#}\n",
+            report::json(vehicle, &conditions, settings, &landing)
+        )
+    } else {
+        report::text(vehicle, &conditions, settings, &landing)
+    })?;
+    match &landing.outcome {
+        Outcome::Failure(reason) => Err(Failure::running(format!(
+            "the landing could not be computed beyond {} s: {reason}",
+            landing.end_time
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Time between observations, s: none are needed without a history.
+fn interval(options: &Options, time_limit: f64) -> Result<f64, InputError> {
+    if options.history.is_none() {
+        return Ok(f64::INFINITY);
+    }
+    let least = time_limit / LONGEST_HISTORY;
+    if options.interval >= least && options.interval > 0.0 {
+        Ok(options.interval)
+    } else {
+        let allowed = format!("a time from {least:e} s, a ten-millionth of the time limit, up");
+        Err(InputError::value("--interval", options.interval, &allowed))
+    }
+}
+
+/// Folder, checked to be writable, and name of a file that will be written.
+pub fn place_of(file: &Path) -> Result<(Folder, String), InputError> {
+    let folder = Folder::of(file)?;
+    let name = file.file_name().unwrap_or(file.as_os_str());
+    Ok((folder, name.to_string_lossy().into_owned()))
+}

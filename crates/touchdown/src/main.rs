@@ -1,0 +1,58 @@
+//! How fast sideways may a legged lander touch down before it topples?
+//!
+//! The program `touchdown`: one landing, a table of landings, or a sweep for the speed at which
+//! the lander begins to topple.
+
+mod caption;
+mod cases;
+mod failure;
+mod interrupt;
+mod land;
+mod progress;
+mod report;
+mod say;
+mod summary;
+mod sweep;
+mod touchdown_options;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Legs of the vehicles that this program lands.
+const LEGS: usize = 3;
+
+/// How fast sideways may a legged lander touch down before it topples?
+///
+/// Units throughout: foot, second, pound, slug; angles in degrees.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 done, 1 failed while running, 2 input that cannot be used, 130 interrupted.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Compute one landing, or one landing for each row of a table
+    Land(Box<land::Options>),
+    /// Search the horizontal velocity at which landings cease to be stable, over a grid
+    Sweep(sweep::Options),
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Land(options) => land::run(&options),
+        Command::Sweep(options) => sweep::run(&options),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("touchdown: {failure}");
+            failure.exit_code()
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! How far a run is: a bar on a terminal, a line every few seconds elsewhere, or nothing.
+
+use std::fmt::Write;
+use std::io::{IsTerminal, stderr};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use touchdown_sweep::run::Observer;
+
+/// Time between lines where there is no terminal, ms.
+const LINE_INTERVAL: u64 = 5000;
+
+/// Progress of a run over a number of points.
+pub struct Progress {
+    start: Instant,
+    unit: &'static str,
+    count: u64,
+    done: AtomicU64,
+    landings: Arc<AtomicU64>,
+    last_line: AtomicU64,
+    show: Show,
+}
+
+enum Show {
+    Bar(ProgressBar),
+    Lines,
+    Nothing,
+}
+
+impl Progress {
+    /// Starts to watch a run over `count` points (or whatever `unit` says).
+    pub fn start(unit: &'static str, count: usize, quiet: bool) -> Self {
+        let landings = Arc::new(AtomicU64::new(0));
+        let show = match (quiet, stderr().is_terminal()) {
+            (true, _) => Show::Nothing,
+            (false, true) => Show::Bar(bar(unit, count as u64, &landings)),
+            (false, false) => Show::Lines,
+        };
+        Self {
+            start: Instant::now(),
+            unit,
+            count: count as u64,
+            done: AtomicU64::new(0),
+            landings,
+            last_line: AtomicU64::new(0),
+            show,
+        }
+    }
+
+    /// Takes the bar away; the time since the start.
+    pub fn finish(&self) -> Duration {
+        if let Show::Bar(bar) = &self.show {
+            bar.finish_and_clear();
+        }
+        self.start.elapsed()
+    }
+
+    fn line(&self) {
+        let elapsed = self.start.elapsed();
+        let now = elapsed.as_millis() as u64;
+        let last = self.last_line.load(Ordering::Relaxed);
+        if now < last + LINE_INTERVAL {
+            return;
+        }
+        // Whichever thread moves the time on writes the line, and no other.
+        let mine = self
+            .last_line
+            .compare_exchange(last, now, Ordering::Relaxed, Ordering::Relaxed);
+        if mine.is_err() {
+            return;
+        }
+        let (done, count) = (self.done.load(Ordering::Relaxed), self.count);
+        let landings = self.landings.load(Ordering::Relaxed);
+        let rate = landings as f64 / elapsed.as_secs_f64();
+        let left = match done {
+            0 => String::new(),
+            done => {
+                let left = elapsed.as_secs_f64() * (count - done) as f64 / done as f64;
+                format!(", about {left:.0} s left")
+            }
+        };
+        eprintln!(
+            "{done}/{count} {}, {landings} landings, {rate:.0} landings/s{left}",
+            self.unit
+        );
+    }
+}
+
+impl Observer for Progress {
+    fn landing(&self) {
+        self.landings.fetch_add(1, Ordering::Relaxed);
+        if matches!(self.show, Show::Lines) {
+            self.line();
+        }
+    }
+
+    fn point(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+        if let Show::Bar(bar) = &self.show {
+            bar.inc(1);
+        }
+    }
+}
+
+fn bar(unit: &str, count: u64, landings: &Arc<AtomicU64>) -> ProgressBar {
+    let landings = Arc::clone(landings);
+    let rate = move |state: &ProgressState, out: &mut dyn Write| {
+        let seconds = state.elapsed().as_secs_f64().max(1e-3);
+        let rate = landings.load(Ordering::Relaxed) as f64 / seconds;
+        // A terminal that cannot be written to is no reason to stop a run.
+        let _ = write!(out, "{rate:.0}");
+    };
+    let template =
+        format!("{{bar:32}} {{pos}}/{{len}} {unit}  {{rate}} landings/s  {{elapsed}}, ETA {{eta}}");
+    let bar = ProgressBar::new(count);
+    if let Ok(style) = ProgressStyle::with_template(&template) {
+        bar.set_style(style.with_key("rate", rate));
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

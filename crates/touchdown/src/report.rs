@@ -1,0 +1,162 @@
+//! One landing, told to a reader or to a program.
+
+use serde_json::{Map, Value, json};
+use touchdown_dynamics::landing::{Landing, LegWork};
+use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::landing_table;
+use touchdown_sweep::scene_input::NamedConditions;
+use touchdown_sweep::settings_input::crush_rule_name;
+use touchdown_sweep::vehicle_file::VehicleFile;
+
+/// A landing for a reader.
+pub fn text<const LEGS: usize>(
+    vehicle: &VehicleFile<LEGS>,
+    conditions: &NamedConditions,
+    settings: &Settings,
+    landing: &Landing<LEGS>,
+) -> String {
+    let given: Vec<String> = conditions
+        .resolved()
+        .into_iter()
+        .map(|(name, value)| format!("{name} {value}"))
+        .collect();
+    let energies = &landing.energies;
+    let work = |of: fn(&LegWork) -> f64| energies.legs.iter().map(of).sum::<f64>();
+    let mut lines = Lines(format!("{}\n{}\n\n", vehicle.name, wrapped(&given)));
+    lines.add(
+        "outcome",
+        format!("{} at {:.6} s", landing.outcome, landing.end_time),
+    );
+    lines.add("why", why(&landing.outcome));
+    lines.add(
+        "least stability angle",
+        format!(
+            "{:.4} deg at {:.4} s",
+            landing.min_stability_angle.to_degrees(),
+            landing.min_stability_time
+        ),
+    );
+    lines.add(
+        "least ground clearance",
+        format!("{:.5} ft", landing.min_clearance),
+    );
+    lines.legs(
+        "leg",
+        &std::array::from_fn::<_, LEGS, _>(|leg| (leg + 1).to_string()),
+    );
+    lines.legs("footpad contact, s", &landing.pad_contact.map(time));
+    lines.legs("block contact, s", &landing.block_contact.map(time));
+    lines.legs(
+        "largest strut force, lb",
+        &landing.max_strut_force.map(|f| format!("{f:.1}")),
+    );
+    lines.energy("kinetic energy at contact", energies.initial_kinetic);
+    lines.energy("+ potential energy released", energies.potential_change);
+    lines.energy("- struts", work(|leg| leg.strut));
+    lines.energy("- footpads, crushing", work(|leg| leg.pad_crush));
+    lines.energy("- footpads, sliding", work(|leg| leg.pad_friction));
+    lines.energy("- blocks, crushing", work(|leg| leg.block_crush));
+    lines.energy("- blocks, sliding", work(|leg| leg.block_friction));
+    lines.energy("- stops", work(|leg| leg.stop));
+    lines.energy("- kinetic energy at the end", energies.final_kinetic);
+    lines.add("= closure", format!("{:>14.3e} ft lb", energies.closure()));
+    lines.add(
+        "computation",
+        format!(
+            "{} steps, {} events, {} derivative evaluations, tolerance {:e}, crush rule {}",
+            landing.steps,
+            landing.events,
+            landing.evaluations,
+            settings.tolerance(),
+            crush_rule_name(settings.crush_rule())
+        ),
+    );
+    lines.0
+}
+
+/// Lines of a name and what belongs to it.
+struct Lines(String);
+
+impl Lines {
+    fn add(&mut self, name: &str, value: impl std::fmt::Display) {
+        self.0 += &format!("{name:<28} {value}\n");
+    }
+
+    fn legs<const LEGS: usize>(&mut self, name: &str, values: &[String; LEGS]) {
+        let cells: String = values.iter().map(|value| format!("{value:>12}")).collect();
+        self.add(name, cells);
+    }
+
+    fn energy(&mut self, name: &str, value: f64) {
+        self.add(name, format!("{value:>14.4} ft lb"));
+    }
+}
+
+fn time(contact: Option<f64>) -> String {
+    contact.map_or("never".to_owned(), |time| format!("{time:.6}"))
+}
+
+fn wrapped(parts: &[String]) -> String {
+    parts
+        .chunks(4)
+        .map(|line| line.join(", "))
+        .collect::<Vec<_>>()
+        .join(",\n")
+}
+
+fn why(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::StableRockback => "it rocked up and came back onto other feet".to_owned(),
+        Outcome::StableSubsided => "its motion subsided near the ground".to_owned(),
+        Outcome::UnstablePitch => "its CG passed outboard of the critical feet".to_owned(),
+        Outcome::UnstableYaw => "all feet came to one side of the plane of motion".to_owned(),
+        Outcome::Bottomed { leg } => format!("strut {} reached its least length", leg + 1),
+        Outcome::TimeExpired => "nothing of this before the time limit".to_owned(),
+        Outcome::Failure(reason) => reason.to_string(),
+    }
+}
+
+/// A landing for a program.
+pub fn json<const LEGS: usize>(
+    vehicle: &VehicleFile<LEGS>,
+    conditions: &NamedConditions,
+    settings: &Settings,
+    landing: &Landing<LEGS>,
+) -> Value {
+    let scene: Map<String, Value> = conditions
+        .resolved()
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), json!(value)))
+        .collect();
+    let result: Map<String, Value> = landing_table::columns(landing)
+        .into_iter()
+        .map(|(name, cell)| (name, cell.into()))
+        .collect();
+    let work = landing.energies.legs.map(|leg| {
+        json!({
+            "strut_ftlb": leg.strut,
+            "pad_crush_ftlb": leg.pad_crush,
+            "pad_friction_ftlb": leg.pad_friction,
+            "block_crush_ftlb": leg.block_crush,
+            "block_friction_ftlb": leg.block_friction,
+            "stop_ftlb": leg.stop,
+        })
+    });
+    json!({
+        "program": { "name": "touchdown", "version": env!("CARGO_PKG_VERSION") },
+        "vehicle_file": vehicle.document.path().display().to_string(),
+        "scene": scene,
+        "solver": {
+            "tolerance": settings.tolerance(),
+            "time_limit_s": settings.time_limit(),
+            "crush_rule": crush_rule_name(settings.crush_rule()),
+        },
+        "result": result,
+        "why": why(&landing.outcome),
+        "min_stability_time_s": landing.min_stability_time,
+        "events": landing.events,
+        "work_by_leg": work.to_vec(),
+        "final_kinetic_energy_ftlb": landing.energies.final_kinetic,
+    })
+}

@@ -1,0 +1,107 @@
+//! A run in short: what came out, what it cost, and where the results are.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use touchdown_dynamics::landing::Landing;
+use touchdown_sweep::boundary::Boundary;
+use touchdown_sweep::results::{Circumstances, count_by_kind};
+use touchdown_sweep::sweep_file::Sweep;
+
+/// A table of cases in short.
+pub fn cases<const LEGS: usize>(
+    landings: &[Landing<LEGS>],
+    wall_time: Duration,
+    threads: usize,
+    files: &[PathBuf],
+) -> String {
+    let mut kinds: Vec<(String, usize)> = Vec::new();
+    for landing in landings {
+        let kind = landing.outcome.to_string();
+        match kinds.iter_mut().find(|(known, _)| *known == kind) {
+            Some((_, count)) => *count += 1,
+            None => kinds.push((kind, 1)),
+        }
+    }
+    kinds.sort();
+    let evaluations = landings.iter().map(|landing| landing.evaluations).sum();
+    let seconds = wall_time.as_secs_f64();
+    format!(
+        "{} cases: {}\n{}{}",
+        landings.len(),
+        counted(&kinds),
+        cost(landings.len() as u64, evaluations, seconds, threads),
+        written(files)
+    )
+}
+
+/// A sweep in short.
+pub fn sweep<const LEGS: usize>(
+    sweep: &Sweep<LEGS>,
+    boundaries: &[Boundary],
+    circumstances: Circumstances,
+    files: &[PathBuf],
+) -> String {
+    let mut text = format!("{}\n", sweep.title);
+    let kinds = counted(&count_by_kind(boundaries));
+    text += &format!(
+        "  {} points, first transition to: {kinds}\n",
+        boundaries.len()
+    );
+    let lowest = boundaries
+        .iter()
+        .enumerate()
+        .filter_map(|(point, boundary)| Some((point, boundary.transition?)))
+        .min_by(|(_, a), (_, b)| a.speed().total_cmp(&b.speed()));
+    if let Some((point, transition)) = lowest {
+        let coordinates = sweep.grid.coordinates(point);
+        let place: Vec<String> = sweep
+            .grid
+            .axes()
+            .iter()
+            .zip(coordinates)
+            .map(|(axis, value)| format!("{} = {value}", axis.name()))
+            .collect();
+        let (speed, kind) = (transition.speed(), transition.to);
+        text += &format!(
+            "  lowest V_H {speed:.4} ft/s ({kind}) at {}\n",
+            place.join(", ")
+        );
+    }
+    let landings = boundaries.iter().map(|boundary| boundary.landings).sum();
+    let evaluations = boundaries.iter().map(|boundary| boundary.evaluations).sum();
+    let Circumstances {
+        threads, wall_time, ..
+    } = circumstances;
+    text += &format!("  {}", cost(landings, evaluations, wall_time, threads));
+    text += &format!("  {}", written(files));
+    text
+}
+
+fn counted(kinds: &[(String, usize)]) -> String {
+    let parts: Vec<String> = kinds
+        .iter()
+        .map(|(kind, count)| format!("{count} {kind}"))
+        .collect();
+    parts.join(", ")
+}
+
+fn cost(landings: u64, evaluations: u64, seconds: f64, threads: usize) -> String {
+    let rate = landings as f64 / seconds.max(1e-9);
+    let threads = match threads {
+        1 => "one thread".to_owned(),
+        many => format!("{many} threads"),
+    };
+    format!(
+        "{landings} landings, {evaluations} derivative evaluations, {seconds:.2} s on {threads}: \
+         {rate:.0} landings/s\n"
+    )
+}
+
+fn written(files: &[PathBuf]) -> String {
+    let names: Vec<String> = files
+        .iter()
+        .map(|file| file.display().to_string())
+        .collect();
+    format!("written: {}\n", names.join(", "))
+}

@@ -1,0 +1,202 @@
+//! Whole runs of the program.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+#[allow(dead_code, reason = "every test file uses its own part")]
+mod common;
+
+use std::process::Stdio;
+use std::time::Duration;
+
+use common::{BASELINE, Bench, Done};
+
+#[test]
+fn help_teaches_units_and_the_sense_of_the_cross_slope() {
+    let bench = Bench::new();
+    let help = bench.run(&["land", "--help"]);
+    assert_eq!(help.code, Some(0));
+    for fragment in [
+        "180 is straight downhill",
+        "FT/S",
+        "deg/s",
+        "Examples:",
+        "--cases cases.csv",
+    ] {
+        // Help is wrapped to the terminal.
+        let words: Vec<&str> = help.out.split_whitespace().collect();
+        assert!(words.join(" ").contains(fragment), "{fragment}");
+    }
+    let help = bench.run(&["sweep", "--help"]);
+    assert!(help.out.contains("scan_step_fps = 0.25"));
+    let help = bench.run(&["--help"]);
+    assert!(help.out.contains("Exit codes"));
+}
+
+#[test]
+fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
+    let bench = Bench::new();
+    for threads in ["1", "2"] {
+        let done = bench.run(&[
+            "sweep",
+            "sweep.toml",
+            "--out",
+            threads,
+            "--threads",
+            threads,
+        ]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        assert!(done.out.contains("3 points"), "{}", done.out);
+        assert!(done.out.contains("landings/s"), "{}", done.out);
+        assert_eq!(
+            bench.list(threads),
+            ["sweep.csv", "sweep.json", "sweep.svg"]
+        );
+    }
+    assert_eq!(bench.read("1/sweep.csv"), bench.read("2/sweep.csv"));
+    assert_eq!(bench.read("1/sweep.svg"), bench.read("2/sweep.svg"));
+    let table = bench.read("1/sweep.csv");
+    let rows: Vec<&str> = table.lines().collect();
+    assert_eq!(
+        rows[0],
+        "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
+         landings,derivative_evaluations"
+    );
+    assert_eq!(rows.len(), 4);
+    assert!(rows[1].starts_with("-10,") && rows[2].starts_with("0,") && rows[3].starts_with("10,"));
+    assert!(
+        bench
+            .read("1/sweep.json")
+            .contains("\"block_friction\": 1.0")
+    );
+}
+
+#[test]
+fn two_axes_have_a_table_but_no_picture_and_quiet_is_quiet() {
+    let bench = Bench::new();
+    let two = common::SWEEP
+        .replace("slope_deg = 15\n", "")
+        .replace("[axes]", "[axes]\nslope_deg = [15]");
+    bench.write("sweep.toml", &two.replace("step = 10", "step = 20"));
+    let done = bench.run(&["sweep", "sweep.toml", "--quiet"]);
+    assert_eq!(
+        (done.code, done.out.as_str(), done.err.as_str()),
+        (Some(0), "", "")
+    );
+    assert_eq!(bench.list("results"), ["sweep.csv", "sweep.json"]);
+    assert!(
+        bench
+            .read("results/sweep.csv")
+            .starts_with("slope_deg,roll_deg,first")
+    );
+}
+
+#[test]
+fn a_landing_is_told_and_its_history_written() {
+    let bench = Bench::new();
+    let history = [
+        "--history",
+        "h.csv",
+        "--interval",
+        "0.1",
+        "--angular-velocity",
+        "-1,0,0.5",
+    ];
+    let done = bench.run(&[&BASELINE[..], &history].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    for fragment in [
+        "outcome",
+        "least stability angle",
+        "closure",
+        "derivative evaluations",
+    ] {
+        assert!(done.out.contains(fragment), "{fragment}: {}", done.out);
+    }
+    let history = bench.read("h.csv");
+    assert!(history.starts_with("t_s,x_ft,"));
+    assert!(history.lines().count() > 5);
+}
+
+#[test]
+fn a_landing_is_told_as_json() {
+    let bench = Bench::new();
+    let done = bench.run(&[&BASELINE[..], &["--json", "--roll", "-5"]].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert!(done.out.starts_with('{'));
+    assert!(done.out.contains("\"roll_deg\": -5.0"), "{}", done.out);
+    assert!(
+        done.out.contains("\"min_stability_angle_deg\""),
+        "{}",
+        done.out
+    );
+}
+
+#[test]
+fn cases_are_landed_in_their_order() {
+    let bench = Bench::new();
+    bench.write(
+        "cases.csv",
+        "remark,case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,pitch_deg,\
+         yaw_deg,roll_deg,slope_deg,friction\n\
+         slow,7,14,2,180,0,0,0,15,1\nfast,3,14,13,180,0,0,0,15,1\n",
+    );
+    let arguments = [
+        "land",
+        "--vehicle",
+        "surveyor.toml",
+        "--cases",
+        "cases.csv",
+        "--out",
+    ];
+    let done = bench.run(&[&arguments[..], &["new/out.csv", "--threads", "2"]].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let table = bench.read("new/out.csv");
+    let rows: Vec<&str> = table.lines().collect();
+    assert!(rows[0].starts_with("case,outcome,end_time_s,min_stability_angle_deg"));
+    assert!(rows[1].starts_with("7,stable-"), "{}", rows[1]);
+    assert!(rows[2].starts_with("3,unstable-pitch"), "{}", rows[2]);
+    assert_eq!(bench.list("new"), ["out.csv"]);
+}
+
+/// A sweep of hundreds of thousands of points, interrupted as Ctrl-C does it.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_sweep_says_so_and_writes_nothing() {
+    let bench = Bench::new();
+    bench.write(
+        "sweep.toml",
+        &common::SWEEP.replace("step = 10", "step = 0.0001"),
+    );
+    let sweep = bench
+        .command(&["sweep", "sweep.toml"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // Results are being computed once the folder for them is there.
+    while !bench.path("results").exists() {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    std::thread::sleep(Duration::from_millis(300));
+    let kill = std::process::Command::new("kill")
+        .args(["-INT", &sweep.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(kill.success());
+    let done = Done::from(sweep.wait_with_output().unwrap());
+    assert_eq!(done.code, Some(130), "{}", done.err);
+    assert!(done.err.contains("interrupted"), "{}", done.err);
+    assert_eq!(bench.list("results"), Vec::<String>::new());
+}
+
+/// Whoever reads may stop reading, as `head` does.
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let bench = Bench::new();
+    let mut land = bench
+        .command(&BASELINE)
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(land.stdout.take());
+    assert_eq!(land.wait().unwrap().code(), Some(0));
+}
