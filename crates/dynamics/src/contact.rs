@@ -8,7 +8,7 @@
 use crate::crush::{Crush, CrushLaw};
 use crate::friction::Sliding;
 use crate::hinge::{Hinge, Stops};
-use crate::integrator::event::{Bounds, Exit};
+use crate::integrator::event::{Bounds, Exit, Watch};
 use crate::motion::{LegPieces, LegSignals, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
@@ -112,10 +112,24 @@ impl LegMode {
         ]
     }
 
-    /// Range of every signal over which the active pieces hold.
-    pub fn bounds(&self, laws: &LegLaws) -> [Bounds; Signal::COUNT] {
+    /// Adds to `watches` the signals of leg `index` that have a range over which the active pieces
+    /// hold.
+    pub fn watch(&self, laws: &LegLaws, index: usize, watches: &mut Vec<Watch>) {
+        for signal in Signal::ALL {
+            let range = self.range(laws, signal);
+            if !range.is_free() {
+                watches.push(Watch {
+                    signal: index * Signal::COUNT + signal as usize,
+                    range,
+                });
+            }
+        }
+    }
+
+    /// Range of a signal over which the active pieces hold.
+    fn range(&self, laws: &LegLaws, signal: Signal) -> Bounds {
         let by_pivot = laws.rule == CrushRule::PivotRate;
-        Signal::ALL.map(|signal| match signal {
+        match signal {
             Signal::OuterInterference => self.pad[0].interference_bounds(&laws.pad),
             Signal::InnerInterference => self.pad[1].interference_bounds(&laws.pad),
             Signal::BlockInterference => self.block.interference_bounds(&laws.block),
@@ -141,7 +155,7 @@ impl LegMode {
             | Signal::BlockSliding
             | Signal::PadInclination
             | Signal::StrutForce => Bounds::FREE,
-        })
+        }
     }
 
     /// Puts the next piece in place after `signal` left its range. `leg` is this leg's index.

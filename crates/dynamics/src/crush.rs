@@ -16,6 +16,12 @@ pub struct PressureLine<S> {
 }
 
 impl<S: Real> PressureLine<S> {
+    /// Whether there is no pressure at any interference.
+    #[inline(always)]
+    pub fn is_slack(&self) -> bool {
+        self.offset.is_zero() && self.slope.is_zero()
+    }
+
     /// Relative pressure at interference I.
     #[inline(always)]
     pub fn at(&self, interference: S) -> S {

@@ -1,8 +1,8 @@
 //! Where everything is: the surface seen from the vehicle, and the geometry of one leg
 //! (model chapters 1 and 3).
 //!
-//! All vectors are in vehicle axes: the inward surface normal and gravity are turned into the
-//! vehicle once, and each leg then needs dot products only.
+//! The inward surface normal and the velocities are turned into the vehicle once, and then into
+//! the plane of each leg, where its geometry lies.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -92,17 +92,68 @@ pub struct LegGeometry<S> {
     block_depth: S,
 }
 
+/// The body's frame seen along one leg: components outboard (e), across (k×e) and down (k).
+///
+/// A leg moves in its own plane, so in these axes half of every vector of its geometry vanishes.
+#[derive(Debug, Clone, Copy)]
+pub struct LegFrame<S> {
+    /// Inward surface normal n.
+    pub normal: Vector3<S>,
+    /// n×ω, the rate at which the normal turns in the vehicle, 1/s.
+    pub normal_rate: Vector3<S>,
+    velocity: Vector3<S>,
+    rate: Vector3<S>,
+    depth: S,
+    upright: S,
+}
+
+/// A point in the plane of a leg, relative to the CG, ft.
+#[derive(Debug, Clone, Copy)]
+pub struct PlanePoint<S> {
+    /// Distance from the centreline.
+    pub reach: S,
+    /// Depth below the CG along the centreline.
+    pub drop: S,
+}
+
+/// A direction in the plane of a leg.
+#[derive(Debug, Clone, Copy)]
+pub struct PlaneDirection<S> {
+    outboard: S,
+    down: S,
+}
+
+impl<S: Real> PlaneDirection<S> {
+    /// Scalar product with a vector in leg axes.
+    #[inline(always)]
+    pub fn dot(&self, vector: &Vector3<S>) -> S {
+        self.outboard * vector.x + self.down * vector.z
+    }
+}
+
+impl<S: Real> PlanePoint<S> {
+    /// Moment about the CG of a force at this point, leg axes, ft·lb.
+    #[inline(always)]
+    pub fn moment(&self, force: &Vector3<S>) -> Vector3<S> {
+        Vector3::new(
+            -self.drop * force.y,
+            self.drop * force.x - self.reach * force.z,
+            self.reach * force.y,
+        )
+    }
+}
+
 /// Geometry of a leg at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct LegPose<S> {
-    /// Footpad pivot r_p relative to the CG (7), ft.
-    pub pivot: Vector3<S>,
+    /// Footpad pivot r_p (7).
+    pub pivot: PlanePoint<S>,
     /// Normal s of the lower link: pivot velocity per l_L γ̇.
-    pub link_normal: Vector3<S>,
-    /// Pad axes y'' and z''.
-    pub pad_y: Vector3<S>,
-    /// See `pad_y`.
-    pub pad_z: Vector3<S>,
+    pub link_normal: PlaneDirection<S>,
+    /// Pad axis y''.
+    pub pad_y: PlaneDirection<S>,
+    /// Pad axis z''.
+    pub pad_z: PlaneDirection<S>,
     /// cos ξ = z''·n.
     pub pad_inclination: S,
     /// 1/cos ξ.
@@ -117,8 +168,8 @@ pub struct LegPose<S> {
     pub pad_interference: [S; 2],
     /// Interference of the block (28), ft.
     pub block_interference: S,
-    /// Crushed centre of the block relative to the CG, ft.
-    pub block_center: Vector3<S>,
+    /// Crushed centre of the block.
+    pub block_center: PlanePoint<S>,
 }
 
 impl<S: Real> LegGeometry<S> {
@@ -190,45 +241,76 @@ impl<S: Real> LegGeometry<S> {
         )
     }
 
+    /// The body's frame in the axes of this leg.
+    #[inline(always)]
+    pub fn frame(&self, body: &BodyFrame<S>) -> LegFrame<S> {
+        let normal = self.into_leg_axes(&body.normal);
+        let rate = self.into_leg_axes(&body.rate);
+        LegFrame {
+            normal_rate: normal.cross(&rate),
+            normal,
+            velocity: self.into_leg_axes(&body.velocity),
+            rate,
+            depth: body.depth,
+            upright: body.upright,
+        }
+    }
+
+    #[inline(always)]
+    fn into_leg_axes(&self, v: &Vector3<S>) -> Vector3<S> {
+        let [ex, ey] = self.outboard;
+        Vector3::new(ex * v.x + ey * v.y, ex * v.y - ey * v.x, v.z)
+    }
+
+    /// Turns a vector from leg axes into vehicle axes.
+    #[inline(always)]
+    pub fn into_vehicle_axes(&self, v: &Vector3<S>) -> Vector3<S> {
+        let [ex, ey] = self.outboard;
+        Vector3::new(ex * v.x - ey * v.y, ey * v.x + ex * v.y, v.z)
+    }
+
     /// The leg at link angle γ and pad angle α.
     #[inline(always)]
-    pub fn pose(&self, frame: &BodyFrame<S>, link_angle: S, pad_angle: S) -> LegPose<S> {
+    pub fn pose(&self, frame: &LegFrame<S>, link_angle: S, pad_angle: S) -> LegPose<S> {
         let n = &frame.normal;
-        let [ex, ey] = self.outboard;
         let (sin_g, cos_g) = link_angle.sin_cos();
         let (sin_d, cos_d) = (link_angle - pad_angle).sin_cos();
 
-        let reach = self.hardpoint_radius + self.link_length * cos_g;
-        let drop = self.hardpoint_depth + self.link_length * sin_g;
-        let pivot = Vector3::new(reach * ex, reach * ey, drop);
-        let link_normal = Vector3::new(-sin_g * ex, -sin_g * ey, cos_g);
-        let pad_y = Vector3::new(cos_d * ex, cos_d * ey, sin_d);
-        let pad_z = Vector3::new(-sin_d * ex, -sin_d * ey, cos_d);
+        let pivot = PlanePoint {
+            reach: self.hardpoint_radius + self.link_length * cos_g,
+            drop: self.hardpoint_depth + self.link_length * sin_g,
+        };
+        let link_normal = PlaneDirection {
+            outboard: -sin_g,
+            down: cos_g,
+        };
+        let pad_y = PlaneDirection {
+            outboard: cos_d,
+            down: sin_d,
+        };
+        let pad_z = PlaneDirection {
+            outboard: -sin_d,
+            down: cos_d,
+        };
 
         // γ − β in (11) and (12)
         let sin_gb = sin_g * self.cos_beta - cos_g * self.sin_beta;
         let cos_gb = cos_g * self.cos_beta + sin_g * self.sin_beta;
         let length = (self.squares + (self.product + self.product) * sin_gb).sqrt();
 
-        let outward = n.x * ex + n.y * ey;
-        let pad_y_normal = cos_d * outward + sin_d * n.z;
-        let pad_inclination = cos_d * n.z - sin_d * outward;
-        let pivot_depth = frame.depth + reach * outward + drop * n.z;
+        let pad_y_normal = pad_y.dot(n);
+        let pad_inclination = pad_z.dot(n);
+        let pivot_depth = frame.depth + pivot.reach * n.x + pivot.drop * n.z;
         // Z'(r_k)/cos ξ with r_k = r_p ± centroid y'' + h_f0 z''
-        let upright = S::one() / pad_inclination;
+        let pad_upright = S::one() / pad_inclination;
         let lean = self.centroid * pad_y_normal;
         let pad_interference = [
-            (pivot_depth + lean) * upright + self.pad_height,
-            (pivot_depth - lean) * upright + self.pad_height,
+            (pivot_depth + lean) * pad_upright + self.pad_height,
+            (pivot_depth - lean) * pad_upright + self.pad_height,
         ];
 
-        let block_depth = frame.depth + self.block_radius * outward + self.block_depth * n.z;
+        let block_depth = frame.depth + self.block_radius * n.x + self.block_depth * n.z;
         let block_interference = block_depth * frame.upright;
-        let block_center = Vector3::new(
-            self.block_radius * ex,
-            self.block_radius * ey,
-            self.block_depth - block_interference,
-        );
 
         LegPose {
             pivot,
@@ -236,40 +318,67 @@ impl<S: Real> LegGeometry<S> {
             pad_y,
             pad_z,
             pad_inclination,
-            pad_upright: upright,
+            pad_upright,
             pad_y_normal,
             stroke: self.extended_length - length,
             strut_lever: self.product * cos_gb / length,
             pad_interference,
             block_interference,
-            block_center,
+            block_center: PlanePoint {
+                reach: self.block_radius,
+                drop: self.block_depth - block_interference,
+            },
         }
     }
 }
 
-/// Velocity, relative to the surface, of a point of the body, split along the inward normal.
+/// Velocity, relative to the surface, of a point of the vehicle, split along the inward normal.
 #[derive(Debug, Clone, Copy)]
 pub struct PointVelocity<S> {
     /// Rate into the ground, ft/s.
     pub inward: S,
-    /// Sliding velocity, ft/s.
+    /// Sliding velocity in leg axes, ft/s.
     pub sliding: Vector3<S>,
     /// Squared sliding speed S², ft²/s².
     pub sliding_squared: S,
 }
 
-impl<S: Real> BodyFrame<S> {
-    /// Splits the velocity of a point at `arm` from the CG that moves with `extra` in the vehicle.
+impl<S: Real> LegFrame<S> {
+    /// Velocity of a point of the body in leg axes: V + ω×r.
     #[inline(always)]
-    pub fn velocity_at(&self, arm: &Vector3<S>, extra: &Vector3<S>) -> PointVelocity<S> {
-        let velocity = self.velocity + self.rate.cross(arm) + extra;
-        let inward = self.normal.dot(&velocity);
+    fn carried(&self, point: &PlanePoint<S>) -> Vector3<S> {
+        let (v, w) = (&self.velocity, &self.rate);
+        Vector3::new(
+            v.x + w.y * point.drop,
+            v.y + w.z * point.reach - w.x * point.drop,
+            v.z - w.y * point.reach,
+        )
+    }
+
+    #[inline(always)]
+    fn split(&self, velocity: &Vector3<S>) -> PointVelocity<S> {
+        let inward = self.normal.dot(velocity);
         let sliding = velocity - self.normal * inward;
         PointVelocity {
             inward,
             sliding,
             sliding_squared: sliding.dot(&sliding),
         }
+    }
+
+    /// Velocity of a point of the body.
+    #[inline(always)]
+    pub fn velocity_at(&self, point: &PlanePoint<S>) -> PointVelocity<S> {
+        self.split(&self.carried(point))
+    }
+
+    /// Velocity of the footpad pivot, which swings with the lower link at l_L γ̇ (ft/s).
+    #[inline(always)]
+    pub fn pivot_velocity(&self, pose: &LegPose<S>, swing: S) -> PointVelocity<S> {
+        let mut velocity = self.carried(&pose.pivot);
+        velocity.x += pose.link_normal.outboard * swing;
+        velocity.z += pose.link_normal.down * swing;
+        self.split(&velocity)
     }
 
     /// dI/dt of the pad sections (19), ft/s, for link rate γ̇ and pad rate dα/dt, rad/s.
@@ -282,19 +391,18 @@ impl<S: Real> BodyFrame<S> {
         link_rate: S,
         pad_speed: S,
     ) -> [S; 2] {
-        // I = depth/cos ξ: dI/dt = (d depth/dt − I d cos ξ/dt)/cos ξ, and in vehicle axes the
+        // I = depth/cos ξ: dI/dt = (d depth/dt − I d cos ξ/dt)/cos ξ, and in the vehicle the
         // normal turns as dn/dt = n×ω.
         let turn = link_rate - pad_speed;
-        let normal_rate = self.normal.cross(&self.rate);
-        let inclination_rate = normal_rate.dot(&pose.pad_z) - turn * pose.pad_y_normal;
-        let lean_rate = normal_rate.dot(&pose.pad_y) + turn * pose.pad_inclination;
-        let [outer, inner] = pose.pad_interference;
-        let [above_outer, above_inner] = [outer - geometry.pad_height, inner - geometry.pad_height];
-        let upright = pose.pad_upright;
+        let inclination_rate = pose.pad_z.dot(&self.normal_rate) - turn * pose.pad_y_normal;
+        let lean_rate = pose.pad_y.dot(&self.normal_rate) + turn * pose.pad_inclination;
         let lean = geometry.centroid * lean_rate;
+        let [outer, inner] = pose
+            .pad_interference
+            .map(|i| (i - geometry.pad_height) * inclination_rate);
         [
-            (pivot_inward + lean - above_outer * inclination_rate) * upright,
-            (pivot_inward - lean - above_inner * inclination_rate) * upright,
+            (pivot_inward + lean - outer) * pose.pad_upright,
+            (pivot_inward - lean - inner) * pose.pad_upright,
         ]
     }
 

@@ -1,18 +1,16 @@
 //! One landing: integrate from first contact until an outcome, and report.
 
-use nalgebra::{Vector3, Vector4};
-
 use crate::attitude::Attitude;
 use crate::contact::{LegLaws, LegMode};
-use crate::integrator::dense::Interpolant;
-use crate::integrator::dormand_prince;
-use crate::integrator::event::{Bounds, Node, first_exit};
+use crate::integrator::dormand_prince::{EVALUATIONS, Step};
+use crate::integrator::event::{Node, Watch, first_exit};
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::motion::{LegPieces, LegSignals, Motion, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, Observation, Verdict};
-use crate::state::{Body, LegState, State};
+use crate::state::State;
+use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 pub use crate::record::{Energies, Instant, Landing, LegInstant, LegWork};
@@ -51,50 +49,6 @@ pub fn land_observed<const LEGS: usize>(
     flight.conclude(outcome)
 }
 
-/// State at first contact: CG above the origin, the lowest pad section centroid on the surface.
-fn touchdown<const LEGS: usize>(
-    vehicle: &Vehicle<LEGS>,
-    scene: &Scene,
-    motion: &Motion<f64, LEGS>,
-) -> State<f64, LEGS> {
-    let conditions = scene.conditions();
-    let [w, x, y, z] = conditions.attitude.quaternion();
-    let (sin_cross, cos_cross) = conditions.cross_slope.sin_cos();
-    let speed = conditions.horizontal_velocity;
-    let legs: [LegState<f64>; LEGS] = std::array::from_fn(|j| {
-        let angle = vehicle.legs()[j].extended_angle();
-        LegState {
-            link_angle: angle,
-            link_rate: 0.0,
-            pad_angle: angle,
-            pad_rate: 0.0,
-            work: [0.0; 6],
-        }
-    });
-    let mut body = Body {
-        position: Vector3::zeros(),
-        velocity: Vector3::new(
-            -speed * sin_cross,
-            speed * cos_cross,
-            conditions.vertical_velocity,
-        ),
-        quaternion: Vector4::new(w, x, y, z),
-        rate: Vector3::from(conditions.angular_velocity),
-    };
-    let frame = motion.surface().frame(&body);
-    let deepest = (0..LEGS)
-        .flat_map(|j| {
-            let pose = motion
-                .geometry(j)
-                .pose(&frame, legs[j].link_angle, legs[j].pad_angle);
-            pose.pad_interference.map(|i| i * pose.pad_inclination)
-        })
-        .fold(f64::NEG_INFINITY, f64::max);
-    // A rise of the CG by h along the vertical lifts every point off the surface by h cos θs.
-    body.position.z = -deepest / conditions.slope.cos();
-    State::new(&body, legs)
-}
-
 /// A landing under way.
 struct Flight<'a, O, const LEGS: usize> {
     vehicle: &'a Vehicle<LEGS>,
@@ -104,10 +58,10 @@ struct Flight<'a, O, const LEGS: usize> {
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: [LegPieces<f64>; LEGS],
-    bounds: [[Bounds; Signal::COUNT]; LEGS],
+    watches: Vec<Watch>,
     time: f64,
-    state: State<f64, LEGS>,
-    slope: State<f64, LEGS>,
+    /// The present state and its derivative are the start of the step.
+    step: Step<f64, LEGS>,
     signals: [LegSignals<f64>; LEGS],
     start: State<f64, LEGS>,
     least_angle: (f64, f64),
@@ -158,9 +112,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], settings.crush_rule()));
         let modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&laws[j]));
         let pieces = std::array::from_fn(|j| modes[j].pieces(&laws[j]));
-        let bounds = std::array::from_fn(|j| modes[j].bounds(&laws[j]));
         let state = touchdown(vehicle, scene, &motion);
-        let (slope, signals) = motion.evaluate(&state, &pieces);
         Self {
             vehicle,
             scene,
@@ -169,11 +121,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             laws,
             modes,
             pieces,
-            bounds,
+            watches: Vec::with_capacity(LEGS * Signal::COUNT),
             time: 0.0,
-            state,
-            slope,
-            signals,
+            step: Step::from(state, State::zero()),
+            signals: [[0.0; Signal::COUNT]; LEGS],
             start: state,
             least_angle: (f64::INFINITY, 0.0),
             least_clearance: f64::INFINITY,
@@ -181,7 +132,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             pad_contact: [None; LEGS],
             block_contact: [None; LEGS],
             steps: 0,
-            evaluations: 1,
+            evaluations: 0,
             events: 0,
             history,
         }
@@ -199,7 +150,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             })
             .fold(f64::NEG_INFINITY, f64::max);
         let calm_height = self.vehicle.center_of_gravity_height() + extended_height + CALM_MARGIN;
-        let judged = Judge::new(self.scene, calm_height, &self.motion, &self.state);
+        let judged = Judge::new(self.scene, calm_height, &self.motion, &self.start);
         let (mut judge, mut seen) = match judged {
             Ok(judged) => judged,
             Err(verdict) => return outcome_of(verdict),
@@ -212,6 +163,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             return outcome;
         }
         let limit = self.settings.time_limit();
+        let tolerance = self.settings.tolerance();
         let mut control = StepControl::new(FIRST_STEP);
         for _ in 0..MOST_STEPS {
             if self.time >= limit {
@@ -221,75 +173,70 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             if length < SHORTEST {
                 return Outcome::Failure(Failure::StepCollapse);
             }
-            let (step, end_signals) = self.try_step(length);
-            let norm = step
-                .error
-                .error_norm(&step.before, &step.after, self.settings.tolerance());
+            let end = self.try_step(length);
+            let norm = self
+                .step
+                .error()
+                .error_norm(&self.step.before, &self.step.after, tolerance);
             if !control.accept(length, norm) {
                 continue;
             }
-            if !step.after.is_finite() {
+            if !self.step.after.is_finite() {
                 return Outcome::Failure(Failure::NonFinite);
             }
             self.steps += 1;
-            let curve = Interpolant::new(&step);
-            let event = self.find_event(&curve, length, end_signals);
+            let event = self.find_event(&end);
             let reach = event.as_ref().map_or(1.0, |node| node.theta);
-
-            let judged = self.judge(&mut judge, &mut seen, &curve, reach, length);
+            let judged = self.judge(&mut judge, &mut seen, reach);
             let reach = judged.map_or(reach, |(theta, _)| theta);
-            self.report(&curve, &judge, length, reach);
-            self.time = if reach == 1.0 {
-                self.time + length
-            } else {
-                self.time + reach * length
-            };
-            if let Some((theta, verdict)) = judged {
-                self.state = curve.at(theta);
+            self.report(&judge, reach);
+            self.time += reach * length;
+            if let Some((_, verdict)) = judged {
+                self.step.before = self.step.at(reach);
                 return outcome_of(verdict);
             }
             if event.is_some() {
-                self.state = curve.at(reach);
+                self.step.before = self.step.at(reach);
                 control.restart();
                 if let Err(outcome) = self.settle() {
                     return outcome;
                 }
             } else {
-                self.state = step.after;
-                self.slope = step.slopes[5];
-                self.signals = end_signals;
+                self.step.before = self.step.after;
+                self.step.slopes[0] = self.step.slopes[5];
+                self.signals = end.signals;
             }
             self.note_strut_forces();
         }
         Outcome::Failure(Failure::StepLimit)
     }
 
-    #[inline(always)]
-    fn try_step(
-        &mut self,
-        length: f64,
-    ) -> (dormand_prince::Step<f64, LEGS>, [LegSignals<f64>; LEGS]) {
-        self.evaluations += dormand_prince::EVALUATIONS;
-        dormand_prince::step(
-            &self.state,
-            &self.slope,
+    /// Takes a step and returns the signals at its end.
+    fn try_step(&mut self, length: f64) -> Node<[LegSignals<f64>; LEGS]> {
+        self.evaluations += EVALUATIONS;
+        let mut signals = [[0.0; Signal::COUNT]; LEGS];
+        let (motion, pieces) = (&self.motion, &self.pieces);
+        self.step.take(
             length,
-            |state| self.motion.derivative(state, &self.pieces),
-            |state| self.motion.evaluate(state, &self.pieces),
-        )
+            |state, derivative| motion.derivative(state, pieces, derivative),
+            |state, derivative| motion.evaluate(state, pieces, derivative, &mut signals),
+        );
+        Node {
+            theta: 1.0,
+            signals,
+        }
     }
 
     /// The first point of the step at which a law changes its active piece.
     fn find_event(
         &mut self,
-        curve: &Interpolant<f64, LEGS>,
-        length: f64,
-        end_signals: [LegSignals<f64>; LEGS],
+        end: &Node<[LegSignals<f64>; LEGS]>,
     ) -> Option<Node<[LegSignals<f64>; LEGS]>> {
         let mut looks = 0;
         let mut look = |theta: f64| {
             looks += 1;
-            self.motion.signals(&curve.motion_at(theta), &self.pieces)
+            self.motion
+                .signals(&self.step.motion_at(theta), &self.pieces)
         };
         let start = Node {
             theta: 0.0,
@@ -299,19 +246,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             theta: 0.5,
             signals: look(0.5),
         };
-        let end = Node {
-            theta: 1.0,
-            signals: end_signals,
-        };
-        let resolution = EVENT_RESOLUTION / length;
-        let found = first_exit(
-            &start,
-            &middle,
-            &end,
-            self.bounds.as_flattened(),
-            resolution,
-            &mut look,
-        );
+        let resolution = EVENT_RESOLUTION / self.step.length;
+        let found = first_exit(&start, &middle, end, &self.watches, resolution, &mut look);
         self.evaluations += looks;
         found
     }
@@ -321,50 +257,37 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         &mut self,
         judge: &mut Judge<LEGS>,
         seen: &mut Observation<LEGS>,
-        curve: &Interpolant<f64, LEGS>,
         reach: f64,
-        length: f64,
     ) -> Option<(f64, Verdict)> {
-        let resolution = EVENT_RESOLUTION / length;
+        let resolution = EVENT_RESOLUTION / self.step.length;
         let mut start = Node {
             theta: 0.0,
             signals: *seen,
         };
         while start.theta < reach {
-            let middle_theta = 0.5 * (start.theta + reach);
-            let bounds = judge.bounds(&start.signals, self.least_angle.0).to_vec();
-            let look = |theta: f64| judge.observe(&self.motion, &curve.motion_at(theta));
-            let middle = Node {
-                theta: middle_theta,
-                signals: look(middle_theta),
+            judge.watch(&start.signals, self.least_angle.0);
+            let look = |theta: f64| judge.observe(&self.motion, &self.step.motion_at(theta));
+            let node = |theta: f64| Node {
+                theta,
+                signals: look(theta),
             };
-            let end = Node {
-                theta: reach,
-                signals: look(reach),
-            };
-            let exit = first_exit(&start, &middle, &end, &bounds, resolution, look);
-            match &exit {
-                None => self.note_least(judge, curve, [&start, &middle, &end], length),
-                Some(exit) => {
-                    let theta = 0.5 * (start.theta + exit.theta);
-                    let middle = Node {
-                        theta,
-                        signals: look(theta),
-                    };
-                    self.note_least(judge, curve, [&start, &middle, exit], length);
-                }
-            }
+            let middle = node(0.5 * (start.theta + reach));
+            let end = node(reach);
+            let exit = first_exit(&start, &middle, &end, judge.watches(), resolution, look);
             let Some(exit) = exit else {
+                self.note_least(judge, [&start, &middle, &end]);
                 *seen = end.signals;
                 return None;
             };
+            let middle = node(0.5 * (start.theta + exit.theta));
+            self.note_least(judge, [&start, &middle, &exit]);
             if let Some(verdict) = judge.verdict(&exit.signals, self.least_angle.0) {
                 return Some((exit.theta, verdict));
             }
-            match judge.look(&self.motion, &curve.motion_at(exit.theta)) {
+            match judge.look(&self.motion, &self.step.motion_at(exit.theta)) {
                 Err(verdict) => return Some((exit.theta, verdict)),
                 Ok(observation) => {
-                    self.note_observation(&observation, self.time + exit.theta * length);
+                    self.note_observation(&observation, self.time_at(exit.theta));
                     if let Some(verdict) = judge.verdict(&observation, self.least_angle.0) {
                         return Some((exit.theta, verdict));
                     }
@@ -379,6 +302,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         None
     }
 
+    /// Time at fraction θ of the step, s.
+    fn time_at(&self, theta: f64) -> f64 {
+        self.time + theta * self.step.length
+    }
+
     /// Takes note of σ and clearance at one instant.
     fn note_observation(&mut self, seen: &Observation<LEGS>, time: f64) {
         if seen.angle < self.least_angle.0 {
@@ -388,16 +316,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     }
 
     /// Takes note of the least σ and clearance over three nodes between which both are smooth.
-    fn note_least(
-        &mut self,
-        judge: &Judge<LEGS>,
-        curve: &Interpolant<f64, LEGS>,
-        nodes: [&Node<Observation<LEGS>>; 3],
-        length: f64,
-    ) {
+    fn note_least(&mut self, judge: &Judge<LEGS>, nodes: [&Node<Observation<LEGS>>; 3]) {
         let mut nodes = nodes.map(|node| (node.theta, node.signals));
         for (theta, seen) in nodes {
-            self.note_observation(&seen, self.time + theta * length);
+            self.note_observation(&seen, self.time_at(theta));
         }
         // Successive parabolas toward a least σ that may lie between the nodes.
         for _ in 0..4 {
@@ -415,8 +337,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             if !(bend > 0.0 && theta > t0 && theta < t2 && theta != t1) {
                 return;
             }
-            let seen = judge.observe(&self.motion, &curve.motion_at(theta));
-            self.note_observation(&seen, self.time + theta * length);
+            let seen = judge.observe(&self.motion, &self.step.motion_at(theta));
+            self.note_observation(&seen, self.time_at(theta));
             nodes = if theta < t1 {
                 [(t0, a), (theta, seen), (t1, b)]
             } else {
@@ -435,32 +357,40 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// with it, so this goes on until every signal lies in its range.
     fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
+            self.watches.clear();
             for j in 0..LEGS {
                 self.pieces[j] = self.modes[j].pieces(&self.laws[j]);
-                self.bounds[j] = self.modes[j].bounds(&self.laws[j]);
+                self.modes[j].watch(&self.laws[j], j, &mut self.watches);
             }
-            (self.slope, self.signals) = self.motion.evaluate(&self.state, &self.pieces);
+            let Step { before, slopes, .. } = &mut self.step;
+            self.motion
+                .evaluate(before, &self.pieces, &mut slopes[0], &mut self.signals);
             self.evaluations += 1;
             self.note_contacts();
-            let mut settled = true;
-            for j in 0..LEGS {
-                let left = Signal::ALL.into_iter().find_map(|signal| {
-                    let index = signal as usize;
-                    self.bounds[j][index]
-                        .exit(self.signals[j][index])
-                        .map(|exit| (signal, exit))
-                });
-                if let Some((signal, exit)) = left {
-                    self.modes[j].cross(&self.laws[j], j, signal, exit, &self.signals[j])?;
-                    self.events += 1;
-                    settled = false;
-                }
-            }
-            if settled {
+            if !self.cross()? {
                 return Ok(());
             }
         }
         Err(Outcome::Failure(Failure::Chattering))
+    }
+
+    /// Lets each leg follow the first of its signals that is out of its range; whether any was.
+    /// Only the first, because the ranges of the others may change with it.
+    fn cross(&mut self) -> Result<bool, Outcome> {
+        let mut crossed = [false; LEGS];
+        for &Watch { signal, range } in &self.watches {
+            let (leg, index) = (signal / Signal::COUNT, signal % Signal::COUNT);
+            let Some(exit) = range.exit(self.signals[leg][index]) else {
+                continue;
+            };
+            if !crossed[leg] {
+                crossed[leg] = true;
+                self.events += 1;
+                let signal = Signal::ALL[index];
+                self.modes[leg].cross(&self.laws[leg], leg, signal, exit, &self.signals[leg])?;
+            }
+        }
+        Ok(crossed.contains(&true))
     }
 
     fn note_contacts(&mut self) {
@@ -495,18 +425,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     }
 
     /// Reports the instants that are due up to fraction `reach` of the step.
-    fn report(
-        &mut self,
-        curve: &Interpolant<f64, LEGS>,
-        judge: &Judge<LEGS>,
-        length: f64,
-        reach: f64,
-    ) {
-        while self.history.interval.is_finite() && self.history.next() <= self.time + reach * length
-        {
+    fn report(&mut self, judge: &Judge<LEGS>, reach: f64) {
+        while self.history.interval.is_finite() && self.history.next() <= self.time_at(reach) {
             let time = self.history.next();
-            let theta = ((time - self.time) / length).clamp(0.0, 1.0);
-            let instant = self.instant(&curve.at(theta), judge, time);
+            let theta = ((time - self.time) / self.step.length).clamp(0.0, 1.0);
+            let instant = self.instant(&self.step.at(theta), judge, time);
             (self.history.observe)(&instant);
             self.history.reported += 1;
         }
@@ -562,9 +485,9 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             min_clearance: self.least_clearance,
             energies: Energies {
                 initial_kinetic: self.kinetic_energy(&self.start),
-                potential_change: self.potential_change(&self.state),
-                legs: std::array::from_fn(|j| LegWork::from_state(self.state.leg(j).work)),
-                final_kinetic: self.kinetic_energy(&self.state),
+                potential_change: self.potential_change(&self.step.before),
+                legs: std::array::from_fn(|j| LegWork::from_state(self.step.before.leg(j).work)),
+                final_kinetic: self.kinetic_energy(&self.step.before),
             },
             max_strut_force: self.greatest_strut_force,
             pad_contact: self.pad_contact,

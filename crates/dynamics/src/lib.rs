@@ -14,7 +14,7 @@
 //! | where everything is | [`state`], [`kinematics`] |
 //! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
 //! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
-//! | the answer | [`stability`], [`outcome`], [`landing`], [`record`] |
+//! | the answer | [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
 //! | how it is integrated | [`integrator`] |
 
 pub mod attitude;
@@ -35,4 +35,5 @@ pub mod scene;
 pub mod stability;
 pub mod state;
 pub mod strut;
+pub mod touchdown;
 pub mod vehicle;

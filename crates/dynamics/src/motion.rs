@@ -1,7 +1,8 @@
 //! The equations of motion (55), (60), (68), (69) as straight-line arithmetic (model chapter 6).
 //!
 //! Which piece of each law is active arrives as coefficients, [`LegPieces`]; there is no branch
-//! and no table search here. Along with the derivative come the signals whose ranges tell how
+//! and no table search here; the one thing asked is whether an
+//! element carries pressure at all. Along with the derivative come the signals whose ranges tell how
 //! long those coefficients hold.
 
 use nalgebra::{Matrix3, Vector3};
@@ -9,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::crush::PressureLine;
 use crate::friction::FrictionPiece;
 use crate::hinge::HingePiece;
-use crate::kinematics::{BodyFrame, LegGeometry, PointVelocity, Surface};
+use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, PlanePoint, PointVelocity, Surface};
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, LegState, State, quaternion_rate};
@@ -205,7 +206,7 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         &self.legs[index].geometry
     }
 
-    /// Time derivative of the state.
+    /// Writes the time derivative of the state into `derivative`.
     // One copy of the code serves all stages of a step: inlined into each, it would not fit the
     // instruction cache.
     #[inline(never)]
@@ -213,8 +214,9 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         &self,
         state: &State<S, LEGS>,
         pieces: &[LegPieces<S>; LEGS],
-    ) -> State<S, LEGS> {
-        self.derivative_and_signals(state, pieces).0
+        derivative: &mut State<S, LEGS>,
+    ) {
+        self.evaluate_into::<true>(state, pieces, derivative, |_, _| {});
     }
 
     /// Signals of all legs.
@@ -224,17 +226,26 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         state: &State<S, LEGS>,
         pieces: &[LegPieces<S>; LEGS],
     ) -> [LegSignals<S>; LEGS] {
-        self.derivative_and_signals(state, pieces).1
+        let mut signals = [[S::zero(); Signal::COUNT]; LEGS];
+        let frame = self.surface.frame(&state.body());
+        for j in 0..LEGS {
+            signals[j] = self.legs[j]
+                .action::<false>(&frame, &state.leg(j), &pieces[j])
+                .signals;
+        }
+        signals
     }
 
-    /// Time derivative of the state and the signals of all legs.
+    /// Writes the time derivative of the state and the signals of all legs.
     #[inline(never)]
     pub fn evaluate(
         &self,
         state: &State<S, LEGS>,
         pieces: &[LegPieces<S>; LEGS],
-    ) -> (State<S, LEGS>, [LegSignals<S>; LEGS]) {
-        self.derivative_and_signals(state, pieces)
+        derivative: &mut State<S, LEGS>,
+        signals: &mut [LegSignals<S>; LEGS],
+    ) {
+        self.evaluate_into::<false>(state, pieces, derivative, |j, leg| signals[j] = leg);
     }
 
     /// Loads of all legs.
@@ -244,27 +255,31 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         pieces: &[LegPieces<S>; LEGS],
     ) -> [LegLoads<S>; LEGS] {
         let frame = self.surface.frame(&state.body());
-        std::array::from_fn(|j| self.legs[j].action(&frame, &state.leg(j), &pieces[j]).loads)
+        std::array::from_fn(|j| {
+            self.legs[j]
+                .action::<false>(&frame, &state.leg(j), &pieces[j])
+                .loads
+        })
     }
 
     #[inline(always)]
-    fn derivative_and_signals(
+    fn evaluate_into<const SKIP: bool>(
         &self,
         state: &State<S, LEGS>,
         pieces: &[LegPieces<S>; LEGS],
-    ) -> (State<S, LEGS>, [LegSignals<S>; LEGS]) {
+        derivative: &mut State<S, LEGS>,
+        mut tell: impl FnMut(usize, LegSignals<S>),
+    ) {
         let body = state.body();
         let frame = self.surface.frame(&body);
         let mut force = Vector3::zeros();
         let mut torque = Vector3::zeros();
-        let mut signals = [[S::zero(); Signal::COUNT]; LEGS];
-        let mut derivative = State::zero();
         for j in 0..LEGS {
-            let action = self.legs[j].action(&frame, &state.leg(j), &pieces[j]);
+            let action = self.legs[j].action::<SKIP>(&frame, &state.leg(j), &pieces[j]);
             force += action.force;
             torque += action.torque;
-            signals[j] = action.signals;
             derivative.set_leg(j, &action.derivative);
+            tell(j, action.signals);
         }
         let mut acceleration = frame.rotation * force * self.inverse_mass;
         acceleration.z += self.gravity;
@@ -275,61 +290,126 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
             quaternion: quaternion_rate(&body.quaternion, &body.rate),
             rate: self.inverse_inertia * (torque - body.rate.cross(&momentum)),
         });
-        (derivative, signals)
+    }
+}
+
+/// What the surface does to a footpad or block, in leg axes.
+struct Touch<S> {
+    velocity: PointVelocity<S>,
+    /// Normal force N, lb.
+    normal: S,
+    /// μ/S, s/ft.
+    drag: S,
+    /// n + μ t̂: against it the surface pushes with N.
+    line: Vector3<S>,
+    force: Vector3<S>,
+    moment: Vector3<S>,
+}
+
+impl<S: Real> Touch<S> {
+    fn none() -> Self {
+        let zero = S::zero();
+        Self {
+            velocity: PointVelocity {
+                inward: zero,
+                sliding: Vector3::zeros(),
+                sliding_squared: zero,
+            },
+            normal: zero,
+            drag: zero,
+            line: Vector3::zeros(),
+            force: Vector3::zeros(),
+            moment: Vector3::zeros(),
+        }
+    }
+
+    /// Normal force N and friction along the sliding velocity of `point` (39).
+    #[inline(always)]
+    fn new(
+        frame: &LegFrame<S>,
+        point: &PlanePoint<S>,
+        velocity: PointVelocity<S>,
+        normal: S,
+        drag: S,
+    ) -> Self {
+        let line = frame.normal + velocity.sliding * drag;
+        let force = line * -normal;
+        Self {
+            moment: point.moment(&force),
+            velocity,
+            normal,
+            drag,
+            line,
+            force,
+        }
+    }
+
+    /// Friction force, lb.
+    fn friction(&self) -> S {
+        self.normal * self.drag * self.velocity.sliding_squared.sqrt()
     }
 }
 
 impl<S: Real> LegMotion<S> {
+    /// What one leg does to the body and itself. With `SKIP` nothing is computed of elements that
+    /// carry no pressure; their signals then mean nothing.
     #[inline(always)]
-    fn action(
+    fn action<const SKIP: bool>(
         &self,
-        frame: &BodyFrame<S>,
+        body: &BodyFrame<S>,
         leg: &LegState<S>,
         pieces: &LegPieces<S>,
     ) -> LegAction<S> {
-        let pose = self.geometry.pose(frame, leg.link_angle, leg.pad_angle);
+        let frame = self.geometry.frame(body);
+        let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_angle);
         let link_length = self.geometry.link_length();
 
-        // Surface on the pad: normal force (29), friction along the pivot's sliding velocity.
-        let swing = pose.link_normal * (link_length * leg.link_rate);
-        let pivot = frame.velocity_at(&pose.pivot, &swing);
+        // Footpad: normal force (29), torque about its hinge (52).
         let cos_pad = pose.pad_inclination;
-        let per_pressure = self.pad_strength * (pose.pad_upright + cos_pad);
         let [outer, inner] = pose.pad_interference;
-        let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
-        let pad_normal = per_pressure * (pressure[0] + pressure[1]);
-        let pad_drag = self.pad_friction * pieces.pad_friction.per_speed(pivot.sliding_squared);
-        // n + μ t̂: against it the surface pushes with N.
-        let pad_line = frame.normal + pivot.sliding * pad_drag;
-        let pad_force = pad_line * -pad_normal;
+        let (pad, pad_torque) = if SKIP && pieces.pad[0].is_slack() && pieces.pad[1].is_slack() {
+            (Touch::none(), S::zero())
+        } else {
+            let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
+            let per_pressure = self.pad_strength * (pose.pad_upright + cos_pad);
+            let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
+            let normal = per_pressure * (pressure[0] + pressure[1]);
+            let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
+            let pad = Touch::new(&frame, &pose.pivot, velocity, normal, drag);
+            let along_z = pose.pad_z.dot(&pad.line);
+            let along_y = pose.pad_y.dot(&pad.line);
+            let centroids = self.geometry.centroids();
+            let height = self.geometry.pad_height();
+            let lever =
+                |k: usize| (height - pose.pad_interference[k]) * along_y - centroids[k] * along_z;
+            let torque = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
+            (pad, torque)
+        };
 
-        // Surface on the block (33).
-        let centre = frame.velocity_at(&pose.block_center, &Vector3::zeros());
-        let cos_block = frame.normal.z;
-        let block_normal = self.block_strength
-            * (S::one() + cos_block * cos_block)
-            * pieces.block.at(pose.block_interference);
-        let block_drag =
-            self.block_friction * pieces.block_friction.per_speed(centre.sliding_squared);
-        let block_force = (frame.normal + centre.sliding * block_drag) * -block_normal;
+        // Block: normal force (33).
+        let block = if SKIP && pieces.block.is_slack() {
+            Touch::none()
+        } else {
+            let velocity = frame.velocity_at(&pose.block_center);
+            let cos_block = frame.normal.z;
+            let normal = self.block_strength
+                * (S::one() + cos_block * cos_block)
+                * pieces.block.at(pose.block_interference);
+            let drag =
+                self.block_friction * pieces.block_friction.per_speed(velocity.sliding_squared);
+            Touch::new(&frame, &pose.block_center, velocity, normal, drag)
+        };
 
         // Lower link (49), (68).
         let strut_rate = pose.strut_lever * leg.link_rate;
         let strut = pieces.strut.force(pose.stroke, leg.link_rate, strut_rate);
-        let surface_torque = link_length * pose.link_normal.dot(&pad_force);
+        let surface_torque = link_length * pose.link_normal.dot(&pad.force);
         let link_torque = surface_torque + strut * pose.strut_lever;
         let link_acceleration = pieces
             .link
             .acceleration(link_torque * self.inverse_link_inertia, leg.link_rate);
 
-        // Footpad hinge (52), (69).
-        let along_z = pad_line.dot(&pose.pad_z);
-        let along_y = pad_line.dot(&pose.pad_y);
-        let centroids = self.geometry.centroids();
-        let height = self.geometry.pad_height();
-        let lever =
-            |k: usize| (height - pose.pad_interference[k]) * along_y - centroids[k] * along_z;
-        let pad_torque = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
+        // Footpad hinge (69).
         let unclipped = pieces.hinge.unclipped_speed(leg.pad_angle, leg.pad_rate);
         let pad_speed = pieces.hinge.speed(unclipped);
 
@@ -340,17 +420,17 @@ impl<S: Real> LegMotion<S> {
             pad_rate: pad_torque * self.inverse_pad_inertia + link_acceleration,
             work: [
                 -strut * strut_rate,
-                pad_normal * pivot.inward,
-                pad_normal * pad_drag * pivot.sliding_squared,
-                block_normal * centre.inward,
-                block_normal * block_drag * centre.sliding_squared,
+                pad.normal * pad.velocity.inward,
+                pad.normal * pad.drag * pad.velocity.sliding_squared,
+                block.normal * block.velocity.inward,
+                block.normal * block.drag * block.velocity.sliding_squared,
                 (link_torque - self.link_inertia * link_acceleration) * leg.link_rate,
             ],
         };
         let rates = frame.pad_interference_rates(
             &pose,
             &self.geometry,
-            pivot.inward,
+            pad.velocity.inward,
             leg.link_rate,
             pad_speed,
         );
@@ -360,11 +440,11 @@ impl<S: Real> LegMotion<S> {
             pose.block_interference,
             rates[0],
             rates[1],
-            frame.block_interference_rate(centre.inward),
-            pivot.inward,
-            centre.inward,
-            pivot.sliding_squared,
-            centre.sliding_squared,
+            frame.block_interference_rate(block.velocity.inward),
+            pad.velocity.inward,
+            block.velocity.inward,
+            pad.velocity.sliding_squared,
+            block.velocity.sliding_squared,
             pose.stroke,
             leg.link_rate,
             surface_torque,
@@ -375,23 +455,19 @@ impl<S: Real> LegMotion<S> {
             strut,
         ];
         LegAction {
-            force: pad_force + block_force,
-            torque: pose.pivot.cross(&pad_force) + pose.block_center.cross(&block_force),
+            force: self.geometry.into_vehicle_axes(&(pad.force + block.force)),
+            torque: self
+                .geometry
+                .into_vehicle_axes(&(pad.moment + block.moment)),
             derivative,
             signals,
             loads: LegLoads {
                 strut,
-                pad_normal,
-                pad_friction: pad_normal * drag_force(pad_drag, &pivot),
-                block_normal,
-                block_friction: block_normal * drag_force(block_drag, &centre),
+                pad_normal: pad.normal,
+                pad_friction: pad.friction(),
+                block_normal: block.normal,
+                block_friction: block.friction(),
             },
         }
     }
-}
-
-/// Friction force per pound of normal force: μ(S).
-#[inline(always)]
-fn drag_force<S: Real>(per_speed: S, point: &PointVelocity<S>) -> S {
-    per_speed * point.sliding_squared.sqrt()
 }

@@ -43,10 +43,10 @@ pub trait Real:
             .iter()
             .fold(self, |x, &part| x - half_turns * Self::constant(part));
         let square = reduced * reduced;
-        let horner = |coefficients: &[f64]| {
-            coefficients
-                .iter()
-                .fold(Self::zero(), |sum, &c| sum * square + Self::constant(c))
+        let horner = |[first, rest @ ..]: &[f64; 8]| {
+            rest.iter().fold(Self::constant(*first), |sum, &c| {
+                sum * square + Self::constant(c)
+            })
         };
         let sine = reduced + reduced * square * horner(&SINE);
         let cosine = Self::one() + square * horner(&COSINE);

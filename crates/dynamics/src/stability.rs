@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::integrator::event::{Bounds, Signals};
+use crate::integrator::event::{Bounds, Signals, Watch};
 use crate::motion::Motion;
 use crate::scene::Scene;
 use crate::state::State;
@@ -74,10 +74,6 @@ pub struct Observation<const LEGS: usize> {
 const CALM: usize = 7;
 
 impl<const LEGS: usize> Signals for Observation<LEGS> {
-    fn count(&self) -> usize {
-        LEGS + 1 + CALM
-    }
-
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
         if index < LEGS {
@@ -111,7 +107,7 @@ pub struct Judge<const LEGS: usize> {
     calm_height: f64,
     plane: Plane,
     feet: CriticalFeet,
-    bounds: Vec<Bounds>,
+    watches: Vec<Watch>,
 }
 
 impl<const LEGS: usize> Judge<LEGS> {
@@ -135,7 +131,7 @@ impl<const LEGS: usize> Judge<LEGS> {
                 negative: 0,
                 positive: 1,
             },
-            bounds: Vec::with_capacity(LEGS + 1 + CALM),
+            watches: Vec::with_capacity(LEGS + 1 + CALM),
         };
         let observation = judge.look(motion, state)?;
         Ok((judge, observation))
@@ -224,52 +220,43 @@ impl<const LEGS: usize> Judge<LEGS> {
         }
     }
 
-    /// Ranges over which the present plane, feet and verdict hold, given what is observed now and
-    /// the least σ so far, in the order of [`Observation`]'s signals.
-    pub fn bounds(&mut self, seen: &Observation<LEGS>, least_angle: f64) -> &[Bounds] {
-        self.bounds.clear();
-        for side in seen.sides {
-            let range = if side >= 0.0 {
-                Bounds::above(0.0)
-            } else {
-                Bounds::below(0.0)
-            };
-            self.bounds.push(range.widened(SIDE_SLACK));
-        }
+    /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
+    /// observed now and the least σ so far.
+    pub fn watch(&mut self, seen: &Observation<LEGS>, least_angle: f64) {
         let highest = if least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
         } else {
             f64::INFINITY
         };
-        self.bounds.push(Bounds {
+        let sides = seen.sides.into_iter().map(|side| {
+            let range = if side >= 0.0 {
+                Bounds::above(0.0)
+            } else {
+                Bounds::below(0.0)
+            };
+            range.widened(SIDE_SLACK)
+        });
+        let angle = Bounds {
             lower: 0.0,
             upper: highest + ANGLE_SLACK,
-        });
-        for (index, &value) in seen.calm.iter().enumerate() {
-            self.bounds
-                .push(self.calm_cell(index, value).widened(CALM_SLACK));
-        }
-        &self.bounds
+        };
+        let calm =
+            seen.calm.into_iter().enumerate().map(|(index, value)| {
+                calm_cell(self.calm_height, index, value).widened(CALM_SLACK)
+            });
+        self.watches.clear();
+        self.watches.extend(
+            sides
+                .chain(std::iter::once(angle))
+                .chain(calm)
+                .enumerate()
+                .map(|(signal, range)| Watch { signal, range }),
+        );
     }
 
-    /// The stretch between two neighbouring limits in which a calm quantity lies.
-    fn calm_cell(&self, index: usize, value: f64) -> Bounds {
-        let limits: &[f64] = match index {
-            0 | 1 => &[-CALM_SPEED, -DIRECTIONLESS, DIRECTIONLESS, CALM_SPEED],
-            2 => &[-CALM_SPEED, CALM_SPEED],
-            3..=5 => &[-CALM_RATE, CALM_RATE],
-            _ => &[self.calm_height],
-        };
-        let mut cell = Bounds::FREE;
-        for &limit in limits {
-            if value >= limit {
-                cell.lower = limit;
-            } else {
-                cell.upper = limit;
-                break;
-            }
-        }
-        cell
+    /// The ranges last chosen.
+    pub fn watches(&self) -> &[Watch] {
+        &self.watches
     }
 
     /// The verdict on what is observed now, if there is one.
@@ -288,4 +275,24 @@ impl<const LEGS: usize> Judge<LEGS> {
             None
         }
     }
+}
+
+/// The stretch between two neighbouring limits in which a calm quantity lies.
+fn calm_cell(calm_height: f64, index: usize, value: f64) -> Bounds {
+    let limits: &[f64] = match index {
+        0 | 1 => &[-CALM_SPEED, -DIRECTIONLESS, DIRECTIONLESS, CALM_SPEED],
+        2 => &[-CALM_SPEED, CALM_SPEED],
+        3..=5 => &[-CALM_RATE, CALM_RATE],
+        _ => &[calm_height],
+    };
+    let mut cell = Bounds::FREE;
+    for &limit in limits {
+        if value >= limit {
+            cell.lower = limit;
+        } else {
+            cell.upper = limit;
+            break;
+        }
+    }
+    cell
 }

@@ -1,12 +1,14 @@
 //! Continuous output over a step, of order 4.
 //!
-//! The interpolant of Dormand and Prince's pair given by L. F. Shampine and written in this form
-//! by E. Hairer, S. P. Nørsett and G. Wanner, Solving Ordinary Differential Equations I, II.6.
+//! The interpolant of Dormand and Prince's pair by L. F. Shampine, after E. Hairer, S. P. Nørsett
+//! and G. Wanner, Solving Ordinary Differential Equations I, II.6, written as weights on the
+//! stages: nothing is prepared that no one may ask for.
 
-use crate::integrator::dormand_prince::Step;
+use crate::integrator::dormand_prince::{B, Step};
 use crate::scalar::Real;
 use crate::state::State;
 
+/// Weights of the fourth-degree term on stages 1, 3, 4, 5, 6, 7.
 const D: [f64; 6] = [
     -12715105075.0 / 11282082432.0,
     87487479700.0 / 32700410799.0,
@@ -16,51 +18,39 @@ const D: [f64; 6] = [
     69997945.0 / 29380423.0,
 ];
 
-/// The state at any fraction of a step.
-#[derive(Debug, Clone, Copy)]
-pub struct Interpolant<S, const LEGS: usize> {
-    before: State<S, LEGS>,
-    coefficients: [State<S, LEGS>; 4],
-}
-
-impl<S: Real, const LEGS: usize> Interpolant<S, LEGS> {
-    /// The interpolant of a step.
-    #[inline(always)]
-    pub fn new(step: &Step<S, LEGS>) -> Self {
-        let one = S::one();
-        let [k1, k3, k4, k5, k6, k7] = &step.slopes;
-        let h = step.length;
-        let change = step.after.advanced([-one], [&step.before]);
-        let bend = change.scaled(-one).advanced([h], [k1]);
-        let turn = change.advanced([-h, -one], [k7, &bend]);
-        let quartic =
-            State::zero().advanced(D.map(|d| S::constant(d) * h), [k1, k3, k4, k5, k6, k7]);
-        Self {
-            before: step.before,
-            coefficients: [change, bend, turn, quartic],
-        }
-    }
-
+impl<S: Real, const LEGS: usize> Step<S, LEGS> {
     /// The state at fraction θ of the step.
     #[inline(always)]
     pub fn at(&self, theta: S) -> State<S, LEGS> {
-        let [change, bend, turn, quartic] = &self.coefficients;
-        self.before
-            .advanced(Self::weights(theta), [change, bend, turn, quartic])
+        self.before.advanced(self.weights(theta), self.stages())
     }
 
     /// What moves of the state at fraction θ of the step; the work integrals are those before it.
     #[inline(always)]
     pub fn motion_at(&self, theta: S) -> State<S, LEGS> {
-        let [change, bend, turn, quartic] = &self.coefficients;
         self.before
-            .advanced_motion(Self::weights(theta), [change, bend, turn, quartic])
+            .advanced_motion(self.weights(theta), self.stages())
     }
 
     #[inline(always)]
-    fn weights(theta: S) -> [S; 4] {
+    fn stages(&self) -> [&State<S, LEGS>; 6] {
+        self.slopes.each_ref()
+    }
+
+    /// Cubic Hermite interpolation between the ends plus a fourth-degree term that vanishes with
+    /// its slope at both.
+    #[inline(always)]
+    fn weights(&self, theta: S) -> [S; 6] {
         let rest = S::one() - theta;
-        let both = theta * rest;
-        [theta, both, theta * both, both * both]
+        let squared = theta * theta;
+        let change = squared * (S::constant(3.0) - theta - theta);
+        let bump = squared * rest * rest;
+        let mut weights = D.map(|d| S::constant(d) * bump);
+        for (weight, b) in weights.iter_mut().zip(B) {
+            *weight += S::constant(b) * change;
+        }
+        weights[0] += theta * rest * rest;
+        weights[5] -= squared * rest;
+        weights.map(|w| w * self.length)
     }
 }

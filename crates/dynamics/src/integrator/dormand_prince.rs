@@ -23,7 +23,7 @@ const A6: [f64; 5] = [
     -5103.0 / 18656.0,
 ];
 /// Weights of the fifth-order result on stages 1, 3, 4, 5, 6.
-const B: [f64; 5] = [
+pub(super) const B: [f64; 5] = [
     35.0 / 384.0,
     500.0 / 1113.0,
     125.0 / 192.0,
@@ -40,8 +40,6 @@ const E: [f64; 6] = [
     -1.0 / 40.0,
 ];
 
-/// Order of the result.
-pub const ORDER: i32 = 5;
 /// Evaluations of the derivative in a step.
 pub const EVALUATIONS: u64 = 6;
 
@@ -52,42 +50,57 @@ pub struct Step<S, const LEGS: usize> {
     pub before: State<S, LEGS>,
     /// State at the end.
     pub after: State<S, LEGS>,
-    /// Local error estimate.
-    pub error: State<S, LEGS>,
     /// Derivatives at stages 1, 3, 4, 5, 6 and at the end.
     pub slopes: [State<S, LEGS>; 6],
     /// Length, s.
     pub length: S,
 }
 
-/// Takes a step of length `h` from `y`, where the derivative is `k1`. `last` gives the derivative
-/// at the end of the step along with whatever else the caller wants to know there.
-#[inline(always)]
-pub fn step<S: Real, T, const LEGS: usize>(
-    y: &State<S, LEGS>,
-    k1: &State<S, LEGS>,
-    h: S,
-    derivative: impl Fn(&State<S, LEGS>) -> State<S, LEGS>,
-    last: impl FnOnce(&State<S, LEGS>) -> (State<S, LEGS>, T),
-) -> (Step<S, LEGS>, T) {
-    let k2 = derivative(&y.advanced_motion(times(h, A2), [k1]));
-    let k3 = derivative(&y.advanced_motion(times(h, A3), [k1, &k2]));
-    let k4 = derivative(&y.advanced_motion(times(h, A4), [k1, &k2, &k3]));
-    let k5 = derivative(&y.advanced_motion(times(h, A5), [k1, &k2, &k3, &k4]));
-    let k6 = derivative(&y.advanced_motion(times(h, A6), [k1, &k2, &k3, &k4, &k5]));
-    let after = y.advanced(times(h, B), [k1, &k3, &k4, &k5, &k6]);
-    let (k7, found) = last(&after);
-    let error = State::zero().advanced_motion(times(h, E), [k1, &k3, &k4, &k5, &k6, &k7]);
-    (
-        Step {
-            before: *y,
-            after,
-            error,
-            slopes: [*k1, k3, k4, k5, k6, k7],
-            length: h,
-        },
-        found,
-    )
+impl<S: Real, const LEGS: usize> Step<S, LEGS> {
+    /// A step yet to be taken from `state`, where the derivative is `slope`.
+    pub fn from(state: State<S, LEGS>, slope: State<S, LEGS>) -> Self {
+        Self {
+            before: state,
+            after: state,
+            slopes: [slope; 6],
+            length: S::zero(),
+        }
+    }
+
+    /// Takes a step of length `h` from `before`, where the derivative is the first slope.
+    /// `derivative` writes the derivative at a state into its second argument; `last` does so at
+    /// the end of the step.
+    #[inline(always)]
+    pub fn take(
+        &mut self,
+        h: S,
+        derivative: impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
+        last: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
+    ) {
+        self.length = h;
+        let y = &self.before;
+        let [k1, k3, k4, k5, k6, k7] = &mut self.slopes;
+        // Stage 2 is needed for the next four only; it sits where the last one will be.
+        derivative(&y.advanced_motion(times(h, A2), [&*k1]), k7);
+        derivative(&y.advanced_motion(times(h, A3), [&*k1, &*k7]), k3);
+        derivative(&y.advanced_motion(times(h, A4), [&*k1, &*k7, &*k3]), k4);
+        derivative(
+            &y.advanced_motion(times(h, A5), [&*k1, &*k7, &*k3, &*k4]),
+            k5,
+        );
+        derivative(
+            &y.advanced_motion(times(h, A6), [&*k1, &*k7, &*k3, &*k4, &*k5]),
+            k6,
+        );
+        self.after = y.advanced(times(h, B), [&*k1, &*k3, &*k4, &*k5, &*k6]);
+        last(&self.after, k7);
+    }
+
+    /// Local error estimate.
+    #[inline(always)]
+    pub fn error(&self) -> State<S, LEGS> {
+        State::zero().advanced_motion(times(self.length, E), self.slopes.each_ref())
+    }
 }
 
 #[inline(always)]

@@ -59,6 +59,11 @@ impl Bounds {
         }
     }
 
+    /// Whether there is anything to watch.
+    pub fn is_free(&self) -> bool {
+        *self == Self::FREE
+    }
+
     /// Values in both ranges.
     pub fn meet(self, other: Self) -> Self {
         Self {
@@ -88,22 +93,24 @@ impl Bounds {
 
 /// A set of signals at one instant.
 pub trait Signals: Clone {
-    /// Number of signals.
-    fn count(&self) -> usize;
     /// Signal `index`.
     fn get(&self, index: usize) -> f64;
 }
 
 impl<const SIGNALS: usize, const LEGS: usize> Signals for [[f64; SIGNALS]; LEGS] {
     #[inline(always)]
-    fn count(&self) -> usize {
-        SIGNALS * LEGS
-    }
-
-    #[inline(always)]
     fn get(&self, index: usize) -> f64 {
         self.as_flattened()[index]
     }
+}
+
+/// A signal that has a range to stay in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Watch {
+    /// Index of the signal.
+    pub signal: usize,
+    /// Its range.
+    pub range: Bounds,
 }
 
 /// Signals at one point of a step.
@@ -115,13 +122,13 @@ pub struct Node<V> {
     pub signals: V,
 }
 
-/// Whether any signal is outside its range.
+/// Whether any watched signal is outside its range.
 #[inline(always)]
-pub fn any_outside<V: Signals>(signals: &V, bounds: &[Bounds]) -> bool {
+fn any_outside<V: Signals>(signals: &V, watches: &[Watch]) -> bool {
     let mut outside = false;
-    for (i, b) in bounds.iter().enumerate() {
-        let v = signals.get(i);
-        outside |= !(v >= b.lower && v <= b.upper);
+    for Watch { signal, range } in watches {
+        let value = signals.get(*signal);
+        outside |= !(value >= range.lower && value <= range.upper);
     }
     outside
 }
@@ -139,18 +146,18 @@ pub fn first_exit<V: Signals>(
     start: &Node<V>,
     middle: &Node<V>,
     end: &Node<V>,
-    bounds: &[Bounds],
+    watches: &[Watch],
     resolution: f64,
     mut evaluate: impl FnMut(f64) -> V,
 ) -> Option<Node<V>> {
-    let outer = if any_outside(&middle.signals, bounds) {
+    let outer = if any_outside(&middle.signals, watches) {
         Some((start, middle))
-    } else if any_outside(&end.signals, bounds) {
+    } else if any_outside(&end.signals, watches) {
         Some((middle, end))
     } else {
         None
     };
-    let hidden = hidden_excursion(start, middle, end, bounds, &mut evaluate);
+    let hidden = hidden_excursion(start, middle, end, watches, &mut evaluate);
     let (inside, outside) = match (outer, hidden) {
         (None, None) => return None,
         (Some((a, b)), None) => (a.clone(), b.clone()),
@@ -158,7 +165,7 @@ pub fn first_exit<V: Signals>(
         (Some((a, b)), Some(pair)) if b.theta <= pair.1.theta => (a.clone(), b.clone()),
         (Some(_), Some(pair)) => pair,
     };
-    Some(locate(inside, outside, bounds, resolution, evaluate))
+    Some(locate(inside, outside, watches, resolution, evaluate))
 }
 
 /// Fraction of the step at which the parabola through three nodes has its extremum, with its
@@ -178,24 +185,27 @@ fn hidden_excursion<V: Signals>(
     start: &Node<V>,
     middle: &Node<V>,
     end: &Node<V>,
-    bounds: &[Bounds],
+    watches: &[Watch],
     evaluate: &mut impl FnMut(f64) -> V,
 ) -> Option<(Node<V>, Node<V>)> {
     let mut earliest: Option<(Node<V>, Node<V>)> = None;
-    for (index, range) in bounds.iter().enumerate() {
+    for &Watch {
+        signal: index,
+        range,
+    } in watches
+    {
         let mut v = [
             start.signals.get(index),
             middle.signals.get(index),
             end.signals.get(index),
         ];
-        // Bounded, and bending back: nothing else can come and go.
-        let bounded = range.lower != f64::NEG_INFINITY || range.upper != f64::INFINITY;
+        // Only what bends back can come and go.
         let slopes = [
             (v[1] - v[0]) * (end.theta - middle.theta),
             (v[2] - v[1]) * (middle.theta - start.theta),
         ];
         let turns = (3.0 * slopes[0] - slopes[1]) * (3.0 * slopes[1] - slopes[0]) <= 0.0;
-        if !bounded || !turns {
+        if !turns {
             continue;
         }
         let mut t = [start.theta, middle.theta, end.theta];
@@ -220,7 +230,7 @@ fn hidden_excursion<V: Signals>(
                 signals: evaluate(theta),
             };
             let seen = node.signals.get(index);
-            if any_outside(&node.signals, bounds) {
+            if any_outside(&node.signals, watches) {
                 if earliest
                     .as_ref()
                     .is_none_or(|(_, found)| theta < found.theta)
@@ -249,7 +259,7 @@ fn hidden_excursion<V: Signals>(
 fn locate<V: Signals>(
     mut inside: Node<V>,
     mut outside: Node<V>,
-    bounds: &[Bounds],
+    watches: &[Watch],
     resolution: f64,
     mut evaluate: impl FnMut(f64) -> V,
 ) -> Node<V> {
@@ -258,7 +268,7 @@ fn locate<V: Signals>(
     let mut allowance = resolution * (halvings + 1.0).exp2();
     while outside.theta - inside.theta > resolution {
         let (a, b) = (inside.theta, outside.theta);
-        let at_a = violation(&inside.signals, &outside.signals, bounds);
+        let at_a = violation(&inside.signals, &outside.signals, watches);
         let middle = 0.5 * (a + b);
         let secant = (a - at_a * b) / (1.0 - at_a);
         let truncation = 0.2 / width * (b - a) * (b - a);
@@ -288,7 +298,7 @@ fn locate<V: Signals>(
             theta,
             signals: evaluate(theta),
         };
-        if any_outside(&node.signals, bounds) {
+        if any_outside(&node.signals, watches) {
             outside = node;
         } else {
             inside = node;
@@ -299,12 +309,12 @@ fn locate<V: Signals>(
 
 /// Greatest violation at `inside` among the signals that are outside at `outside`, each in units
 /// of its violation there: not positive.
-fn violation<V: Signals>(inside: &V, outside: &V, bounds: &[Bounds]) -> f64 {
+fn violation<V: Signals>(inside: &V, outside: &V, watches: &[Watch]) -> f64 {
     let mut worst = f64::NEG_INFINITY;
-    for (i, b) in bounds.iter().enumerate() {
-        let beyond = b.violation(outside.get(i));
+    for Watch { signal, range } in watches {
+        let beyond = range.violation(outside.get(*signal));
         if beyond > 0.0 {
-            worst = worst.max(b.violation(inside.get(i)) / beyond);
+            worst = worst.max(range.violation(inside.get(*signal)) / beyond);
         }
     }
     if worst.is_finite() { worst } else { -1.0 }

@@ -1,0 +1,52 @@
+//! First contact: where everything is when a landing begins.
+
+use nalgebra::{Vector3, Vector4};
+
+use crate::motion::Motion;
+use crate::scene::Scene;
+use crate::state::{Body, LegState, State};
+use crate::vehicle::Vehicle;
+
+/// State at first contact: CG above the origin, the lowest pad section centroid on the surface.
+pub fn touchdown<const LEGS: usize>(
+    vehicle: &Vehicle<LEGS>,
+    scene: &Scene,
+    motion: &Motion<f64, LEGS>,
+) -> State<f64, LEGS> {
+    let conditions = scene.conditions();
+    let [w, x, y, z] = conditions.attitude.quaternion();
+    let (sin_cross, cos_cross) = conditions.cross_slope.sin_cos();
+    let speed = conditions.horizontal_velocity;
+    let legs: [LegState<f64>; LEGS] = std::array::from_fn(|j| {
+        let angle = vehicle.legs()[j].extended_angle();
+        LegState {
+            link_angle: angle,
+            link_rate: 0.0,
+            pad_angle: angle,
+            pad_rate: 0.0,
+            work: [0.0; 6],
+        }
+    });
+    let mut body = Body {
+        position: Vector3::zeros(),
+        velocity: Vector3::new(
+            -speed * sin_cross,
+            speed * cos_cross,
+            conditions.vertical_velocity,
+        ),
+        quaternion: Vector4::new(w, x, y, z),
+        rate: Vector3::from(conditions.angular_velocity),
+    };
+    let frame = motion.surface().frame(&body);
+    let deepest = (0..LEGS)
+        .flat_map(|j| {
+            let geometry = motion.geometry(j);
+            let leg_frame = geometry.frame(&frame);
+            let pose = geometry.pose(&leg_frame, legs[j].link_angle, legs[j].pad_angle);
+            pose.pad_interference.map(|i| i * pose.pad_inclination)
+        })
+        .fold(f64::NEG_INFINITY, f64::max);
+    // A rise of the CG by h along the vertical lifts every point off the surface by h cos θs.
+    body.position.z = -deepest / conditions.slope.cos();
+    State::new(&body, legs)
+}
