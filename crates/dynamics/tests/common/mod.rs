@@ -30,8 +30,9 @@ pub fn surveyor_leg(azimuth_deg: f64) -> LegDesign {
         1.0, 1.08, 1.16, 1.24, 1.36, 1.48, 1.60, 1.74, 1.89, 2.13, 2.77, 3.81, 4.96, 6.09, 7.24,
         8.37, 9.52, 10.67, 11.80, 20.84,
     ];
-    let pad_interference =
-        [0.0, 0.1, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.49, 2.666, 3.5, 4.5];
+    let pad_interference = [
+        0.0, 0.1, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.49, 2.666, 3.5, 4.5,
+    ];
     let pad_pressure = [
         0.0, 0.468, 0.503, 0.563, 0.629, 0.697, 0.767, 0.841, 0.920, 1.0, 1.0, 1.823, 1.823, 6.503,
     ];
@@ -84,14 +85,30 @@ pub fn surveyor(center_of_gravity_height: f64, inertia: Inertia) -> Vehicle<3> {
 
 /// The vehicle of Table 4-1.
 pub fn table_4_1() -> Vehicle<3> {
-    let inertia =
-        Inertia { xx: 138.12, yy: 134.29, zz: 145.78, xy: 6.81, xz: -5.87, yz: 2.57 };
+    let inertia = Inertia {
+        xx: 138.12,
+        yy: 134.29,
+        zz: 145.78,
+        xy: 6.81,
+        xz: -5.87,
+        yz: 2.57,
+    };
     surveyor(1.445, inertia)
 }
 
 /// The vehicle of the sample deck (3.4.5).
 pub fn sample_deck() -> Vehicle<3> {
-    surveyor(1.5417, Inertia { xx: 142.22, yy: 142.22, zz: 142.22, xy: 0.0, xz: 0.0, yz: 0.0 })
+    surveyor(
+        1.5417,
+        Inertia {
+            xx: 142.22,
+            yy: 142.22,
+            zz: 142.22,
+            xy: 0.0,
+            xz: 0.0,
+            yz: 0.0,
+        },
+    )
 }
 
 /// The report's standard conditions: level, slope 15 deg, friction 1, V_V 14 ft/s.
@@ -123,18 +140,24 @@ pub struct Row(HashMap<String, String>);
 impl Row {
     /// The text in a column.
     pub fn text(&self, column: &str) -> &str {
-        self.0.get(column).unwrap_or_else(|| panic!("no column {column}"))
+        self.0
+            .get(column)
+            .unwrap_or_else(|| panic!("no column {column}"))
     }
 
     /// The number in a column.
     pub fn number(&self, column: &str) -> f64 {
-        self.text(column).parse().unwrap_or_else(|_| panic!("{column}: {}", self.text(column)))
+        self.text(column)
+            .parse()
+            .unwrap_or_else(|_| panic!("{column}: {}", self.text(column)))
     }
 }
 
 /// All rows of a reference file.
 pub fn reference(file: &str) -> Vec<Row> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/reference").join(file);
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/reference")
+        .join(file);
     let mut reader = csv::Reader::from_path(&path).unwrap();
     reader.deserialize().map(|row| Row(row.unwrap())).collect()
 }
