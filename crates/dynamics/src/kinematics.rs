@@ -244,12 +244,12 @@ impl<S: Real> LegGeometry<S> {
     /// The body's frame in the axes of this leg.
     #[inline(always)]
     pub fn frame(&self, body: &BodyFrame<S>) -> LegFrame<S> {
-        let normal = self.into_leg_axes(&body.normal);
-        let rate = self.into_leg_axes(&body.rate);
+        let normal = self.in_leg_axes(&body.normal);
+        let rate = self.in_leg_axes(&body.rate);
         LegFrame {
             normal_rate: normal.cross(&rate),
             normal,
-            velocity: self.into_leg_axes(&body.velocity),
+            velocity: self.in_leg_axes(&body.velocity),
             rate,
             depth: body.depth,
             upright: body.upright,
@@ -257,14 +257,14 @@ impl<S: Real> LegGeometry<S> {
     }
 
     #[inline(always)]
-    fn into_leg_axes(&self, v: &Vector3<S>) -> Vector3<S> {
+    fn in_leg_axes(&self, v: &Vector3<S>) -> Vector3<S> {
         let [ex, ey] = self.outboard;
         Vector3::new(ex * v.x + ey * v.y, ex * v.y - ey * v.x, v.z)
     }
 
     /// Turns a vector from leg axes into vehicle axes.
     #[inline(always)]
-    pub fn into_vehicle_axes(&self, v: &Vector3<S>) -> Vector3<S> {
+    pub fn in_vehicle_axes(&self, v: &Vector3<S>) -> Vector3<S> {
         let [ex, ey] = self.outboard;
         Vector3::new(ex * v.x - ey * v.y, ey * v.x + ex * v.y, v.z)
     }

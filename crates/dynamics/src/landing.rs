@@ -150,11 +150,14 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             })
             .fold(f64::NEG_INFINITY, f64::max);
         let calm_height = self.vehicle.center_of_gravity_height() + extended_height + CALM_MARGIN;
-        let judged = Judge::new(self.scene, calm_height, &self.motion, &self.start);
-        let (mut judge, mut seen) = match judged {
-            Ok(judged) => judged,
-            Err(verdict) => return outcome_of(verdict),
-        };
+        let mut judge = Judge::new(self.scene, calm_height);
+        let first_look = judge.look(&self.motion, &self.start);
+        let mut seen = judge.observe(&self.motion, &self.start);
+        if let Err(verdict) = first_look {
+            // With all feet on one side no angle is defined: nothing is left of stability.
+            self.note_observation(&Observation { angle: 0.0, ..seen }, 0.0);
+            return outcome_of(verdict);
+        }
         self.note_observation(&seen, 0.0);
         if let Some(verdict) = judge.verdict(&seen, self.least_angle.0) {
             return outcome_of(verdict);

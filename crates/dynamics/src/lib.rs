@@ -14,11 +14,12 @@
 //! | where everything is | [`state`], [`kinematics`] |
 //! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
 //! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
-//! | the answer | [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
+//! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
 //! | how it is integrated | [`integrator`] |
 
 pub mod attitude;
 pub mod contact;
+pub mod critical_feet;
 pub mod crush;
 pub mod friction;
 pub mod hinge;

@@ -226,12 +226,10 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         state: &State<S, LEGS>,
         pieces: &[LegPieces<S>; LEGS],
     ) -> [LegSignals<S>; LEGS] {
-        let mut signals = [[S::zero(); Signal::COUNT]; LEGS];
         let frame = self.surface.frame(&state.body());
-        for j in 0..LEGS {
-            signals[j] = self.legs[j]
-                .action::<false>(&frame, &state.leg(j), &pieces[j])
-                .signals;
+        let mut signals = [[S::zero(); Signal::COUNT]; LEGS];
+        for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
+            signals[j] = leg.action::<false>(&frame, &state.leg(j), pieces).signals;
         }
         signals
     }
@@ -274,8 +272,8 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         let frame = self.surface.frame(&body);
         let mut force = Vector3::zeros();
         let mut torque = Vector3::zeros();
-        for j in 0..LEGS {
-            let action = self.legs[j].action::<SKIP>(&frame, &state.leg(j), &pieces[j]);
+        for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
+            let action = leg.action::<SKIP>(&frame, &state.leg(j), pieces);
             force += action.force;
             torque += action.torque;
             derivative.set_leg(j, &action.derivative);
@@ -455,10 +453,8 @@ impl<S: Real> LegMotion<S> {
             strut,
         ];
         LegAction {
-            force: self.geometry.into_vehicle_axes(&(pad.force + block.force)),
-            torque: self
-                .geometry
-                .into_vehicle_axes(&(pad.moment + block.moment)),
+            force: self.geometry.in_vehicle_axes(&(pad.force + block.force)),
+            torque: self.geometry.in_vehicle_axes(&(pad.moment + block.moment)),
             derivative,
             signals,
             loads: LegLoads {

@@ -87,7 +87,8 @@ pub struct Landing<const LEGS: usize> {
     pub outcome: Outcome,
     /// When, s after first contact.
     pub end_time: f64,
-    /// Least stability angle σ, rad; zero or less for a pitch topple.
+    /// Least stability angle σ, rad; zero for a pitch topple, and where all feet stand on one side
+    /// of the plane of motion from the first instant, so that none is defined.
     pub min_stability_angle: f64,
     /// Time of the least stability angle, s.
     pub min_stability_time: f64,

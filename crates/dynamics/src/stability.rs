@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use crate::critical_feet::{CriticalFeet, critical_feet};
 use crate::integrator::event::{Bounds, Signals, Watch};
 use crate::motion::Motion;
 use crate::scene::Scene;
@@ -33,29 +34,6 @@ pub enum Plane {
     Motion,
     /// That of the steepest slope, while the CG hardly moves sideways.
     Slope,
-}
-
-/// Two feet astride the plane, between which the vehicle would topple.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CriticalFeet {
-    /// The foot on the negative side.
-    pub negative: usize,
-    /// Its ring neighbour on the positive side.
-    pub positive: usize,
-}
-
-/// The report's rule for the critical feet: the foot alone on its side with its neighbour, the one
-/// before it when it stands on the positive side and the one after it when on the negative. Both
-/// say the same: the step from a foot on the negative side to the next one on the positive side.
-/// In this form the rule serves any ring of feet. `None`: all feet on one side, toppling in yaw.
-pub fn critical_feet<const LEGS: usize>(positive: &[bool; LEGS]) -> Option<CriticalFeet> {
-    (0..LEGS)
-        .map(|foot| (foot, (foot + 1) % LEGS))
-        .find(|&(foot, next)| !positive[foot] && positive[next])
-        .map(|(foot, next)| CriticalFeet {
-            negative: foot,
-            positive: next,
-        })
 }
 
 /// What outcomes are judged by, at one instant.
@@ -111,19 +89,11 @@ pub struct Judge<const LEGS: usize> {
 }
 
 impl<const LEGS: usize> Judge<LEGS> {
-    /// A judge for a scene and a first look at the state at touchdown. Motion counts as subsided
-    /// only while the CG is within `calm_height` (ft) of the surface.
-    ///
-    /// # Errors
-    /// [`Verdict::Yaw`] when all feet stand on one side of the plane already.
-    pub fn new(
-        scene: &Scene,
-        calm_height: f64,
-        motion: &Motion<f64, LEGS>,
-        state: &State<f64, LEGS>,
-    ) -> Result<(Self, Observation<LEGS>), Verdict> {
+    /// A judge for a scene, who has yet to look. Motion counts as subsided only while the CG is
+    /// within `calm_height` (ft) of the surface.
+    pub fn new(scene: &Scene, calm_height: f64) -> Self {
         let slope = scene.conditions().slope;
-        let mut judge = Self {
+        Self {
             slope_side: if slope == 0.0 { 1.0 } else { -slope.signum() },
             calm_height,
             plane: Plane::Motion,
@@ -132,9 +102,7 @@ impl<const LEGS: usize> Judge<LEGS> {
                 positive: 1,
             },
             watches: Vec::with_capacity(LEGS + 1 + CALM),
-        };
-        let observation = judge.look(motion, state)?;
-        Ok((judge, observation))
+        }
     }
 
     /// Chooses plane and critical feet anew; σ is then measured against them until a signal

@@ -1,0 +1,74 @@
+//! The critical feet: the pair over which a vehicle would topple (2.7, model chapter 7).
+
+/// Two feet astride the plane, between which the vehicle would topple.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CriticalFeet {
+    /// The foot on the negative side.
+    pub negative: usize,
+    /// Its ring neighbour on the positive side.
+    pub positive: usize,
+}
+
+/// The report's rule for the critical feet: the foot alone on its side with its neighbour, the one
+/// before it when it stands on the positive side and the one after it when on the negative. Both
+/// say the same: the step from a foot on the negative side to the next one on the positive side.
+/// In this form the rule serves any ring of feet. `None`: all feet on one side, toppling in yaw.
+pub fn critical_feet<const LEGS: usize>(positive: &[bool; LEGS]) -> Option<CriticalFeet> {
+    (0..LEGS)
+        .map(|foot| (foot, (foot + 1) % LEGS))
+        .find(|&(foot, next)| !positive[foot] && positive[next])
+        .map(|(foot, next)| CriticalFeet {
+            negative: foot,
+            positive: next,
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The rule in the report's own words, for three feet.
+    fn report(positive: [bool; 3]) -> Option<[usize; 2]> {
+        let alone = (0..3).find(|&foot| {
+            let others = [(foot + 1) % 3, (foot + 2) % 3];
+            others
+                .iter()
+                .all(|&other| positive[other] != positive[foot])
+        })?;
+        let neighbour = if positive[alone] {
+            (alone + 2) % 3
+        } else {
+            (alone + 1) % 3
+        };
+        Some([alone, neighbour])
+    }
+
+    #[test]
+    fn three_feet_follow_the_report() {
+        for sides in 0..8 {
+            let positive = [sides & 1 != 0, sides & 2 != 0, sides & 4 != 0];
+            let feet = critical_feet(&positive);
+            match report(positive) {
+                None => assert_eq!(feet, None),
+                Some(pair) => {
+                    let feet = feet.unwrap();
+                    assert!(pair.contains(&feet.negative) && pair.contains(&feet.positive));
+                    assert!(!positive[feet.negative] && positive[feet.positive]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn six_feet_have_one_leading_pair() {
+        let feet = critical_feet(&[true, true, false, false, false, true]);
+        assert_eq!(
+            feet,
+            Some(CriticalFeet {
+                negative: 4,
+                positive: 5
+            })
+        );
+        assert_eq!(critical_feet(&[true; 6]), None);
+    }
+}
