@@ -1,6 +1,8 @@
 //! One landing: integrate from first contact until an outcome, and report.
 
-use crate::attitude::Attitude;
+mod account;
+mod verdict;
+
 use crate::contact::{LegLaws, LegMode};
 use crate::integrator::dormand_prince::{EVALUATIONS, Step};
 use crate::integrator::event::{Node, Watch, first_exit};
@@ -12,6 +14,8 @@ use crate::stability::{Judge, Observation, Verdict};
 use crate::state::State;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
+
+use account::History;
 
 pub use crate::record::{Energies, Instant, Landing, LegInstant, LegWork};
 
@@ -46,6 +50,7 @@ pub fn land_observed<const LEGS: usize>(
 ) -> Landing<LEGS> {
     let mut flight = Flight::new(vehicle, scene, settings, History::new(interval, observe));
     let outcome = flight.run();
+    flight.report_end();
     flight.conclude(outcome)
 }
 
@@ -73,32 +78,6 @@ struct Flight<'a, O, const LEGS: usize> {
     evaluations: u64,
     events: u64,
     history: History<O>,
-}
-
-/// When to report to whom.
-struct History<O> {
-    interval: f64,
-    reported: u64,
-    observe: O,
-}
-
-impl<O> History<O> {
-    fn new(interval: f64, observe: O) -> Self {
-        Self {
-            interval,
-            reported: 0,
-            observe,
-        }
-    }
-
-    /// Next time to report at, s.
-    fn next(&self) -> f64 {
-        if self.reported == 0 {
-            0.0
-        } else {
-            self.interval * self.reported as f64
-        }
-    }
 }
 
 impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
@@ -138,19 +117,18 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         }
     }
 
+    /// Height of the CG over the surface above which motion has not subsided, ft.
+    fn calm_height(&self) -> f64 {
+        let legs = self.vehicle.legs().iter().map(|leg| {
+            let design = leg.design();
+            design.linkage.lower_link_length * leg.extended_angle().sin() + design.footpad.height
+        });
+        let extended = legs.fold(f64::NEG_INFINITY, f64::max);
+        self.vehicle.center_of_gravity_height() + extended + CALM_MARGIN
+    }
+
     fn run(&mut self) -> Outcome {
-        let extended_height = self
-            .vehicle
-            .legs()
-            .iter()
-            .map(|leg| {
-                let design = leg.design();
-                design.linkage.lower_link_length * leg.extended_angle().sin()
-                    + design.footpad.height
-            })
-            .fold(f64::NEG_INFINITY, f64::max);
-        let calm_height = self.vehicle.center_of_gravity_height() + extended_height + CALM_MARGIN;
-        let mut judge = Judge::new(self.scene, calm_height);
+        let mut judge = Judge::new(self.scene, self.calm_height());
         let first_look = judge.look(&self.motion, &self.start);
         let mut seen = judge.observe(&self.motion, &self.start);
         if let Err(verdict) = first_look {
@@ -169,7 +147,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let tolerance = self.settings.tolerance();
         let mut control = StepControl::new(FIRST_STEP);
         for _ in 0..MOST_STEPS {
-            if self.time >= limit {
+            if self.time > limit - SHORTEST {
                 return Outcome::TimeExpired;
             }
             let length = control.proposed().min(limit - self.time);
@@ -192,7 +170,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             let reach = event.as_ref().map_or(1.0, |node| node.theta);
             let judged = self.judge(&mut judge, &mut seen, reach);
             let reach = judged.map_or(reach, |(theta, _)| theta);
-            self.report(&judge, reach);
+            self.report(reach);
             self.time += reach * length;
             if let Some((_, verdict)) = judged {
                 self.step.before = self.step.at(reach);
@@ -255,99 +233,9 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         found
     }
 
-    /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls.
-    fn judge(
-        &mut self,
-        judge: &mut Judge<LEGS>,
-        seen: &mut Observation<LEGS>,
-        reach: f64,
-    ) -> Option<(f64, Verdict)> {
-        let resolution = EVENT_RESOLUTION / self.step.length;
-        let mut start = Node {
-            theta: 0.0,
-            signals: *seen,
-        };
-        while start.theta < reach {
-            judge.watch(&start.signals, self.least_angle.0);
-            let look = |theta: f64| judge.observe(&self.motion, &self.step.motion_at(theta));
-            let node = |theta: f64| Node {
-                theta,
-                signals: look(theta),
-            };
-            let middle = node(0.5 * (start.theta + reach));
-            let end = node(reach);
-            let exit = first_exit(&start, &middle, &end, judge.watches(), resolution, look);
-            let Some(exit) = exit else {
-                self.note_least(judge, [&start, &middle, &end]);
-                *seen = end.signals;
-                return None;
-            };
-            let middle = node(0.5 * (start.theta + exit.theta));
-            self.note_least(judge, [&start, &middle, &exit]);
-            if let Some(verdict) = judge.verdict(&exit.signals, self.least_angle.0) {
-                return Some((exit.theta, verdict));
-            }
-            match judge.look(&self.motion, &self.step.motion_at(exit.theta)) {
-                Err(verdict) => return Some((exit.theta, verdict)),
-                Ok(observation) => {
-                    self.note_observation(&observation, self.time_at(exit.theta));
-                    if let Some(verdict) = judge.verdict(&observation, self.least_angle.0) {
-                        return Some((exit.theta, verdict));
-                    }
-                    start = Node {
-                        theta: exit.theta,
-                        signals: observation,
-                    };
-                }
-            }
-        }
-        *seen = start.signals;
-        None
-    }
-
     /// Time at fraction θ of the step, s.
     fn time_at(&self, theta: f64) -> f64 {
         self.time + theta * self.step.length
-    }
-
-    /// Takes note of σ and clearance at one instant.
-    fn note_observation(&mut self, seen: &Observation<LEGS>, time: f64) {
-        if seen.angle < self.least_angle.0 {
-            self.least_angle = (seen.angle, time);
-        }
-        self.least_clearance = self.least_clearance.min(seen.clearance);
-    }
-
-    /// Takes note of the least σ and clearance over three nodes between which both are smooth.
-    fn note_least(&mut self, judge: &Judge<LEGS>, nodes: [&Node<Observation<LEGS>>; 3]) {
-        let mut nodes = nodes.map(|node| (node.theta, node.signals));
-        for (theta, seen) in nodes {
-            self.note_observation(&seen, self.time_at(theta));
-        }
-        // Successive parabolas toward a least σ that may lie between the nodes.
-        for _ in 0..4 {
-            let [(t0, a), (t1, b), (t2, c)] = nodes;
-            if b.angle >= a.angle.min(c.angle) && (a.angle - c.angle).abs() > 1e-3 {
-                return;
-            }
-            let (first, second) = (
-                (b.angle - a.angle) / (t1 - t0),
-                (c.angle - b.angle) / (t2 - t1),
-            );
-            let bend = (second - first) / (t2 - t0);
-            let slope = first - bend * (t1 - t0);
-            let theta = t0 - slope / (2.0 * bend);
-            if !(bend > 0.0 && theta > t0 && theta < t2 && theta != t1) {
-                return;
-            }
-            let seen = judge.observe(&self.motion, &self.step.motion_at(theta));
-            self.note_observation(&seen, self.time_at(theta));
-            nodes = if theta < t1 {
-                [(t0, a), (theta, seen), (t1, b)]
-            } else {
-                [(t1, b), (theta, seen), (t2, c)]
-            };
-        }
     }
 
     fn note_strut_forces(&mut self) {
@@ -404,100 +292,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             if self.modes[j].block_in_contact() {
                 self.block_contact[j].get_or_insert(self.time);
             }
-        }
-    }
-
-    /// Kinetic energy of body and lower links, ft·lb.
-    fn kinetic_energy(&self, state: &State<f64, LEGS>) -> f64 {
-        let body = state.body();
-        let translation = self.vehicle.mass() * body.velocity.norm_squared();
-        let rotation = body.rate.dot(&(self.vehicle.inertia() * body.rate));
-        let links: f64 = (0..LEGS)
-            .map(|j| {
-                let rate = state.leg(j).link_rate;
-                self.vehicle.legs()[j].design().linkage.inertia * rate * rate
-            })
-            .sum();
-        0.5 * (translation + rotation + links)
-    }
-
-    /// Potential energy released since first contact, ft·lb.
-    fn potential_change(&self, state: &State<f64, LEGS>) -> f64 {
-        let descent = state.body().position.z - self.start.body().position.z;
-        self.vehicle.mass() * self.vehicle.gravity() * descent
-    }
-
-    /// Reports the instants that are due up to fraction `reach` of the step.
-    fn report(&mut self, judge: &Judge<LEGS>, reach: f64) {
-        while self.history.interval.is_finite() && self.history.next() <= self.time_at(reach) {
-            let time = self.history.next();
-            let theta = ((time - self.time) / self.step.length).clamp(0.0, 1.0);
-            let instant = self.instant(&self.step.at(theta), judge, time);
-            (self.history.observe)(&instant);
-            self.history.reported += 1;
-        }
-    }
-
-    fn instant(&self, state: &State<f64, LEGS>, judge: &Judge<LEGS>, time: f64) -> Instant<LEGS> {
-        let body = state.body();
-        let mut judge = judge.clone();
-        let seen = judge
-            .look(&self.motion, state)
-            .unwrap_or_else(|_| judge.observe(&self.motion, state));
-        let signals = self.motion.signals(state, &self.pieces);
-        let loads = self.motion.loads(state, &self.pieces);
-        let q = body.quaternion;
-        Instant {
-            time,
-            position: body.position,
-            velocity: body.velocity,
-            attitude: Attitude::from_quaternion([q.x, q.y, q.z, q.w]),
-            angular_velocity: body.rate,
-            stability_angle: seen.angle,
-            clearance: seen.clearance,
-            kinetic_energy: self.kinetic_energy(state),
-            potential_change: self.potential_change(state),
-            legs: std::array::from_fn(|j| {
-                let leg = state.leg(j);
-                let [outer, inner, block] = self.modes[j].sets(&self.laws[j], &signals[j]);
-                LegInstant {
-                    link_angle: leg.link_angle,
-                    link_rate: leg.link_rate,
-                    pad_angle: leg.pad_angle,
-                    pad_rate: leg.pad_rate,
-                    stroke: signals[j][Signal::Stroke as usize],
-                    strut_force: loads[j].strut,
-                    pad_normal: loads[j].pad_normal,
-                    pad_friction: loads[j].pad_friction,
-                    block_normal: loads[j].block_normal,
-                    block_friction: loads[j].block_friction,
-                    pad_sets: [outer, inner],
-                    block_set: block,
-                    work: LegWork::from_state(leg.work),
-                }
-            }),
-        }
-    }
-
-    fn conclude(self, outcome: Outcome) -> Landing<LEGS> {
-        Landing {
-            outcome,
-            end_time: self.time,
-            min_stability_angle: self.least_angle.0,
-            min_stability_time: self.least_angle.1,
-            min_clearance: self.least_clearance,
-            energies: Energies {
-                initial_kinetic: self.kinetic_energy(&self.start),
-                potential_change: self.potential_change(&self.step.before),
-                legs: std::array::from_fn(|j| LegWork::from_state(self.step.before.leg(j).work)),
-                final_kinetic: self.kinetic_energy(&self.step.before),
-            },
-            max_strut_force: self.greatest_strut_force,
-            pad_contact: self.pad_contact,
-            block_contact: self.block_contact,
-            steps: self.steps,
-            evaluations: self.evaluations,
-            events: self.events,
         }
     }
 }

@@ -1,0 +1,101 @@
+//! Stability followed over each step: verdicts located, extremes noted.
+
+use super::{EVENT_RESOLUTION, Flight};
+use crate::integrator::event::{Node, first_exit};
+use crate::record::Instant;
+use crate::stability::{Judge, Observation, Verdict};
+
+/// Parabolas laid toward a least σ between the nodes of a step.
+const REFINEMENTS: usize = 4;
+
+impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+    /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls.
+    pub(super) fn judge(
+        &mut self,
+        judge: &mut Judge<LEGS>,
+        seen: &mut Observation<LEGS>,
+        reach: f64,
+    ) -> Option<(f64, Verdict)> {
+        let resolution = EVENT_RESOLUTION / self.step.length;
+        let mut start = Node {
+            theta: 0.0,
+            signals: *seen,
+        };
+        while start.theta < reach {
+            judge.watch(&start.signals, self.least_angle.0);
+            let look = |theta: f64| judge.observe(&self.motion, &self.step.motion_at(theta));
+            let node = |theta: f64| Node {
+                theta,
+                signals: look(theta),
+            };
+            let middle = node(0.5 * (start.theta + reach));
+            let end = node(reach);
+            let exit = first_exit(&start, &middle, &end, judge.watches(), resolution, look);
+            let Some(exit) = exit else {
+                self.note_least(judge, [&start, &middle, &end]);
+                *seen = end.signals;
+                return None;
+            };
+            let middle = node(0.5 * (start.theta + exit.theta));
+            self.note_least(judge, [&start, &middle, &exit]);
+            if let Some(verdict) = judge.verdict(&exit.signals, self.least_angle.0) {
+                return Some((exit.theta, verdict));
+            }
+            match judge.look(&self.motion, &self.step.motion_at(exit.theta)) {
+                Err(verdict) => return Some((exit.theta, verdict)),
+                Ok(observation) => {
+                    self.note_observation(&observation, self.time_at(exit.theta));
+                    if let Some(verdict) = judge.verdict(&observation, self.least_angle.0) {
+                        return Some((exit.theta, verdict));
+                    }
+                    start = Node {
+                        theta: exit.theta,
+                        signals: observation,
+                    };
+                }
+            }
+        }
+        *seen = start.signals;
+        None
+    }
+
+    /// Takes note of σ and clearance at one instant.
+    pub(super) fn note_observation(&mut self, seen: &Observation<LEGS>, time: f64) {
+        if seen.angle < self.least_angle.0 {
+            self.least_angle = (seen.angle, time);
+        }
+        self.least_clearance = self.least_clearance.min(seen.clearance);
+    }
+
+    /// Takes note of the least σ and clearance over three nodes between which both are smooth.
+    fn note_least(&mut self, judge: &Judge<LEGS>, nodes: [&Node<Observation<LEGS>>; 3]) {
+        let mut nodes = nodes.map(|node| (node.theta, node.signals));
+        for (theta, seen) in nodes {
+            self.note_observation(&seen, self.time_at(theta));
+        }
+        // Successive parabolas toward a least σ that may lie between the nodes.
+        for _ in 0..REFINEMENTS {
+            let [(t0, a), (t1, b), (t2, c)] = nodes;
+            if b.angle >= a.angle.min(c.angle) && (a.angle - c.angle).abs() > 1e-3 {
+                return;
+            }
+            let (first, second) = (
+                (b.angle - a.angle) / (t1 - t0),
+                (c.angle - b.angle) / (t2 - t1),
+            );
+            let bend = (second - first) / (t2 - t0);
+            let slope = first - bend * (t1 - t0);
+            let theta = t0 - slope / (2.0 * bend);
+            if !(bend > 0.0 && theta > t0 && theta < t2 && theta != t1) {
+                return;
+            }
+            let seen = judge.observe(&self.motion, &self.step.motion_at(theta));
+            self.note_observation(&seen, self.time_at(theta));
+            nodes = if theta < t1 {
+                [(t0, a), (theta, seen), (t1, b)]
+            } else {
+                [(t1, b), (theta, seen), (t2, c)]
+            };
+        }
+    }
+}
