@@ -176,10 +176,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 self.step.before = self.step.at(reach);
                 return outcome_of(verdict);
             }
-            if event.is_some() {
+            if let Some(event) = event {
                 self.step.before = self.step.at(reach);
+                self.signals = event.signals;
                 control.restart();
-                if let Err(outcome) = self.settle() {
+                if let Err(outcome) = self.cross().and_then(|_| self.settle()) {
                     return outcome;
                 }
             } else {
@@ -213,11 +214,16 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         &mut self,
         end: &Node<[LegSignals<f64>; LEGS]>,
     ) -> Option<Node<[LegSignals<f64>; LEGS]>> {
+        let torque = Signal::LinkTorque as usize;
+        let with_torques = self
+            .watches
+            .iter()
+            .any(|w| w.signal % Signal::COUNT == torque);
         let mut looks = 0;
         let mut look = |theta: f64| {
             looks += 1;
             self.motion
-                .signals(&self.step.motion_at(theta), &self.pieces)
+                .signals(&self.step.motion_at(theta), &self.pieces, with_torques)
         };
         let start = Node {
             theta: 0.0,

@@ -216,12 +216,26 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         pieces: &[LegPieces<S>; LEGS],
         derivative: &mut State<S, LEGS>,
     ) {
-        self.evaluate_into::<true>(state, pieces, derivative, |_, _| {});
+        self.evaluate_into::<false>(state, pieces, derivative, |_, _| {});
     }
 
-    /// Signals of all legs.
-    #[inline(never)]
+    /// Signals of all legs, the link torques only if asked for: no other signal is a force.
+    #[inline(always)]
     pub fn signals(
+        &self,
+        state: &State<S, LEGS>,
+        pieces: &[LegPieces<S>; LEGS],
+        with_torques: bool,
+    ) -> [LegSignals<S>; LEGS] {
+        if with_torques {
+            self.signals_of::<true>(state, pieces)
+        } else {
+            self.signals_of::<false>(state, pieces)
+        }
+    }
+
+    #[inline(never)]
+    fn signals_of<const FORCES: bool>(
         &self,
         state: &State<S, LEGS>,
         pieces: &[LegPieces<S>; LEGS],
@@ -229,7 +243,9 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         let frame = self.surface.frame(&state.body());
         let mut signals = [[S::zero(); Signal::COUNT]; LEGS];
         for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
-            signals[j] = leg.action::<false>(&frame, &state.leg(j), pieces).signals;
+            signals[j] = leg
+                .action::<FORCES, true>(&frame, &state.leg(j), pieces)
+                .signals;
         }
         signals
     }
@@ -243,7 +259,7 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         derivative: &mut State<S, LEGS>,
         signals: &mut [LegSignals<S>; LEGS],
     ) {
-        self.evaluate_into::<false>(state, pieces, derivative, |j, leg| signals[j] = leg);
+        self.evaluate_into::<true>(state, pieces, derivative, |j, leg| signals[j] = leg);
     }
 
     /// Loads of all legs.
@@ -255,13 +271,13 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         let frame = self.surface.frame(&state.body());
         std::array::from_fn(|j| {
             self.legs[j]
-                .action::<false>(&frame, &state.leg(j), &pieces[j])
+                .action::<true, true>(&frame, &state.leg(j), &pieces[j])
                 .loads
         })
     }
 
     #[inline(always)]
-    fn evaluate_into<const SKIP: bool>(
+    fn evaluate_into<const SIGNALS: bool>(
         &self,
         state: &State<S, LEGS>,
         pieces: &[LegPieces<S>; LEGS],
@@ -273,7 +289,7 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         let mut force = Vector3::zeros();
         let mut torque = Vector3::zeros();
         for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
-            let action = leg.action::<SKIP>(&frame, &state.leg(j), pieces);
+            let action = leg.action::<true, SIGNALS>(&frame, &state.leg(j), pieces);
             force += action.force;
             torque += action.torque;
             derivative.set_leg(j, &action.derivative);
@@ -349,10 +365,11 @@ impl<S: Real> Touch<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// What one leg does to the body and itself. With `SKIP` nothing is computed of elements that
-    /// carry no pressure; their signals then mean nothing.
+    /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
+    /// computed of elements that carry no pressure, and their signals mean nothing; without
+    /// `FORCES` nothing but the signals means anything, and of those not the link torque.
     #[inline(always)]
-    fn action<const SKIP: bool>(
+    fn action<const FORCES: bool, const SIGNALS: bool>(
         &self,
         body: &BodyFrame<S>,
         leg: &LegState<S>,
@@ -365,7 +382,8 @@ impl<S: Real> LegMotion<S> {
         // Footpad: normal force (29), torque about its hinge (52).
         let cos_pad = pose.pad_inclination;
         let [outer, inner] = pose.pad_interference;
-        let (pad, pad_torque) = if SKIP && pieces.pad[0].is_slack() && pieces.pad[1].is_slack() {
+        let (pad, pad_torque) = if !SIGNALS && pieces.pad[0].is_slack() && pieces.pad[1].is_slack()
+        {
             (Touch::none(), S::zero())
         } else {
             let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
@@ -385,7 +403,7 @@ impl<S: Real> LegMotion<S> {
         };
 
         // Block: normal force (33).
-        let block = if SKIP && pieces.block.is_slack() {
+        let block = if !SIGNALS && pieces.block.is_slack() {
             Touch::none()
         } else {
             let velocity = frame.velocity_at(&pose.block_center);
@@ -445,7 +463,7 @@ impl<S: Real> LegMotion<S> {
             block.velocity.sliding_squared,
             pose.stroke,
             leg.link_rate,
-            surface_torque,
+            if FORCES { surface_torque } else { S::zero() },
             leg.pad_angle,
             leg.pad_rate,
             unclipped,

@@ -150,15 +150,45 @@ pub fn first_exit<V: Signals>(
     resolution: f64,
     mut evaluate: impl FnMut(f64) -> V,
 ) -> Option<Node<V>> {
-    let outer = if any_outside(&middle.signals, watches) {
+    let mut out_at_middle = false;
+    let mut out_at_end = false;
+    let mut earliest: Option<(Node<V>, Node<V>)> = None;
+    for watch in watches {
+        let signal = watch.signal;
+        let v = [
+            start.signals.get(signal),
+            middle.signals.get(signal),
+            end.signals.get(signal),
+        ];
+        let inside = |v: f64| v >= watch.range.lower && v <= watch.range.upper;
+        let (middle_inside, end_inside) = (inside(v[1]), inside(v[2]));
+        out_at_middle |= !middle_inside;
+        out_at_end |= !end_inside;
+        // Only what bends back can come and go.
+        let slopes = [
+            (v[1] - v[0]) * (end.theta - middle.theta),
+            (v[2] - v[1]) * (middle.theta - start.theta),
+        ];
+        let turns = (3.0 * slopes[0] - slopes[1]) * (3.0 * slopes[1] - slopes[0]) <= 0.0;
+        if turns && middle_inside && end_inside {
+            let t = [start.theta, middle.theta, end.theta];
+            if let Some(found) = hidden_excursion(watch, start, t, v, watches, &mut evaluate)
+                && earliest
+                    .as_ref()
+                    .is_none_or(|(_, known)| found.1.theta < known.theta)
+            {
+                earliest = Some(found);
+            }
+        }
+    }
+    let outer = if out_at_middle {
         Some((start, middle))
-    } else if any_outside(&end.signals, watches) {
+    } else if out_at_end {
         Some((middle, end))
     } else {
         None
     };
-    let hidden = hidden_excursion(start, middle, end, watches, &mut evaluate);
-    let (inside, outside) = match (outer, hidden) {
+    let (inside, outside) = match (outer, earliest) {
         (None, None) => return None,
         (Some((a, b)), None) => (a.clone(), b.clone()),
         (None, Some(pair)) => pair,
@@ -180,82 +210,50 @@ fn vertex(t: [f64; 3], v: [f64; 3]) -> Option<(f64, f64)> {
     (x > 0.0 && x < t[2] - t[0]).then(|| (t[0] + x, v[0] + 0.5 * slope * x))
 }
 
-/// Looks for a signal that is inside at all three nodes but may leave its range between them.
+/// Looks whether a signal that is inside its range at three nodes (at `t`, with values `v`) leaves
+/// it between them. Gives a node where all signals are inside and a later one where one is not.
 fn hidden_excursion<V: Signals>(
+    watch: &Watch,
     start: &Node<V>,
-    middle: &Node<V>,
-    end: &Node<V>,
+    mut t: [f64; 3],
+    mut v: [f64; 3],
     watches: &[Watch],
     evaluate: &mut impl FnMut(f64) -> V,
 ) -> Option<(Node<V>, Node<V>)> {
-    let mut earliest: Option<(Node<V>, Node<V>)> = None;
-    for &Watch {
-        signal: index,
-        range,
-    } in watches
-    {
-        let mut v = [
-            start.signals.get(index),
-            middle.signals.get(index),
-            end.signals.get(index),
-        ];
-        // Only what bends back can come and go.
-        let slopes = [
-            (v[1] - v[0]) * (end.theta - middle.theta),
-            (v[2] - v[1]) * (middle.theta - start.theta),
-        ];
-        let turns = (3.0 * slopes[0] - slopes[1]) * (3.0 * slopes[1] - slopes[0]) <= 0.0;
-        if !turns {
-            continue;
+    let mut inside: Option<Node<V>> = None;
+    for _ in 0..LOOKS {
+        let (theta, value) = vertex(t, v)?;
+        let nearest = if value > v[1] {
+            v[0].max(v[1]).max(v[2])
+        } else {
+            v[0].min(v[1]).min(v[2])
+        };
+        watch.range.exit(value + CAUTION * (value - nearest))?;
+        let node = Node {
+            theta,
+            signals: evaluate(theta),
+        };
+        if any_outside(&node.signals, watches) {
+            return Some((inside.unwrap_or_else(|| start.clone()), node));
         }
-        let mut t = [start.theta, middle.theta, end.theta];
-        if v.iter().any(|&v| range.exit(v).is_some()) {
-            continue;
-        }
-        let mut inside: Option<Node<V>> = None;
-        for _ in 0..LOOKS {
-            let Some((theta, value)) = vertex(t, v) else {
-                break;
-            };
-            let nearest = if value > v[1] {
-                v[0].max(v[1]).max(v[2])
-            } else {
-                v[0].min(v[1]).min(v[2])
-            };
-            if range.exit(value + CAUTION * (value - nearest)).is_none() {
-                break;
-            }
-            let node = Node {
-                theta,
-                signals: evaluate(theta),
-            };
-            let seen = node.signals.get(index);
-            if any_outside(&node.signals, watches) {
-                if earliest
-                    .as_ref()
-                    .is_none_or(|(_, found)| theta < found.theta)
-                {
-                    earliest = Some((inside.unwrap_or_else(|| start.clone()), node));
-                }
-                break;
-            }
-            // Keep the three nodes that surround the extremum.
-            if theta < t[1] {
-                (t, v) = ([t[0], theta, t[1]], [v[0], seen, v[1]]);
-            } else {
-                (t, v) = ([t[1], theta, t[2]], [v[1], seen, v[2]]);
-                inside = Some(Node {
-                    theta: t[0],
-                    signals: evaluate(t[0]),
-                });
-            }
+        // Keep the three nodes that surround the extremum.
+        let seen = node.signals.get(watch.signal);
+        if theta < t[1] {
+            (t, v) = ([t[0], theta, t[1]], [v[0], seen, v[1]]);
+        } else {
+            (t, v) = ([t[1], theta, t[2]], [v[1], seen, v[2]]);
+            inside = Some(Node {
+                theta: t[0],
+                signals: evaluate(t[0]),
+            });
         }
     }
-    earliest
+    None
 }
 
 /// Narrows the bracket to `resolution` by the ITP method (Oliveira and Takahashi 2020) on the
-/// greatest normalised violation of the signals that are outside at its far end.
+/// greatest violation among the signals that are outside at its far end, each in units of its
+/// violation there.
 fn locate<V: Signals>(
     mut inside: Node<V>,
     mut outside: Node<V>,
@@ -279,15 +277,15 @@ fn locate<V: Signals>(
             middle
         };
         let radius = (allowance - 0.5 * (b - a)).max(0.0);
-        let theta = if (truncated - middle).abs() <= radius {
+        let proposed = if (truncated - middle).abs() <= radius {
             truncated
         } else {
             middle - toward * radius
         };
         allowance *= 0.5;
         // Guard against a proposal that rounds onto an end.
-        let theta = if theta > a && theta < b {
-            theta
+        let theta = if proposed > a && proposed < b {
+            proposed
         } else {
             middle
         };

@@ -90,7 +90,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let seen = judge
             .look(&self.motion, state)
             .unwrap_or_else(|_| judge.observe(&self.motion, state));
-        let signals = self.motion.signals(state, &self.pieces);
+        let signals = self.motion.signals(state, &self.pieces, false);
         let loads = self.motion.loads(state, &self.pieces);
         let q = body.quaternion;
         Instant {
