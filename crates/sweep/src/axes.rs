@@ -19,7 +19,7 @@ enum Values {
 const MOST_VALUES: f64 = 1e7;
 
 impl Axis {
-    /// `from`, `from + step`, … up to and including `to`.
+    /// `from`, `from + step`, … up (or, with a negative step, down) to and including `to`.
     ///
     /// # Errors
     /// Names the number that is wrong (`from`, `to` or `step`) and what is allowed.
@@ -29,16 +29,19 @@ impl Axis {
         to: f64,
         step: f64,
     ) -> Result<Self, (&'static str, &'static str)> {
-        if from >= to {
-            return Err(("from", "a number below to"));
+        if from == to {
+            return Err((
+                "from",
+                "a number other than to; a list, [x], holds one value",
+            ));
         }
-        if step <= 0.0 {
-            return Err(("step", "a number > 0, as from is below to"));
+        if step == 0.0 || (step > 0.0) != (to > from) {
+            return Err(("step", "a number with the sign of to - from, not 0"));
         }
         // A billionth of a step forgives the rounding of decimals such as 0.1.
         let steps = ((to - from) / step + 1e-9).floor();
         if steps < 1.0 {
-            return Err(("step", "a number not above to - from"));
+            return Err(("step", "a number not beyond to - from"));
         }
         if steps >= MOST_VALUES {
             return Err(("step", "so large that the axis has at most 1e7 values"));
@@ -91,7 +94,7 @@ impl Axis {
 
 /// Nearest decimal to `value` at a resolution far below `step`, so that 0.1 + 2 · 0.1 is 0.3.
 fn snapped(value: f64, step: f64) -> f64 {
-    let digits = (9.0 - step.log10().floor()).clamp(0.0, 300.0) as usize;
+    let digits = (9.0 - step.abs().log10().floor()).clamp(0.0, 300.0) as usize;
     let decimal = format!("{value:.digits$}").parse().unwrap_or(value);
     // Takes the sign off a negative zero.
     decimal + 0.0
@@ -161,10 +164,19 @@ mod tests {
     }
 
     #[test]
+    fn ranges_run_down_too() {
+        let axis = Axis::range("cross_slope_deg", 180.0, 80.0, -10.0).unwrap();
+        assert_eq!(
+            (axis.count(), axis.value(0), axis.value(10)),
+            (11, 180.0, 80.0)
+        );
+    }
+
+    #[test]
     fn wrong_ranges_name_their_number() {
         let fault = |from, to, step| Axis::range("x", from, to, step).unwrap_err().0;
         assert_eq!(fault(1.0, 1.0, 0.1), "from");
-        assert_eq!(fault(2.0, 1.0, -0.1), "from");
+        assert_eq!(fault(2.0, 1.0, 0.1), "step");
         assert_eq!(fault(0.0, 1.0, -0.1), "step");
         assert_eq!(fault(0.0, 1.0, 0.0), "step");
         assert_eq!(fault(0.0, 1.0, 2.0), "step");

@@ -87,12 +87,12 @@ const WRONG: [(&str, &str, &[&str]); 15] = [
     (
         "step = 5",
         "step = -5",
-        &[":12: axes.roll_deg.step = -5", "> 0"],
+        &[":12: axes.roll_deg.step = -5", "sign of to - from"],
     ),
     (
         "from = -60",
         "from = 60",
-        &[":12: axes.roll_deg.from = 60", "below to"],
+        &[":12: axes.roll_deg.from = 60", "other than to"],
     ),
     (
         "roll_deg = {",

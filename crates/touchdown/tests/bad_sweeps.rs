@@ -30,8 +30,8 @@ const SWEEPS: [(&str, &str, &[&str]); 26] = [
     // Values out of range.
     ("friction = 1.0", "friction = -0.1", &["sweep.toml:7: scene.friction = -0.1", "≥ 0"]),
     ("slope_deg = 15", "slope_deg = 90", &["sweep.toml:6: scene.slope_deg = 90", "< 90"]),
-    ("step = 10", "step = -10", &["sweep.toml:9: axes.roll_deg.step = -10", "> 0"]),
-    ("from = -10", "from = 10", &["sweep.toml:9: axes.roll_deg.from = 10", "below to"]),
+    ("step = 10", "step = -10", &["sweep.toml:9: axes.roll_deg.step = -10", "sign of to - from"]),
+    ("from = -10", "from = 10", &["sweep.toml:9: axes.roll_deg.from = 10", "other than to"]),
     ("{ from = -10, to = 10, step = 10 }", "[]", &["sweep.toml:9: axes.roll_deg = []", "at least one"]),
     ("roll_deg = { from = -10, to = 10, step = 10 }", "", &["sweep.toml:8: axes", "at least one"]),
     ("from_fps = 10", "from_fps = 12.5", &["sweep.toml:11: search.from_fps = 12.5", "below to_fps"]),
