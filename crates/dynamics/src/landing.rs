@@ -5,7 +5,7 @@ mod verdict;
 
 use crate::contact::{LegLaws, LegMode};
 use crate::integrator::dormand_prince::{EVALUATIONS, Step};
-use crate::integrator::event::{Node, Watch, first_exit};
+use crate::integrator::event::{Node, Watch, first_exit, is_quiet};
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::motion::{LegPieces, LegSignals, Motion, Signal};
 use crate::outcome::{Failure, Outcome};
@@ -54,6 +54,13 @@ pub fn land_observed<const LEGS: usize>(
     flight.conclude(outcome)
 }
 
+/// What was seen at the start of the step before.
+struct Earlier<const LEGS: usize> {
+    signals: [LegSignals<f64>; LEGS],
+    observation: Observation<LEGS>,
+    length: f64,
+}
+
 /// A landing under way.
 struct Flight<'a, O, const LEGS: usize> {
     vehicle: &'a Vehicle<LEGS>,
@@ -68,6 +75,8 @@ struct Flight<'a, O, const LEGS: usize> {
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
     signals: [LegSignals<f64>; LEGS],
+    /// The step before, if no law has changed since.
+    earlier: Option<Earlier<LEGS>>,
     start: State<f64, LEGS>,
     least_angle: (f64, f64),
     least_clearance: f64,
@@ -104,6 +113,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             time: 0.0,
             step: Step::from(state, State::zero()),
             signals: [[0.0; Signal::COUNT]; LEGS],
+            earlier: None,
             start: state,
             least_angle: (f64::INFINITY, 0.0),
             least_clearance: f64::INFINITY,
@@ -168,6 +178,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             self.steps += 1;
             let event = self.find_event(&end);
             let reach = event.as_ref().map_or(1.0, |node| node.theta);
+            let seen_before = seen;
             let judged = self.judge(&mut judge, &mut seen, reach);
             let reach = judged.map_or(reach, |(theta, _)| theta);
             self.report(reach);
@@ -179,6 +190,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             if let Some(event) = event {
                 self.step.before = self.step.at(reach);
                 self.signals = event.signals;
+                self.earlier = None;
                 control.restart();
                 if let Err(outcome) = self.cross().and_then(|_| self.settle()) {
                     return outcome;
@@ -186,7 +198,12 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             } else {
                 self.step.before = self.step.after;
                 self.step.slopes[0] = self.step.slopes[5];
-                self.signals = end.signals;
+                let signals = std::mem::replace(&mut self.signals, end.signals);
+                self.earlier = Some(Earlier {
+                    signals,
+                    observation: seen_before,
+                    length,
+                });
             }
             self.note_strut_forces();
         }
@@ -214,6 +231,13 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         &mut self,
         end: &Node<[LegSignals<f64>; LEGS]>,
     ) -> Option<Node<[LegSignals<f64>; LEGS]>> {
+        if let Some(earlier) = &self.earlier {
+            let ratio = self.step.length / earlier.length;
+            let (start, end) = (&self.signals, &end.signals);
+            if is_quiet(&earlier.signals, start, end, ratio, &self.watches) {
+                return None;
+            }
+        }
         let torque = Signal::LinkTorque as usize;
         let with_torques = self
             .watches

@@ -138,6 +138,30 @@ const CAUTION: f64 = 0.5;
 /// Looks taken at one suspected excursion.
 const LOOKS: usize = 6;
 
+/// How far a signal can stray between two known values: the change over the step and what the step
+/// before lets expect, `ratio` being this step's length over that one's.
+#[inline(always)]
+fn stray(before: f64, start: f64, end: f64, ratio: f64) -> f64 {
+    (end - start).abs() + ratio * (start - before).abs()
+}
+
+/// Whether no watched signal can have left its range within a step: at both ends each is farther
+/// inside than it can stray. Eight times as far as a parabola through the three values would turn.
+pub fn is_quiet<V: Signals>(before: &V, start: &V, end: &V, ratio: f64, watches: &[Watch]) -> bool {
+    watches.iter().all(|&Watch { signal, range }| {
+        let (v0, v1) = (start.get(signal), end.get(signal));
+        let room = (v0.min(v1) - range.lower).min(range.upper - v0.max(v1));
+        room > stray(before.get(signal), v0, v1, ratio)
+    })
+}
+
+/// Whether a quantity cannot have fallen below `least`, or below its value at the end, within a
+/// step: it stays well above `least`, or falls without slowing down.
+pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bool {
+    let falls = end < start && start < before && start - end > 0.5 * ratio * (before - start);
+    falls || start.min(end) - least > stray(before, start, end, ratio)
+}
+
 /// Finds the first exit of any signal within the step from `start` to `end`, where all signals
 /// are inside at `start`. `evaluate` gives the signals at a fraction of the step. Excursions that
 /// begin and end between the given nodes are looked for where three neighbouring values bend

@@ -1,7 +1,7 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
 use super::{EVENT_RESOLUTION, Flight};
-use crate::integrator::event::{Node, first_exit};
+use crate::integrator::event::{Node, first_exit, is_plain, is_quiet};
 use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
 
@@ -28,8 +28,13 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 theta,
                 signals: look(theta),
             };
-            let middle = node(0.5 * (start.theta + reach));
             let end = node(reach);
+            if start.theta == 0.0 && self.is_uneventful(judge, &start, &end) {
+                self.note_observation(&end.signals, self.time_at(reach));
+                *seen = end.signals;
+                return None;
+            }
+            let middle = node(0.5 * (start.theta + reach));
             let exit = first_exit(&start, &middle, &end, judge.watches(), resolution, look);
             let Some(exit) = exit else {
                 self.note_least(judge, [&start, &middle, &end]);
@@ -57,6 +62,35 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         }
         *seen = start.signals;
         None
+    }
+
+    /// Whether between the ends of a step no verdict can fall and no new least value hide.
+    fn is_uneventful(
+        &self,
+        judge: &Judge<LEGS>,
+        start: &Node<Observation<LEGS>>,
+        end: &Node<Observation<LEGS>>,
+    ) -> bool {
+        let Some(earlier) = &self.earlier else {
+            return false;
+        };
+        let ratio = end.theta * self.step.length / earlier.length;
+        let (before, start, end) = (&earlier.observation, &start.signals, &end.signals);
+        is_quiet(before, start, end, ratio, judge.watches())
+            && is_plain(
+                before.angle,
+                start.angle,
+                end.angle,
+                ratio,
+                self.least_angle.0,
+            )
+            && is_plain(
+                before.clearance,
+                start.clearance,
+                end.clearance,
+                ratio,
+                self.least_clearance,
+            )
     }
 
     /// Takes note of σ and clearance at one instant.
