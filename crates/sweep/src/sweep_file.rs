@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use touchdown_dynamics::scene::{Scene, Settings};
 
 use crate::axes::{Axis, Grid};
-use crate::boundary::Search;
+use crate::boundary::{Extent, Search};
 use crate::document::Document;
 use crate::found::Found;
 use crate::input_error::InputError;
@@ -14,9 +14,23 @@ use crate::section::Section;
 use crate::settings_input;
 use crate::vehicle_file::VehicleFile;
 
-const SWEEP: [&str; 6] = ["title", "vehicle", "scene", "axes", "search", "solver"];
+const SWEEP: [&str; 7] = [
+    "title",
+    "statement",
+    "vehicle",
+    "scene",
+    "axes",
+    "search",
+    "solver",
+];
 const RANGE: [&str; 3] = ["from", "to", "step"];
-const SEARCH: [&str; 4] = ["from_fps", "to_fps", "scan_step_fps", "tolerance_fps"];
+const SEARCH: [&str; 5] = [
+    "from_fps",
+    "to_fps",
+    "scan_step_fps",
+    "tolerance_fps",
+    "bands",
+];
 /// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
 const LEAST_BRACKET: f64 = 1e-9;
 /// Most landings in one scan.
@@ -29,6 +43,8 @@ pub struct Sweep<const LEGS: usize> {
     pub path: PathBuf,
     /// What the sweep is about, in the words of its file.
     pub title: String,
+    /// What was said before of what the sweep shows, for its picture to stand against.
+    pub statement: Option<String>,
     /// The vehicle.
     pub vehicle: VehicleFile<LEGS>,
     /// Conditions that do not vary.
@@ -50,6 +66,10 @@ impl<const LEGS: usize> Sweep<LEGS> {
         let document = Document::read(path)?;
         let root = Section::root(&document, &SWEEP)?;
         let title = root.text("title")?.to_owned();
+        let statement = match root.optional("statement") {
+            Some(found) => Some(found.text()?.to_owned()),
+            None => None,
+        };
         let vehicle = vehicle(&root, path)?;
         let scene = scene(&root)?;
         let axes = axes(&root, &scene)?;
@@ -64,6 +84,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         Ok(Self {
             path: path.to_owned(),
             title,
+            statement,
             vehicle,
             fixed,
             grid,
@@ -181,6 +202,7 @@ fn search(section: &Section) -> Result<Search, InputError> {
         to: section.number("to_fps")?,
         scan_step: section.number("scan_step_fps")?,
         tolerance: section.number("tolerance_fps")?,
+        extent: extent(section)?,
     };
     let width = search.to - search.from;
     let step = search.scan_step;
@@ -214,6 +236,17 @@ fn search(section: &Section) -> Result<Search, InputError> {
         }
     }
     Ok(search)
+}
+
+fn extent(section: &Section) -> Result<Extent, InputError> {
+    let Some(found) = section.optional("bands") else {
+        return Ok(Extent::default());
+    };
+    match found.text()? {
+        "first" => Ok(Extent::First),
+        "all" => Ok(Extent::All),
+        _ => Err(found.complain("\"first\" or \"all\"")),
+    }
 }
 
 /// Checks the fixed conditions with every value of every axis, and returns the fixed ones.

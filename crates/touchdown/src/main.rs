@@ -8,11 +8,14 @@ mod cases;
 mod failure;
 mod interrupt;
 mod land;
+mod overrides;
+mod overview;
 mod progress;
 mod report;
 mod say;
 mod summary;
 mod sweep;
+mod sweep_files;
 mod touchdown_options;
 
 use std::process::ExitCode;
