@@ -1,9 +1,11 @@
 //! Where a band narrower than the scan step may hide between two stable landings.
 //!
 //! A vehicle that topples in a narrow band of speeds comes close to toppling on both sides of it:
-//! the least stability angle falls toward the band from below and from above. Where it does, and
-//! straight lines through the landings on either side meet at or below zero, the interval is
-//! searched for the least angle itself.
+//! the least stability angle σ falls toward the band from below and from above. The vehicle turns
+//! back where its energy is spent, and near the tipping point that energy falls short of toppling by
+//! an amount proportional to σ²: it is σ² that runs straight to zero where toppling begins. Where
+//! straight lines through the landings on either side of an interval meet at or below zero in it,
+//! the interval is searched for the least angle itself.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -34,10 +36,11 @@ pub(crate) fn suspects(samples: &[Sample]) -> Vec<usize> {
 }
 
 fn coordinates(sample: &Sample) -> [f64; 2] {
-    [sample.speed, sample.trial.least_angle]
+    let angle = sample.trial.least_angle;
+    [sample.speed, angle * angle]
 }
 
-/// Angle at which the line through the two landings below an interval meets the line through the
+/// Squared angle at which the line through the two landings below an interval meets the line through the
 /// two above it; `None` unless the angle falls from below and rises to above.
 fn predicted_least([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Option<f64> {
     let slope = |[x, y]: [f64; 2], [u, v]: [f64; 2]| (v - y) / (u - x);
@@ -116,7 +119,7 @@ mod tests {
             suspects(&samples)
         };
         assert_eq!(scan(|v| (v - 3.5).abs() - 0.2), [3]);
-        assert_eq!(scan(|v| (v - 3.5).abs() + 0.2), [] as [usize; 0]);
+        assert_eq!(scan(|v| (v - 3.5).abs() + 2.0), [] as [usize; 0]);
         assert_eq!(scan(|v| 9.0 - v), [] as [usize; 0]);
     }
 

@@ -25,6 +25,7 @@ pub mod landing_table;
 pub mod results;
 pub mod run;
 pub mod scene_input;
+mod search_input;
 pub mod section;
 pub mod settings_input;
 pub mod sweep_file;

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use touchdown_dynamics::scene::{Scene, Settings};
 
 use crate::axes::{Axis, Grid};
-use crate::boundary::{Extent, Search};
+use crate::boundary::Search;
 use crate::document::Document;
 use crate::found::Found;
 use crate::input_error::InputError;
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
-use crate::settings_input;
 use crate::vehicle_file::VehicleFile;
+use crate::{search_input, settings_input};
 
 const SWEEP: [&str; 7] = [
     "title",
@@ -24,18 +24,6 @@ const SWEEP: [&str; 7] = [
     "solver",
 ];
 const RANGE: [&str; 3] = ["from", "to", "step"];
-const SEARCH: [&str; 5] = [
-    "from_fps",
-    "to_fps",
-    "scan_step_fps",
-    "tolerance_fps",
-    "bands",
-];
-/// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
-const LEAST_BRACKET: f64 = 1e-9;
-/// Most landings in one scan.
-const LONGEST_SCAN: f64 = 1e6;
-
 /// Everything that determines the result of a sweep.
 #[derive(Debug, Clone)]
 pub struct Sweep<const LEGS: usize> {
@@ -73,7 +61,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         let vehicle = vehicle(&root, path)?;
         let scene = scene(&root)?;
         let axes = axes(&root, &scene)?;
-        let search = search(&root.section("search", &SEARCH)?)?;
+        let search = search_input::search(&root)?;
         let settings = settings_input::settings(&root)?;
         let fixed = check_scenes(&scene, &axes, search.from)?;
         let values = axes.into_iter().map(|(axis, _)| axis).collect();
@@ -194,59 +182,6 @@ fn axis(name: &str, found: &Found) -> Result<Axis, InputError> {
         Some(found) => found.complain(&format!("{allowed} (from {from} to {to} by {step})")),
         None => range.missing(key, allowed),
     })
-}
-
-fn search(section: &Section) -> Result<Search, InputError> {
-    let search = Search {
-        from: section.number("from_fps")?,
-        to: section.number("to_fps")?,
-        scan_step: section.number("scan_step_fps")?,
-        tolerance: section.number("tolerance_fps")?,
-        extent: extent(section)?,
-    };
-    let width = search.to - search.from;
-    let step = search.scan_step;
-    let checks = [
-        ("from_fps", search.from >= 0.0, "a number ≥ 0".to_owned()),
-        (
-            "from_fps",
-            width > 0.0,
-            format!("a number below to_fps = {}", search.to),
-        ),
-        ("scan_step_fps", step > 0.0, "a number > 0".to_owned()),
-        (
-            "scan_step_fps",
-            step <= width,
-            format!("at most to_fps - from_fps = {width}"),
-        ),
-        (
-            "scan_step_fps",
-            width / step <= LONGEST_SCAN,
-            format!("at most {LONGEST_SCAN} steps"),
-        ),
-        (
-            "tolerance_fps",
-            (LEAST_BRACKET..=step).contains(&search.tolerance),
-            format!("{LEAST_BRACKET:e} ≤ value ≤ scan_step_fps = {step}"),
-        ),
-    ];
-    for (key, holds, allowed) in checks {
-        if !holds {
-            return Err(section.value(key, &allowed)?.complain(&allowed));
-        }
-    }
-    Ok(search)
-}
-
-fn extent(section: &Section) -> Result<Extent, InputError> {
-    let Some(found) = section.optional("bands") else {
-        return Ok(Extent::default());
-    };
-    match found.text()? {
-        "first" => Ok(Extent::First),
-        "all" => Ok(Extent::All),
-        _ => Err(found.complain("\"first\" or \"all\"")),
-    }
 }
 
 /// Checks the fixed conditions with every value of every axis, and returns the fixed ones.

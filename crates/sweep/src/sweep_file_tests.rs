@@ -1,4 +1,5 @@
 use super::*;
+use crate::boundary::Extent;
 use std::fs;
 
 const FIGURE: &str = include_str!("../../../sweeps/figure-4-09.toml");

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use touchdown_figures::boundary_profile;
+use touchdown_figures::picture;
 use touchdown_sweep::bands_table;
 use touchdown_sweep::boundary::{Boundary, Extent};
 use touchdown_sweep::deposit::Folder;
@@ -13,12 +13,11 @@ use touchdown_sweep::results::{self, Circumstances};
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::sweep_file::Sweep;
 
-use crate::caption::caption;
 use crate::failure::Failure;
 use crate::overrides::Overrides;
 use crate::progress::Progress;
 use crate::say::say;
-use crate::{LEGS, interrupt, overview, summary, sweep_files};
+use crate::{LEGS, interrupt, overview, plot, summary, sweep_files};
 
 const EXAMPLE: &str = "\
 Example:
@@ -104,7 +103,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// The result files of a sweep: table, record, and for one axis a picture.
+/// The result files of a sweep: tables, record and pictures.
 fn results(
     sweep: &Sweep<LEGS>,
     boundaries: &[Boundary],
@@ -112,17 +111,20 @@ fn results(
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let stem = sweep.stem();
     let table = results::table(sweep, boundaries).map_err(Failure::running)?;
-    let mut files = Vec::new();
-    if sweep.search.extent == Extent::All {
-        let bands = bands_table::table(sweep, boundaries).map_err(Failure::running)?;
-        files.push((format!("{stem}-bands.csv"), bands));
-    }
-    if sweep.grid.axes().len() == 1 {
-        let text = String::from_utf8_lossy(&table);
-        let picture = boundary_profile::draw(&text, &caption(sweep)).map_err(Failure::running)?;
-        files.push((format!("{stem}.svg"), picture.into_bytes()));
-    }
+    let bands = match sweep.search.extent {
+        Extent::First => None,
+        Extent::All => Some(bands_table::table(sweep, boundaries).map_err(Failure::running)?),
+    };
     let record = format!("{:#}\n", results::record(sweep, boundaries, circumstances));
+    let pictures = picture::draw(
+        &String::from_utf8_lossy(&table),
+        bands.as_deref().map(String::from_utf8_lossy).as_deref(),
+        Some(&record),
+    )
+    .map_err(Failure::running)?;
+
+    let mut files = plot::both(&stem, &pictures)?;
+    files.extend(bands.map(|bands| (format!("{stem}-bands.csv"), bands)));
     files.push((format!("{stem}.json"), record.into_bytes()));
     // The table comes last: where it stands, the others do too.
     files.push((format!("{stem}.csv"), table));

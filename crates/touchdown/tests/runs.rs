@@ -49,7 +49,7 @@ fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
         assert!(done.out.contains("landings/s"), "{}", done.out);
         assert_eq!(
             bench.list(threads),
-            ["sweep.csv", "sweep.json", "sweep.svg"]
+            ["sweep.csv", "sweep.json", "sweep.png", "sweep.svg"]
         );
     }
     assert_eq!(bench.read("1/sweep.csv"), bench.read("2/sweep.csv"));
@@ -142,7 +142,7 @@ fn options_hold_instead_of_what_the_sweep_file_says() {
 }
 
 #[test]
-fn two_axes_have_a_table_but_no_picture_and_quiet_is_quiet() {
+fn a_single_row_has_a_table_but_no_picture_and_quiet_is_quiet() {
     let bench = Bench::new();
     let two = common::SWEEP
         .replace("slope_deg = 15\n", "")
