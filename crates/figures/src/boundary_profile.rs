@@ -1,15 +1,18 @@
 //! The stability profile: first transition velocity against one touchdown condition.
 
-use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::axis_title::axis_title;
-use crate::boundary_table::{BoundaryTable, Kind, Transition};
+use crate::bands_table::BandsTable;
+use crate::boundary_table::{BoundaryTable, Kind};
+use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::ink;
 use crate::legend::{Mark, draw_legend, draw_mark};
+use crate::shading;
+use crate::sheet::{self, Sheet, label};
 use crate::stations::{self, Station};
 
 /// Width and height of the picture, pixels.
@@ -18,38 +21,30 @@ pub const SIZE: (u32, u32) = (900, 560);
 /// More points than this would touch each other at the common size of marks.
 const CROWD: usize = 70;
 
-/// What the result table does not tell.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Caption {
-    /// Title of the picture.
-    pub title: String,
-    /// Fixed conditions, in a smaller second line.
-    pub conditions: String,
-    /// Highest speed searched, ft/s, if known: the upper end of the picture.
-    pub searched_to: Option<f64>,
-}
-
 type Frame = Cartesian2d<RangedCoordf64, RangedCoordf64>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Frame>;
-type Sheet<'b> = DrawingArea<SVGBackend<'b>, Shift>;
 
-/// Draws the profile of a sweep over one axis as SVG.
+/// Draws the profile of a sweep over one axis as SVG, its regions from the table of `bands` where
+/// there is one.
 ///
 /// # Errors
 /// When the table is not one of a sweep over one axis.
-pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
-    let table = BoundaryTable::parse(csv)?;
+pub fn draw(
+    table: &BoundaryTable,
+    bands: Option<&BandsTable>,
+    caption: &Caption,
+) -> Result<String, FigureError> {
     let [axis] = table.axes.as_slice() else {
         let axes = table.axes.join(", ");
         return Err(FigureError::Table(format!(
             "a profile has one axis, not {axes}"
         )));
     };
-    let stations = stations::along(&table);
+    let stations = stations::along(table, bands);
     let mut svg = String::new();
     let sheet = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
     draw_sheet(sheet, axis, &stations, caption)?;
-    Ok(svg)
+    Ok(sheet::with_subscripts(&svg))
 }
 
 fn draw_sheet(
@@ -58,27 +53,10 @@ fn draw_sheet(
     stations: &[Station],
     caption: &Caption,
 ) -> Result<(), FigureError> {
-    sheet.fill(&WHITE).map_err(drawing)?;
-    let (head, rest) = sheet.split_vertically(64);
-    let (body, foot) = rest.split_vertically(SIZE.1 - 64 - 34);
-    draw_head(&head, caption)?;
+    let (body, foot) = sheet::parts(&sheet, SIZE, caption)?;
     draw_body(&body, axis, stations, caption.searched_to)?;
     draw_legend(&foot, &legend(stations, caption.searched_to))?;
     sheet.present().map_err(drawing)
-}
-
-fn draw_head(head: &Sheet, caption: &Caption) -> Result<(), FigureError> {
-    let middle = SIZE.0 as i32 / 2;
-    let centred = Pos::new(HPos::Center, VPos::Center);
-    let lines = [
-        (&caption.title, 26, ink::text(18, ink::TEXT)),
-        (&caption.conditions, 50, ink::text(12, ink::PALE_TEXT)),
-    ];
-    for (text, y, style) in lines {
-        head.draw(&Text::new(text.clone(), (middle, y), style.pos(centred)))
-            .map_err(drawing)?;
-    }
-    Ok(())
 }
 
 fn draw_body(
@@ -118,47 +96,11 @@ fn draw_body(
     draw_words(body, &chart, stations, (low, high))
 }
 
-/// A number of an axis, with a true minus sign.
-fn label(number: f64) -> String {
-    let rounded = (number * 1e6).round() / 1e6 + 0.0;
-    rounded.to_string().replace('-', "\u{2212}")
-}
-
-/// Shades what lies above the transitions, each half of a segment in the colour of its own point.
+/// Shades the regions in which landings are not stable.
 fn shade(chart: &mut Chart, stations: &[Station], high: f64) -> Result<(), FigureError> {
-    for (start, end, from, to) in stations::segments(stations) {
-        let middle = [0.5 * (start.x + end.x), 0.5 * (from.speed + to.speed)];
-        let halves = if from.kind == to.kind {
-            vec![(from.kind, [start.x, from.speed], [end.x, to.speed])]
-        } else {
-            vec![
-                (from.kind, [start.x, from.speed], middle),
-                (to.kind, middle, [end.x, to.speed]),
-            ]
-        };
-        for (kind, [x0, y0], [x1, y1]) in halves {
-            let corners = [(x0, y0), (x1, y1), (x1, high), (x0, high)];
-            let region = Polygon::new(corners, ink::region(kind).filled());
-            chart.draw_series([region]).map_err(drawing)?;
-        }
-    }
-    // A transition between points without one has no region, but what begins there must show.
-    for (index, station) in stations.iter().enumerate() {
-        let neighbours = [index.wrapping_sub(1), index + 1];
-        let has = |at: usize| {
-            stations
-                .get(at)
-                .is_some_and(|near| near.transition.is_some())
-        };
-        if let Some(Transition { kind, speed, .. }) = station.transition
-            && !neighbours.into_iter().any(has)
-        {
-            let line = vec![(station.x, speed), (station.x, high)];
-            let style = ink::region(kind).stroke_width(4);
-            chart
-                .draw_series([PathElement::new(line, style)])
-                .map_err(drawing)?;
-        }
+    for region in shading::regions(stations, high) {
+        let shape = Polygon::new(region.corners, ink::region(region.kind).filled());
+        chart.draw_series([shape]).map_err(drawing)?;
     }
     Ok(())
 }
@@ -222,8 +164,8 @@ fn draw_words(
             .map_err(drawing)
     };
     for kind in [Kind::Unstable, Kind::Bottomed, Kind::Failure] {
-        if let Some((x, speed)) = stations::broadest(stations, kind) {
-            write(ink::word(kind), x, 0.5 * (speed + high), ink::mark(kind))?;
+        if let Some((x, speed)) = stations::broadest(stations, kind, high) {
+            write(ink::word(kind), x, speed, ink::mark(kind))?;
         }
     }
     let (first, last) = (stations.first(), stations.last());

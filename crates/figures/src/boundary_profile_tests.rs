@@ -9,10 +9,15 @@ roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_f
 20,none,,,,101,1
 ";
 
+fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
+    super::draw(&BoundaryTable::parse(csv)?, None, caption)
+}
+
 fn caption() -> Caption {
     Caption {
         title: "V_H <versus> roll".to_owned(),
         conditions: "14 ft/s".to_owned(),
+        statement: Some("1966: rises".to_owned()),
         searched_to: Some(25.0),
     }
 }
@@ -41,6 +46,29 @@ fn marks_stand_where_the_table_says() {
     };
     // Roll 0 stands in the middle of the plot, which lies between 76 and 872 pixels.
     assert!((across(circles[1]) - 474.0).abs() <= 2.0, "{}", circles[1]);
+}
+
+#[test]
+fn regions_come_from_the_bands_where_they_are_known() {
+    let bands = "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps\n\
+                 -10,1,0,12,stable,0.001\n-10,2,12,16,unstable,0.001\n-10,3,16,25,stable,\n\
+                 0,1,0,11.5,stable,0.001\n0,2,11.5,16,unstable,0.001\n0,3,16,25,stable,\n";
+    let table = BoundaryTable::parse(TABLE).unwrap();
+    let bands = BandsTable::parse(bands).unwrap();
+    let shaded = |svg: &str| -> Vec<String> {
+        let colour = "fill=\"#CEDFF0\"";
+        let lines = svg.lines().filter(|line| line.starts_with("<polygon"));
+        lines
+            .filter(|line| line.contains(colour))
+            .map(str::to_owned)
+            .collect()
+    };
+    let with = super::draw(&table, Some(&bands), &caption()).unwrap();
+    let without = draw(TABLE, &caption()).unwrap();
+    assert!(with.contains("1966: rises"));
+    assert_ne!(shaded(&with), shaded(&without));
+    // From -10 to 0 one region, and halves toward the neighbours without bands.
+    assert_eq!(shaded(&with).len(), 3, "{:?}", shaded(&with));
 }
 
 #[test]

@@ -20,6 +20,18 @@ pub enum Kind {
     Failure,
 }
 
+impl Kind {
+    /// The kind that a word of a result table stands for.
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "unstable" => Some(Self::Unstable),
+            "bottomed" => Some(Self::Bottomed),
+            "failure" => Some(Self::Failure),
+            _ => None,
+        }
+    }
+}
+
 /// A transition, ft/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transition {
@@ -115,10 +127,8 @@ impl Row<'_> {
     ) -> Result<Option<Transition>, FigureError> {
         let kind = match &self.record[kind] {
             "none" => return Ok(None),
-            "unstable" => Kind::Unstable,
-            "bottomed" => Kind::Bottomed,
-            "failure" => Kind::Failure,
-            _ => return Err(self.complain(kind, "unstable, bottomed, failure or none")),
+            name => Kind::from_name(name)
+                .ok_or_else(|| self.complain(kind, "unstable, bottomed, failure or none"))?,
         };
         Ok(Some(Transition {
             kind,

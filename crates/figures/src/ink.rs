@@ -11,10 +11,20 @@ pub const TYPEFACE: &str = "Helvetica, Arial, DejaVu Sans, sans-serif";
 pub const TEXT: RGBColor = RGBColor(38, 38, 38);
 /// Second lines and remarks.
 pub const PALE_TEXT: RGBColor = RGBColor(96, 96, 96);
+/// What was said before.
+pub const STATEMENT: RGBColor = RGBColor(120, 70, 20);
 /// Grid lines.
 pub const GRID: RGBColor = RGBColor(226, 226, 226);
 /// The line that joins transitions.
 pub const LINE: RGBColor = RGBColor(60, 60, 60);
+/// Cells that the boundary jumps across, and the bars that say so.
+pub const TORN: RGBColor = RGBColor(236, 226, 232);
+/// Bars where the boundary jumps.
+pub const JUMP: RGBColor = RGBColor(190, 30, 100);
+/// Where the velocity bisects the leading feet.
+pub const BISECTOR: RGBColor = RGBColor(0, 0, 0);
+/// The lowest transition of each row of a map.
+pub const VALLEY: RGBColor = RGBColor(230, 90, 0);
 /// Marks of points without a transition.
 pub const NONE: RGBColor = RGBColor(0, 130, 100);
 /// Half the breadth of a mark, pixels.
@@ -34,8 +44,8 @@ pub fn mark(kind: Kind) -> RGBColor {
 /// Colour of the region above a kind of transition.
 pub fn region(kind: Kind) -> RGBColor {
     match kind {
-        Kind::Unstable => RGBColor(223, 234, 245),
-        Kind::Bottomed => RGBColor(251, 229, 212),
+        Kind::Unstable => RGBColor(206, 223, 240),
+        Kind::Bottomed => RGBColor(248, 214, 186),
         Kind::Failure => RGBColor(240, 224, 236),
     }
 }

@@ -14,6 +14,12 @@ pub enum Mark {
     Transition(Kind),
     /// No transition: an open triangle.
     NoTransition,
+    /// Lowest transition of a row of a map: a disc.
+    Valley,
+    /// Velocity that bisects the leading feet: dashes.
+    Bisector,
+    /// The boundary jumps: a bar.
+    Jump,
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -49,13 +55,25 @@ pub fn draw_mark(
                 .map_err(drawing)?;
             area.draw(&PathElement::new(outline, ink::NONE.stroke_width(1)))
         }
+        Mark::Valley => area.draw(&Circle::new(centre, side - 1, ink::VALLEY.filled())),
+        Mark::Bisector => {
+            let dash = [(x - 2 * side, y), (x - 2, y)];
+            area.draw(&PathElement::new(dash, ink::BISECTOR.stroke_width(2)))
+                .map_err(drawing)?;
+            let dash = [(x + 2, y), (x + side + 2, y)];
+            area.draw(&PathElement::new(dash, ink::BISECTOR.stroke_width(2)))
+        }
+        Mark::Jump => {
+            let bar = [(x, y - side - 1), (x, y + side + 1)];
+            area.draw(&PathElement::new(bar, ink::JUMP.stroke_width(3)))
+        }
     }
     .map_err(drawing)
 }
 
 /// Width of a text of the legend, pixels: there is no font to measure it with.
 fn width(text: &str) -> i32 {
-    (text.chars().count() as f64 * 6.6) as i32
+    (text.chars().count() as f64 * 7.0) as i32
 }
 
 /// Draws marks with their meanings in one centred line.

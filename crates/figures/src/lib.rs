@@ -3,9 +3,24 @@
 //! The same table gives the same picture, byte for byte.
 
 pub mod axis_title;
+pub mod bands_table;
 pub mod boundary_profile;
 pub mod boundary_table;
+pub mod caption;
+mod colour_bar;
+pub mod contour_map;
 pub mod figure_error;
 mod ink;
+mod isolines;
+mod leading_feet;
 mod legend;
+mod levels;
+pub mod map_view;
+pub mod perspective;
+pub mod picture;
+pub mod png;
+mod shading;
+mod sheet;
 mod stations;
+pub mod surface;
+mod view_point;

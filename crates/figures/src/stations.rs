@@ -1,18 +1,22 @@
 //! The points of a profile along its axis: their extent, neighbours and runs.
 
+use crate::bands_table::{Band, BandsTable};
 use crate::boundary_table::{BoundaryTable, Kind, Transition};
+use crate::shading;
 
 /// A point of the profile.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Station {
     /// Value of the axis.
     pub x: f64,
     /// What the sweep found there.
     pub transition: Option<Transition>,
+    /// All bands there, if they are known.
+    pub bands: Vec<Band>,
 }
 
 /// The points of a table with one axis, from left to right.
-pub fn along(table: &BoundaryTable) -> Vec<Station> {
+pub fn along(table: &BoundaryTable, bands: Option<&BandsTable>) -> Vec<Station> {
     let mut stations: Vec<Station> = table
         .points
         .iter()
@@ -20,6 +24,7 @@ pub fn along(table: &BoundaryTable) -> Vec<Station> {
             Some(Station {
                 x: *point.coordinates.first()?,
                 transition: point.transition,
+                bands: bands.map_or(Vec::new(), |bands| bands.at(&point.coordinates).to_vec()),
             })
         })
         .collect();
@@ -62,21 +67,31 @@ pub fn vertical_range(stations: &[Station], searched_to: Option<f64>) -> (f64, f
 /// Neighbours that both have a transition: only between them is there a line to draw.
 pub fn segments(
     stations: &[Station],
-) -> impl Iterator<Item = (Station, Station, Transition, Transition)> {
+) -> impl Iterator<Item = (&Station, &Station, Transition, Transition)> {
     stations
         .windows(2)
-        .filter_map(|pair| Some((pair[0], pair[1], pair[0].transition?, pair[1].transition?)))
+        .filter_map(|pair| Some((&pair[0], &pair[1], pair[0].transition?, pair[1].transition?)))
 }
 
-/// Middle of the longest run of neighbours with this transition, and the speed there.
-pub fn broadest(stations: &[Station], kind: Kind) -> Option<(f64, f64)> {
-    let same = |station: &Station| station.transition.is_some_and(|found| found.kind == kind);
-    let run = stations
-        .chunk_by(|a, b| same(a) == same(b))
-        .filter(|run| same(&run[0]) && run.len() > 2)
-        .max_by(|a, b| (a[a.len() - 1].x - a[0].x).total_cmp(&(b[b.len() - 1].x - b[0].x)))?;
-    let middle = run[run.len() / 2];
-    Some((middle.x, middle.transition?.speed))
+/// Middle of the tallest region of a kind that is broad enough for a word, and its height there.
+pub fn broadest(stations: &[Station], kind: Kind, high: f64) -> Option<(f64, f64)> {
+    let regions = shading::regions(stations, high);
+    // Regions side by side make one: the widest run of them that touch.
+    let same: Vec<_> = regions
+        .iter()
+        .filter(|region| region.kind == kind)
+        .collect();
+    let runs = same.chunk_by(|a, b| a.corners[1] == b.corners[0] || a.corners[2] == b.corners[3]);
+    let width = |run: &&[&shading::Region]| {
+        let (first, last) = (run.first(), run.last());
+        last.map_or(0.0, |region| region.corners[1].0)
+            - first.map_or(0.0, |region| region.corners[0].0)
+    };
+    let run = runs
+        .filter(|run| run.len() > 1)
+        .max_by(|a, b| width(a).total_cmp(&width(b)))?;
+    let [(x0, a), (x1, b), (_, c), (_, d)] = run[run.len() / 2].corners;
+    Some((0.5 * (x0 + x1), 0.25 * (a + b + c + d)))
 }
 
 #[cfg(test)]
@@ -89,7 +104,11 @@ mod tests {
             speed,
             bracket: [speed, speed],
         });
-        Station { x, transition }
+        Station {
+            x,
+            transition,
+            bands: Vec::new(),
+        }
     }
 
     #[test]
@@ -112,8 +131,8 @@ mod tests {
     #[test]
     fn broadest_run_has_at_least_three_points() {
         let run: Vec<Station> = (0..5).map(|i| station(i as f64, Some(12.0))).collect();
-        assert_eq!(broadest(&run, Kind::Unstable), Some((2.0, 12.0)));
-        assert_eq!(broadest(&run[..2], Kind::Unstable), None);
-        assert_eq!(broadest(&run, Kind::Bottomed), None);
+        assert_eq!(broadest(&run, Kind::Unstable, 20.0), Some((2.5, 16.0)));
+        assert_eq!(broadest(&run[..2], Kind::Unstable, 20.0), None);
+        assert_eq!(broadest(&run, Kind::Bottomed, 20.0), None);
     }
 }

@@ -4,7 +4,9 @@
 //! bisection over the whole range could then settle on any of the changes, so the range is
 //! scanned upward in steps first and only the step in which the outcome changes is bisected.
 
-use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::outcome::{Class, Outcome};
+
+use crate::bands::Band;
 
 /// Where to search, ft/s, and how closely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,13 +19,27 @@ pub struct Search {
     pub scan_step: f64,
     /// Greatest width of the final bracket, ft/s.
     pub tolerance: f64,
+    /// How much of the range is searched.
+    pub extent: Extent,
+}
+
+/// How much of the range of speeds a search goes through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Extent {
+    /// Up to the first transition.
+    #[default]
+    First,
+    /// All of it: every band between transitions.
+    All,
 }
 
 /// What one landing told.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
     /// How it ended.
-    pub class: Class,
+    pub outcome: Outcome,
+    /// Least stability angle on the way, rad.
+    pub least_angle: f64,
     /// Evaluations of the equations of motion that it took.
     pub evaluations: u64,
 }
@@ -48,10 +64,16 @@ impl Transition {
 }
 
 /// What a search found, and what it cost.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Boundary {
     /// The first transition, if there is one in the range.
     pub transition: Option<Transition>,
+    /// All bands of the range from below; none when only the first transition was asked for.
+    pub bands: Vec<Band>,
+    /// Intervals between equal outcomes that were looked into for a hidden band.
+    pub looks: u64,
+    /// How many of them held one.
+    pub finds: u64,
     /// Landings computed.
     pub landings: u64,
     /// Evaluations of the equations of motion in all of them.
@@ -75,6 +97,21 @@ impl Search {
         self.scan_count() + halvings as u64
     }
 
+    /// Searches as much of the range as [`Search::extent`] says with `land`, which lands at a given
+    /// horizontal speed.
+    ///
+    /// # Errors
+    /// Only what `land` gives up with, at once.
+    pub fn boundary<Stop>(
+        &self,
+        land: impl FnMut(f64) -> Result<Trial, Stop>,
+    ) -> Result<Boundary, Stop> {
+        match self.extent {
+            Extent::First => self.first_transition(land),
+            Extent::All => self.all_bands(land),
+        }
+    }
+
     /// Searches the first transition with `land`, which lands at a given horizontal speed.
     ///
     /// # Errors
@@ -83,16 +120,12 @@ impl Search {
         &self,
         mut land: impl FnMut(f64) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let mut boundary = Boundary {
-            transition: None,
-            landings: 0,
-            evaluations: 0,
-        };
+        let mut boundary = Boundary::default();
         let mut count = |speed| {
             let trial = land(speed)?;
             boundary.landings += 1;
             boundary.evaluations += trial.evaluations;
-            Ok(trial.class)
+            Ok(trial.outcome.class())
         };
         let mut low = self.from;
         for index in 0..self.scan_count() {
@@ -136,6 +169,25 @@ fn refine<Stop>(
 }
 
 #[cfg(test)]
+impl Trial {
+    /// A landing that ended in a class somehow.
+    pub(crate) fn example(class: Class, evaluations: u64) -> Self {
+        use touchdown_dynamics::outcome::Failure;
+        let outcome = match class {
+            Class::Stable => Outcome::StableSubsided,
+            Class::Unstable => Outcome::UnstablePitch,
+            Class::Bottomed => Outcome::Bottomed { leg: 0 },
+            Class::Failure => Outcome::Failure(Failure::StepLimit),
+        };
+        Self {
+            outcome,
+            least_angle: 0.5,
+            evaluations,
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use std::convert::Infallible;
@@ -145,15 +197,12 @@ mod tests {
         to: 25.0,
         scan_step: 0.25,
         tolerance: 0.001,
+        extent: Extent::First,
     };
 
     fn find(search: Search, class: impl Fn(f64) -> Class) -> Boundary {
-        let found: Result<_, Infallible> = search.first_transition(|speed| {
-            Ok(Trial {
-                class: class(speed),
-                evaluations: 10,
-            })
-        });
+        let found: Result<_, Infallible> =
+            search.first_transition(|speed| Ok(Trial::example(class(speed), 10)));
         match found {
             Ok(boundary) => boundary,
         }
@@ -236,10 +285,7 @@ mod tests {
             if landings > 3 {
                 Err("stop")
             } else {
-                Ok(Trial {
-                    class: Class::Stable,
-                    evaluations: 1,
-                })
+                Ok(Trial::example(Class::Stable, 1))
             }
         });
         assert_eq!((stopped, landings), (Err("stop"), 4));

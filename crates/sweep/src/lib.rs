@@ -3,25 +3,29 @@
 //! | step | modules |
 //! |---|---|
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
-//! | find where the lander begins to topple | [`boundary`] |
+//! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
 //! | do so on every core | [`run`] |
-//! | tell | [`results`], [`history`], [`landing_table`], [`deposit`] |
+//! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
 //! Nothing here prints: progress goes to a [`run::Observer`], complaints are
 //! [`input_error::InputError`]s.
 
 pub mod axes;
+pub mod bands;
+pub mod bands_table;
 pub mod boundary;
 pub mod cases;
 pub mod deposit;
 pub mod document;
 pub mod found;
+pub mod hidden;
 pub mod history;
 pub mod input_error;
 pub mod landing_table;
 pub mod results;
 pub mod run;
 pub mod scene_input;
+mod search_input;
 pub mod section;
 pub mod settings_input;
 pub mod sweep_file;

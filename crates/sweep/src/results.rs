@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::outcome::Class;
 
-use crate::boundary::Boundary;
+use crate::boundary::{Boundary, Extent};
 use crate::document::{Entry, Value as Read};
 use crate::settings_input::crush_rule_name;
 use crate::sweep_file::Sweep;
@@ -95,6 +95,7 @@ pub fn record<const LEGS: usize>(
         .collect();
     json!({
         "title": sweep.title,
+        "statement": sweep.statement,
         "program": { "name": "touchdown", "version": circumstances.version },
         "input": {
             "sweep_file": sweep.path.display().to_string(),
@@ -107,6 +108,7 @@ pub fn record<const LEGS: usize>(
                 "to_fps": sweep.search.to,
                 "scan_step_fps": sweep.search.scan_step,
                 "tolerance_fps": sweep.search.tolerance,
+                "bands": extent_name(sweep.search.extent),
             },
             "solver": {
                 "tolerance": sweep.settings.tolerance(),
@@ -122,10 +124,21 @@ pub fn record<const LEGS: usize>(
                 .collect::<Map<String, Value>>(),
             "landings": boundaries.iter().map(|b| b.landings).sum::<u64>(),
             "derivative_evaluations": boundaries.iter().map(|b| b.evaluations).sum::<u64>(),
+            "bands": boundaries.iter().map(|b| b.bands.len()).sum::<usize>(),
+            "looks_for_hidden_bands": boundaries.iter().map(|b| b.looks).sum::<u64>(),
+            "hidden_bands_found": boundaries.iter().map(|b| b.finds).sum::<u64>(),
         },
         "threads": circumstances.threads,
         "wall_time_s": circumstances.wall_time,
     })
+}
+
+/// Word of an extent in sweep files.
+fn extent_name(extent: Extent) -> &'static str {
+    match extent {
+        Extent::First => "first",
+        Extent::All => "all",
+    }
 }
 
 /// Number of points for each kind of first transition that occurs, `none` last.
@@ -173,11 +186,12 @@ mod tests {
             transition: Some(Transition { to, low, high }),
             landings: 50,
             evaluations: 1000,
+            ..Boundary::default()
         };
         let none = Boundary {
-            transition: None,
             landings: 101,
             evaluations: 2000,
+            ..Boundary::default()
         };
         let boundaries = vec![
             at(Class::Unstable, 11.25, 11.5),

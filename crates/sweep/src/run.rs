@@ -79,7 +79,7 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Searches the first transition at every point of a sweep, in grid order.
+    /// Searches the boundary at every point of a sweep, in grid order.
     ///
     /// # Errors
     /// When `cancel` became true; it is looked at before every landing.
@@ -147,7 +147,7 @@ fn search_point<const LEGS: usize>(
     cancel: &AtomicBool,
 ) -> Result<Boundary, RunError> {
     let scene = sweep.scene(point).map_err(RunError::Scene)?;
-    sweep.search.first_transition(|speed| {
+    sweep.search.boundary(|speed| {
         go_on(cancel)?;
         let faster = scene.with_horizontal_velocity(speed).map_err(|invalid| {
             RunError::Scene(SceneFault {
@@ -159,7 +159,8 @@ fn search_point<const LEGS: usize>(
         let landing = land(&sweep.vehicle.vehicle, &faster, &sweep.settings);
         observer.landing();
         Ok(Trial {
-            class: landing.outcome.class(),
+            least_angle: landing.min_stability_angle,
+            outcome: landing.outcome,
             evaluations: landing.evaluations,
         })
     })

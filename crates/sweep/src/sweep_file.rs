@@ -11,17 +11,19 @@ use crate::found::Found;
 use crate::input_error::InputError;
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
-use crate::settings_input;
 use crate::vehicle_file::VehicleFile;
+use crate::{search_input, settings_input};
 
-const SWEEP: [&str; 6] = ["title", "vehicle", "scene", "axes", "search", "solver"];
+const SWEEP: [&str; 7] = [
+    "title",
+    "statement",
+    "vehicle",
+    "scene",
+    "axes",
+    "search",
+    "solver",
+];
 const RANGE: [&str; 3] = ["from", "to", "step"];
-const SEARCH: [&str; 4] = ["from_fps", "to_fps", "scan_step_fps", "tolerance_fps"];
-/// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
-const LEAST_BRACKET: f64 = 1e-9;
-/// Most landings in one scan.
-const LONGEST_SCAN: f64 = 1e6;
-
 /// Everything that determines the result of a sweep.
 #[derive(Debug, Clone)]
 pub struct Sweep<const LEGS: usize> {
@@ -29,6 +31,8 @@ pub struct Sweep<const LEGS: usize> {
     pub path: PathBuf,
     /// What the sweep is about, in the words of its file.
     pub title: String,
+    /// What was said before of what the sweep shows, for its picture to stand against.
+    pub statement: Option<String>,
     /// The vehicle.
     pub vehicle: VehicleFile<LEGS>,
     /// Conditions that do not vary.
@@ -50,10 +54,14 @@ impl<const LEGS: usize> Sweep<LEGS> {
         let document = Document::read(path)?;
         let root = Section::root(&document, &SWEEP)?;
         let title = root.text("title")?.to_owned();
+        let statement = match root.optional("statement") {
+            Some(found) => Some(found.text()?.to_owned()),
+            None => None,
+        };
         let vehicle = vehicle(&root, path)?;
         let scene = scene(&root)?;
         let axes = axes(&root, &scene)?;
-        let search = search(&root.section("search", &SEARCH)?)?;
+        let search = search_input::search(&root)?;
         let settings = settings_input::settings(&root)?;
         let fixed = check_scenes(&scene, &axes, search.from)?;
         let values = axes.into_iter().map(|(axis, _)| axis).collect();
@@ -64,6 +72,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         Ok(Self {
             path: path.to_owned(),
             title,
+            statement,
             vehicle,
             fixed,
             grid,
@@ -173,47 +182,6 @@ fn axis(name: &str, found: &Found) -> Result<Axis, InputError> {
         Some(found) => found.complain(&format!("{allowed} (from {from} to {to} by {step})")),
         None => range.missing(key, allowed),
     })
-}
-
-fn search(section: &Section) -> Result<Search, InputError> {
-    let search = Search {
-        from: section.number("from_fps")?,
-        to: section.number("to_fps")?,
-        scan_step: section.number("scan_step_fps")?,
-        tolerance: section.number("tolerance_fps")?,
-    };
-    let width = search.to - search.from;
-    let step = search.scan_step;
-    let checks = [
-        ("from_fps", search.from >= 0.0, "a number ≥ 0".to_owned()),
-        (
-            "from_fps",
-            width > 0.0,
-            format!("a number below to_fps = {}", search.to),
-        ),
-        ("scan_step_fps", step > 0.0, "a number > 0".to_owned()),
-        (
-            "scan_step_fps",
-            step <= width,
-            format!("at most to_fps - from_fps = {width}"),
-        ),
-        (
-            "scan_step_fps",
-            width / step <= LONGEST_SCAN,
-            format!("at most {LONGEST_SCAN} steps"),
-        ),
-        (
-            "tolerance_fps",
-            (LEAST_BRACKET..=step).contains(&search.tolerance),
-            format!("{LEAST_BRACKET:e} ≤ value ≤ scan_step_fps = {step}"),
-        ),
-    ];
-    for (key, holds, allowed) in checks {
-        if !holds {
-            return Err(section.value(key, &allowed)?.complain(&allowed));
-        }
-    }
-    Ok(search)
 }
 
 /// Checks the fixed conditions with every value of every axis, and returns the fixed ones.

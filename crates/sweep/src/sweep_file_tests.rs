@@ -1,4 +1,5 @@
 use super::*;
+use crate::boundary::Extent;
 use std::fs;
 
 const FIGURE: &str = include_str!("../../../sweeps/figure-4-09.toml");
@@ -55,7 +56,7 @@ fn tip_form_is_an_axis_like_any_other() {
     );
     let complaint = read(&mixed).unwrap_err().to_string();
     assert!(
-        complaint.contains(":14: axes.roll_deg = { from = -60, to = 60, step = 5 }: -60 is"),
+        complaint.contains(":15: axes.roll_deg = { from = -60, to = 60, step = 5 }: -60 is"),
         "{complaint}"
     );
     assert!(complaint.contains("not both"), "{complaint}");
@@ -66,38 +67,38 @@ const WRONG: [(&str, &str, &[&str]); 15] = [
     (
         "slope_deg = 15",
         "slope_rad = 0.26",
-        &[":8: scene.slope_rad = 0.26", "mean slope_deg?"],
+        &[":9: scene.slope_rad = 0.26", "mean slope_deg?"],
     ),
     ("friction = 1.0", "", &["scene.friction is missing", "≥ 0"]),
     (
         "slope_deg = 15",
         "slope_deg = 90",
-        &[":8: scene.slope_deg = 90", "< 90"],
+        &[":9: scene.slope_deg = 90", "< 90"],
     ),
     (
         "friction = 1.0",
         "friction = -1",
-        &[":9: scene.friction = -1", "≥ 0"],
+        &[":10: scene.friction = -1", "≥ 0"],
     ),
     (
         "friction = 1.0",
         "friction = true",
-        &[":9: scene.friction = true", "a number"],
+        &[":10: scene.friction = true", "a number"],
     ),
     (
         "step = 5",
         "step = -5",
-        &[":12: axes.roll_deg.step = -5", "sign of to - from"],
+        &[":13: axes.roll_deg.step = -5", "sign of to - from"],
     ),
     (
         "from = -60",
         "from = 60",
-        &[":12: axes.roll_deg.from = 60", "other than to"],
+        &[":13: axes.roll_deg.from = 60", "other than to"],
     ),
     (
         "roll_deg = {",
         "roll = {",
-        &[":12: axes.roll", "mean roll_deg?"],
+        &[":13: axes.roll", "mean roll_deg?"],
     ),
     (
         "roll_deg = { from = -60, to = 60, step = 5 }",
@@ -107,12 +108,12 @@ const WRONG: [(&str, &str, &[&str]); 15] = [
     (
         "roll_deg = { from = -60, to = 60, step = 5 }",
         "",
-        &[":11: axes", "at least one"],
+        &[":12: axes", "at least one"],
     ),
     (
         "roll_deg = {",
         "cross_slope_deg = {",
-        &[":12: axes.cross_slope_deg", "[scene]"],
+        &[":13: axes.cross_slope_deg", "[scene]"],
     ),
     (
         "roll_deg = {",
@@ -122,7 +123,7 @@ const WRONG: [(&str, &str, &[&str]); 15] = [
     (
         "from_fps = 0",
         "from_fps = 25",
-        &[":15: search.from_fps = 25", "below to_fps = 25"],
+        &[":16: search.from_fps = 25", "below to_fps = 25"],
     ),
     (
         "tolerance_fps = 0.001",
@@ -146,6 +147,28 @@ fn complaints_name_line_key_value_and_what_is_allowed() {
             assert!(complaint.contains(fragment), "{wrong}: {complaint}");
         }
     }
+}
+
+#[test]
+fn extent_and_statement_are_read_and_may_be_left_out() {
+    let sweep = read(FIGURE).unwrap();
+    assert_eq!(sweep.search.extent, Extent::All);
+    assert!(sweep.statement.unwrap().starts_with("1966: between 11"));
+    let (head, tail) = FIGURE.split_once("statement").unwrap();
+    let text = format!("{head}{}", tail.split_once('\n').unwrap().1);
+    let text = text.replace("bands = \"all\"", "");
+    let sweep = read(&text).unwrap();
+    assert_eq!(
+        (sweep.search.extent, sweep.statement),
+        (Extent::First, None)
+    );
+    let complaint = read(&FIGURE.replace("\"all\"", "\"some\"")).unwrap_err();
+    assert!(
+        complaint
+            .to_string()
+            .contains("search.bands = \"some\": allowed is \"first\" or \"all\""),
+        "{complaint}"
+    );
 }
 
 #[test]

@@ -100,7 +100,7 @@ pub struct Options {
     pub quiet: bool,
 }
 
-fn rule(name: &str) -> Result<CrushRule, String> {
+pub fn rule(name: &str) -> Result<CrushRule, String> {
     crush_rule(name).ok_or_else(|| "allowed is pivot-rate or section".to_owned())
 }
 

@@ -3,16 +3,19 @@
 //! The program `touchdown`: one landing, a table of landings, or a sweep for the speed at which
 //! the lander begins to topple.
 
-mod caption;
 mod cases;
 mod failure;
 mod interrupt;
 mod land;
+mod overrides;
+mod overview;
+mod plot;
 mod progress;
 mod report;
 mod say;
 mod summary;
 mod sweep;
+mod sweep_files;
 mod touchdown_options;
 
 use std::process::ExitCode;
@@ -41,12 +44,15 @@ enum Command {
     Land(Box<land::Options>),
     /// Search the horizontal velocity at which landings cease to be stable, over a grid
     Sweep(sweep::Options),
+    /// Draw the pictures of result tables anew
+    Plot(plot::Options),
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Land(options) => land::run(&options),
         Command::Sweep(options) => sweep::run(&options),
+        Command::Plot(options) => plot::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use touchdown_dynamics::landing::Landing;
-use touchdown_sweep::boundary::Boundary;
+use touchdown_sweep::boundary::{Boundary, Extent, Transition};
 use touchdown_sweep::results::{Circumstances, count_by_kind};
 use touchdown_sweep::sweep_file::Sweep;
 
@@ -48,37 +48,49 @@ pub fn sweep<const LEGS: usize>(
         "  {} points, first transition to: {kinds}\n",
         boundaries.len()
     );
-    let lowest = boundaries
-        .iter()
-        .enumerate()
-        .filter_map(|(point, boundary)| Some((point, boundary.transition?)))
-        .min_by(|(_, a), (_, b)| a.speed().total_cmp(&b.speed()));
-    if let Some((point, transition)) = lowest {
-        let coordinates = sweep.grid.coordinates(point);
-        let place: Vec<String> = sweep
-            .grid
-            .axes()
-            .iter()
-            .zip(coordinates)
-            .map(|(axis, value)| format!("{} = {value}", axis.name()))
-            .collect();
+    if let Some((transition, place)) = lowest(sweep, boundaries) {
         let (speed, kind) = (transition.speed(), transition.to);
-        text += &format!(
-            "  lowest V_H {speed:.4} ft/s ({kind}) at {}\n",
-            place.join(", ")
-        );
+        text += &format!("  lowest V_H {speed:.4} ft/s ({kind}) at {place}\n");
     }
     let landings = boundaries.iter().map(|boundary| boundary.landings).sum();
     let evaluations = boundaries.iter().map(|boundary| boundary.evaluations).sum();
     let Circumstances {
         threads, wall_time, ..
     } = circumstances;
+    let looks: u64 = boundaries.iter().map(|boundary| boundary.looks).sum();
+    if sweep.search.extent == Extent::All {
+        let bands: usize = boundaries.iter().map(|boundary| boundary.bands.len()).sum();
+        let finds: u64 = boundaries.iter().map(|boundary| boundary.finds).sum();
+        text += &format!("  {bands} bands; {looks} looks for hidden ones found {finds}\n");
+    }
     text += &format!("  {}", cost(landings, evaluations, wall_time, threads));
     text += &format!("  {}", written(files));
     text
 }
 
-fn counted(kinds: &[(String, usize)]) -> String {
+/// The lowest first transition of a sweep and its coordinates in words.
+pub fn lowest<const LEGS: usize>(
+    sweep: &Sweep<LEGS>,
+    boundaries: &[Boundary],
+) -> Option<(Transition, String)> {
+    let (point, transition) = boundaries
+        .iter()
+        .enumerate()
+        .filter_map(|(point, boundary)| Some((point, boundary.transition?)))
+        .min_by(|(_, a), (_, b)| a.speed().total_cmp(&b.speed()))?;
+    let coordinates = sweep.grid.coordinates(point);
+    let place: Vec<String> = sweep
+        .grid
+        .axes()
+        .iter()
+        .zip(coordinates)
+        .map(|(axis, value)| format!("{} = {value}", axis.name()))
+        .collect();
+    Some((transition, place.join(", ")))
+}
+
+/// Numbers of each kind, in words.
+pub fn counted(kinds: &[(String, usize)]) -> String {
     let parts: Vec<String> = kinds
         .iter()
         .map(|(kind, count)| format!("{count} {kind}"))

@@ -9,7 +9,7 @@ use common::{Bench, SURVEYOR, SWEEP};
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
 #[rustfmt::skip]
-const SWEEPS: [(&str, &str, &[&str]); 26] = [
+const SWEEPS: [(&str, &str, &[&str]); 28] = [
     // Unknown, missing and misplaced keys, and wrong units.
     ("friction = 1.0", "frction = 1.0", &["sweep.toml:7: scene.frction = 1.0", "did you mean friction?"]),
     ("slope_deg = 15", "slope_rad = 0.26", &["sweep.toml:6: scene.slope_rad = 0.26", "did you mean slope_deg?"]),
@@ -36,6 +36,8 @@ const SWEEPS: [(&str, &str, &[&str]); 26] = [
     ("roll_deg = { from = -10, to = 10, step = 10 }", "", &["sweep.toml:8: axes", "at least one"]),
     ("from_fps = 10", "from_fps = 12.5", &["sweep.toml:11: search.from_fps = 12.5", "below to_fps"]),
     ("scan_step_fps = 1.25", "scan_step_fps = 0", &["sweep.toml:13: search.scan_step_fps = 0", "> 0"]),
+    ("tolerance_fps = 0.1", "tolerance_fps = 0.1\nbands = \"both\"", &["sweep.toml:15: search.bands = \"both\"", "\"first\" or \"all\""]),
+    ("tolerance_fps = 0.1", "tolerance_fps = 0.1\nbands = 2", &["sweep.toml:15: search.bands = 2", "a text"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 2", &["sweep.toml:14: search.tolerance_fps = 2", "≤ scan_step_fps"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\ntolerance = 1", &["sweep.toml:16: solver.tolerance = 1", "1e-12 ≤ value ≤ 1e-2"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\ncrush_rule = \"soft\"", &["sweep.toml:16: solver.crush_rule = \"soft\"", "\"section\""]),
@@ -94,6 +96,15 @@ fn one_bad_file_among_several_stops_all_before_the_first_landing() {
     bench
         .run(&["sweep", "none.toml"])
         .refused(&["none.toml: cannot be read"]);
+}
+
+#[test]
+fn a_folder_without_sweep_files_is_refused() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("empty")).unwrap();
+    bench
+        .run(&["sweep", "empty"])
+        .refused(&["empty: has no sweep files", "*.toml"]);
 }
 
 #[test]

@@ -49,7 +49,7 @@ fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
         assert!(done.out.contains("landings/s"), "{}", done.out);
         assert_eq!(
             bench.list(threads),
-            ["sweep.csv", "sweep.json", "sweep.svg"]
+            ["sweep.csv", "sweep.json", "sweep.png", "sweep.svg"]
         );
     }
     assert_eq!(bench.read("1/sweep.csv"), bench.read("2/sweep.csv"));
@@ -71,7 +71,78 @@ fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
 }
 
 #[test]
-fn two_axes_have_a_table_but_no_picture_and_quiet_is_quiet() {
+fn a_folder_is_swept_file_by_file_with_bands_and_an_overview() {
+    let bench = Bench::new();
+    std::fs::create_dir_all(bench.path("studies/vehicles")).unwrap();
+    let all = common::SWEEP
+        .replace("\"surveyor.toml\"", "\"../surveyor.toml\"")
+        .replace(
+            "tolerance_fps = 0.1",
+            "tolerance_fps = 0.1\nbands = \"all\"",
+        );
+    bench.write("studies/b.toml", &all);
+    bench.write(
+        "studies/a.toml",
+        &all.replace("cross_slope_deg = 180", "cross_slope_deg = 80"),
+    );
+    bench.write("studies/vehicles/none.toml", "");
+    let done = bench.run(&["sweep", "studies"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let lines: Vec<&str> = done.out.lines().collect();
+    assert!(
+        lines[0].starts_with("sweep  points  first transition to"),
+        "{}",
+        done.out
+    );
+    assert!(
+        lines[1].starts_with("a ") && lines[2].starts_with("b "),
+        "{}",
+        done.out
+    );
+    assert!(
+        lines[2].contains("3 unstable") && lines[2].contains("roll_deg = "),
+        "{}",
+        done.out
+    );
+    let bands = bench.read("results/b-bands.csv");
+    let rows: Vec<&str> = bands.lines().collect();
+    assert_eq!(
+        rows[0],
+        "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind"
+    );
+    assert!(rows[1].starts_with("-10,1,10,11."), "{bands}");
+    assert!(rows[2].starts_with("-10,2,11.") && rows[2].contains(",12.5,unstable,,unstable-"));
+
+    let first = bench.run(&["sweep", "studies", "--bands", "first", "--out", "first"]);
+    assert_eq!(first.code, Some(0), "{}", first.err);
+    assert!(!bench.list("first").contains(&"b-bands.csv".to_owned()));
+    let transitions = |table: String| -> Vec<String> {
+        let short = |row: &str| row.splitn(6, ',').take(5).collect::<Vec<_>>().join(",");
+        table.lines().map(short).collect()
+    };
+    assert_eq!(
+        transitions(bench.read("first/b.csv")),
+        transitions(bench.read("results/b.csv"))
+    );
+}
+
+#[test]
+fn options_hold_instead_of_what_the_sweep_file_says() {
+    let bench = Bench::new();
+    bench.write(
+        "light.toml",
+        &common::SURVEYOR.replace("mass_slug = 20", "mass_slug = 19"),
+    );
+    let changed = ["--vehicle", "light.toml", "--crush-rule", "section"];
+    let done = bench.run(&[&["sweep", "sweep.toml"], &changed[..]].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let record = bench.read("results/sweep.json");
+    assert!(record.contains("\"crush_rule\": \"section\""));
+    assert!(record.contains("\"mass_slug\": 19.0"));
+}
+
+#[test]
+fn a_single_row_has_a_table_but_no_picture_and_quiet_is_quiet() {
     let bench = Bench::new();
     let two = common::SWEEP
         .replace("slope_deg = 15\n", "")

@@ -1,0 +1,115 @@
+//! Tables of bands, read back: at each point the ranges of speed in which landings end alike.
+
+use crate::boundary_table::Kind;
+use crate::figure_error::FigureError;
+
+/// Columns that follow the axes.
+const COLUMNS: [&str; 4] = ["band", "from_fps", "to_fps", "outcome"];
+
+/// A range of speeds at a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band {
+    /// Lower end, ft/s.
+    pub from: f64,
+    /// Upper end, ft/s.
+    pub to: f64,
+    /// How landings end in it; `None` where they are stable.
+    pub kind: Option<Kind>,
+}
+
+/// The bands of every point, in the order of the table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BandsTable {
+    /// Coordinates of each point, and its bands from below.
+    pub points: Vec<(Vec<f64>, Vec<Band>)>,
+}
+
+impl BandsTable {
+    /// Reads a table of bands.
+    ///
+    /// # Errors
+    /// Names the row and column of what is not as the sweep writes it.
+    pub fn parse(csv: &str) -> Result<Self, FigureError> {
+        let broken = |error: csv::Error| FigureError::Table(format!("bands: {error}"));
+        let mut reader = csv::Reader::from_reader(csv.as_bytes());
+        let heading = reader.headers().map_err(broken)?.clone();
+        let mut columns = [0; COLUMNS.len()];
+        for (column, name) in columns.iter_mut().zip(COLUMNS) {
+            let position = heading.iter().position(|known| known == name);
+            *column = position
+                .ok_or_else(|| FigureError::Table(format!("bands: column {name} is missing")))?;
+        }
+        let [first, from, to, outcome] = columns;
+        let mut points: Vec<(Vec<f64>, Vec<Band>)> = Vec::new();
+        for (index, record) in reader.records().enumerate() {
+            let record = record.map_err(broken)?;
+            let complain = |column: usize, allowed: &str| {
+                let (row, name, value) = (index + 1, &heading[column], &record[column]);
+                FigureError::Table(format!(
+                    "bands: row {row}: {name} = {value}: allowed is {allowed}"
+                ))
+            };
+            let number = |column: usize| match record[column].parse::<f64>() {
+                Ok(number) if number.is_finite() => Ok(number),
+                _ => Err(complain(column, "a finite number")),
+            };
+            let kind =
+                match &record[outcome] {
+                    "stable" => None,
+                    name => Some(Kind::from_name(name).ok_or_else(|| {
+                        complain(outcome, "stable, unstable, bottomed or failure")
+                    })?),
+                };
+            let band = Band {
+                from: number(from)?,
+                to: number(to)?,
+                kind,
+            };
+            let coordinates = (0..first).map(number).collect::<Result<Vec<_>, _>>()?;
+            // A point's first band is number 1, wherever the table stands.
+            match points.last_mut() {
+                Some((last, bands)) if *last == coordinates && number(first)? > 1.0 => {
+                    bands.push(band);
+                }
+                _ => points.push((coordinates, vec![band])),
+            }
+        }
+        Ok(Self { points })
+    }
+
+    /// The bands at a point; none when the table lacks it.
+    pub fn at(&self, coordinates: &[f64]) -> &[Band] {
+        self.points
+            .iter()
+            .find(|(place, _)| place == coordinates)
+            .map_or(&[], |(_, bands)| bands)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TABLE: &str = "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind\n\
+                         0,1,0,11.4,stable,0.001,stable-rockback\n\
+                         0,2,11.4,25,unstable,,unstable-pitch\n\
+                         5,1,0,25,stable,,stable-subsided\n";
+
+    #[test]
+    fn bands_are_gathered_by_point() {
+        let table = BandsTable::parse(TABLE).unwrap();
+        assert_eq!(table.points.len(), 2);
+        let bands = table.at(&[0.0]);
+        assert_eq!(bands[1].kind, Some(Kind::Unstable));
+        assert_eq!((bands[1].from, bands[1].to), (11.4, 25.0));
+        assert!(table.at(&[1.0]).is_empty());
+    }
+
+    #[test]
+    fn complaints_name_row_and_column() {
+        let complaint = |text: &str| BandsTable::parse(text).unwrap_err().to_string();
+        assert!(complaint("a,b\n").contains("bands: column band is missing"));
+        let odd = TABLE.replace(",unstable,", ",odd,");
+        assert!(complaint(&odd).contains("bands: row 2: outcome = odd"));
+    }
+}

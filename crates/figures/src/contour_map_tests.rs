@@ -1,0 +1,46 @@
+use super::*;
+use crate::surface::tests::example;
+
+fn map() -> String {
+    let surface = example();
+    draw(&surface, &View::of(&surface), &Caption::default()).unwrap()
+}
+
+#[test]
+fn lines_carry_their_level_and_gaps_their_marks() {
+    let svg = map();
+    assert!(svg.starts_with("<svg width=\"900\" height=\"860\""));
+    for level in ["12", "12.5", "13"] {
+        assert!(svg.contains(&format!("\n{level}\n")), "{level}");
+    }
+    // One point without a transition, and the legend's mark: white triangles.
+    let triangles = svg
+        .lines()
+        .filter(|line| line.starts_with("<polygon") && line.contains("#FFFFFF"));
+    assert_eq!(triangles.count(), 2);
+    // Two bars where the boundary jumps, and the legend's.
+    assert_eq!(svg.matches("stroke=\"#BE1E64\"").count(), 3);
+    assert_eq!(svg, map());
+}
+
+#[test]
+fn the_valley_is_marked_where_the_table_has_it() {
+    let svg = map();
+    let discs: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.contains("fill=\"#E65A00\""))
+        .collect();
+    assert_eq!(discs.len(), 4);
+    let number = |line: &str, key: &str| -> f64 {
+        let rest = line.split(key).nth(1).unwrap_or("");
+        rest.split('"')
+            .next()
+            .unwrap_or("")
+            .parse()
+            .unwrap_or(f64::NAN)
+    };
+    // Rolls run from 30 on the left to -30 on the right: 80 deg at -30 lies far right and on top.
+    let [first, last] = [discs[0], discs[2]];
+    assert!(number(first, "cx=\"") > number(last, "cx=\"") + 300.0);
+    assert!(number(first, "cy=\"") < number(last, "cy=\"") - 300.0);
+}

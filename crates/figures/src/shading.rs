@@ -1,0 +1,161 @@
+//! Which regions of a profile are shaded: from all bands where they are known, or else from the
+//! first transition upward.
+
+use crate::bands_table::Band;
+use crate::boundary_table::Kind;
+use crate::stations::Station;
+
+/// A region, its corners in the units of the axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Region {
+    /// What happens in it.
+    pub kind: Kind,
+    /// Its four corners.
+    pub corners: [(f64, f64); 4],
+}
+
+/// All regions of a profile up to the speed `high`.
+///
+/// Between neighbours with the same sequence of outcomes a region's borders are straight lines;
+/// where the sequences differ nobody knows the border, and each point's bands hold half-way.
+pub fn regions(stations: &[Station], high: f64) -> Vec<Region> {
+    let columns: Vec<(f64, Vec<Band>)> = stations
+        .iter()
+        .map(|station| (station.x, bands(station, high)))
+        .collect();
+    let mut regions = Vec::new();
+    for pair in columns.windows(2) {
+        let [(x0, left), (x1, right)] = [&pair[0], &pair[1]];
+        let alike =
+            left.len() == right.len() && left.iter().zip(right).all(|(a, b)| a.kind == b.kind);
+        if alike {
+            let joined = left.iter().zip(right);
+            regions.extend(joined.filter_map(|(a, b)| quadrilateral(*x0, a, *x1, b)));
+        } else {
+            let middle = 0.5 * (x0 + x1);
+            let (left_end, right_end) = meeting(left, right);
+            let halves = |x0: f64, a: &[Band], x1: f64, b: &[Band]| -> Vec<Region> {
+                let pairs = a.iter().zip(b);
+                pairs
+                    .filter_map(|(a, b)| quadrilateral(x0, a, x1, b))
+                    .collect()
+            };
+            regions.extend(halves(*x0, left, middle, &left_end));
+            regions.extend(halves(middle, &right_end, *x1, right));
+        }
+    }
+    regions
+}
+
+/// The bands of two unlike neighbours where they meet: as they are, but for the first transition,
+/// which is known to run from one to the other where it is of the same kind.
+fn meeting(left: &[Band], right: &[Band]) -> (Vec<Band>, Vec<Band>) {
+    let (mut left, mut right) = (left.to_vec(), right.to_vec());
+    if let ([_, a, ..], [_, b, ..]) = (&mut left[..], &mut right[..])
+        && a.kind.is_some()
+        && a.kind == b.kind
+    {
+        let border = 0.5 * (a.from + b.from);
+        a.from = border.min(a.to);
+        b.from = border.min(b.to);
+    }
+    (left, right)
+}
+
+fn quadrilateral(x0: f64, a: &Band, x1: f64, b: &Band) -> Option<Region> {
+    Some(Region {
+        kind: a.kind?,
+        corners: [(x0, a.from), (x1, b.from), (x1, b.to), (x0, a.to)],
+    })
+}
+
+/// The bands of a station, or what its first transition says of them.
+fn bands(station: &Station, high: f64) -> Vec<Band> {
+    if !station.bands.is_empty() {
+        return station.bands.clone();
+    }
+    let band = |from, to, kind| Band { from, to, kind };
+    match station.transition {
+        None => vec![band(0.0, high, None)],
+        Some(found) => vec![
+            band(0.0, found.speed, None),
+            band(found.speed, high, Some(found.kind)),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary_table::Transition;
+
+    fn station(x: f64, speed: Option<f64>) -> Station {
+        let transition = speed.map(|speed| Transition {
+            kind: Kind::Unstable,
+            speed,
+            bracket: [speed, speed],
+        });
+        Station {
+            x,
+            transition,
+            bands: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn like_neighbours_are_joined_and_unlike_ones_meet_half_way() {
+        let stations = [
+            station(0.0, Some(11.0)),
+            station(1.0, Some(12.0)),
+            station(3.0, None),
+        ];
+        let found = regions(&stations, 25.0);
+        assert_eq!(found.len(), 2);
+        assert_eq!(
+            found[0].corners,
+            [(0.0, 11.0), (1.0, 12.0), (1.0, 25.0), (0.0, 25.0)]
+        );
+        assert_eq!(
+            found[1].corners,
+            [(1.0, 12.0), (2.0, 12.0), (2.0, 25.0), (1.0, 25.0)]
+        );
+    }
+
+    #[test]
+    fn the_first_transition_runs_on_where_only_what_is_above_differs() {
+        let band = |from, to, kind| Band { from, to, kind };
+        let low = |from, to| vec![band(0.0, from, None), band(from, to, Some(Kind::Unstable))];
+        let left = Station {
+            bands: low(11.0, 25.0),
+            ..station(0.0, Some(11.0))
+        };
+        let mut bands = low(12.0, 20.0);
+        bands.push(band(20.0, 25.0, None));
+        let right = Station {
+            bands,
+            ..station(1.0, Some(12.0))
+        };
+        let found = regions(&[left, right], 25.0);
+        assert_eq!(found[0].corners[1], (0.5, 11.5));
+        assert_eq!(found[1].corners[0], (0.5, 11.5));
+    }
+
+    #[test]
+    fn bands_above_the_first_transition_are_regions_too() {
+        let band = |from, to, kind| Band { from, to, kind };
+        let bands = vec![
+            band(0.0, 11.0, None),
+            band(11.0, 16.0, Some(Kind::Unstable)),
+            band(16.0, 20.0, None),
+            band(20.0, 25.0, Some(Kind::Bottomed)),
+        ];
+        let at = |x| Station {
+            bands: bands.clone(),
+            ..station(x, Some(11.0))
+        };
+        let found = regions(&[at(0.0), at(1.0)], 25.0);
+        assert_eq!(found.len(), 2);
+        assert_eq!(found[1].kind, Kind::Bottomed);
+        assert_eq!(found[1].corners[0], (0.0, 20.0));
+    }
+}

@@ -1,0 +1,116 @@
+//! From where a surface is looked at, and where its points come to lie on the sheet.
+
+use crate::surface::Surface;
+
+/// Turn of the eye about the vertical and its height over the horizon, deg.
+const AZIMUTH: f64 = 32.0;
+const ELEVATION: f64 = 34.0;
+/// Height of the box relative to its sides.
+const HEIGHT: f64 = 0.62;
+
+/// A parallel projection of a box whose sides are the axes of a surface and the speed.
+#[derive(Debug, Clone, Copy)]
+pub struct ViewPoint {
+    /// Lowest value and extent of slow axis, fast axis and speed.
+    origin: [f64; 3],
+    extent: [f64; 3],
+    /// Pixels of a side of the box, and of its middle.
+    scale: f64,
+    middle: [f64; 2],
+}
+
+impl ViewPoint {
+    /// The view of a surface between two `heights` that fits a sheet of a size in pixels.
+    pub fn on((width, height): (u32, u32), surface: &Surface, heights: [f64; 2]) -> Self {
+        let ends = |values: &[f64]| (values[0], values[values.len() - 1] - values[0]);
+        let ((s, ds), (f, df)) = (ends(&surface.slow), ends(&surface.fast));
+        let (width, height) = (f64::from(width), f64::from(height));
+        Self {
+            origin: [s, f, heights[0]],
+            extent: [ds, df, heights[1] - heights[0]],
+            scale: (width / 1.62).min(height / 1.38),
+            middle: [0.5 * width, 0.5 * height],
+        }
+    }
+
+    /// Place in the box, each coordinate from −1/2 to 1/2. The slow axis runs from far to near and
+    /// the fast one from right to left, as on the map.
+    fn place(&self, slow: f64, fast: f64, speed: f64) -> [f64; 3] {
+        let part = |axis: usize, value: f64| (value - self.origin[axis]) / self.extent[axis] - 0.5;
+        [-part(1, fast), -part(0, slow), HEIGHT * part(2, speed)]
+    }
+
+    fn turned([right, far, up]: [f64; 3]) -> [f64; 3] {
+        let (sin, cos) = AZIMUTH.to_radians().sin_cos();
+        [cos * right + sin * far, cos * far - sin * right, up]
+    }
+
+    /// Distance from the eye along the ground, for what lies at twice these coordinates on average.
+    pub fn depth(&self, twice_slow: f64, twice_fast: f64) -> f64 {
+        Self::turned(self.place(0.5 * twice_slow, 0.5 * twice_fast, self.origin[2]))[1]
+    }
+
+    /// Where a point is drawn, pixels.
+    pub fn pixel(&self, slow: f64, fast: f64, speed: f64) -> (i32, i32) {
+        self.project(self.place(slow, fast, speed))
+    }
+
+    /// Where something is written outside of the box: moved away from its middle along the slow and
+    /// fast sides by parts of them.
+    pub fn outside(
+        &self,
+        slow: f64,
+        fast: f64,
+        speed: f64,
+        [by_slow, by_fast]: [f64; 2],
+    ) -> (i32, i32) {
+        let [right, far, up] = self.place(slow, fast, speed);
+        let away = |part: f64, by: f64| part + by * if part < 0.0 { -1.0 } else { 1.0 };
+        self.project([away(right, by_fast), away(far, by_slow), up])
+    }
+
+    fn project(&self, place: [f64; 3]) -> (i32, i32) {
+        let [right, far, up] = Self::turned(place);
+        let (sin, cos) = ELEVATION.to_radians().sin_cos();
+        let x = self.middle[0] + self.scale * right;
+        let y = self.middle[1] - self.scale * (sin * far + cos * up);
+        (x.round() as i32, y.round() as i32)
+    }
+
+    /// Of the two ends of each axis the one at the back and the one in front.
+    pub fn back_and_front(&self, slow: [f64; 2], fast: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+        let order = |ends: [f64; 2], depth: &dyn Fn(f64) -> f64| {
+            if depth(ends[0]) > depth(ends[1]) {
+                ends
+            } else {
+                [ends[1], ends[0]]
+            }
+        };
+        (
+            order(slow, &|end| self.depth(2.0 * end, fast[0] + fast[1])),
+            order(fast, &|end| self.depth(slow[0] + slow[1], 2.0 * end)),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::tests::example;
+
+    #[test]
+    fn higher_is_drawn_higher_and_the_box_lies_on_the_sheet() {
+        let point = ViewPoint::on((800, 600), &example(), [10.0, 22.0]);
+        let (x, low) = point.pixel(130.0, 0.0, 11.0);
+        let (same, high) = point.pixel(130.0, 0.0, 20.0);
+        assert!(x == same && high < low);
+        for slow in [80.0, 180.0] {
+            for fast in [-30.0, 30.0] {
+                for speed in [10.0, 22.0] {
+                    let (x, y) = point.pixel(slow, fast, speed);
+                    assert!((0..800).contains(&x) && (0..600).contains(&y), "{x} {y}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+use super::*;
+use crate::boundary::Extent;
+use std::convert::Infallible;
+
+const SEARCH: Search = Search {
+    from: 0.0,
+    to: 25.0,
+    scan_step: 0.25,
+    tolerance: 0.001,
+    extent: Extent::All,
+};
+
+fn survey(class: impl Fn(f64) -> Class) -> Boundary {
+    let Ok(found) = SEARCH.boundary(|speed| Ok::<_, Infallible>(Trial::example(class(speed), 10)));
+    found
+}
+
+fn re_entrant(v: f64) -> Class {
+    match v {
+        v if v < 12.1 => Class::Stable,
+        v if v < 16.3 => Class::Unstable,
+        v if v < 20.0 => Class::Stable,
+        _ => Class::Bottomed,
+    }
+}
+
+#[test]
+fn bands_cover_the_range_without_gaps() {
+    let found = survey(re_entrant);
+    let classes: Vec<Class> = found.bands.iter().map(|band| band.class).collect();
+    assert_eq!(
+        classes,
+        [
+            Class::Stable,
+            Class::Unstable,
+            Class::Stable,
+            Class::Bottomed
+        ]
+    );
+    assert_eq!((found.bands[0].from, found.bands[3].to), (0.0, 25.0));
+    for (pair, at) in found.bands.windows(2).zip([12.1, 16.3, 20.0]) {
+        assert_eq!(pair[0].to, pair[1].from);
+        assert!((pair[0].to - at).abs() <= 0.0005, "{pair:?}");
+        assert!(pair[0].bracket_width.unwrap() <= 0.001);
+    }
+    assert_eq!(found.bands[3].bracket_width, None);
+    assert_eq!(found.bands[1].outcome, Outcome::UnstablePitch);
+    assert_eq!(found.landings, 101 + 3 * 8);
+}
+
+#[test]
+fn first_transition_is_the_same_in_both_extents() {
+    let first = Search {
+        extent: Extent::First,
+        ..SEARCH
+    };
+    let Ok(alone) =
+        first.boundary(|speed| Ok::<_, Infallible>(Trial::example(re_entrant(speed), 10)));
+    assert_eq!(survey(re_entrant).transition, alone.transition);
+    assert!(alone.bands.is_empty());
+}
+
+#[test]
+fn a_third_class_inside_a_bracket_is_a_band_of_its_own() {
+    let found = survey(|v| match v {
+        v if v < 12.1 => Class::Stable,
+        v if v < 12.2 => Class::Bottomed,
+        _ => Class::Unstable,
+    });
+    assert_eq!(found.bands.len(), 3);
+    let bottomed = &found.bands[1];
+    assert_eq!(bottomed.class, Class::Bottomed);
+    assert!((bottomed.from - 12.1).abs() <= 0.0005 && (bottomed.to - 12.2).abs() <= 0.0005);
+    assert_eq!(found.transition.unwrap().to, Class::Bottomed);
+}
+
+#[test]
+fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
+    let angle = |v: f64| 0.2 * ((v - 13.1).abs() - 0.02);
+    let Ok(found) = SEARCH.all_bands(|speed| {
+        let class = if angle(speed) > 0.0 {
+            Class::Stable
+        } else {
+            Class::Unstable
+        };
+        Ok::<_, Infallible>(Trial {
+            least_angle: angle(speed).max(0.0),
+            ..Trial::example(class, 1)
+        })
+    });
+    assert_eq!((found.looks, found.finds), (1, 1));
+    let band = &found.bands[1];
+    assert!((band.from - 13.08).abs() <= 0.0005 && (band.to - 13.12).abs() <= 0.0005);
+    assert!((found.transition.unwrap().speed() - 13.08).abs() <= 0.0005);
+}
+
+#[test]
+fn one_class_is_one_band_and_not_stable_at_the_start_a_transition_there() {
+    let found = survey(|_| Class::Failure);
+    assert_eq!(found.bands.len(), 1);
+    assert_eq!((found.bands[0].from, found.bands[0].to), (0.0, 25.0));
+    let transition = found.transition.unwrap();
+    assert_eq!((transition.low, transition.high), (0.0, 0.0));
+    assert_eq!(survey(|_| Class::Stable).transition, None);
+}

@@ -1,0 +1,127 @@
+//! `touchdown plot`: the pictures of result tables, anew.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use touchdown_figures::picture::{self, Picture};
+use touchdown_figures::png;
+use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::input_error::{InputError, Place};
+
+use crate::failure::Failure;
+use crate::say::say;
+
+const EXAMPLES: &str = "\
+Examples:
+  touchdown plot results/figure-4-09.csv
+    writes results/figure-4-09.svg and .png
+
+  touchdown plot results/surface-4-20.csv --out map.png
+    writes map-contours.png and map-perspective.png, as two axes have two pictures
+
+The table of bands (figure-4-09-bands.csv) and the record (figure-4-09.json) are read where they
+stand beside the table: without the one only first transitions are drawn, without the other there
+is no title.";
+
+/// Options of `plot`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Options {
+    /// Result tables of sweeps (CSV)
+    #[arg(required = true, value_name = "FILE.csv")]
+    tables: Vec<PathBuf>,
+    /// The picture, .svg or .png [default: both, beside the table]
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// Forms of picture files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Svg,
+    Png,
+}
+
+/// Runs `plot`.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    if let (Some(out), true) = (&options.out, options.tables.len() > 1) {
+        let complaint = "--out names one picture: allowed is one table with it";
+        return Err(InputError::other(complaint).at(Place::file(out)).into());
+    }
+    for table in &options.tables {
+        let pictures = draw(table)?;
+        let place = options.out.as_deref().unwrap_or(table);
+        let forms = match &options.out {
+            Some(out) => vec![form_of(out)?],
+            None => vec![Form::Svg, Form::Png],
+        };
+        let files = Folder::of(place)?.deposit(&files(&stem(place), &pictures, &forms)?)?;
+        for file in files {
+            say(&format!("{}\n", file.display()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Pictures of a table as SVG and PNG, by name.
+pub fn both(stem: &str, pictures: &[Picture]) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    files(stem, pictures, &[Form::Svg, Form::Png])
+}
+
+fn files(
+    stem: &str,
+    pictures: &[Picture],
+    forms: &[Form],
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let mut files = Vec::new();
+    for Picture { suffix, svg } in pictures {
+        for form in forms {
+            files.push(match form {
+                Form::Svg => (format!("{stem}{suffix}.svg"), svg.clone().into_bytes()),
+                Form::Png => (
+                    format!("{stem}{suffix}.png"),
+                    png::render(svg).map_err(Failure::running)?,
+                ),
+            });
+        }
+    }
+    Ok(files)
+}
+
+fn form_of(out: &Path) -> Result<Form, InputError> {
+    match out.extension().and_then(|ending| ending.to_str()) {
+        Some("svg") => Ok(Form::Svg),
+        Some("png") => Ok(Form::Png),
+        _ => Err(InputError::other(
+            "is no name of a picture: allowed is one that ends in .svg or .png",
+        )
+        .at(Place::file(out))),
+    }
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem()
+        .unwrap_or(path.as_os_str())
+        .to_string_lossy()
+        .into_owned()
+}
+
+fn draw(table: &Path) -> Result<Vec<Picture>, InputError> {
+    let refuse = |complaint: String| InputError::other(complaint).at(Place::file(table));
+    let text =
+        fs::read_to_string(table).map_err(|error| refuse(format!("cannot be read: {error}")))?;
+    let beside = |ending: &str| {
+        let name = format!("{}{ending}", stem(table));
+        fs::read_to_string(table.with_file_name(name)).ok()
+    };
+    let (bands, record) = (beside("-bands.csv"), beside(".json"));
+    let pictures = picture::draw(&text, bands.as_deref(), record.as_deref())
+        .map_err(|error| refuse(error.to_string()))?;
+    if pictures.is_empty() {
+        return Err(refuse(
+            "has no picture: allowed are tables over one axis or a grid of two".to_owned(),
+        ));
+    }
+    Ok(pictures)
+}
