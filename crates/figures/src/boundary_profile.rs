@@ -11,8 +11,9 @@ use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::ink;
 use crate::legend::{Mark, draw_legend, draw_mark};
+use crate::number::label;
 use crate::shading;
-use crate::sheet::{self, Sheet, label};
+use crate::sheet::{self, Sheet};
 use crate::stations::{self, Station};
 
 /// Width and height of the picture, pixels.
