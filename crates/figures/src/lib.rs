@@ -2,6 +2,7 @@
 //!
 //! The same table gives the same picture, byte for byte.
 
+mod axis_range;
 pub mod axis_title;
 pub mod bands_table;
 pub mod boundary_profile;
