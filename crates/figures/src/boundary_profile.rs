@@ -4,6 +4,7 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use crate::axis_range::AxisRange;
 use crate::axis_title::axis_title;
 use crate::bands_table::BandsTable;
 use crate::boundary_table::{BoundaryTable, Kind};
@@ -11,8 +12,9 @@ use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::ink;
 use crate::legend::{Mark, draw_legend, draw_mark};
+use crate::number::label;
 use crate::shading;
-use crate::sheet::{self, Sheet, label};
+use crate::sheet::{self, Sheet};
 use crate::stations::{self, Station};
 
 /// Width and height of the picture, pixels.
@@ -21,7 +23,7 @@ pub const SIZE: (u32, u32) = (900, 560);
 /// More points than this would touch each other at the common size of marks.
 const CROWD: usize = 70;
 
-type Frame = Cartesian2d<RangedCoordf64, RangedCoordf64>;
+type Frame = Cartesian2d<AxisRange, RangedCoordf64>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Frame>;
 
 /// Draws the profile of a sweep over one axis as SVG, its regions from the table of `bands` where
@@ -73,7 +75,7 @@ fn draw_body(
         .margin_left(14)
         .x_label_area_size(52)
         .y_label_area_size(62)
-        .build_cartesian_2d(left..right, low..high)
+        .build_cartesian_2d(AxisRange::of(axis, left, right), low..high)
         .map_err(drawing)?;
     shade(&mut chart, stations, high)?;
     chart

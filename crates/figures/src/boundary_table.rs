@@ -21,6 +21,15 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Its word in result tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Unstable => "unstable",
+            Self::Bottomed => "bottomed",
+            Self::Failure => "failure",
+        }
+    }
+
     /// The kind that a word of a result table stands for.
     pub fn from_name(name: &str) -> Option<Self> {
         match name {

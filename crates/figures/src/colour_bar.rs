@@ -6,7 +6,8 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::figure_error::{FigureError, drawing};
 use crate::ink;
 use crate::levels::{self, LEVELS};
-use crate::sheet::{self, Sheet};
+use crate::number;
+use crate::sheet::Sheet;
 use crate::surface::Surface;
 
 /// Place of the column in its area, pixels.
@@ -39,7 +40,7 @@ pub fn draw(area: &Sheet, surface: &Surface) -> Result<(), FigureError> {
         if band > first {
             let style = ink::text(12, ink::TEXT).pos(beside);
             let place = (LEFT + WIDTH + 6, top + STEP);
-            area.draw(&Text::new(sheet::label(low), place, style))
+            area.draw(&Text::new(number::label(low), place, style))
                 .map_err(drawing)?;
         }
     }

@@ -11,6 +11,7 @@ use crate::isolines::{self, Place};
 use crate::legend::{Mark, draw_legend, draw_mark};
 use crate::levels::{self, LEVELS};
 use crate::map_view::View;
+use crate::number;
 use crate::sheet::{self, Sheet};
 use crate::surface::{Cell, JUMP, Surface};
 use crate::{colour_bar, ink, leading_feet};
@@ -158,7 +159,7 @@ fn draw_isolines(
         let paper = Rectangle::new([(x - 14, y - 8), (x + 14, y + 7)], WHITE.mix(0.85).filled());
         map.draw(&paper).map_err(drawing)?;
         let style = ink::text(11, ink::TEXT).pos(centred);
-        map.draw(&Text::new(sheet::label(level), (x, y), style))
+        map.draw(&Text::new(number::label(level), (x, y), style))
             .map_err(drawing)?;
     }
     Ok(())

@@ -2,6 +2,7 @@
 //!
 //! The same table gives the same picture, byte for byte.
 
+mod axis_range;
 pub mod axis_title;
 pub mod bands_table;
 pub mod boundary_profile;
@@ -12,10 +13,11 @@ pub mod contour_map;
 pub mod figure_error;
 mod ink;
 mod isolines;
-mod leading_feet;
+pub mod leading_feet;
 mod legend;
 mod levels;
 pub mod map_view;
+pub mod number;
 pub mod perspective;
 pub mod picture;
 pub mod png;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::isolines::Place;
-use crate::sheet;
+use crate::number;
 use crate::surface::Surface;
 
 /// Directions of the axes of a map.
@@ -55,16 +55,16 @@ impl View {
 
     /// What is written at a chart coordinate of the fast axis.
     pub fn fast_label(&self, x: f64) -> String {
-        sheet::label(self.written * self.signs[1] * x)
+        number::label(self.written * self.signs[1] * x)
     }
 
     /// What is written at a chart coordinate of the slow axis. Straight downhill has no sign.
     pub fn slow_label(&self, y: f64) -> String {
         let value = self.signs[0] * y;
         if value == 180.0 {
-            return sheet::label(value);
+            return number::label(value);
         }
-        sheet::label(self.written * value)
+        number::label(self.written * value)
     }
 
     /// Whether the line AB belongs on the map.

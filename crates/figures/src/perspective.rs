@@ -7,6 +7,7 @@ use crate::axis_title::axis_title;
 use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::legend::{Mark, draw_legend, draw_mark};
+use crate::number;
 use crate::sheet::{self, Sheet};
 use crate::surface::{Cell, JUMP, Surface};
 use crate::view_point::ViewPoint;
@@ -140,7 +141,7 @@ fn draw_box(
             point.pixel(slow, back_f, top),
         ])?;
         let place = point.outside(slow, front_f, floor, [0.0, 0.05]);
-        write(sheet::label(slow), place, beside, 12)?;
+        write(number::label(slow), place, beside, 12)?;
     }
     for fast in sheet::round_values(f0, f1) {
         line([point.pixel(s0, fast, floor), point.pixel(s1, fast, floor)])?;
@@ -149,7 +150,7 @@ fn draw_box(
             point.pixel(back_s, fast, top),
         ])?;
         let place = point.outside(front_s, fast, floor, [0.05, 0.0]);
-        write(sheet::label(fast), place, beside, 12)?;
+        write(number::label(fast), place, beside, 12)?;
     }
     for rung in 0..=((top - floor) / RUNG).round() as usize {
         let height = floor + RUNG * rung as f64;
@@ -162,7 +163,7 @@ fn draw_box(
             point.pixel(back_s, f1, height),
         ])?;
         let (x, y) = point.pixel(front_s, back_f, height);
-        write(sheet::label(height), (x - 16, y), beside, 12)?;
+        write(number::label(height), (x - 16, y), beside, 12)?;
     }
     let (x, y) = point.pixel(front_s, back_f, top);
     write("V_H, ft/s".to_owned(), (x, y - 18), beside, 13)?;

@@ -69,12 +69,6 @@ pub fn with_subscripts(svg: &str) -> String {
     set + rest
 }
 
-/// A number of an axis, with a true minus sign.
-pub fn label(number: f64) -> String {
-    let rounded = (number * 1e6).round() / 1e6 + 0.0;
-    rounded.to_string().replace('-', "\u{2212}")
-}
-
 /// Round values between two ends, about six of them, the ends included where they are round.
 pub fn round_values(from: f64, to: f64) -> Vec<f64> {
     let rough = (to - from) / 6.0;
@@ -106,6 +100,5 @@ mod tests {
             font-size=\"75%\">H</tspan><tspan dy=\"-3\">,</tspan> V<tspan dy=\"3\" \
             font-size=\"75%\">V</tspan>\n"
         );
-        assert_eq!(label(-0.5), "\u{2212}0.5");
     }
 }

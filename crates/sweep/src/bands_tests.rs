@@ -88,7 +88,8 @@ fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
             ..Trial::example(class, 1)
         })
     });
-    assert_eq!((found.looks, found.finds), (1, 1));
+    assert_eq!(found.finds, 1);
+    assert!(found.looks <= 3, "{}", found.looks);
     let band = &found.bands[1];
     assert!((band.from - 13.08).abs() <= 0.0005 && (band.to - 13.12).abs() <= 0.0005);
     assert!((found.transition.unwrap().speed() - 13.08).abs() <= 0.0005);

@@ -4,13 +4,16 @@
 //! the least stability angle σ falls toward the band from below and from above. The vehicle turns
 //! back where its energy is spent, and near the tipping point that energy falls short of toppling by
 //! an amount proportional to σ²: it is σ² that runs straight to zero where toppling begins. Where
-//! straight lines through the landings on either side of an interval meet at or below zero in it,
-//! the interval is searched for the least angle itself.
+//! lines twice as steep as those through the landings on either side of an interval meet at or below
+//! zero in it, the interval is searched for the least angle itself. Twice, because a new contact
+//! bends the course of σ² within a scan step.
 
 use touchdown_dynamics::outcome::Class;
 
 use crate::bands::Sample;
 
+/// How much steeper than around it the course of σ² may be inside an interval.
+const STEEPER: f64 = 2.0;
 /// Landings spent on one look: they narrow the place of the least angle to 1/29 of the interval.
 const LANDINGS: usize = 8;
 
@@ -40,10 +43,10 @@ fn coordinates(sample: &Sample) -> [f64; 2] {
     [sample.speed, angle * angle]
 }
 
-/// Squared angle at which the line through the two landings below an interval meets the line through the
-/// two above it; `None` unless the angle falls from below and rises to above.
+/// Squared angle at which lines [`STEEPER`] than those through the two landings below an interval and
+/// through the two above it meet; `None` unless the angle falls from below and rises to above.
 fn predicted_least([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Option<f64> {
-    let slope = |[x, y]: [f64; 2], [u, v]: [f64; 2]| (v - y) / (u - x);
+    let slope = |[x, y]: [f64; 2], [u, v]: [f64; 2]| STEEPER * (v - y) / (u - x);
     let (fall, rise) = (slope(a, b), slope(c, d));
     if !(fall < 0.0 && rise > 0.0) {
         return None;

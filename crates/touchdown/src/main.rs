@@ -13,6 +13,7 @@ mod plot;
 mod progress;
 mod report;
 mod say;
+mod study;
 mod summary;
 mod sweep;
 mod sweep_files;
@@ -46,6 +47,8 @@ enum Command {
     Sweep(sweep::Options),
     /// Draw the pictures of result tables anew
     Plot(plot::Options),
+    /// Compare results with what the report of 1966 says
+    Study(study::Options),
 }
 
 fn main() -> ExitCode {
@@ -53,6 +56,7 @@ fn main() -> ExitCode {
         Command::Land(options) => land::run(&options),
         Command::Sweep(options) => sweep::run(&options),
         Command::Plot(options) => plot::run(&options),
+        Command::Study(options) => study::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

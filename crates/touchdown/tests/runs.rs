@@ -43,16 +43,28 @@ fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
             threads,
             "--threads",
             threads,
+            "--bands",
+            "all",
         ]);
         assert_eq!(done.code, Some(0), "{}", done.err);
         assert!(done.out.contains("3 points"), "{}", done.out);
         assert!(done.out.contains("landings/s"), "{}", done.out);
         assert_eq!(
             bench.list(threads),
-            ["sweep.csv", "sweep.json", "sweep.png", "sweep.svg"]
+            [
+                "sweep-bands.csv",
+                "sweep.csv",
+                "sweep.json",
+                "sweep.png",
+                "sweep.svg"
+            ]
         );
     }
     assert_eq!(bench.read("1/sweep.csv"), bench.read("2/sweep.csv"));
+    assert_eq!(
+        bench.read("1/sweep-bands.csv"),
+        bench.read("2/sweep-bands.csv")
+    );
     assert_eq!(bench.read("1/sweep.svg"), bench.read("2/sweep.svg"));
     let table = bench.read("1/sweep.csv");
     let rows: Vec<&str> = table.lines().collect();

@@ -1,12 +1,18 @@
 //! The report's two vehicles, and the reference data beside the tests.
 #![allow(dead_code)]
 
+pub mod bare;
+pub mod boundary;
+pub mod complaints;
+pub mod random;
+pub mod scenes;
+
 use std::collections::HashMap;
 use std::path::PathBuf;
 
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::profile::Profile;
-use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::{
     Block, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, Vehicle,
 };
@@ -132,6 +138,16 @@ pub fn level(cross_slope_deg: f64, roll_deg: f64, horizontal_velocity: f64) -> C
 /// The checked scene of `level`.
 pub fn level_scene(cross_slope_deg: f64, roll_deg: f64, horizontal_velocity: f64) -> Scene {
     Scene::new(level(cross_slope_deg, roll_deg, horizontal_velocity)).unwrap()
+}
+
+/// Settings under the listing's crush rule with the report's time limit.
+pub fn settings(tolerance: f64) -> Settings {
+    Settings::new(
+        tolerance,
+        Settings::DEFAULT_TIME_LIMIT,
+        CrushRule::PivotRate,
+    )
+    .unwrap()
 }
 
 /// A row of a reference file by column name.

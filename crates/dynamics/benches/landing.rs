@@ -1,0 +1,84 @@
+//! How long one evaluation of the equations of motion and one landing take.
+//!
+//!     cargo bench -p touchdown-dynamics --bench landing
+//!
+//! The landings are those of Table 4-1's vehicle straight downhill: well stable, next to the
+//! toppling boundary of 11.40 ft/s, and toppling. What each costs means little without its error,
+//! which is printed first, against tolerance 1e-10.
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use common::bare::Bare;
+use common::scenes::history;
+use common::{level_scene, settings, table_4_1};
+use divan::{Bencher, black_box};
+use touchdown_dynamics::landing::land;
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::state::State;
+use touchdown_dynamics::touchdown::touchdown;
+
+/// V_H of the landings, ft/s.
+const SPEEDS: [f64; 3] = [10.0, 11.38, 12.5];
+
+fn scene(speed: f64) -> Scene {
+    level_scene(180.0, 0.0, speed)
+}
+
+fn print_errors() {
+    let vehicle = table_4_1();
+    for speed in SPEEDS {
+        let run = |tolerance: f64| history(&vehicle, &scene(speed), &settings(tolerance), 0.1);
+        let (landing, instants) = run(Settings::DEFAULT_TOLERANCE);
+        let (exact, exact_instants) = run(1e-10);
+        // A second after first contact, or at the last tenth that both reached.
+        let k = 10.min(instants.len().min(exact_instants.len()) - 2);
+        let position = (instants[k].position - exact_instants[k].position).norm();
+        let angle = landing.min_stability_angle - exact.min_stability_angle;
+        println!(
+            "{speed} ft/s: {} at {:.4} s, {} steps, {} evaluations; position at {:.1} s off by \
+             {position:.1e} ft, least stability angle by {:.1e} deg",
+            landing.outcome,
+            landing.end_time,
+            landing.steps,
+            landing.evaluations,
+            instants[k].time,
+            angle.to_degrees().abs(),
+        );
+    }
+}
+
+fn main() {
+    print_errors();
+    divan::main();
+}
+
+/// One right-hand side, one foot pressed in and its strut stroking.
+#[divan::bench]
+fn right_hand_side(bencher: Bencher) {
+    let vehicle = table_4_1();
+    let scene = scene(11.0);
+    let mut bare = Bare::new(&vehicle, &scene);
+    let mut state = touchdown(&vehicle, &scene, &bare.motion);
+    let mut body = state.body();
+    body.position.z += 0.068;
+    state.set_body(&body);
+    let mut leg = state.leg(0);
+    leg.link_rate = -1.0;
+    leg.link_angle -= 0.02;
+    state.set_leg(0, &leg);
+    bare.settle(&state);
+    let mut slope = State::zero();
+    bencher.bench_local(|| {
+        bare.derivative(black_box(&state), &mut slope);
+        black_box(&slope);
+    });
+}
+
+/// A landing at the default tolerance.
+#[divan::bench(args = SPEEDS)]
+fn landing(bencher: Bencher, speed: f64) {
+    let (vehicle, scene) = (table_4_1(), scene(speed));
+    let settings = settings(Settings::DEFAULT_TOLERANCE);
+    bencher.bench_local(|| land(&vehicle, black_box(&scene), &settings));
+}

@@ -1,0 +1,174 @@
+//! Motions that have a closed form: ballistic flight, torque-free spin about a principal axis, and
+//! a vehicle that falls onto its body blocks.
+
+mod common;
+
+use std::f64::consts::PI;
+
+use common::bare::Bare;
+use common::scenes::history;
+use common::{level, level_scene, settings, surveyor, surveyor_leg, table_4_1};
+use nalgebra::{Unit, UnitQuaternion, Vector3, Vector4};
+use touchdown_dynamics::landing::Instant;
+use touchdown_dynamics::profile::Profile;
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
+use touchdown_dynamics::state::{Body, LegState, State, rotation};
+use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
+
+const PRINCIPAL: Inertia = Inertia {
+    xx: 138.12,
+    yy: 134.29,
+    zz: 145.78,
+    xy: 0.0,
+    xz: 0.0,
+    yz: 0.0,
+};
+
+/// Touching down with no vertical velocity and sliding off down a slope of 45 deg, a vehicle is in
+/// free flight until the slope's fall has been made up: 2 V_H/g seconds for a point.
+fn off_the_slope(vehicle: &Vehicle<3>, spin: f64) -> Vec<Instant<3>> {
+    let scene = Scene::new(Conditions {
+        vertical_velocity: 0.0,
+        slope: PI / 4.0,
+        angular_velocity: [0.0, 0.0, spin],
+        ..level(180.0, 0.0, 10.0)
+    })
+    .unwrap();
+    let settings = Settings::new(1e-10, 2.0, CrushRule::PivotRate).unwrap();
+    let (landing, instants) = history(vehicle, &scene, &settings, 0.1);
+    assert_eq!(landing.pad_contact, [None; 3]);
+    assert_eq!(instants.len(), 21);
+    instants
+}
+
+#[test]
+fn ballistic_flight() {
+    let vehicle = table_4_1();
+    let instants = off_the_slope(&vehicle, 0.0);
+    for instant in &instants {
+        let t = instant.time;
+        let fall = 0.5 * vehicle.gravity() * t * t;
+        let expected = instants[0].position + Vector3::new(0.0, -10.0 * t, fall);
+        assert!((instant.position - expected).norm() < 1e-12, "{t} s");
+        let expected = Vector3::new(0.0, -10.0, vehicle.gravity() * t);
+        assert!((instant.velocity - expected).norm() < 1e-12, "{t} s");
+        assert_eq!(instant.angular_velocity, Vector3::zeros());
+        let released = vehicle.mass() * vehicle.gravity() * fall;
+        assert!((instant.potential_change - released).abs() < 1e-10);
+    }
+}
+
+#[test]
+fn spin_through_a_landing() {
+    let spin = 3.0;
+    for instant in off_the_slope(&surveyor(1.445, PRINCIPAL), spin) {
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), spin * instant.time);
+        let off = instant.attitude.matrix() - turn.to_rotation_matrix().matrix();
+        assert!(off.norm() < 1e-9, "{} s: {off}", instant.time);
+    }
+}
+
+#[test]
+fn spin_about_each_principal_axis() {
+    let vehicle = surveyor(1.445, PRINCIPAL);
+    let bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 0.0));
+    let start = UnitQuaternion::from_euler_angles(0.3, -0.2, 0.5);
+    let legs = std::array::from_fn(|j: usize| {
+        let angle = vehicle.legs()[j].extended_angle();
+        LegState {
+            link_angle: angle,
+            link_rate: 0.0,
+            pad_angle: angle,
+            pad_rate: 0.0,
+            work: [0.0; 6],
+        }
+    });
+    for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+        let (spin, time) = (3.0, 2.0);
+        let body = Body {
+            position: Vector3::new(0.0, 0.0, -500.0),
+            velocity: Vector3::zeros(),
+            quaternion: Vector4::new(start.w, start.i, start.j, start.k),
+            rate: axis * spin,
+        };
+        let end = bare.march(&State::new(&body, legs), time, 2000).body();
+        assert!((end.rate - axis * spin).norm() < 1e-13, "{axis}");
+        let turn = UnitQuaternion::from_axis_angle(&Unit::new_unchecked(axis), spin * time);
+        let expected = (start * turn).to_rotation_matrix();
+        let off = rotation(&end.quaternion) - expected.matrix();
+        assert!(off.norm() < 1e-11, "{axis}: {off}");
+    }
+}
+
+/// A Surveyor whose footpads give way to nothing at all, so that it lands on its blocks.
+fn on_its_blocks() -> Vehicle<3> {
+    let legs = [0.0, 120.0, 240.0].map(|azimuth| {
+        let mut design = surveyor_leg(azimuth);
+        design.footpad.crush_pressure = 1e-12;
+        Leg::new(design).unwrap()
+    });
+    Vehicle::new(20.0, 5.31, 1.445, PRINCIPAL, legs).unwrap()
+}
+
+/// ∫ p dI of a table from 0 to `depth` and p at `depth`.
+fn area_under(profile: &Profile, depth: f64) -> (f64, f64) {
+    let mut area = 0.0;
+    let knots = profile.knots();
+    for (k, pair) in knots.windows(2).enumerate() {
+        let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+        let last = k + 2 == knots.len();
+        let upper = if last { depth } else { depth.min(x1) };
+        let y = y0 + (y1 - y0) / (x1 - x0) * (upper - x0);
+        area += 0.5 * (y0 + y) * (upper - x0);
+        if upper >= depth {
+            return (area, y);
+        }
+    }
+    unreachable!("the last segment goes on for ever")
+}
+
+/// Falling straight down on level ground, a vehicle is slowed to the calm 2 ft/s at which its
+/// motion counts as subsided when its blocks have taken up the rest of its energy.
+#[test]
+fn a_vehicle_dropped_on_its_blocks() {
+    let vehicle = on_its_blocks();
+    let block = vehicle.legs()[0].design().block.clone();
+    // 14 ft/s ends on the plateau of the profile, 20 ft/s on the steep rise beyond it.
+    for speed in [14.0, 20.0] {
+        let scene = Scene::new(Conditions {
+            vertical_velocity: speed,
+            slope: 0.0,
+            ..level(180.0, 0.0, 0.0)
+        })
+        .unwrap();
+        let (landing, instants) = history(&vehicle, &scene, &settings(1e-10), 0.01);
+        assert_eq!(landing.outcome.to_string(), "stable-subsided");
+        let end = instants.last().unwrap();
+        assert!((end.velocity.z - 2.0).abs() < 1e-8, "{}", end.velocity.z);
+        // Interference of a level block is what its face would be below the surface.
+        let depth = end.position.z + vehicle.center_of_gravity_height() + block.height;
+        let (area, pressure) = area_under(&block.profile, depth);
+        let face = PI / 4.0 * block.diameter * block.diameter;
+        let crushing = 3.0 * face * block.crush_pressure * area;
+        let weight = vehicle.mass() * vehicle.gravity();
+        let kinetic = 0.5 * vehicle.mass() * (speed * speed - 4.0);
+        let released = weight * (end.position.z - instants[0].position.z);
+        let gap = kinetic + released - crushing;
+        assert!(
+            gap.abs() < 1e-6 * kinetic,
+            "{speed} ft/s: {gap} of {kinetic} ft·lb"
+        );
+        let elastic = block.profile.knots()[1][1] / block.profile.knots()[1][0];
+        let set = depth - pressure / elastic;
+        for leg in &end.legs {
+            assert!(
+                (leg.block_set - set).abs() < 1e-9,
+                "{} for {set}",
+                leg.block_set
+            );
+            let force = face * block.crush_pressure * pressure;
+            assert!((leg.block_normal - force).abs() < 1e-6 * force);
+            assert!((leg.work.block_crush - crushing / 3.0).abs() < 1e-6 * crushing);
+        }
+    }
+}

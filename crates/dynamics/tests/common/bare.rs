@@ -1,0 +1,86 @@
+//! The equations of motion and one Runge-Kutta step without the landing around them.
+
+use touchdown_dynamics::contact::{LegLaws, LegMode};
+use touchdown_dynamics::integrator::dormand_prince::Step;
+use touchdown_dynamics::motion::{LegPieces, Motion, Signal};
+use touchdown_dynamics::scene::{CrushRule, Scene};
+use touchdown_dynamics::state::State;
+use touchdown_dynamics::vehicle::Vehicle;
+
+/// A vehicle in a scene with fixed pieces of all laws.
+pub struct Bare<const LEGS: usize> {
+    /// Its equations of motion.
+    pub motion: Motion<f64, LEGS>,
+    laws: [LegLaws; LEGS],
+    pieces: [LegPieces<f64>; LEGS],
+}
+
+impl<const LEGS: usize> Bare<LEGS> {
+    /// A vehicle that touches nothing.
+    pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Self {
+        let rule = CrushRule::PivotRate;
+        let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], rule));
+        let pieces = std::array::from_fn(|j: usize| LegMode::untouched(&laws[j]).pieces(&laws[j]));
+        Self {
+            motion: Motion::new(vehicle, scene),
+            laws,
+            pieces,
+        }
+    }
+
+    /// Puts in place the pieces that hold at a state.
+    pub fn settle(&mut self, state: &State<f64, LEGS>) {
+        let mut modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&self.laws[j]));
+        for _ in 0..32 {
+            let mut derivative = State::zero();
+            let mut signals = [[0.0; Signal::COUNT]; LEGS];
+            self.motion
+                .evaluate(state, &self.pieces, &mut derivative, &mut signals);
+            let mut changed = false;
+            for (j, mode) in modes.iter_mut().enumerate() {
+                let mut watches = Vec::new();
+                mode.watch(&self.laws[j], 0, &mut watches);
+                let left = watches.iter().find_map(|watch| {
+                    let exit = watch.range.exit(signals[j][watch.signal])?;
+                    Some((Signal::ALL[watch.signal], exit))
+                });
+                if let Some((signal, exit)) = left {
+                    changed = true;
+                    mode.cross(&self.laws[j], j, signal, exit, &signals[j])
+                        .unwrap();
+                }
+                self.pieces[j] = mode.pieces(&self.laws[j]);
+            }
+            if !changed {
+                return;
+            }
+        }
+        panic!("laws do not settle");
+    }
+
+    /// Writes the time derivative of a state.
+    pub fn derivative(&self, state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>) {
+        self.motion.derivative(state, &self.pieces, slope);
+    }
+
+    /// One step of `length` seconds.
+    pub fn step(&self, state: &State<f64, LEGS>, length: f64) -> Step<f64, LEGS> {
+        let mut slope = State::zero();
+        self.derivative(state, &mut slope);
+        let mut step = Step::from(*state, slope);
+        let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
+        step.take(length, derivative, derivative);
+        step
+    }
+
+    /// `count` steps through `time` seconds.
+    pub fn march(&self, state: &State<f64, LEGS>, time: f64, count: u32) -> State<f64, LEGS> {
+        let length = time / f64::from(count);
+        (0..count).fold(*state, |state, _| self.step(&state, length).after)
+    }
+}
+
+/// Greatest difference of what moves in two states, relative above 1 and absolute below.
+pub fn distance<const LEGS: usize>(one: &State<f64, LEGS>, other: &State<f64, LEGS>) -> f64 {
+    one.advanced([-1.0], [other]).error_norm(one, other, 1.0)
+}

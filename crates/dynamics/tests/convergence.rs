@@ -1,0 +1,107 @@
+//! How the error falls: with the order of the method where the motion is smooth, and with the
+//! tolerance over whole landings.
+
+mod common;
+
+use common::bare::{Bare, distance};
+use common::{level_scene, scenes, table_4_1};
+use nalgebra::Vector3;
+use touchdown_dynamics::landing::land_observed;
+use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
+use touchdown_dynamics::state::State;
+use touchdown_dynamics::touchdown::touchdown;
+
+/// A vehicle just after first contact: pads pressed in, struts stroking, all turning.
+fn smooth_stretch() -> (Bare<3>, State<f64, 3>) {
+    let vehicle = table_4_1();
+    let scene = level_scene(170.0, -10.0, 11.0);
+    let mut bare = Bare::new(&vehicle, &scene);
+    let mut state = touchdown(&vehicle, &scene, &bare.motion);
+    let mut body = state.body();
+    // Deeper than the links below raise the pads, by less than makes them crush.
+    body.position.z += 0.068;
+    body.rate = Vector3::new(0.4, -0.3, 0.2);
+    state.set_body(&body);
+    for j in 0..3 {
+        let mut leg = state.leg(j);
+        leg.link_rate = -1.0;
+        leg.link_angle -= 0.02;
+        state.set_leg(j, &leg);
+    }
+    bare.settle(&state);
+    (bare, state)
+}
+
+/// Exponent with which errors fall between halved steps.
+fn order(coarse: f64, fine: f64) -> f64 {
+    (coarse / fine).log2()
+}
+
+#[test]
+fn steps_are_of_order_five() {
+    let (bare, state) = smooth_stretch();
+    let time = 0.004;
+    let exact = bare.march(&state, time, 5120);
+    assert!(distance(&exact, &state) > 0.1, "nothing happened");
+    let errors = [80, 160, 320].map(|count| distance(&bare.march(&state, time, count), &exact));
+    println!("{errors:?}");
+    for pair in errors.windows(2) {
+        let order = order(pair[0], pair[1]);
+        assert!((4.7..5.3).contains(&order), "order {order} from {errors:?}");
+    }
+}
+
+#[test]
+fn dense_output_is_of_order_four() {
+    let (bare, state) = smooth_stretch();
+    for theta in [0.2, 0.5, 0.8] {
+        let errors = [5e-5, 2.5e-5, 1.25e-5].map(|length| {
+            let exact = bare.march(&state, theta * length, 64);
+            distance(&bare.step(&state, length).at(theta), &exact)
+        });
+        println!("{theta}: {errors:?}");
+        // An interpolant of order 4 has a local error of order 5; over both halvings, because the
+        // component with the greatest error changes.
+        let order = 0.5 * order(errors[0], errors[2]);
+        assert!(
+            (4.7..5.3).contains(&order),
+            "order {order} at {theta} from {errors:?}"
+        );
+    }
+}
+
+/// Position of the CG at 0.3 s and 1 s, ft.
+fn positions(scene: &Scene, tolerance: f64) -> [Vector3<f64>; 2] {
+    let settings = Settings::new(tolerance, 1.05, CrushRule::PivotRate).unwrap();
+    let mut positions = Vec::new();
+    land_observed(&table_4_1(), scene, &settings, 0.1, |instant| {
+        positions.push(instant.position);
+    });
+    [positions[3], positions[10]]
+}
+
+#[test]
+fn landings_converge_with_the_tolerance() {
+    for (name, scene) in [
+        ("baseline", level_scene(180.0, 0.0, 11.25)),
+        ("Table 4-3", scenes::table_4_3()),
+        ("across the slope", level_scene(150.0, 10.0, 12.0)),
+    ] {
+        let exact = positions(&scene, 1e-12);
+        for (k, time) in [(0, "0.3 s"), (1, "1 s")] {
+            let errors: Vec<f64> = (4..=9)
+                .map(|e| (positions(&scene, 10f64.powi(-e))[k] - exact[k]).norm())
+                .collect();
+            println!("{name}, {time}: {errors:?}");
+            for (error, e) in errors.iter().zip(4..) {
+                let bound = IN_PROPORTION * 10f64.powi(-e);
+                assert!(*error < bound, "{name}, {time}, 1e-{e}: {error:e} ft");
+            }
+            // Loose tolerances are not the limit of the error: events cut steps anyway.
+            assert!(errors[5] < 1e-3 * errors[0], "{name}, {time}: {errors:?}");
+        }
+    }
+}
+
+/// Error of position in units of the tolerance, ft: three times what was found.
+const IN_PROPORTION: f64 = 0.2;

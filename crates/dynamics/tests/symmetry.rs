@@ -1,0 +1,157 @@
+//! Symmetries of the vehicle are symmetries of its landings.
+
+mod common;
+
+use common::random::{crush_rule, fixed_list, usual_conditions};
+use common::scenes::history;
+use common::{sample_deck, surveyor};
+use nalgebra::Vector3;
+use rayon::prelude::*;
+use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
+use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
+use touchdown_dynamics::vehicle::{Inertia, Vehicle};
+
+/// Touchdowns that turn as well.
+fn touchdowns(count: usize) -> Vec<(Conditions, CrushRule)> {
+    fixed_list(&(usual_conditions(), crush_rule()), count)
+        .into_iter()
+        .map(|(conditions, rule)| {
+            let angular_velocity = [0.1, -0.2, 0.3];
+            (
+                Conditions {
+                    angular_velocity,
+                    ..conditions
+                },
+                rule,
+            )
+        })
+        .collect()
+}
+
+/// How far two landings are from being images of each other.
+struct Deviation {
+    /// Of the histories up to the earlier end, ft and rad.
+    motion: f64,
+    /// Of end time (s), least stability angle (rad) and clearance (ft).
+    end: f64,
+}
+
+/// Lands from `conditions` and from their `image`. The CG moves to `image_position`, leg `j`
+/// becomes leg `image_leg[j]`.
+fn compare(
+    vehicle: &Vehicle<3>,
+    image: impl Fn(&Conditions) -> Conditions + Sync,
+    image_position: impl Fn(Vector3<f64>) -> Vector3<f64> + Sync,
+    image_leg: [usize; 3],
+) -> Vec<Deviation> {
+    touchdowns(200)
+        .par_iter()
+        .map(|(conditions, rule)| {
+            let settings = Settings::new(1e-6, 1.5, *rule).unwrap();
+            let landing = |conditions: Conditions| {
+                history(vehicle, &Scene::new(conditions).unwrap(), &settings, 0.05)
+            };
+            let (one, instants) = landing(*conditions);
+            let (other, images) = landing(image(conditions));
+            let (end, class) = (mapped(&one.outcome, image_leg), one.outcome.class());
+            assert_eq!(class, other.outcome.class(), "{conditions:?}");
+            if class != Class::Stable {
+                assert_eq!(end, other.outcome, "{conditions:?}");
+            }
+            let compared = instants.len().min(images.len()) - 1;
+            let motion = (instants.iter().zip(&images).take(compared))
+                .flat_map(|(instant, other)| {
+                    let position = (image_position(instant.position) - other.position).norm();
+                    let links = (0..3)
+                        .map(|j| instant.legs[j].link_angle - other.legs[image_leg[j]].link_angle);
+                    links.chain([position, instant.clearance - other.clearance])
+                })
+                .fold(0.0, |worst: f64, off| worst.max(off.abs()));
+            let end = [
+                one.end_time - other.end_time,
+                one.min_stability_angle - other.min_stability_angle,
+                one.min_clearance - other.min_clearance,
+            ]
+            .into_iter()
+            .fold(0.0, |worst: f64, off| worst.max(off.abs()));
+            Deviation { motion, end }
+        })
+        .collect()
+}
+
+/// Only rounding tells images apart. It grows where a vehicle bounces, in few landings by much.
+fn check(what: &str, deviations: impl Iterator<Item = f64>) {
+    let mut sorted: Vec<f64> = deviations.collect();
+    sorted.sort_by(f64::total_cmp);
+    let (most, worst) = (sorted[sorted.len() * 9 / 10], sorted[sorted.len() - 1]);
+    println!("{what}: nine of ten within {most:.1e}, all within {worst:.1e}");
+    assert!(most < 1e-9, "{what}: {most:e}");
+    assert!(worst < 1e-5, "{what}: {worst:e}");
+}
+
+fn mapped(outcome: &Outcome, image_leg: [usize; 3]) -> Outcome {
+    match outcome {
+        Outcome::Bottomed { leg } => Outcome::Bottomed {
+            leg: image_leg[*leg],
+        },
+        Outcome::Failure(Failure::PadInclination { leg }) => {
+            Outcome::Failure(Failure::PadInclination {
+                leg: image_leg[*leg],
+            })
+        }
+        other => other.clone(),
+    }
+}
+
+#[test]
+fn mirror_images() {
+    let symmetric = Inertia {
+        xx: 138.12,
+        yy: 134.29,
+        zz: 145.78,
+        xy: 0.0,
+        xz: 0.0,
+        yz: 0.0,
+    };
+    let mirror = |conditions: &Conditions| {
+        let Euler { pitch, yaw, roll } = conditions.attitude.euler();
+        let [x, y, z] = conditions.angular_velocity;
+        Conditions {
+            cross_slope: -conditions.cross_slope,
+            attitude: Attitude::from_euler(Euler {
+                pitch,
+                yaw: -yaw,
+                roll: -roll,
+            }),
+            angular_velocity: [x, -y, -z],
+            ..*conditions
+        }
+    };
+    let flip = |position: Vector3<f64>| Vector3::new(-position.x, position.y, position.z);
+    let deviations = compare(&surveyor(1.445, symmetric), mirror, flip, [0, 2, 1]);
+    check("motion", deviations.iter().map(|d| d.motion));
+    check("end", deviations.iter().map(|d| d.end));
+}
+
+#[test]
+fn a_third_of_a_turn_permutes_the_legs() {
+    let third = 120f64.to_radians();
+    let turn = |conditions: &Conditions| {
+        let tip = conditions.attitude.tip();
+        let [x, y, z] = conditions.angular_velocity;
+        let (sine, cosine) = third.sin_cos();
+        Conditions {
+            attitude: Attitude::from_tip(Tip {
+                nominal_roll: tip.nominal_roll + third,
+                ..tip
+            }),
+            angular_velocity: [cosine * x + sine * y, cosine * y - sine * x, z],
+            ..*conditions
+        }
+    };
+    let deviations = compare(&sample_deck(), turn, |position| position, [1, 2, 0]);
+    // Motion counts as subsided by body rates component by component, which do not turn along: the
+    // end of a landing is no symmetric notion.
+    check("motion", deviations.iter().map(|d| d.motion));
+}
