@@ -24,9 +24,20 @@ pub struct BodyFrame<S> {
     pub rate: Vector3<S>,
     /// Depth Z' of the CG below the surface, ft (negative above).
     pub depth: S,
-    /// 1/cos ξ_B: the blocks stand along the centreline, cos ξ_B = k·n.
+    /// 1/cos ξ_B, held beyond 84 deg: the blocks stand along the centreline, cos ξ_B = k·n.
     pub upright: S,
 }
+
+/// 1/cos ξ of an element inclined by ξ. Beyond 84 deg, where no law of the model reaches, the
+/// cosine is held: an interference keeps the sign of the depth, and what hangs in the air over a
+/// vehicle lying on its side does not seem to touch the ground.
+#[inline(always)]
+fn upright<S: Real>(inclination: S) -> S {
+    S::one() / inclination.max(S::constant(LEAST_INCLINATION))
+}
+
+/// Cosine below which an inclination is held.
+const LEAST_INCLINATION: f64 = 0.1;
 
 /// The surface: sine and cosine of the slope θs.
 #[derive(Debug, Clone, Copy)]
@@ -61,7 +72,7 @@ impl<S: Real> Surface<S> {
             self.sine * rotation[(1, 2)] + self.cosine * rotation[(2, 2)],
         );
         BodyFrame {
-            upright: S::one() / normal.z,
+            upright: upright(normal.z),
             normal,
             velocity: rotation.tr_mul(&body.velocity),
             rate: body.rate,
@@ -156,7 +167,7 @@ pub struct LegPose<S> {
     pub pad_z: PlaneDirection<S>,
     /// cos ξ = z''·n.
     pub pad_inclination: S,
-    /// 1/cos ξ.
+    /// 1/cos ξ, held beyond 84 deg.
     pub pad_upright: S,
     /// y''·n.
     pub pad_y_normal: S,
@@ -302,7 +313,7 @@ impl<S: Real> LegGeometry<S> {
         let pad_inclination = pad_z.dot(n);
         let pivot_depth = frame.depth + pivot.reach * n.x + pivot.drop * n.z;
         // Z'(r_k)/cos ξ with r_k = r_p ± centroid y'' + h_f0 z''
-        let pad_upright = S::one() / pad_inclination;
+        let pad_upright = upright(pad_inclination);
         let lean = self.centroid * pad_y_normal;
         let pad_interference = [
             (pivot_depth + lean) * pad_upright + self.pad_height,

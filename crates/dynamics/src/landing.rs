@@ -25,6 +25,10 @@ const FIRST_STEP: f64 = 1e-4;
 const EVENT_RESOLUTION: f64 = 1e-12;
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
+/// So many events within so short a time (s) are chattering too: the laws switch to and fro while
+/// the time creeps.
+const BURST: u64 = 4000;
+const BURST_TIME: f64 = 1e-5;
 /// Steps, rejected ones included, before a landing is given up.
 const MOST_STEPS: u64 = 2_000_000;
 /// Subsided motion stays within this height over the extended vehicle's own, ft.
@@ -156,6 +160,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let limit = self.settings.time_limit();
         let tolerance = self.settings.tolerance();
         let mut control = StepControl::new(FIRST_STEP);
+        let mut burst = (self.events, self.time);
         for _ in 0..MOST_STEPS {
             if self.time > limit - SHORTEST {
                 return Outcome::TimeExpired;
@@ -194,6 +199,12 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 control.restart();
                 if let Err(outcome) = self.cross().and_then(|_| self.settle()) {
                     return outcome;
+                }
+                if self.events - burst.0 > BURST {
+                    if self.time - burst.1 < BURST_TIME {
+                        return Outcome::Failure(Failure::Chattering);
+                    }
+                    burst = (self.events, self.time);
                 }
             } else {
                 self.step.before = self.step.after;
