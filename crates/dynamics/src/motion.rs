@@ -1,9 +1,8 @@
 //! The equations of motion (55), (60), (68), (69) as straight-line arithmetic (model chapter 6).
 //!
-//! Which piece of each law is active arrives as coefficients, [`LegPieces`]; there is no branch
-//! and no table search here; the one thing asked is whether an
-//! element carries pressure at all. Along with the derivative come the signals whose ranges tell how
-//! long those coefficients hold.
+//! Which piece of each law is active arrives as coefficients, [`LegPieces`]. There is no table
+//! search here and no branch but one: what carries no pressure at all is passed over. Along with
+//! the derivative come the signals whose ranges tell how long those coefficients hold.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -165,15 +165,6 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         }
         result
     }
-
-    /// self · factor.
-    #[inline(always)]
-    pub fn scaled(&self, factor: S) -> Self {
-        Self {
-            body: self.body.map(|v| v * factor),
-            legs: self.legs.map(|leg| leg.map(|v| v * factor)),
-        }
-    }
 }
 
 impl<const LEGS: usize> State<f64, LEGS> {

@@ -7,6 +7,20 @@ use crate::scene::Scene;
 use crate::state::{Body, LegState, State};
 use crate::vehicle::Vehicle;
 
+/// Legs at rest: struts extended, pads level with the vehicle.
+pub fn extended_legs<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> [LegState<f64>; LEGS] {
+    std::array::from_fn(|j| {
+        let angle = vehicle.legs()[j].extended_angle();
+        LegState {
+            link_angle: angle,
+            link_rate: 0.0,
+            pad_angle: angle,
+            pad_rate: 0.0,
+            work: [0.0; 6],
+        }
+    })
+}
+
 /// State at first contact: CG above the origin, the lowest pad section centroid on the surface.
 pub fn touchdown<const LEGS: usize>(
     vehicle: &Vehicle<LEGS>,
@@ -17,16 +31,7 @@ pub fn touchdown<const LEGS: usize>(
     let [w, x, y, z] = conditions.attitude.quaternion();
     let (sin_cross, cos_cross) = conditions.cross_slope.sin_cos();
     let speed = conditions.horizontal_velocity;
-    let legs: [LegState<f64>; LEGS] = std::array::from_fn(|j| {
-        let angle = vehicle.legs()[j].extended_angle();
-        LegState {
-            link_angle: angle,
-            link_rate: 0.0,
-            pad_angle: angle,
-            pad_rate: 0.0,
-            work: [0.0; 6],
-        }
-    });
+    let legs = extended_legs(vehicle);
     let mut body = Body {
         position: Vector3::zeros(),
         velocity: Vector3::new(

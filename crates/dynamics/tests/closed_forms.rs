@@ -12,7 +12,8 @@ use nalgebra::{Unit, UnitQuaternion, Vector3, Vector4};
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
-use touchdown_dynamics::state::{Body, LegState, State, rotation};
+use touchdown_dynamics::state::{Body, State, rotation};
+use touchdown_dynamics::touchdown::extended_legs;
 use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
 
 const PRINCIPAL: Inertia = Inertia {
@@ -73,16 +74,7 @@ fn spin_about_each_principal_axis() {
     let vehicle = surveyor(1.445, PRINCIPAL);
     let bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 0.0));
     let start = UnitQuaternion::from_euler_angles(0.3, -0.2, 0.5);
-    let legs = std::array::from_fn(|j: usize| {
-        let angle = vehicle.legs()[j].extended_angle();
-        LegState {
-            link_angle: angle,
-            link_rate: 0.0,
-            pad_angle: angle,
-            pad_rate: 0.0,
-            work: [0.0; 6],
-        }
-    });
+    let legs = extended_legs(&vehicle);
     for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
         let (spin, time) = (3.0, 2.0);
         let body = Body {

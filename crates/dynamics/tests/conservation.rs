@@ -10,21 +10,13 @@ use rayon::prelude::*;
 use touchdown_dynamics::landing::land;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::{Scene, Settings};
-use touchdown_dynamics::state::{Body, LegState, State, rotation};
+use touchdown_dynamics::state::{Body, State, rotation};
+use touchdown_dynamics::touchdown::extended_legs;
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// A tumbling vehicle far above the ground.
 fn tumbling(vehicle: &Vehicle<3>) -> State<f64, 3> {
-    let legs = std::array::from_fn(|j: usize| {
-        let angle = vehicle.legs()[j].extended_angle();
-        LegState {
-            link_angle: angle,
-            link_rate: 0.0,
-            pad_angle: angle,
-            pad_rate: 0.0,
-            work: [0.0; 6],
-        }
-    });
+    let legs = extended_legs(vehicle);
     let body = Body {
         position: Vector3::new(0.0, 0.0, -500.0),
         velocity: Vector3::new(3.0, -11.0, 14.0),

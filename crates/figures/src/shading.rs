@@ -87,20 +87,7 @@ fn bands(station: &Station, high: f64) -> Vec<Band> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary_table::Transition;
-
-    fn station(x: f64, speed: Option<f64>) -> Station {
-        let transition = speed.map(|speed| Transition {
-            kind: Kind::Unstable,
-            speed,
-            bracket: [speed, speed],
-        });
-        Station {
-            x,
-            transition,
-            bands: Vec::new(),
-        }
-    }
+    use crate::stations::tests::station;
 
     #[test]
     fn like_neighbours_are_joined_and_unlike_ones_meet_half_way() {

@@ -95,10 +95,10 @@ pub fn broadest(stations: &[Station], kind: Kind, high: f64) -> Option<(f64, f64
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn station(x: f64, speed: Option<f64>) -> Station {
+    pub(crate) fn station(x: f64, speed: Option<f64>) -> Station {
         let transition = speed.map(|speed| Transition {
             kind: Kind::Unstable,
             speed,
