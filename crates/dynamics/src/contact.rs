@@ -12,7 +12,7 @@ use crate::integrator::event::{Bounds, Exit, Watch};
 use crate::motion::{LegPieces, LegSignals, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
-use crate::strut::{Stance, StrutLaw};
+use crate::strut::{Kinks, Stance, StrutLaw};
 use crate::vehicle::Leg;
 
 /// cos 65 deg: a loaded pad inclined further has no law in the model.
@@ -29,13 +29,13 @@ pub struct LegLaws {
 }
 
 impl LegLaws {
-    /// The laws of a leg under a crush rule.
-    pub fn new(leg: &Leg, rule: CrushRule) -> Self {
+    /// The laws of a leg under a crush rule, with gentle kinks located or not.
+    pub fn new(leg: &Leg, rule: CrushRule, kinks: Kinks) -> Self {
         let design = leg.design();
         Self {
             pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
             block: CrushLaw::new(&design.block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD),
-            strut: StrutLaw::new(&design.strut),
+            strut: StrutLaw::new(&design.strut, kinks),
             stops: Stops {
                 inner: design.footpad.minimum_angle,
                 outer: design.footpad.maximum_angle,
@@ -112,6 +112,13 @@ impl LegMode {
         ]
     }
 
+    /// Centres the coefficients of laws that only bend a little on where the leg is now; whether
+    /// any changed.
+    pub fn follow(&mut self, laws: &LegLaws, signals: &LegSignals<f64>) -> bool {
+        self.stance
+            .follow(&laws.strut, signals[Signal::Stroke as usize])
+    }
+
     /// Adds to `watches` the signals of leg `index` that have a range over which the active pieces
     /// hold.
     pub fn watch(&self, laws: &LegLaws, index: usize, watches: &mut Vec<Watch>) {
@@ -143,7 +150,7 @@ impl LegMode {
             Signal::PadSliding if self.pad_loaded() => self.pad_sliding.bounds(),
             Signal::BlockSliding if self.block.is_loaded() => self.block_sliding.bounds(),
             Signal::Stroke => self.stance.stroke_bounds(&laws.strut),
-            Signal::LinkRate => self.stance.rate_bounds(),
+            Signal::LinkRate => self.stance.rate_bounds(&laws.strut),
             Signal::LinkTorque => self.stance.torque_bounds(),
             Signal::PadAngle => self.hinge.angle_bounds(laws.stops),
             Signal::PadRate => self.hinge.rate_bounds(),
@@ -219,8 +226,9 @@ impl LegMode {
                 if exit == Exit::Above && value(signal) >= laws.strut.bottoming_stroke() {
                     return Err(Outcome::Bottomed { leg });
                 }
+                let rate = value(Signal::LinkRate);
                 self.stance
-                    .cross_stroke(exit, before.on_surface(), value(Signal::LinkRate));
+                    .cross_stroke(&laws.strut, exit, before.on_surface(), rate);
             }
             Signal::LinkRate => {
                 let stroke = value(Signal::Stroke);

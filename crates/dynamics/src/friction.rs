@@ -75,6 +75,12 @@ impl Sliding {
 }
 
 impl<S: Real> FrictionPiece<S> {
+    /// dμ/dS over μ0 at any speed of this branch, s/ft, or zero where friction falls with speed.
+    #[inline(always)]
+    pub fn growth(&self) -> S {
+        self.viscous.max(S::zero())
+    }
+
     /// μ(S)/S over μ0, s/ft: multiplies the sliding velocity to give the friction force per pound
     /// of normal force.
     #[inline(always)]

@@ -377,6 +377,18 @@ impl<S: Real> LegFrame<S> {
         }
     }
 
+    /// Two directions along the surface, with and across the sliding velocity; any two when there
+    /// is none.
+    #[inline(always)]
+    pub fn tangents(&self, velocity: &PointVelocity<S>) -> (Vector3<S>, Vector3<S>) {
+        let n = &self.normal;
+        // A drift too slow to matter, outboard along the surface, gives a foot at rest a direction.
+        let outboard = Vector3::new(S::one() - n.x * n.x, -n.x * n.y, -n.x * n.z);
+        let drift = velocity.sliding + outboard * S::constant(1e-9);
+        let along = drift * (S::one() / drift.dot(&drift).max(S::constant(1e-40)).sqrt());
+        (along, n.cross(&along))
+    }
+
     /// Velocity of a point of the body.
     #[inline(always)]
     pub fn velocity_at(&self, point: &PlanePoint<S>) -> PointVelocity<S> {

@@ -4,14 +4,17 @@ mod account;
 mod verdict;
 
 use crate::contact::{LegLaws, LegMode};
-use crate::integrator::dormand_prince::{EVALUATIONS, Step};
+use crate::damping::Inertia;
+use crate::integrator::additive;
 use crate::integrator::event::{Node, Watch, first_exit, is_quiet};
+use crate::integrator::step::{EVALUATIONS, Step};
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::motion::{LegPieces, LegSignals, Motion, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, Observation, Verdict};
 use crate::state::State;
+use crate::strut::Kinks;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
@@ -21,8 +24,15 @@ pub use crate::record::{Energies, Instant, Landing, LegInstant, LegWork};
 
 /// First step after touchdown, s.
 const FIRST_STEP: f64 = 1e-4;
-/// Time within which an event is located, s.
-const EVENT_RESOLUTION: f64 = 1e-12;
+/// Rate of decay times step length above which damping is taken implicitly, at a tolerance of
+/// 1e-4. At tighter ones accuracy rather than stability limits steps, and the explicit method,
+/// which has the higher order, is left to do more.
+const DAMPED_ABOVE: f64 = 2.5;
+/// Tolerance up to which gentle kinks of the laws are located.
+const LOCATED_UP_TO: f64 = 1e-6;
+/// Time within which an event is located, s: this times the tolerance, but within these limits.
+const EVENT_RESOLUTION: f64 = 1e-5;
+const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-9];
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
 /// So many events within so short a time (s) are chattering too: the laws switch to and fro while
@@ -71,6 +81,11 @@ struct Flight<'a, O, const LEGS: usize> {
     scene: &'a Scene,
     settings: &'a Settings,
     motion: Motion<f64, LEGS>,
+    inertia: Inertia<f64, LEGS>,
+    /// Rate of decay times step length above which damping is taken implicitly.
+    damped_above: f64,
+    /// Time within which an event is located, s.
+    event_resolution: f64,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: [LegPieces<f64>; LEGS],
@@ -101,7 +116,15 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         history: History<O>,
     ) -> Self {
         let motion = Motion::new(vehicle, scene);
-        let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], settings.crush_rule()));
+        let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
+        let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
+        let kinks = if settings.tolerance() > LOCATED_UP_TO {
+            Kinks::SteppedOver
+        } else {
+            Kinks::Located
+        };
+        let laws =
+            std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks));
         let modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&laws[j]));
         let pieces = std::array::from_fn(|j| modes[j].pieces(&laws[j]));
         let state = touchdown(vehicle, scene, &motion);
@@ -109,6 +132,9 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             vehicle,
             scene,
             settings,
+            inertia: motion.inertia(),
+            event_resolution: resolution,
+            damped_above: DAMPED_ABOVE * (1e-4 / settings.tolerance()).max(1.0).sqrt().sqrt(),
             motion,
             laws,
             modes,
@@ -216,6 +242,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                     length,
                 });
             }
+            self.follow();
             self.note_strut_forces();
         }
         Outcome::Failure(Failure::StepLimit)
@@ -226,11 +253,15 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         self.evaluations += EVALUATIONS;
         let mut signals = [[0.0; Signal::COUNT]; LEGS];
         let (motion, pieces) = (&self.motion, &self.pieces);
-        self.step.take(
-            length,
-            |state, derivative| motion.derivative(state, pieces, derivative),
-            |state, derivative| motion.evaluate(state, pieces, derivative, &mut signals),
-        );
+        let derivative = |state: &_, slope: &mut _| motion.derivative(state, pieces, slope);
+        let last = |state: &_, slope: &mut _| motion.evaluate(state, pieces, slope, &mut signals);
+        let damping = motion.damping(&self.step.before, pieces);
+        if length * damping.greatest_rate(&self.inertia) > self.damped_above {
+            let damped = damping.factor(&self.inertia, additive::GAMMA * length);
+            self.step.take_damped(length, &damped, derivative, last);
+        } else {
+            self.step.take_explicit(length, derivative, last);
+        }
         Node {
             theta: 1.0,
             signals,
@@ -268,7 +299,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             theta: 0.5,
             signals: look(0.5),
         };
-        let resolution = EVENT_RESOLUTION / self.step.length;
+        let resolution = self.event_resolution / self.step.length;
         let found = first_exit(&start, &middle, end, &self.watches, resolution, &mut look);
         self.evaluations += looks;
         found
@@ -289,11 +320,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// with it, so this goes on until every signal lies in its range.
     fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
-            self.watches.clear();
             for j in 0..LEGS {
                 self.pieces[j] = self.modes[j].pieces(&self.laws[j]);
-                self.modes[j].watch(&self.laws[j], j, &mut self.watches);
             }
+            self.choose_watches();
             let Step { before, slopes, .. } = &mut self.step;
             self.motion
                 .evaluate(before, &self.pieces, &mut slopes[0], &mut self.signals);
@@ -304,6 +334,27 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             }
         }
         Err(Outcome::Failure(Failure::Chattering))
+    }
+
+    /// Centres the coefficients of laws that bend gently; the laws themselves stay.
+    fn follow(&mut self) {
+        let mut changed = false;
+        for j in 0..LEGS {
+            if self.modes[j].follow(&self.laws[j], &self.signals[j]) {
+                self.pieces[j] = self.modes[j].pieces(&self.laws[j]);
+                changed = true;
+            }
+        }
+        if changed {
+            self.choose_watches();
+        }
+    }
+
+    fn choose_watches(&mut self) {
+        self.watches.clear();
+        for j in 0..LEGS {
+            self.modes[j].watch(&self.laws[j], j, &mut self.watches);
+        }
     }
 
     /// Lets each leg follow the first of its signals that is out of its range; whether any was.

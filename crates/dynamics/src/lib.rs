@@ -21,6 +21,7 @@ pub mod attitude;
 pub mod contact;
 pub mod critical_feet;
 pub mod crush;
+pub mod damping;
 pub mod friction;
 pub mod hinge;
 pub mod integrator;

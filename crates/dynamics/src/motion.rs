@@ -7,6 +7,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::crush::PressureLine;
+use crate::damping::{Damping, Inertia};
 use crate::friction::FrictionPiece;
 use crate::hinge::HingePiece;
 use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, PlanePoint, PointVelocity, Surface};
@@ -275,6 +276,30 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         })
     }
 
+    /// Inertia of the velocities.
+    pub fn inertia(&self) -> Inertia<S, LEGS> {
+        Inertia {
+            mass: S::one() / self.inverse_mass,
+            body: self.inertia,
+            links: std::array::from_fn(|j| self.legs[j].link_inertia),
+        }
+    }
+
+    /// Damping matrix at a state.
+    #[inline(never)]
+    pub fn damping(
+        &self,
+        state: &State<S, LEGS>,
+        pieces: &[LegPieces<S>; LEGS],
+    ) -> Damping<S, LEGS> {
+        let frame = self.surface.frame(&state.body());
+        let mut damping = Damping::none();
+        for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
+            leg.add_damping(j, &frame, &state.leg(j), pieces, &mut damping);
+        }
+        damping
+    }
+
     #[inline(always)]
     fn evaluate_into<const SIGNALS: bool>(
         &self,
@@ -364,6 +389,69 @@ impl<S: Real> Touch<S> {
 }
 
 impl<S: Real> LegMotion<S> {
+    /// Adds what friction and strut of this leg do to the velocities.
+    #[inline(always)]
+    fn add_damping<const LEGS: usize>(
+        &self,
+        j: usize,
+        body: &BodyFrame<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+        damping: &mut Damping<S, LEGS>,
+    ) {
+        let frame = self.geometry.frame(body);
+        let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_angle);
+        let link_length = self.geometry.link_length() * pieces.link.free;
+        let mut add = |point: &PlanePoint<S>,
+                       velocity: &PointVelocity<S>,
+                       strength: S,
+                       piece: &FrictionPiece<S>,
+                       swings: S| {
+            let (along, across) = frame.tangents(velocity);
+            let across_rate = piece.per_speed(velocity.sliding_squared);
+            for (direction, rate) in [(along, piece.growth()), (across, across_rate)] {
+                let force = body.rotation * self.geometry.in_vehicle_axes(&direction);
+                let moment = self.geometry.in_vehicle_axes(&point.moment(&direction));
+                let link = swings * pose.link_normal.dot(&direction);
+                damping.add(j, strength * rate, &force, &moment, link);
+            }
+        };
+        let [outer, inner] = pose.pad_interference;
+        if !(pieces.pad[0].is_slack() && pieces.pad[1].is_slack()) {
+            let velocity = frame.pivot_velocity(&pose, self.geometry.link_length() * leg.link_rate);
+            let per_pressure = self.pad_strength * (pose.pad_upright + pose.pad_inclination);
+            let normal = per_pressure * (pieces.pad[0].at(outer) + pieces.pad[1].at(inner));
+            add(
+                &pose.pivot,
+                &velocity,
+                self.pad_friction * normal.max(S::zero()),
+                &pieces.pad_friction,
+                link_length,
+            );
+        }
+        if !pieces.block.is_slack() {
+            let velocity = frame.velocity_at(&pose.block_center);
+            let cos_block = frame.normal.z;
+            let normal = self.block_strength
+                * (S::one() + cos_block * cos_block)
+                * pieces.block.at(pose.block_interference);
+            add(
+                &pose.block_center,
+                &velocity,
+                self.block_friction * normal.max(S::zero()),
+                &pieces.block_friction,
+                S::zero(),
+            );
+        }
+        let strut = pieces
+            .strut
+            .damping(pose.stroke, leg.link_rate, pose.strut_lever);
+        damping.add_to_link(
+            j,
+            (pieces.link.free * strut * pose.strut_lever).max(S::zero()),
+        );
+    }
+
     /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
     /// computed of elements that carry no pressure, and their signals mean nothing; without
     /// `FORCES` nothing but the signals means anything, and of those not the link torque.
@@ -417,7 +505,9 @@ impl<S: Real> LegMotion<S> {
 
         // Lower link (49), (68).
         let strut_rate = pose.strut_lever * leg.link_rate;
-        let strut = pieces.strut.force(pose.stroke, leg.link_rate, strut_rate);
+        let strut = pieces
+            .strut
+            .force(pose.stroke, leg.link_rate, pose.strut_lever);
         let surface_torque = link_length * pose.link_normal.dot(&pad.force);
         let link_torque = surface_torque + strut * pose.strut_lever;
         let link_acceleration = pieces

@@ -26,6 +26,12 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// The greater of two numbers.
     fn max(self, other: Self) -> Self;
+    /// Magnitude.
+    fn abs(self) -> Self;
+    /// `magnitude` with the sign of `self` (of +1 where `self` is 0), for `magnitude` ≥ 0.
+    fn signed_like(self, magnitude: Self) -> Self;
+    /// `below` where `self` < 0, else `above`.
+    fn where_negative(self, below: Self, above: Self) -> Self;
     /// Nearest whole number.
     fn round(self) -> Self;
     /// `even` where `self`, a whole number, is even, else `odd`.
@@ -98,6 +104,21 @@ impl Real for f64 {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         f64::max(self, other)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+
+    #[inline(always)]
+    fn signed_like(self, magnitude: Self) -> Self {
+        magnitude.copysign(self)
+    }
+
+    #[inline(always)]
+    fn where_negative(self, below: Self, above: Self) -> Self {
+        if self < 0.0 { below } else { above }
     }
 
     #[inline(always)]

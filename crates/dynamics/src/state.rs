@@ -124,6 +124,31 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         }
     }
 
+    /// Velocity of the CG (ft/s, ground axes) and angular velocity (rad/s, vehicle axes).
+    #[inline(always)]
+    pub fn body_velocities(&self) -> ([S; 3], [S; 3]) {
+        let b = &self.body;
+        ([b[3], b[4], b[5]], [b[10], b[11], b[12]])
+    }
+
+    /// Rates γ̇ of the links, rad/s.
+    #[inline(always)]
+    pub fn link_rates(&self) -> [S; LEGS] {
+        std::array::from_fn(|j| self.legs[j][1])
+    }
+
+    /// Adds to the velocities of body and links.
+    #[inline(always)]
+    pub fn add_velocities(&mut self, body: &[S; 6], links: &[S; LEGS]) {
+        for i in 0..3 {
+            self.body[3 + i] += body[i];
+            self.body[10 + i] += body[3 + i];
+        }
+        for (leg, change) in self.legs.iter_mut().zip(links) {
+            leg[1] += *change;
+        }
+    }
+
     /// self + Σ weight · slope, component by component.
     #[inline(always)]
     pub fn advanced<const TERMS: usize>(

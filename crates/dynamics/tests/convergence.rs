@@ -24,7 +24,7 @@ fn smooth_stretch() -> (Bare<3>, State<f64, 3>) {
     state.set_body(&body);
     for j in 0..3 {
         let mut leg = state.leg(j);
-        leg.link_rate = -1.0;
+        leg.link_rate = -3.0;
         leg.link_angle -= 0.02;
         state.set_leg(j, &leg);
     }
@@ -37,17 +37,39 @@ fn order(coarse: f64, fine: f64) -> f64 {
     (coarse / fine).log2()
 }
 
+/// Orders seen over two halvings of the step.
+fn orders(errors: [f64; 3]) -> [f64; 2] {
+    println!("{errors:?}");
+    [order(errors[0], errors[1]), order(errors[1], errors[2])]
+}
+
 #[test]
-fn steps_are_of_order_five() {
+fn explicit_steps_are_of_order_five() {
     let (bare, state) = smooth_stretch();
     let time = 0.004;
-    let exact = bare.march(&state, time, 5120);
+    let exact = bare.march(&state, time, 1280);
     assert!(distance(&exact, &state) > 0.1, "nothing happened");
-    let errors = [80, 160, 320].map(|count| distance(&bare.march(&state, time, count), &exact));
-    println!("{errors:?}");
-    for pair in errors.windows(2) {
-        let order = order(pair[0], pair[1]);
-        assert!((4.7..5.3).contains(&order), "order {order} from {errors:?}");
+    let errors = [40, 80, 160].map(|count| distance(&bare.march(&state, time, count), &exact));
+    for order in orders(errors) {
+        assert!((4.7..5.5).contains(&order), "order {order} from {errors:?}");
+    }
+}
+
+#[test]
+fn damped_steps_are_of_order_four_however_good_the_damping() {
+    let (bare, state) = smooth_stretch();
+    let time = 0.004;
+    let exact = bare.march(&state, time, 1280);
+    // Half and twice the damping there is, and what there is.
+    for share in [0.5, 1.0, 2.0] {
+        let march = |count| bare.march_damped(&state, time, count, share);
+        let errors = [20, 40, 80].map(|count| distance(&march(count), &exact));
+        for order in orders(errors) {
+            assert!(
+                (3.6..4.8).contains(&order),
+                "order {order} from {errors:?} with {share} of the damping"
+            );
+        }
     }
 }
 
@@ -94,7 +116,9 @@ fn landings_converge_with_the_tolerance() {
                 .collect();
             println!("{name}, {time}: {errors:?}");
             for (error, e) in errors.iter().zip(4..) {
-                let bound = IN_PROPORTION * 10f64.powi(-e);
+                // Looser tolerances step over gentle kinks of the laws.
+                let share = if e < 6 { 1.0 } else { IN_PROPORTION };
+                let bound = share * 10f64.powi(-e);
                 assert!(*error < bound, "{name}, {time}, 1e-{e}: {error:e} ft");
             }
             // Loose tolerances are not the limit of the error: events cut steps anyway.

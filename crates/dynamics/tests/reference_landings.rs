@@ -14,6 +14,11 @@ const BOUNCING: f64 = 2.5;
 /// Within the time by which the end may be off the CG descends by no more than this is worth, ft·lb.
 const DESCENT: f64 = 0.1;
 
+/// Case whose late stability angle no tolerance settles: it chatters through thousands of events.
+/// Others within 0.2 deg; this one is known to no better than its own scatter.
+const UNSETTLED: &str = "216";
+const SCATTER_DEG: f64 = 0.3;
+
 fn compare(row: &Row, landing: &Landing<3>, force_limit: f64) -> Complaints {
     let mut complaints = Complaints::default();
     if row.text("marginal") == "1" {
@@ -78,7 +83,11 @@ fn compare(row: &Row, landing: &Landing<3>, force_limit: f64) -> Complaints {
             "late angle",
             angle,
             row.number("min_stability_angle_deg"),
-            0.2,
+            if row.text("case") == UNSETTLED {
+                SCATTER_DEG
+            } else {
+                0.2
+            },
         );
     }
     complaints
@@ -111,4 +120,26 @@ fn at_the_default_tolerance() {
     // Forces are the greatest at the ends of steps, which are further apart here than those of the
     // reference: a sharp peak between them is missed by up to 1 %.
     compare_all(Settings::DEFAULT_TOLERANCE, 20.0);
+}
+
+/// The proof that the reference's number for the unsettled case is one of many.
+#[test]
+fn one_case_is_unsettled() {
+    let rows = reference("landings.csv");
+    let row = rows.iter().find(|row| row.text("case") == UNSETTLED);
+    let (vehicle, scene) = landing_case(row.unwrap());
+    let angles: Vec<f64> = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
+        .iter()
+        .map(|&tolerance| land(&vehicle, &scene, &settings(tolerance)))
+        .inspect(|landing| assert!(landing.events > 2000))
+        .map(|landing| landing.min_stability_angle.to_degrees())
+        .collect();
+    let differences: Vec<f64> = angles.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
+    println!("{angles:?}");
+    // Tightened tenfold four times, the angle moves as much at the end as at the start.
+    assert!(differences.iter().all(|&d| d > 0.05), "{differences:?}");
+    assert!(
+        differences.iter().all(|&d| d < SCATTER_DEG),
+        "{differences:?}"
+    );
 }

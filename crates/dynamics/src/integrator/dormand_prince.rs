@@ -3,6 +3,7 @@
 //! J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl.
 //! Math. 6 (1980) 19-26. The last stage is the first of the next step.
 
+use crate::integrator::step::{Step, Weights};
 use crate::scalar::Real;
 use crate::state::State;
 
@@ -23,7 +24,7 @@ const A6: [f64; 5] = [
     -5103.0 / 18656.0,
 ];
 /// Weights of the fifth-order result on stages 1, 3, 4, 5, 6.
-pub(super) const B: [f64; 5] = [
+const B: [f64; 5] = [
     35.0 / 384.0,
     500.0 / 1113.0,
     125.0 / 192.0,
@@ -40,44 +41,35 @@ const E: [f64; 6] = [
     -1.0 / 40.0,
 ];
 
-/// Evaluations of the derivative in a step.
-pub const EVALUATIONS: u64 = 6;
-
-/// A step from one state to the next.
-#[derive(Debug, Clone, Copy)]
-pub struct Step<S, const LEGS: usize> {
-    /// State at the start.
-    pub before: State<S, LEGS>,
-    /// State at the end.
-    pub after: State<S, LEGS>,
-    /// Derivatives at stages 1, 3, 4, 5, 6 and at the end.
-    pub slopes: [State<S, LEGS>; 6],
-    /// Length, s.
-    pub length: S,
-}
+/// Weights of the fourth-degree term of the continuous output on stages 1, 3, 4, 5, 6, 7, by
+/// L. F. Shampine, after E. Hairer, S. P. Nørsett and G. Wanner, Solving Ordinary Differential
+/// Equations I, II.6.
+const D: [f64; 6] = [
+    -12715105075.0 / 11282082432.0,
+    87487479700.0 / 32700410799.0,
+    -10690763975.0 / 1880347072.0,
+    701980252875.0 / 199316789632.0,
+    -1453857185.0 / 822651844.0,
+    69997945.0 / 29380423.0,
+];
 
 impl<S: Real, const LEGS: usize> Step<S, LEGS> {
-    /// A step yet to be taken from `state`, where the derivative is `slope`.
-    pub fn from(state: State<S, LEGS>, slope: State<S, LEGS>) -> Self {
-        Self {
-            before: state,
-            after: state,
-            slopes: [slope; 6],
-            length: S::zero(),
-        }
-    }
-
-    /// Takes a step of length `h` from `before`, where the derivative is the first slope.
+    /// Takes an explicit step of length `h` from `before`, where the derivative is the first slope.
     /// `derivative` writes the derivative at a state into its second argument; `last` does so at
     /// the end of the step.
     #[inline(always)]
-    pub fn take(
+    pub fn take_explicit(
         &mut self,
         h: S,
         derivative: impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
         last: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
     ) {
         self.length = h;
+        self.weights = Weights {
+            result: B.map(S::constant),
+            error: E.map(S::constant),
+            bump: D.map(S::constant),
+        };
         let y = &self.before;
         let [k1, k3, k4, k5, k6, k7] = &mut self.slopes;
         // Stage 2 is needed for the next four only; it sits where the last one will be.
@@ -94,12 +86,6 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         );
         self.after = y.advanced(times(h, B), [&*k1, &*k3, &*k4, &*k5, &*k6]);
         last(&self.after, k7);
-    }
-
-    /// Local error estimate.
-    #[inline(always)]
-    pub fn error(&self) -> State<S, LEGS> {
-        State::zero().advanced_motion(times(self.length, E), self.slopes.each_ref())
     }
 }
 

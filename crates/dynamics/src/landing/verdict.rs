@@ -1,6 +1,6 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
-use super::{EVENT_RESOLUTION, Flight};
+use super::Flight;
 use crate::integrator::event::{Node, first_exit, is_plain, is_quiet};
 use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
@@ -16,7 +16,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         seen: &mut Observation<LEGS>,
         reach: f64,
     ) -> Option<(f64, Verdict)> {
-        let resolution = EVENT_RESOLUTION / self.step.length;
+        let resolution = self.event_resolution / self.step.length;
         let mut start = Node {
             theta: 0.0,
             signals: *seen,

@@ -1,10 +1,13 @@
 //! The equations of motion and one Runge-Kutta step without the landing around them.
 
 use touchdown_dynamics::contact::{LegLaws, LegMode};
-use touchdown_dynamics::integrator::dormand_prince::Step;
+use touchdown_dynamics::damping::Damping;
+use touchdown_dynamics::integrator::additive;
+use touchdown_dynamics::integrator::step::Step;
 use touchdown_dynamics::motion::{LegPieces, Motion, Signal};
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
+use touchdown_dynamics::strut::Kinks;
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// A vehicle in a scene with fixed pieces of all laws.
@@ -19,7 +22,7 @@ impl<const LEGS: usize> Bare<LEGS> {
     /// A vehicle that touches nothing.
     pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Self {
         let rule = CrushRule::PivotRate;
-        let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], rule));
+        let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], rule, Kinks::Located));
         let pieces = std::array::from_fn(|j: usize| LegMode::untouched(&laws[j]).pieces(&laws[j]));
         Self {
             motion: Motion::new(vehicle, scene),
@@ -63,14 +66,42 @@ impl<const LEGS: usize> Bare<LEGS> {
         self.motion.derivative(state, &self.pieces, slope);
     }
 
+    /// The damping matrix at a state.
+    pub fn damping(&self, state: &State<f64, LEGS>) -> Damping<f64, LEGS> {
+        self.motion.damping(state, &self.pieces)
+    }
+
     /// One step of `length` seconds.
     pub fn step(&self, state: &State<f64, LEGS>, length: f64) -> Step<f64, LEGS> {
         let mut slope = State::zero();
         self.derivative(state, &mut slope);
         let mut step = Step::from(*state, slope);
         let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
-        step.take(length, derivative, derivative);
+        step.take_explicit(length, derivative, derivative);
         step
+    }
+
+    /// `count` steps through `time` seconds, with this share of the damping implicit.
+    pub fn march_damped(
+        &self,
+        state: &State<f64, LEGS>,
+        time: f64,
+        count: u32,
+        share: f64,
+    ) -> State<f64, LEGS> {
+        let length = time / f64::from(count);
+        let inertia = self.motion.inertia();
+        (0..count).fold(*state, |state, _| {
+            let mut slope = State::zero();
+            self.derivative(&state, &mut slope);
+            let mut step = Step::from(state, slope);
+            let damped = self
+                .damping(&state)
+                .factor(&inertia, share * additive::GAMMA * length);
+            let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
+            step.take_damped(length, &damped, derivative, derivative);
+            step.after
+        })
     }
 
     /// `count` steps through `time` seconds.
