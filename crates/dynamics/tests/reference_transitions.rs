@@ -2,11 +2,12 @@
 
 mod common;
 
-use common::boundary::{SCAN_STEPS, Search, Transition};
+use common::boundary::{SCAN_STEP, SCAN_STEPS, Search, Transition};
 use common::complaints::Complaints;
 use common::{Row, level, level_scene, reference, settings, table_4_1};
 use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Tip};
+use touchdown_dynamics::landing::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 
@@ -38,6 +39,25 @@ fn compare(name: &str, row: &Row, found: Transition) -> Complaints {
     complaints
 }
 
+/// Whether both outcomes occur, again and again, within 0.002 ft/s and at tolerances of the
+/// reference's own and tighter: then neither is the converged one. (At cross-slope 160, roll 20,
+/// 20.25 ft/s under the section rule the vehicle rocks for six seconds on the edge.)
+fn is_open(search: &Search, step: usize, letters: [char; 2]) -> bool {
+    let outcomes: Vec<char> = (-4..=4)
+        .flat_map(|k| [1e-8, 1e-9, 1e-10].map(|tolerance| (k, tolerance)))
+        .map(|(k, tolerance)| {
+            let rule = search.settings.crush_rule();
+            let settings = Settings::new(tolerance, Settings::DEFAULT_TIME_LIMIT, rule).unwrap();
+            let velocity = SCAN_STEP * step as f64 + 5e-4 * f64::from(k);
+            let scene = search.scene.with_horizontal_velocity(velocity).unwrap();
+            letter(land(search.vehicle, &scene, &settings).outcome.class())
+        })
+        .collect();
+    letters
+        .iter()
+        .all(|letter| outcomes.iter().filter(|seen| *seen == letter).count() > 1)
+}
+
 fn compare_level(file: &str, rule: CrushRule) {
     let vehicle = table_4_1();
     let settings = Settings::new(
@@ -65,8 +85,14 @@ fn compare_level(file: &str, rule: CrushRule) {
                 .map(|k| search.class_at_step(k))
                 .collect();
             let mut complaints = compare(&name, row, search.first_transition(|k| scan[k]));
-            let letters: String = scan.into_iter().map(letter).collect();
             let expected = row.text("scan_0_to_25_fps_by_0.25");
+            let letters: String = (scan.into_iter().map(letter).zip(expected.chars()))
+                .enumerate()
+                .map(|(k, (found, expected))| {
+                    let either = found != expected && is_open(&search, k, [found, expected]);
+                    if either { expected } else { found }
+                })
+                .collect();
             complaints.same(&name, "scan", letters.as_str(), expected);
             complaints
         })
