@@ -26,3 +26,4 @@ mod sheet;
 mod stations;
 pub mod surface;
 mod view_point;
+pub mod work_precision;

@@ -9,6 +9,7 @@ use crate::figure_error::FigureError;
 use crate::map_view::View;
 use crate::perspective;
 use crate::surface::Surface;
+use crate::work_precision;
 
 /// A picture and what is appended to the table's name to name it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,6 +30,12 @@ pub fn draw(
     bands: Option<&str>,
     record: Option<&str>,
 ) -> Result<Vec<Picture>, FigureError> {
+    if work_precision::is_one(table) {
+        return Ok(vec![Picture {
+            suffix: "",
+            svg: work_precision::draw(table)?,
+        }]);
+    }
     let table = BoundaryTable::parse(table)?;
     let bands = bands.map(BandsTable::parse).transpose()?;
     let caption = match record {

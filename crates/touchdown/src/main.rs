@@ -18,6 +18,7 @@ mod summary;
 mod sweep;
 mod sweep_files;
 mod touchdown_options;
+mod work_precision;
 
 use std::process::ExitCode;
 
@@ -49,6 +50,8 @@ enum Command {
     Plot(plot::Options),
     /// Compare results with what the report of 1966 says
     Study(study::Options),
+    /// Measure what a tolerance costs and what it buys
+    WorkPrecision(work_precision::Options),
 }
 
 fn main() -> ExitCode {
@@ -57,6 +60,7 @@ fn main() -> ExitCode {
         Command::Sweep(options) => sweep::run(&options),
         Command::Plot(options) => plot::run(&options),
         Command::Study(options) => study::run(&options),
+        Command::WorkPrecision(options) => work_precision::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
