@@ -29,7 +29,7 @@ pub fn is_one(csv: &str) -> bool {
     csv.starts_with(&format!("{TOLERANCE},"))
 }
 
-/// A column of errors against cost, µs.
+/// A column of errors against cost, ms.
 struct Curve {
     words: &'static str,
     points: Vec<(f64, f64)>,
@@ -68,7 +68,7 @@ pub fn draw(csv: &str) -> Result<String, FigureError> {
         .margin_left(14)
         .x_label_area_size(46)
         .y_label_area_size(72)
-        .build_cartesian_2d(across.log_scale(), up.log_scale())
+        .build_cartesian_2d(across.log_scale().base(2.0), up.log_scale())
         .map_err(drawing)?;
     chart
         .configure_mesh()
@@ -79,7 +79,7 @@ pub fn draw(csv: &str) -> Result<String, FigureError> {
         .y_label_formatter(&|y| format!("{y:.0e}"))
         .label_style(ink::text(12, ink::TEXT))
         .axis_desc_style(ink::text(14, ink::TEXT))
-        .x_desc("Time of a landing, mean, µs")
+        .x_desc("Time of a landing, mean, ms")
         .y_desc("Worst error")
         .draw()
         .map_err(drawing)?;
@@ -153,7 +153,7 @@ fn read(csv: &str) -> Result<(Vec<String>, Vec<Curve>), FigureError> {
     let curves = ERRORS.into_iter().map(|(name, words)| {
         let column = column(name)?;
         let points = (0..rows.len())
-            .map(|row| Ok((number(row, cost)?, number(row, column)?)))
+            .map(|row| Ok((1e-3 * number(row, cost)?, number(row, column)?)))
             .collect::<Result<_, FigureError>>()?;
         Ok(Curve { words, points })
     });

@@ -22,7 +22,7 @@ use transitions::Transitions;
 
 /// Tolerance of the landings that all others are measured against.
 const CONVERGED: f64 = 1e-11;
-const TOLERANCES: [f64; 9] = [1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-6, 1e-7, 1e-8];
+const TOLERANCES: [f64; 8] = [1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-6, 1e-7, 1e-8];
 const QUICK_TOLERANCES: [f64; 3] = [1e-3, 1e-4, 1e-6];
 
 const MORE: &str = "\
