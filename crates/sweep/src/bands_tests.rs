@@ -1,6 +1,9 @@
 use super::*;
 use crate::boundary::Extent;
+use crate::refine::Refinement;
+use crate::scan::Scan;
 use std::convert::Infallible;
+use touchdown_dynamics::outcome::Class;
 
 const SEARCH: Search = Search {
     from: 0.0,
@@ -8,6 +11,8 @@ const SEARCH: Search = Search {
     scan_step: 0.25,
     tolerance: 0.001,
     extent: Extent::All,
+    scan: Scan::Full,
+    refinement: Refinement::Margin,
 };
 
 fn survey(class: impl Fn(f64) -> Class) -> Boundary {

@@ -14,18 +14,21 @@
 
 use touchdown_dynamics::outcome::Class;
 
-use crate::bands::Sample;
+use crate::trial::Sample;
 
 /// How much steeper than around it the course of σ² may be inside an interval.
 const STEEPER: f64 = 2.0;
 /// Landings spent on one look: they narrow the place of the least angle to 1/29 of the interval.
 const LANDINGS: usize = 8;
 
-/// Indices of the samples above which an interval between stable landings may hide a band.
-pub(crate) fn suspects(samples: &[Sample]) -> Vec<usize> {
+/// Indices of the samples above which an interval between stable landings may hide a band. Where
+/// the scan skipped steps it saw no dip.
+pub(crate) fn suspects(samples: &[Sample], scan_step: f64) -> Vec<usize> {
+    let is_step = |pair: &[Sample]| pair[1].speed - pair[0].speed < 1.5 * scan_step;
     let hides = |around: &[Sample]| match around {
         [before, low, high, after] => {
             around.iter().all(|sample| sample.class() == Class::Stable)
+                && around.windows(2).all(is_step)
                 && predicted_least(
                     [before, low].map(coordinates),
                     [high, after].map(coordinates),
@@ -101,7 +104,7 @@ pub(crate) fn look<Stop>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::Trial;
+    use crate::trial::Trial;
     use std::convert::Infallible;
 
     fn at(speed: f64, least_angle: f64) -> Sample {
@@ -123,7 +126,7 @@ mod tests {
             let samples: Vec<Sample> = (0..8)
                 .map(|i| at(f64::from(i), angle(f64::from(i))))
                 .collect();
-            suspects(&samples)
+            suspects(&samples, 1.0)
         };
         assert_eq!(scan(|v| (v - 3.5).abs() - 0.2), [3]);
         assert_eq!(scan(|v| (v - 3.5).abs() + 2.0), [] as [usize; 0]);

@@ -3,7 +3,7 @@
 //! | step | modules |
 //! |---|---|
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
-//! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
+//! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`] |
 //! | do so on every core | [`run`] |
 //! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
@@ -22,11 +22,15 @@ pub mod hidden;
 pub mod history;
 pub mod input_error;
 pub mod landing_table;
+pub mod lattice;
+pub mod refine;
 pub mod results;
 pub mod run;
+pub mod scan;
 pub mod scene_input;
 mod search_input;
 pub mod section;
 pub mod settings_input;
 pub mod sweep_file;
+pub mod trial;
 pub mod vehicle_file;

@@ -3,8 +3,9 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::outcome::Class;
 
-use crate::boundary::{Boundary, Extent};
+use crate::boundary::Boundary;
 use crate::document::{Entry, Value as Read};
+use crate::search_input::{EXTENTS, REFINEMENTS, SCANS, word};
 use crate::settings_input::crush_rule_name;
 use crate::sweep_file::Sweep;
 
@@ -108,7 +109,9 @@ pub fn record<const LEGS: usize>(
                 "to_fps": sweep.search.to,
                 "scan_step_fps": sweep.search.scan_step,
                 "tolerance_fps": sweep.search.tolerance,
-                "bands": extent_name(sweep.search.extent),
+                "bands": word(&EXTENTS, sweep.search.extent),
+                "scan": word(&SCANS, sweep.search.scan),
+                "refinement": word(&REFINEMENTS, sweep.search.refinement),
             },
             "solver": {
                 "tolerance": sweep.settings.tolerance(),
@@ -122,6 +125,7 @@ pub fn record<const LEGS: usize>(
                 .into_iter()
                 .map(|(kind, count)| (kind, json!(count)))
                 .collect::<Map<String, Value>>(),
+            "scan_speeds_skipped": boundaries.iter().map(|b| b.skipped).sum::<u64>(),
             "landings": boundaries.iter().map(|b| b.landings).sum::<u64>(),
             "derivative_evaluations": boundaries.iter().map(|b| b.evaluations).sum::<u64>(),
             "bands": boundaries.iter().map(|b| b.bands.len()).sum::<usize>(),
@@ -131,14 +135,6 @@ pub fn record<const LEGS: usize>(
         "threads": circumstances.threads,
         "wall_time_s": circumstances.wall_time,
     })
-}
-
-/// Word of an extent in sweep files.
-fn extent_name(extent: Extent) -> &'static str {
-    match extent {
-        Extent::First => "first",
-        Extent::All => "all",
-    }
 }
 
 /// Number of points for each kind of first transition that occurs, `none` last.

@@ -12,9 +12,10 @@ use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::boundary::{Boundary, Trial};
+use crate::boundary::Boundary;
 use crate::scene_input::SceneFault;
 use crate::sweep_file::Sweep;
+use crate::trial::{Scales, Trial};
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
@@ -147,6 +148,7 @@ fn search_point<const LEGS: usize>(
     cancel: &AtomicBool,
 ) -> Result<Boundary, RunError> {
     let scene = sweep.scene(point).map_err(RunError::Scene)?;
+    let scales = Scales::of(&sweep.vehicle.vehicle);
     sweep.search.boundary(|speed| {
         go_on(cancel)?;
         let faster = scene.with_horizontal_velocity(speed).map_err(|invalid| {
@@ -158,11 +160,7 @@ fn search_point<const LEGS: usize>(
         })?;
         let landing = land(&sweep.vehicle.vehicle, &faster, &sweep.settings);
         observer.landing();
-        Ok(Trial {
-            least_angle: landing.min_stability_angle,
-            outcome: landing.outcome,
-            evaluations: landing.evaluations,
-        })
+        Ok(Trial::of(landing, &scales))
     })
 }
 
