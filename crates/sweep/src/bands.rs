@@ -7,6 +7,7 @@
 use touchdown_dynamics::outcome::{Class, Outcome};
 
 use crate::boundary::{Boundary, Search};
+use crate::certainty::{Certainty, Variation};
 use crate::hidden;
 use crate::trial::{Sample, Trial};
 
@@ -23,25 +24,28 @@ pub struct Band {
     pub outcome: Outcome,
     /// Width of the bracket of the upper transition, ft/s; `None` at the end of the range.
     pub bracket_width: Option<f64>,
+    /// How well the upper transition is determined.
+    pub certainty: Certainty,
 }
 
 impl Search {
-    /// Searches all bands with `land`, which lands at a given horizontal speed. The first
-    /// transition is the one that [`Search::first_transition`] finds, unless a hidden band lies
+    /// Searches all bands with `land`, which lands at a given horizontal speed with a variation. The
+    /// first transition is the one that [`Search::first_transition`] finds, unless a hidden band lies
     /// below it.
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
     pub fn all_bands<Stop>(
         &self,
-        mut land: impl FnMut(f64) -> Result<Trial, Stop>,
+        mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let mut sample = |speed| land(speed).map(|trial| Sample { speed, trial });
+        let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
         let mut samples = self.scanned(false, &mut sample)?;
         let skipped = self.scan_count() - samples.len() as u64;
 
         let suspects = hidden::suspects(&samples, self.scan_step);
         let mut found = Vec::new();
+        let mut looks = suspects.len() as u64;
         let mut finds = 0;
         for &index in &suspects {
             let look = hidden::look(&samples[index], &samples[index + 1], &mut sample)?;
@@ -53,17 +57,37 @@ impl Search {
         let mut between = Vec::new();
         for pair in samples.windows(2) {
             let narrowing = self.narrowing(true);
-            between.extend(narrowing.between(&pair[0], &pair[1], &mut sample)?);
+            let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample)?;
+            between.append(&mut narrowed.samples);
+            looks += narrowed.looks;
+            finds += narrowed.finds;
         }
         insert(&mut samples, between);
 
-        Ok(Boundary {
+        let mut boundary = Boundary {
             bands: bands(&samples),
-            looks: suspects.len() as u64,
+            looks,
             finds,
             skipped,
             ..Boundary::of(&samples)
-        })
+        };
+        let mut certainties = Vec::new();
+        for pair in samples.windows(2) {
+            if pair[0].class() != pair[1].class() {
+                let ends = [&pair[0], &pair[1]];
+                let certainty = self.tested(ends, &mut boundary, &mut land)?;
+                certainties.push((pair[1].speed, certainty));
+            }
+        }
+        for (band, (_, certainty)) in boundary.bands.iter_mut().zip(&certainties) {
+            band.certainty = *certainty;
+        }
+        if let Some(first) = &mut boundary.transition
+            && let Some((_, certainty)) = certainties.iter().find(|(high, _)| *high == first.high)
+        {
+            first.certainty = *certainty;
+        }
+        Ok(boundary)
     }
 }
 
@@ -93,6 +117,7 @@ fn bands(samples: &[Sample]) -> Vec<Band> {
             class: first.class(),
             outcome: nearest.trial.outcome.clone(),
             bracket_width: next.map(|next| next.speed - last.speed),
+            certainty: Certainty::default(),
         });
     }
     bands

@@ -7,7 +7,8 @@
 use touchdown_dynamics::outcome::Class;
 
 use crate::bands::Band;
-use crate::refine::{Narrowing, Refinement};
+use crate::certainty::{self, Certainty, Doubt, Variation};
+use crate::refine::{Narrowed, Narrowing, Refinement};
 use crate::scan::Scan;
 use crate::trial::{Sample, Trial};
 
@@ -28,6 +29,8 @@ pub struct Search {
     pub scan: Scan,
     /// How brackets are narrowed.
     pub refinement: Refinement,
+    /// Which transitions are put to the test.
+    pub doubt: Doubt,
 }
 
 /// How much of the range of speeds a search goes through.
@@ -50,6 +53,8 @@ pub struct Transition {
     pub low: f64,
     /// Lowest speed known not to be stable, ft/s.
     pub high: f64,
+    /// How well it is determined.
+    pub certainty: Certainty,
 }
 
 impl Transition {
@@ -66,13 +71,15 @@ pub struct Boundary {
     pub transition: Option<Transition>,
     /// All bands of the range from below; none when only the first transition was asked for.
     pub bands: Vec<Band>,
-    /// Intervals between equal outcomes that were looked into for a hidden band.
+    /// Intervals between like outcomes that were looked into for a hidden band.
     pub looks: u64,
     /// How many of them held one.
     pub finds: u64,
     /// Landings of a full scan that were spared by skipping.
     pub skipped: u64,
-    /// Landings computed.
+    /// Landings that put transitions to the test.
+    pub tests: u64,
+    /// Landings computed, tests included.
     pub landings: u64,
     /// Evaluations of the equations of motion in all of them.
     pub evaluations: u64,
@@ -96,13 +103,13 @@ impl Search {
     }
 
     /// Searches as much of the range as [`Search::extent`] says with `land`, which lands at a given
-    /// horizontal speed.
+    /// horizontal speed with a variation.
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
     pub fn boundary<Stop>(
         &self,
-        land: impl FnMut(f64) -> Result<Trial, Stop>,
+        land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         match self.extent {
             Extent::First => self.first_transition(land),
@@ -110,15 +117,16 @@ impl Search {
         }
     }
 
-    /// Searches the first transition with `land`, which lands at a given horizontal speed.
+    /// Searches the first transition with `land`, which lands at a given horizontal speed with a
+    /// variation.
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
     pub fn first_transition<Stop>(
         &self,
-        mut land: impl FnMut(f64) -> Result<Trial, Stop>,
+        mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let mut sample = |speed| land(speed).map(|trial| Sample { speed, trial });
+        let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
         let mut samples = self.scanned(true, &mut sample)?;
         let change = first_unstable(&samples);
         let full_scan = match change {
@@ -126,16 +134,44 @@ impl Search {
             None => self.scan_count(),
         };
         let skipped = full_scan.saturating_sub(samples.len() as u64);
+        let mut narrowed = Narrowed::default();
         if let Some(index) = change.filter(|index| *index > 0) {
             let (low, high) = (&samples[index - 1], &samples[index]);
-            let between = self.narrowing(false).between(low, high, &mut sample)?;
-            samples.extend(between);
+            narrowed = self.narrowing(false).between(low, high, &mut sample)?;
+            samples.append(&mut narrowed.samples);
             samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        }
+        let mut boundary = Boundary::of(&samples);
+        if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
+            let ends = [&samples[index - 1], &samples[index]];
+            let certainty = self.tested(ends, &mut boundary, &mut land)?;
+            if let Some(found) = &mut boundary.transition {
+                found.certainty = certainty;
+            }
         }
         Ok(Boundary {
             skipped,
-            ..Boundary::of(&samples)
+            looks: narrowed.looks,
+            finds: narrowed.finds,
+            ..boundary
         })
+    }
+
+    /// Puts a change to the test and counts the landings that this took.
+    pub(crate) fn tested<Stop>(
+        &self,
+        ends: [&Sample; 2],
+        boundary: &mut Boundary,
+        land: &mut impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Certainty, Stop> {
+        let mut counted = |speed, variation| {
+            let trial = land(speed, variation)?;
+            boundary.landings += 1;
+            boundary.tests += 1;
+            boundary.evaluations += trial.evaluations;
+            Ok(trial)
+        };
+        certainty::test(self.doubt, ends, self.scan_step, &mut counted)
     }
 
     pub(crate) fn narrowing(&self, to_all: bool) -> Narrowing {
@@ -161,6 +197,7 @@ impl Boundary {
             to: samples[index].class(),
             low: samples[index.saturating_sub(1)].speed,
             high: samples[index].speed,
+            certainty: Certainty::default(),
         });
         Self {
             transition,
@@ -172,7 +209,7 @@ impl Boundary {
 }
 
 /// Index of the first landing that is not stable.
-fn first_unstable(samples: &[Sample]) -> Option<usize> {
+pub(crate) fn first_unstable(samples: &[Sample]) -> Option<usize> {
     samples
         .iter()
         .position(|sample| sample.class() != Class::Stable)

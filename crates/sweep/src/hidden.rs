@@ -8,10 +8,6 @@
 //! zero in it, the interval is searched for the least angle itself. Twice, because a new contact
 //! bends the course of σ² within a scan step.
 //!
-//! Measured at cross-slope 160 deg, 13 rolls: scanned by 0.02 ft/s there are 37 bands, the default
-//! step of 0.25 with these looks finds 31. Missed are stable bands of 0.02 and 0.06 ft/s amid
-//! toppling, of which σ tells nothing, and a toppling band of 0.1 ft/s between bouncing landings.
-
 use touchdown_dynamics::outcome::Class;
 
 use crate::trial::Sample;

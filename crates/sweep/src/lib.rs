@@ -3,7 +3,7 @@
 //! | step | modules |
 //! |---|---|
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
-//! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`] |
+//! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
 //! | do so on every core | [`run`] |
 //! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
@@ -15,6 +15,7 @@ pub mod bands;
 pub mod bands_table;
 pub mod boundary;
 pub mod cases;
+pub mod certainty;
 pub mod deposit;
 pub mod document;
 pub mod found;

@@ -5,11 +5,13 @@
 //! a straight line, so that interpolating them finds the place in two or three landings. Only speeds
 //! that halving can meet are landed at, and both ends of the bracket are landings: where an
 //! interval holds one transition, the bracket is that of bisection to the last bit.
+//!
+//! Where margins jump or turn back an interval may hold more than one. It is looked at again then.
 
 use touchdown_dynamics::outcome::Class;
 
 use crate::lattice::Lattice;
-use crate::trial::Sample;
+use crate::trial::{Sample, margin_jumps};
 
 /// How brackets are narrowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -24,6 +26,9 @@ pub enum Refinement {
 /// Landings more than halving would take that interpolation may spend before it has to halve.
 const SLACK: i32 = 2;
 
+/// A gap is wide that is more than this part of the interval: a quarter.
+const WIDE_GAP: u64 = 4;
+
 /// How an interval is narrowed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Narrowing {
@@ -35,28 +40,96 @@ pub(crate) struct Narrowing {
     pub(crate) to_all: bool,
 }
 
+/// What narrowing an interval gave.
+#[derive(Debug, Default)]
+pub(crate) struct Narrowed {
+    /// Landings in between, in no order.
+    pub(crate) samples: Vec<Sample>,
+    /// Gaps between like landings that were looked into, and those that held another change.
+    pub(crate) looks: u64,
+    pub(crate) finds: u64,
+}
+
 impl Narrowing {
-    /// Narrows down the change of class between two landings and any other that is met on the way;
-    /// returns the landings in between, in no order.
+    /// Narrows down the change of class between two landings and any other that is met on the way.
     pub(crate) fn between<Stop>(
         &self,
         low: &Sample,
         high: &Sample,
         sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
-    ) -> Result<Vec<Sample>, Stop> {
+    ) -> Result<Narrowed, Stop> {
+        if low.class() == high.class() {
+            return Ok(Narrowed::default());
+        }
         let lattice = Lattice::new(low.speed, high.speed, self.tolerance);
-        let mut found = Vec::new();
+        let mut nodes = Vec::new();
         let mut land = |index| {
-            let sample = sample(lattice.speed(index))?;
-            found.push(sample.clone());
-            Ok(Node { index, sample })
+            let node = Node {
+                index,
+                sample: sample(lattice.speed(index))?,
+            };
+            nodes.push(node.clone());
+            Ok(node)
         };
         let node = |index, sample: &Sample| Node {
             index,
             sample: sample.clone(),
         };
-        self.narrow(node(0, low), node(lattice.parts(), high), &mut land)?;
-        Ok(found)
+        let ends = [node(0, low), node(lattice.parts(), high)];
+        let [from, to] = ends.clone();
+        self.narrow(from, to, &mut land)?;
+        let (looks, finds) = self.look_again(&ends, &mut nodes, &mut |index| {
+            sample(lattice.speed(index)).map(|sample| Node { index, sample })
+        })?;
+        let samples = nodes.into_iter().map(|node| node.sample).collect();
+        Ok(Narrowed {
+            samples,
+            looks,
+            finds,
+        })
+    }
+
+    /// Where a margin jumps or turns back inside the interval, there may be more changes than the
+    /// one that was narrowed down: lands once in the middle of each wide gap between like landings,
+    /// and narrows what it finds.
+    fn look_again<Stop>(
+        &self,
+        ends: &[Node; 2],
+        found: &mut Vec<Node>,
+        land: &mut impl FnMut(u64) -> Result<Node, Stop>,
+    ) -> Result<(u64, u64), Stop> {
+        let mut nodes: Vec<Node> = ends.iter().chain(found.iter()).cloned().collect();
+        nodes.sort_by_key(|node| node.index);
+        if is_regular(&nodes) {
+            return Ok((0, 0));
+        }
+        let wide = ends[1].index / WIDE_GAP;
+        let gaps = nodes
+            .windows(2)
+            .take_while(|pair| self.to_all || pair[1].class() == ends[0].class())
+            .filter(|pair| {
+                pair[0].class() == pair[1].class() && pair[1].index - pair[0].index > wide.max(1)
+            });
+        let (mut looks, mut finds) = (0, 0);
+        for gap in gaps {
+            let [below, above] = [&gap[0], &gap[1]];
+            let middle = land(below.index + (above.index - below.index) / 2)?;
+            looks += 1;
+            found.push(middle.clone());
+            if middle.class() != below.class() {
+                finds += 1;
+                let mut kept = |index| {
+                    let node = land(index)?;
+                    found.push(node.clone());
+                    Ok(node)
+                };
+                self.narrow(below.clone(), middle.clone(), &mut kept)?;
+                if self.to_all {
+                    self.narrow(middle, above.clone(), &mut kept)?;
+                }
+            }
+        }
+        Ok((looks, finds))
     }
 
     fn narrow<Stop>(
@@ -91,6 +164,27 @@ impl Narrowing {
         }
         Ok(())
     }
+}
+
+/// Whether neighbouring landings change class once, at a margin that runs through zero and never
+/// turns back.
+fn is_regular(nodes: &[Node]) -> bool {
+    let changes: Vec<&[Node]> = nodes
+        .windows(2)
+        .filter(|pair| pair[0].class() != pair[1].class())
+        .collect();
+    let [change] = changes[..] else {
+        return false;
+    };
+    let [low, high] = [&change[0], &change[1]];
+    let classes = [low.class(), high.class()];
+    let margins: Option<Vec<f64>> = nodes.iter().map(|node| node.margin(classes)).collect();
+    let falls = |a: f64, b: f64| match classes[0] {
+        Class::Stable => a > b,
+        _ => a < b,
+    };
+    !margin_jumps(&low.sample, &high.sample)
+        && margins.is_some_and(|margins| margins.windows(2).all(|pair| falls(pair[0], pair[1])))
 }
 
 /// A landing at a speed of the lattice.

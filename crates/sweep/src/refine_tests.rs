@@ -31,8 +31,9 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     };
     let (low, high) = (sample(0.0), sample(0.25));
     let mut land = |speed| Ok::<_, Infallible>(sample(speed));
-    let Ok(mut samples) = narrowing.between(&low, &high, &mut land);
-    let landings = samples.len();
+    let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
+    let mut samples = narrowed.samples;
+    let landings = samples.len() - narrowed.looks as usize;
     samples.extend([low, high]);
     samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
     let mut changes = samples
@@ -83,4 +84,32 @@ fn landings_without_a_margin_are_halved() {
     };
     let halved = bracket(Refinement::Bisection, sample);
     assert_eq!(bracket(Refinement::Margin, sample), halved);
+}
+
+#[test]
+fn an_irregular_interval_is_looked_at_again() {
+    // Topples from 0.04 to 0.16 and from 0.2 on; the first guess falls between.
+    let margin = |v: f64| match v {
+        v if v < 0.04 => 0.2,
+        v if v < 0.16 => -0.1,
+        v if v < 0.2 => 0.05,
+        _ => -0.05,
+    };
+    for refinement in [Refinement::Margin, Refinement::Bisection] {
+        let narrowing = Narrowing {
+            refinement,
+            tolerance: 0.001,
+            to_all: true,
+        };
+        let mut land = |speed| Ok::<_, Infallible>(at(speed, margin(speed)));
+        let (low, high) = (at(0.0, 0.2), at(0.25, -0.05));
+        let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
+        let mut samples = narrowed.samples;
+        samples.extend([low, high]);
+        samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let mut changes = samples
+            .windows(2)
+            .filter(|pair| pair[0].class() != pair[1].class());
+        assert!((changes.next().unwrap()[0].speed - 0.04).abs() < 0.001);
+    }
 }

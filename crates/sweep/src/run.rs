@@ -149,16 +149,19 @@ fn search_point<const LEGS: usize>(
 ) -> Result<Boundary, RunError> {
     let scene = sweep.scene(point).map_err(RunError::Scene)?;
     let scales = Scales::of(&sweep.vehicle.vehicle);
-    sweep.search.boundary(|speed| {
+    sweep.search.boundary(|speed, variation| {
         go_on(cancel)?;
-        let faster = scene.with_horizontal_velocity(speed).map_err(|invalid| {
-            RunError::Scene(SceneFault {
-                name: crate::scene_input::HORIZONTAL_VELOCITY,
-                value: Some(invalid.value),
-                allowed: invalid.allowed,
-            })
-        })?;
-        let landing = land(&sweep.vehicle.vehicle, &faster, &sweep.settings);
+        let (varied, settings) = scene
+            .with_horizontal_velocity(speed)
+            .and_then(|faster| variation.of(&faster, &sweep.settings))
+            .map_err(|invalid| {
+                RunError::Scene(SceneFault {
+                    name: crate::scene_input::HORIZONTAL_VELOCITY,
+                    value: Some(invalid.value),
+                    allowed: invalid.allowed,
+                })
+            })?;
+        let landing = land(&sweep.vehicle.vehicle, &varied, &settings);
         observer.landing();
         Ok(Trial::of(landing, &scales))
     })

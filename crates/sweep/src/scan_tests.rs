@@ -1,5 +1,6 @@
 use super::*;
 use crate::boundary::Extent;
+use crate::certainty::Doubt;
 use crate::refine::Refinement;
 use crate::trial::Trial;
 use std::convert::Infallible;
@@ -12,6 +13,7 @@ const SEARCH: Search = Search {
     extent: Extent::All,
     scan: Scan::Skipping,
     refinement: Refinement::Margin,
+    doubt: Doubt::None,
 };
 
 /// Scans landings that last so long and end in such a class at a speed; returns the speeds.

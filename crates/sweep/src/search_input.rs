@@ -1,12 +1,13 @@
 //! Where to search: the table `[search]` of a sweep file.
 
 use crate::boundary::{Extent, Search};
+use crate::certainty::Doubt;
 use crate::input_error::InputError;
 use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::section::Section;
 
-const SEARCH: [&str; 7] = [
+const SEARCH: [&str; 8] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",
@@ -14,6 +15,7 @@ const SEARCH: [&str; 7] = [
     "bands",
     "scan",
     "refinement",
+    "certainty",
 ];
 /// Words of the choices, and what they mean; the first is what holds without a word.
 pub(crate) const EXTENTS: [(&str, Extent); 2] = [("first", Extent::First), ("all", Extent::All)];
@@ -21,6 +23,11 @@ pub(crate) const SCANS: [(&str, Scan); 2] = [("full", Scan::Full), ("skipping", 
 pub(crate) const REFINEMENTS: [(&str, Refinement); 2] = [
     ("margin", Refinement::Margin),
     ("bisection", Refinement::Bisection),
+];
+pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
+    ("doubtful", Doubt::Doubtful),
+    ("all", Doubt::All),
+    ("none", Doubt::None),
 ];
 /// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
 const LEAST_BRACKET: f64 = 1e-9;
@@ -38,6 +45,7 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         extent: choice(section, "bands", &EXTENTS)?,
         scan: choice(section, "scan", &SCANS)?,
         refinement: choice(section, "refinement", &REFINEMENTS)?,
+        doubt: choice(section, "certainty", &DOUBTS)?,
     };
     let width = search.to - search.from;
     let step = search.scan_step;
