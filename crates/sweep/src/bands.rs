@@ -55,12 +55,14 @@ impl Search {
         insert(&mut samples, found);
 
         let mut between = Vec::new();
+        let mut spent = [0, 0];
         for pair in samples.windows(2) {
             let narrowing = self.narrowing(true);
             let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample)?;
             between.append(&mut narrowed.samples);
             looks += narrowed.looks;
             finds += narrowed.finds;
+            spent = [spent[0] + narrowed.spent[0], spent[1] + narrowed.spent[1]];
         }
         insert(&mut samples, between);
 
@@ -71,6 +73,8 @@ impl Search {
             skipped,
             ..Boundary::of(&samples)
         };
+        boundary.landings += spent[0];
+        boundary.evaluations += spent[1];
         let mut certainties = Vec::new();
         for pair in samples.windows(2) {
             if pair[0].class() != pair[1].class() {

@@ -13,7 +13,7 @@ const SEARCH: Search = Search {
     tolerance: 0.001,
     extent: Extent::All,
     scan: Scan::Full,
-    refinement: Refinement::Margin,
+    refinement: Refinement::Bisection,
     doubt: Doubt::None,
 };
 
@@ -53,7 +53,7 @@ fn bands_cover_the_range_without_gaps() {
     }
     assert_eq!(found.bands[3].bracket_width, None);
     assert_eq!(found.bands[1].outcome, Outcome::UnstablePitch);
-    assert_eq!((found.landings, found.looks), (101 + 3 * (8 + 1), 3));
+    assert_eq!((found.landings, found.looks), (101 + 3 * (8 + 2), 3));
 }
 
 #[test]

@@ -153,6 +153,8 @@ impl Search {
             skipped,
             looks: narrowed.looks,
             finds: narrowed.finds,
+            landings: boundary.landings + narrowed.spent[0],
+            evaluations: boundary.evaluations + narrowed.spent[1],
             ..boundary
         })
     }

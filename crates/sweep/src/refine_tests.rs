@@ -33,7 +33,10 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     let mut land = |speed| Ok::<_, Infallible>(sample(speed));
     let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
     let mut samples = narrowed.samples;
-    let landings = samples.len() - narrowed.looks as usize;
+    let landings = match narrowed.spent[0] {
+        0 => samples.len() - 2 * narrowed.looks as usize,
+        spent => spent as usize,
+    };
     samples.extend([low, high]);
     samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
     let mut changes = samples

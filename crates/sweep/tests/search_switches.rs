@@ -1,4 +1,5 @@
-//! Skipping and interpolation find what the full scan and halving find, with fewer landings.
+//! Skipping and interpolation find what the full scan and halving find, with fewer landings, where no
+//! step of the scan holds more than one change.
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
@@ -8,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::axes::{Axis, Grid};
 use touchdown_sweep::boundary::{Boundary, Extent};
+use touchdown_sweep::certainty::Doubt;
 use touchdown_sweep::refine::Refinement;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::scan::Scan;
@@ -27,6 +29,7 @@ fn search(sweep: &Sweep<3>, extent: Extent, scan: Scan, refinement: Refinement) 
     sweep.search.extent = extent;
     sweep.search.scan = scan;
     sweep.search.refinement = refinement;
+    sweep.search.doubt = Doubt::None;
     let workers = Workers::start(None).unwrap();
     workers.sweep(&sweep, &(), &AtomicBool::new(false)).unwrap()
 }
@@ -67,7 +70,7 @@ fn all_bands_are_the_same() {
         totals[0] += landings(&plain);
         totals[1] += landings(&quick);
     }
-    assert!(2 * totals[1] < totals[0], "{totals:?}");
+    assert!(5 * totals[1] < 3 * totals[0], "{totals:?}");
 }
 
 #[test]
