@@ -9,9 +9,9 @@ work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 if [ "${1:-}" != --kept ]; then
     awk 'BEGIN {
-        print "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,roll_deg,slope_deg,friction"
+        print "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,roll_deg,slope_deg,friction,pitch_deg,yaw_deg"
         for (c = 80; c <= 180; c += 10) for (r = -60; r <= 60; r += 10) for (i = 0; i <= 1250; i++)
-            printf "%d,14,%.2f,%d,%d,15,1\n", ++n, 0.02 * i, c, r
+            printf "%d,14,%.2f,%d,%d,15,1,0,0\n", ++n, 0.02 * i, c, r
     }' > "$work/cases.csv"
     target/release/touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \
         --cases "$work/cases.csv" --out "$work/landings.csv"

@@ -9,7 +9,7 @@
 //! bends the course of σ² within a scan step.
 //!
 //! Measured on the level-vehicle grid (143 points, `scripts/missed-bands.sh`): of the 293 bands that a
-//! scan by 0.02 ft/s finds (`results/fine-bands.csv`), the default settings miss 6, all narrower than
+//! scan by 0.02 ft/s finds (`results/fine-bands.csv`), `scripts/level-grid.toml` misses 6, all narrower than
 //! the step of 0.25: one of a single failed landing, one of a single stable one, a stable one of 0.2
 //! ft/s and three toppling ones of 0.08 ft/s between bouncing landings. Of these neither σ nor strut
 //! travel tells: both run on smoothly from one side of the band to the other.

@@ -21,8 +21,8 @@ const SEARCH: [&str; 8] = [
 pub(crate) const EXTENTS: [(&str, Extent); 2] = [("first", Extent::First), ("all", Extent::All)];
 pub(crate) const SCANS: [(&str, Scan); 2] = [("full", Scan::Full), ("skipping", Scan::Skipping)];
 pub(crate) const REFINEMENTS: [(&str, Refinement); 2] = [
-    ("margin", Refinement::Margin),
     ("bisection", Refinement::Bisection),
+    ("margin", Refinement::Margin),
 ];
 pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
     ("doubtful", Doubt::Doubtful),
