@@ -4,19 +4,23 @@ use crate::boundary::Boundary;
 use crate::sweep_file::Sweep;
 
 /// Columns of the table after those of the axes.
-pub const COLUMNS: [&str; 6] = [
+pub const COLUMNS: [&str; 9] = [
     "band",
     "from_fps",
     "to_fps",
     "outcome",
     "bracket_width_fps",
     "kind",
+    "certainty",
+    "disputed_from_fps",
+    "disputed_to_fps",
 ];
 
 /// All bands as CSV: one row per band, from below, points in grid order.
 ///
 /// `outcome` is the class that the band's landings share, `kind` how the one nearest to its middle
-/// ended; `bracket_width_fps` belongs to `to_fps` and is empty at the end of the range.
+/// ended; `bracket_width_fps` and `certainty` belong to `to_fps` and are empty at the end of the range.
+/// Where `certainty` is `disputed`, small changes decide between the two speeds that follow.
 ///
 /// # Errors
 /// None but those of memory.
@@ -39,7 +43,13 @@ pub fn table<const LEGS: usize>(
                 width.map_or(String::new(), |width| width.to_string()),
                 band.outcome.to_string(),
             ];
-            writer.write_record(coordinates.iter().map(f64::to_string).chain(cells))?;
+            writer.write_record(
+                coordinates
+                    .iter()
+                    .map(f64::to_string)
+                    .chain(cells)
+                    .chain(band.certainty.cells()),
+            )?;
         }
     }
     writer
@@ -51,6 +61,7 @@ pub fn table<const LEGS: usize>(
 mod tests {
     use super::*;
     use crate::bands::Band;
+    use crate::certainty::Certainty;
     use std::path::Path;
     use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -58,12 +69,16 @@ mod tests {
     fn a_row_for_every_band() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
         let sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
-        let band = |from, to, class, outcome, bracket_width| Band {
+        let band = |from, to, class, outcome, bracket_width: Option<f64>| Band {
             from,
             to,
             class,
             outcome,
             bracket_width,
+            certainty: match bracket_width {
+                Some(_) => Certainty::Disputed([11.25, 12.0]),
+                None => Certainty::Untested,
+            },
         };
         let bands = vec![
             band(
@@ -82,9 +97,10 @@ mod tests {
         let text = String::from_utf8(table(&sweep, &[boundary]).unwrap()).unwrap();
         assert_eq!(
             text,
-            "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind\n\
-             -60,1,0,11.5,stable,0.25,stable-subsided\n\
-             -60,2,11.5,25,unstable,,unstable-yaw\n"
+            "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind,certainty,\
+             disputed_from_fps,disputed_to_fps\n\
+             -60,1,0,11.5,stable,0.25,stable-subsided,disputed,11.25,12\n\
+             -60,2,11.5,25,unstable,,unstable-yaw,,,\n"
         );
     }
 }

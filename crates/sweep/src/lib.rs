@@ -3,7 +3,7 @@
 //! | step | modules |
 //! |---|---|
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
-//! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
+//! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
 //! | do so on every core | [`run`] |
 //! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
@@ -15,6 +15,7 @@ pub mod bands;
 pub mod bands_table;
 pub mod boundary;
 pub mod cases;
+pub mod certainty;
 pub mod deposit;
 pub mod document;
 pub mod found;
@@ -22,11 +23,15 @@ pub mod hidden;
 pub mod history;
 pub mod input_error;
 pub mod landing_table;
+pub mod lattice;
+pub mod refine;
 pub mod results;
 pub mod run;
+pub mod scan;
 pub mod scene_input;
 mod search_input;
 pub mod section;
 pub mod settings_input;
 pub mod sweep_file;
+pub mod trial;
 pub mod vehicle_file;

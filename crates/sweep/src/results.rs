@@ -3,19 +3,24 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::outcome::Class;
 
-use crate::boundary::{Boundary, Extent};
+use crate::boundary::Boundary;
+use crate::certainty::Certainty;
 use crate::document::{Entry, Value as Read};
+use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
 use crate::settings_input::crush_rule_name;
 use crate::sweep_file::Sweep;
 
 /// Columns of the table after those of the axes.
-pub const COLUMNS: [&str; 6] = [
+pub const COLUMNS: [&str; 9] = [
     "first_transition_to",
     "first_transition_fps",
     "bracket_low_fps",
     "bracket_high_fps",
     "landings",
     "derivative_evaluations",
+    "certainty",
+    "disputed_from_fps",
+    "disputed_to_fps",
 ];
 
 /// How a sweep was run, which its input does not tell.
@@ -62,7 +67,14 @@ pub fn table<const LEGS: usize>(
             boundary.landings.to_string(),
             boundary.evaluations.to_string(),
         ];
-        writer.write_record(coordinates.iter().map(f64::to_string).chain(results))?;
+        let certainty = found.map_or(Certainty::Untested, |found| found.certainty);
+        writer.write_record(
+            coordinates
+                .iter()
+                .map(f64::to_string)
+                .chain(results)
+                .chain(certainty.cells()),
+        )?;
     }
     writer
         .into_inner()
@@ -108,7 +120,10 @@ pub fn record<const LEGS: usize>(
                 "to_fps": sweep.search.to,
                 "scan_step_fps": sweep.search.scan_step,
                 "tolerance_fps": sweep.search.tolerance,
-                "bands": extent_name(sweep.search.extent),
+                "bands": word(&EXTENTS, sweep.search.extent),
+                "scan": word(&SCANS, sweep.search.scan),
+                "refinement": word(&REFINEMENTS, sweep.search.refinement),
+                "certainty": word(&DOUBTS, sweep.search.doubt),
             },
             "solver": {
                 "tolerance": sweep.settings.tolerance(),
@@ -122,6 +137,8 @@ pub fn record<const LEGS: usize>(
                 .into_iter()
                 .map(|(kind, count)| (kind, json!(count)))
                 .collect::<Map<String, Value>>(),
+            "scan_speeds_skipped": boundaries.iter().map(|b| b.skipped).sum::<u64>(),
+            "certainty_landings": boundaries.iter().map(|b| b.tests).sum::<u64>(),
             "landings": boundaries.iter().map(|b| b.landings).sum::<u64>(),
             "derivative_evaluations": boundaries.iter().map(|b| b.evaluations).sum::<u64>(),
             "bands": boundaries.iter().map(|b| b.bands.len()).sum::<usize>(),
@@ -131,14 +148,6 @@ pub fn record<const LEGS: usize>(
         "threads": circumstances.threads,
         "wall_time_s": circumstances.wall_time,
     })
-}
-
-/// Word of an extent in sweep files.
-fn extent_name(extent: Extent) -> &'static str {
-    match extent {
-        Extent::First => "first",
-        Extent::All => "all",
-    }
 }
 
 /// Number of points for each kind of first transition that occurs, `none` last.
@@ -183,7 +192,12 @@ mod tests {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
         let sweep = Sweep::read(Path::new(path)).unwrap();
         let at = |to, low, high| Boundary {
-            transition: Some(Transition { to, low, high }),
+            transition: Some(Transition {
+                to,
+                low,
+                high,
+                certainty: Certainty::Certain,
+            }),
             landings: 50,
             evaluations: 1000,
             ..Boundary::default()
@@ -208,10 +222,10 @@ mod tests {
         assert_eq!(
             text,
             "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
-             landings,derivative_evaluations\n\
-             -60,unstable,11.375,11.25,11.5,50,1000\n\
-             -55,none,,,,101,2000\n\
-             -50,bottomed,0.2,0.1,0.3,50,1000\n"
+             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps\n\
+             -60,unstable,11.375,11.25,11.5,50,1000,certain,,\n\
+             -55,none,,,,101,2000,,,\n\
+             -50,bottomed,0.2,0.1,0.3,50,1000,certain,,\n"
         );
     }
 

@@ -12,9 +12,10 @@ use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::boundary::{Boundary, Trial};
+use crate::boundary::Boundary;
 use crate::scene_input::SceneFault;
 use crate::sweep_file::Sweep;
+use crate::trial::{Scales, Trial};
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
@@ -147,22 +148,22 @@ fn search_point<const LEGS: usize>(
     cancel: &AtomicBool,
 ) -> Result<Boundary, RunError> {
     let scene = sweep.scene(point).map_err(RunError::Scene)?;
-    sweep.search.boundary(|speed| {
+    let scales = Scales::of(&sweep.vehicle.vehicle);
+    sweep.search.boundary(|speed, variation| {
         go_on(cancel)?;
-        let faster = scene.with_horizontal_velocity(speed).map_err(|invalid| {
-            RunError::Scene(SceneFault {
-                name: crate::scene_input::HORIZONTAL_VELOCITY,
-                value: Some(invalid.value),
-                allowed: invalid.allowed,
-            })
-        })?;
-        let landing = land(&sweep.vehicle.vehicle, &faster, &sweep.settings);
+        let (varied, settings) = scene
+            .with_horizontal_velocity(speed)
+            .and_then(|faster| variation.of(&faster, &sweep.settings))
+            .map_err(|invalid| {
+                RunError::Scene(SceneFault {
+                    name: crate::scene_input::HORIZONTAL_VELOCITY,
+                    value: Some(invalid.value),
+                    allowed: invalid.allowed,
+                })
+            })?;
+        let landing = land(&sweep.vehicle.vehicle, &varied, &settings);
         observer.landing();
-        Ok(Trial {
-            least_angle: landing.min_stability_angle,
-            outcome: landing.outcome,
-            evaluations: landing.evaluations,
-        })
+        Ok(Trial::of(landing, &scales))
     })
 }
 

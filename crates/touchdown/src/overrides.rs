@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_sweep::boundary::Extent;
+use touchdown_sweep::refine::Refinement;
+use touchdown_sweep::scan::Scan;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -25,6 +27,12 @@ pub struct Overrides {
     /// Search up to the first transition, or all of them
     #[arg(long, value_name = "BANDS")]
     bands: Option<Bands>,
+    /// Scan every step, or skip those between quiet landings
+    #[arg(long, value_name = "SCAN")]
+    scan: Option<ScanName>,
+    /// Narrow brackets by interpolating margins, or by halving
+    #[arg(long, value_name = "HOW")]
+    refinement: Option<RefinementName>,
 }
 
 /// Extents of a search by name.
@@ -34,6 +42,24 @@ enum Bands {
     First,
     /// The whole range
     All,
+}
+
+/// Scans by name.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum ScanName {
+    /// Every step
+    Full,
+    /// Every step but between quiet landings
+    Skipping,
+}
+
+/// Ways to narrow brackets by name.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum RefinementName {
+    /// Interpolation of margins
+    Margin,
+    /// Halving
+    Bisection,
 }
 
 impl Overrides {
@@ -60,6 +86,18 @@ impl Overrides {
                 sweep.search.extent = match bands {
                     Bands::First => Extent::First,
                     Bands::All => Extent::All,
+                };
+            }
+            if let Some(scan) = self.scan {
+                sweep.search.scan = match scan {
+                    ScanName::Full => Scan::Full,
+                    ScanName::Skipping => Scan::Skipping,
+                };
+            }
+            if let Some(refinement) = self.refinement {
+                sweep.search.refinement = match refinement {
+                    RefinementName::Margin => Refinement::Margin,
+                    RefinementName::Bisection => Refinement::Bisection,
                 };
             }
         }
