@@ -5,6 +5,8 @@
 //! which they hold; when a signal leaves its range, [`LegMode::cross`] puts the next piece in
 //! place.
 
+mod choice;
+
 use crate::crush::{Crush, CrushLaw};
 use crate::friction::Sliding;
 use crate::hinge::{Hinge, Stops};
@@ -14,6 +16,8 @@ use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
 use crate::strut::{Kinks, Stance, StrutLaw};
 use crate::vehicle::Leg;
+
+pub use choice::Choice;
 
 /// cos 65 deg: a loaded pad inclined further has no law in the model.
 const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;

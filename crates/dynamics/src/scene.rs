@@ -2,6 +2,7 @@
 
 use crate::attitude::Attitude;
 use crate::invalid::{Invalid, non_negative, require};
+use crate::methods::Method;
 
 /// Touchdown conditions as an input says them; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,6 +95,7 @@ pub struct Settings {
     tolerance: f64,
     time_limit: f64,
     crush_rule: CrushRule,
+    method: Method,
 }
 
 impl Settings {
@@ -117,10 +119,21 @@ impl Settings {
             tolerance,
             time_limit,
             crush_rule,
+            method: Method::default(),
         })
     }
 
-    /// Relative error tolerance per step.
+    /// The same settings with another method.
+    pub fn with_method(self, method: Method) -> Self {
+        Self { method, ..self }
+    }
+
+    /// Method of integration.
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// Relative error tolerance per step of the method that locates events.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
