@@ -123,6 +123,11 @@ impl Settings {
         })
     }
 
+    /// The same settings under another crush rule.
+    pub fn with_crush_rule(self, crush_rule: CrushRule) -> Self {
+        Self { crush_rule, ..self }
+    }
+
     /// The same settings with another method.
     pub fn with_method(self, method: Method) -> Self {
         Self { method, ..self }

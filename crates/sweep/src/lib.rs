@@ -2,7 +2,7 @@
 //!
 //! | step | modules |
 //! |---|---|
-//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
+//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`axes`], [`cases`] |
 //! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
 //! | do so on every core | [`run`] |
 //! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
@@ -22,6 +22,7 @@ pub mod hidden;
 pub mod history;
 pub mod input_error;
 pub mod landing_table;
+pub mod method_input;
 pub mod results;
 pub mod run;
 pub mod scene_input;

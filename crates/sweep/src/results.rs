@@ -5,6 +5,7 @@ use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Boundary, Extent};
 use crate::document::{Entry, Value as Read};
+use crate::method_input::method_name;
 use crate::settings_input::crush_rule_name;
 use crate::sweep_file::Sweep;
 
@@ -114,6 +115,7 @@ pub fn record<const LEGS: usize>(
                 "tolerance": sweep.settings.tolerance(),
                 "time_limit_s": sweep.settings.time_limit(),
                 "crush_rule": crush_rule_name(sweep.settings.crush_rule()),
+                "method": method_name(&sweep.settings.method()),
             },
         },
         "counts": {

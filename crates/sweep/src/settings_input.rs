@@ -3,18 +3,22 @@
 use touchdown_dynamics::scene::{CrushRule, Settings};
 
 use crate::input_error::InputError;
+use crate::method_input;
 use crate::section::Section;
 
 const SOLVER: [&str; 3] = ["tolerance", "time_limit_s", "crush_rule"];
 
 /// Reads `[solver]`; whatever it leaves out has the program's default.
 pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
-    let solver = root.optional_section("solver", &SOLVER)?;
+    let known = [&SOLVER[..], &method_input::KEYS].concat();
+    let solver = root.optional_section("solver", &known)?;
     let number = |key| match &solver {
         Some(solver) => solver.optional_number(key),
         None => Ok(None),
     };
-    let tolerance = number("tolerance")?.unwrap_or(Settings::DEFAULT_TOLERANCE);
+    let tolerance = number("tolerance")?;
+    let method = method_input::read(solver.as_ref(), tolerance)?;
+    let tolerance = tolerance.unwrap_or(Settings::DEFAULT_TOLERANCE);
     let time_limit = number("time_limit_s")?.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
     let rule = match solver
         .as_ref()
@@ -25,6 +29,7 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
         None => CrushRule::default(),
     };
     Settings::new(tolerance, time_limit, rule)
+        .map(|settings| settings.with_method(method))
         .map_err(|invalid| solver.as_ref().unwrap_or(root).complain(&invalid))
 }
 

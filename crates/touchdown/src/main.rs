@@ -5,6 +5,7 @@
 
 mod cases;
 mod failure;
+mod integration_report;
 mod interrupt;
 mod land;
 mod overrides;
@@ -13,6 +14,7 @@ mod plot;
 mod progress;
 mod report;
 mod say;
+mod solver_options;
 mod study;
 mod summary;
 mod sweep;

@@ -74,13 +74,28 @@ impl ErrorControl {
         least_interval: f64,
     ) -> Result<Self, Invalid> {
         let named = [
-            ("pad_angle_deg", limits.pad_angle.to_degrees()),
-            ("link_rate_dps", limits.link_rate.to_degrees()),
-            ("link_angle_deg", limits.link_angle.to_degrees()),
-            ("velocity_fps", limits.velocity),
-            ("position_ft", limits.position),
-            ("angular_velocity_dps", limits.angular_velocity.to_degrees()),
-            ("attitude_deg", limits.attitude.to_degrees()),
+            (
+                "error_per_second.pad_angle_deg",
+                limits.pad_angle.to_degrees(),
+            ),
+            (
+                "error_per_second.link_rate_dps",
+                limits.link_rate.to_degrees(),
+            ),
+            (
+                "error_per_second.link_angle_deg",
+                limits.link_angle.to_degrees(),
+            ),
+            ("error_per_second.velocity_fps", limits.velocity),
+            ("error_per_second.position_ft", limits.position),
+            (
+                "error_per_second.angular_velocity_dps",
+                limits.angular_velocity.to_degrees(),
+            ),
+            (
+                "error_per_second.attitude_deg",
+                limits.attitude.to_degrees(),
+            ),
         ];
         for (name, limit) in named {
             require(name, limit, "value > 0", |v| v > 0.0)?;
