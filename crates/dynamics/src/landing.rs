@@ -125,8 +125,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         } else {
             Kinks::Located
         };
-        let laws =
-            std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks));
+        let laws = std::array::from_fn(|j| {
+            LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks)
+                .with_friction(settings.friction_profile())
+        });
         let modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&laws[j]));
         let pieces = std::array::from_fn(|j| modes[j].pieces(&laws[j]));
         let state = touchdown(vehicle, scene, &motion);

@@ -1,6 +1,7 @@
 //! The touchdown: speed, direction, attitude, slope and friction, and how to compute it.
 
 use crate::attitude::Attitude;
+use crate::friction::FrictionProfile;
 use crate::invalid::{Invalid, non_negative, require};
 use crate::methods::Method;
 
@@ -96,6 +97,7 @@ pub struct Settings {
     time_limit: f64,
     crush_rule: CrushRule,
     method: Method,
+    friction_profile: FrictionProfile,
 }
 
 impl Settings {
@@ -120,12 +122,26 @@ impl Settings {
             time_limit,
             crush_rule,
             method: Method::default(),
+            friction_profile: FrictionProfile::default(),
         })
     }
 
     /// The same settings under another crush rule.
     pub fn with_crush_rule(self, crush_rule: CrushRule) -> Self {
         Self { crush_rule, ..self }
+    }
+
+    /// The same settings with another onset of friction.
+    pub fn with_friction_profile(self, friction_profile: FrictionProfile) -> Self {
+        Self {
+            friction_profile,
+            ..self
+        }
+    }
+
+    /// How friction sets in near rest.
+    pub fn friction_profile(&self) -> FrictionProfile {
+        self.friction_profile
     }
 
     /// The same settings with another method.

@@ -8,7 +8,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::landing_table;
 use touchdown_sweep::method_input::{method_name, method_words};
 use touchdown_sweep::scene_input::NamedConditions;
-use touchdown_sweep::settings_input::crush_rule_name;
+use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
@@ -161,6 +161,7 @@ pub fn json<const LEGS: usize>(
             "tolerance": settings.tolerance(),
             "time_limit_s": settings.time_limit(),
             "crush_rule": crush_rule_name(settings.crush_rule()),
+            "friction_profile": friction_profile_name(settings.friction_profile()),
             "method": method_name(&settings.method()),
         },
         "result": result,

@@ -1,11 +1,12 @@
 //! How landings are computed, on the command line.
 
 use clap::Args;
+use touchdown_dynamics::friction::FrictionProfile;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
-use touchdown_sweep::settings_input::crush_rule;
+use touchdown_sweep::settings_input::{crush_rule, friction_profile};
 
 use crate::touchdown_options::finite;
 
@@ -17,6 +18,9 @@ pub struct SolverOptions {
     /// ground, as in the 1966 program, or "section", at its maximum penetration
     #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule)]
     crush_rule: CrushRule,
+    /// How friction sets in near rest (4.1.5 of the report): A, B or C, as in the 1966 program
+    #[arg(long, value_name = "PROFILE", default_value = "C", value_parser = profile)]
+    friction_profile: FrictionProfile,
     /// How the motion is integrated: "located" finds every change of a law in time; the others are
     /// of 1966: the report's own step doubling, and those it was compared with
     #[arg(long, value_name = "METHOD", default_value = "located", value_parser = METHODS)]
@@ -46,6 +50,10 @@ pub fn rule(name: &str) -> Result<CrushRule, String> {
     crush_rule(name).ok_or_else(|| "allowed is pivot-rate or section".to_owned())
 }
 
+fn profile(name: &str) -> Result<FrictionProfile, String> {
+    friction_profile(name).ok_or_else(|| "allowed is A, B or C".to_owned())
+}
+
 impl SolverOptions {
     /// The settings, with complaints in the words of the command line.
     pub fn settings(&self) -> Result<Settings, InputError> {
@@ -61,7 +69,11 @@ impl SolverOptions {
         let tolerance = self.tolerance.unwrap_or(Settings::DEFAULT_TOLERANCE);
         let time_limit = self.time_limit.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
         Settings::new(tolerance, time_limit, self.crush_rule)
-            .map(|settings| settings.with_method(method))
+            .map(|settings| {
+                settings
+                    .with_method(method)
+                    .with_friction_profile(self.friction_profile)
+            })
             .map_err(in_options)
     }
 }

@@ -42,6 +42,8 @@ impl LegLaws {
     pub fn choose(&self, sets: [f64; 3], signals: &LegSignals<f64>) -> Choice {
         let value = |signal: Signal| signals[signal as usize];
         let driven = |rate: Signal| self.rule == CrushRule::Section || value(rate) >= 0.0;
+        let sliding =
+            |signal: Signal| Sliding::at(self.friction, value(signal)).piece(self.friction);
         let section = |k: usize, signal: Signal| {
             self.pad
                 .answer(sets[k], value(signal), driven(Signal::PivotRate))
@@ -68,8 +70,8 @@ impl LegLaws {
             pieces: LegPieces {
                 pad: pad.map(|section| section.line),
                 block: block.line,
-                pad_friction: Sliding::at(value(Signal::PadSliding)).piece(),
-                block_friction: Sliding::at(value(Signal::BlockSliding)).piece(),
+                pad_friction: sliding(Signal::PadSliding),
+                block_friction: sliding(Signal::BlockSliding),
                 strut,
                 link,
                 hinge: hinge.piece(self.stops),

@@ -6,8 +6,9 @@
 use crate::contact::{Choice, LegLaws, LegMode};
 use crate::motion::{LegLoads, LegPieces, LegSignals, Motion, Signal};
 use crate::outcome::Outcome;
-use crate::scene::{CrushRule, Scene};
+use crate::scene::{Scene, Settings};
 use crate::state::State;
+use crate::strut::Kinks;
 use crate::vehicle::Vehicle;
 
 use super::system::System;
@@ -37,9 +38,12 @@ pub struct Look<const LEGS: usize> {
 }
 
 impl<const LEGS: usize> ForceModel<LEGS> {
-    /// The model of a vehicle in a scene under a crush rule.
-    pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene, rule: CrushRule) -> Self {
-        let laws: [LegLaws; LEGS] = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], rule));
+    /// The model of a vehicle in a scene under the crush rule and friction profile of `settings`.
+    pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings) -> Self {
+        let laws: [LegLaws; LEGS] = std::array::from_fn(|j| {
+            LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), Kinks::Located)
+                .with_friction(settings.friction_profile())
+        });
         Self {
             motion: Motion::new(vehicle, scene),
             untouched: std::array::from_fn(|j| LegMode::untouched(&laws[j]).pieces(&laws[j])),

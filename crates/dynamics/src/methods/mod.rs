@@ -91,7 +91,7 @@ pub fn land_observed<const LEGS: usize>(
     interval: f64,
     observe: impl FnMut(&Instant<LEGS>),
 ) -> (Landing<LEGS>, IntegrationSummary) {
-    let model = ForceModel::new(vehicle, scene, settings.crush_rule());
+    let model = ForceModel::new(vehicle, scene, settings);
     let flight = |observe| Flight::new(vehicle, scene, settings, &model, interval, observe);
     let check =
         |control: &ErrorControl| ErrorCheck::new(variables::limits::<LEGS>(&control.limits()));
