@@ -15,6 +15,7 @@
 //! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
 //! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
 //! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
+//! | the surface from impact times | [`impact_surface`] |
 //! | how it is integrated | [`integrator`] |
 //! | how it was integrated in 1966, and what that was compared with | [`methods`] |
 
@@ -26,6 +27,7 @@ pub mod damping;
 pub mod energy;
 pub mod friction;
 pub mod hinge;
+pub mod impact_surface;
 pub mod integrator;
 pub mod invalid;
 pub mod kinematics;

@@ -17,6 +17,7 @@ mod say;
 mod solver_options;
 mod study;
 mod summary;
+mod surface;
 mod sweep;
 mod sweep_files;
 mod touchdown_options;
@@ -49,6 +50,8 @@ enum Command {
     Sweep(sweep::Options),
     /// Draw the pictures of result tables anew
     Plot(plot::Options),
+    /// Find slope and cross-slope from the times at which the footpads struck the surface
+    Surface(surface::Options),
     /// Compare results with what the report of 1966 says
     Study(study::Options),
 }
@@ -58,6 +61,7 @@ fn main() -> ExitCode {
         Command::Land(options) => land::run(&options),
         Command::Sweep(options) => sweep::run(&options),
         Command::Plot(options) => plot::run(&options),
+        Command::Surface(options) => surface::run(&options),
         Command::Study(options) => study::run(&options),
     };
     match done {
