@@ -91,34 +91,52 @@ pub fn land_observed<const LEGS: usize>(
     interval: f64,
     observe: impl FnMut(&Instant<LEGS>),
 ) -> (Landing<LEGS>, IntegrationSummary) {
-    let model = ForceModel::new(vehicle, scene, settings);
-    let flight = |observe| Flight::new(vehicle, scene, settings, &model, interval, observe);
-    let check =
-        |control: &ErrorControl| ErrorCheck::new(variables::limits::<LEGS>(&control.limits()));
+    let touchdown = (vehicle, scene);
     match settings.method() {
         Method::Located => {
             let landing = landing::land_observed(vehicle, scene, settings, interval, observe);
             (landing, IntegrationSummary::default())
         }
         Method::Report(control) => {
-            let mut stepper = StepDoubling::new(check(&control), control.intervals());
-            let landing = flight(observe).run(&mut stepper);
+            let mut stepper = StepDoubling::new(check::<LEGS>(&control), control.intervals());
+            let landing = land_by(&mut stepper, touchdown, settings, interval, observe);
             (landing, stepper.into_summary())
         }
         Method::RungeKutta(fixed) => {
-            let interval = fixed.seconds();
-            counted(flight(observe).run(&mut RungeKutta { interval }))
+            let stepper = &mut RungeKutta {
+                interval: fixed.seconds(),
+            };
+            counted(land_by(stepper, touchdown, settings, interval, observe))
         }
         Method::Trapezoidal(fixed) => {
-            let interval = fixed.seconds();
-            counted(flight(observe).run(&mut Trapezoidal { interval }))
+            let stepper = &mut Trapezoidal {
+                interval: fixed.seconds(),
+            };
+            counted(land_by(stepper, touchdown, settings, interval, observe))
         }
         Method::Milne(control) => {
-            let mut stepper = Milne::new(check(&control), control.intervals());
-            let landing = flight(observe).run(&mut stepper);
+            let mut stepper = Milne::new(check::<LEGS>(&control), control.intervals());
+            let landing = land_by(&mut stepper, touchdown, settings, interval, observe);
             (landing, stepper.into_summary())
         }
     }
+}
+
+/// Computes a landing with any of these methods, whatever the settings say of the method.
+pub fn land_by<const LEGS: usize>(
+    stepper: &mut impl Stepper<ForceModel<LEGS>>,
+    (vehicle, scene): (&Vehicle<LEGS>, &Scene),
+    settings: &Settings,
+    interval: f64,
+    observe: impl FnMut(&Instant<LEGS>),
+) -> Landing<LEGS> {
+    let model = ForceModel::new(vehicle, scene, settings);
+    Flight::new(vehicle, scene, settings, &model, interval, observe).run(stepper)
+}
+
+/// The check of a vehicle's errors.
+pub fn check<const LEGS: usize>(control: &ErrorControl) -> ErrorCheck {
+    ErrorCheck::new(variables::limits::<LEGS>(&control.limits()))
 }
 
 /// The account of an integration at a fixed interval.
