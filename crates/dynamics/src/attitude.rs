@@ -3,7 +3,7 @@
 //! The rotation B takes vehicle axes to ground axes: B = Rx(pitch Ψ)·Ry(yaw Φ)·Rz(roll Ξ), the
 //! report's matrix (1). Euler angles fail at cos Φ = 0; the quaternion does not.
 
-use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Rotation3, Unit, UnitQuaternion, Vector3};
 
 /// Orientation of the vehicle: takes vehicle axes to ground axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,6 +64,12 @@ impl Attitude {
     /// This rotation, in ground axes, after another.
     pub fn after(&self, first: &Self) -> Self {
         Self(self.0 * first.0)
+    }
+
+    /// The attitude with the given rotation matrix B, vehicle to ground.
+    pub fn from_matrix(matrix: &Matrix3<f64>) -> Self {
+        let rotation = Rotation3::from_matrix_unchecked(*matrix);
+        Self(UnitQuaternion::from_rotation_matrix(&rotation))
     }
 
     /// Unit quaternion (w, x, y, z).

@@ -5,8 +5,10 @@
 //! which they hold; when a signal leaves its range, [`LegMode::cross`] puts the next piece in
 //! place.
 
+mod choice;
+
 use crate::crush::{Crush, CrushLaw};
-use crate::friction::Sliding;
+use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::{Hinge, Stops};
 use crate::integrator::event::{Bounds, Exit, Watch};
 use crate::motion::{LegPieces, LegSignals, Signal};
@@ -14,6 +16,8 @@ use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
 use crate::strut::{Kinks, Stance, StrutLaw};
 use crate::vehicle::Leg;
+
+pub use choice::Choice;
 
 /// cos 65 deg: a loaded pad inclined further has no law in the model.
 const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
@@ -26,6 +30,7 @@ pub struct LegLaws {
     strut: StrutLaw,
     stops: Stops,
     rule: CrushRule,
+    friction: FrictionProfile,
 }
 
 impl LegLaws {
@@ -41,7 +46,13 @@ impl LegLaws {
                 outer: design.footpad.maximum_angle,
             },
             rule,
+            friction: FrictionProfile::default(),
         }
+    }
+
+    /// The same laws with another friction profile.
+    pub fn with_friction(self, friction: FrictionProfile) -> Self {
+        Self { friction, ..self }
     }
 }
 
@@ -94,8 +105,8 @@ impl LegMode {
         LegPieces {
             pad: self.pad.map(|section| section.line(&laws.pad)),
             block: self.block.line(&laws.block),
-            pad_friction: self.pad_sliding.piece(),
-            block_friction: self.block_sliding.piece(),
+            pad_friction: self.pad_sliding.piece(laws.friction),
+            block_friction: self.block_sliding.piece(laws.friction),
             strut,
             link,
             hinge: self.hinge.piece(laws.stops),
@@ -147,8 +158,10 @@ impl LegMode {
                 self.pad[0].drive_bounds().meet(self.pad[1].drive_bounds())
             }
             Signal::BlockCentreRate if by_pivot => self.block.drive_bounds(),
-            Signal::PadSliding if self.pad_loaded() => self.pad_sliding.bounds(),
-            Signal::BlockSliding if self.block.is_loaded() => self.block_sliding.bounds(),
+            Signal::PadSliding if self.pad_loaded() => self.pad_sliding.bounds(laws.friction),
+            Signal::BlockSliding if self.block.is_loaded() => {
+                self.block_sliding.bounds(laws.friction)
+            }
             Signal::Stroke => self.stance.stroke_bounds(&laws.strut),
             Signal::LinkRate => self.stance.rate_bounds(&laws.strut),
             Signal::LinkTorque => self.stance.torque_bounds(),
@@ -249,19 +262,19 @@ impl LegMode {
                 return Err(Outcome::Failure(Failure::PadInclination { leg }));
             }
         }
-        self.follow_contact(&before, signals);
+        self.follow_contact(laws, &before, signals);
         Ok(())
     }
 
     /// What contact gained or lost brings with it: which friction branch holds, whether the link
     /// hangs or rests on its stop.
-    fn follow_contact(&mut self, before: &Self, signals: &LegSignals<f64>) {
+    fn follow_contact(&mut self, laws: &LegLaws, before: &Self, signals: &LegSignals<f64>) {
         let value = |signal: Signal| signals[signal as usize];
         if self.pad_loaded() && !before.pad_loaded() {
-            self.pad_sliding = Sliding::at(value(Signal::PadSliding));
+            self.pad_sliding = Sliding::at(laws.friction, value(Signal::PadSliding));
         }
         if self.block.is_loaded() && !before.block.is_loaded() {
-            self.block_sliding = Sliding::at(value(Signal::BlockSliding));
+            self.block_sliding = Sliding::at(laws.friction, value(Signal::BlockSliding));
         }
         if self.on_surface() != before.on_surface() && self.stance.is_extended() {
             self.stance = Stance::extended(self.on_surface(), value(Signal::LinkRate));

@@ -73,6 +73,46 @@ impl CrushLaw {
             .position(|s| interference < s.upper)
             .unwrap_or(last)
     }
+
+    /// How an element with plastic set `set` (ft) answers at an interference, `driven` saying
+    /// whether it may crush further: for methods that ask anew at every evaluation.
+    pub fn answer(&self, set: f64, interference: f64, driven: bool) -> Answer {
+        let elastic = interference - set;
+        let line = |offset, slope| PressureLine { offset, slope };
+        if elastic <= self.pressure_threshold {
+            return Answer {
+                line: line(0.0, 0.0),
+                set,
+                in_contact: elastic > CONTACT_THRESHOLD,
+            };
+        }
+        let segment = self.segment_at(interference);
+        let front_set = self.front_set(segment, interference);
+        if driven && front_set >= set {
+            let Segment { offset, slope, .. } = self.segments[segment];
+            return Answer {
+                line: line(offset, slope),
+                set: front_set,
+                in_contact: true,
+            };
+        }
+        Answer {
+            line: line(-self.elastic_slope * set, self.elastic_slope),
+            set,
+            in_contact: true,
+        }
+    }
+}
+
+/// What an element does at one interference.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    /// The active line of pressure.
+    pub line: PressureLine<f64>,
+    /// Plastic set it leaves, ft.
+    pub set: f64,
+    /// Whether the element is in contact.
+    pub in_contact: bool,
 }
 
 /// Where an element is on its law.

@@ -1,16 +1,49 @@
-//! Sliding friction, profile C of the 1966 program: viscous near rest, then falling, then steady.
+//! Sliding friction of the 1966 program: viscous near rest, then falling, then steady.
 //!
-//! μ(S) = 24 S μ0 up to 0.05 ft/s, μ0 (1.21 − 0.2 S) up to 1.05 ft/s, μ0 above.
+//! With profile C, which it used, μ(S) = 24 S μ0 up to 0.05 ft/s, μ0 (1.21 − 0.2 S) up to
+//! 1.05 ft/s, μ0 above. Profiles A and B (4.1.5) are viscous over less.
 
 use crate::integrator::event::Bounds;
 use crate::scalar::Real;
 
+/// How friction sets in near rest (4.1.5).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FrictionProfile {
+    /// Almost a step: viscous up to 0.0001 ft/s only.
+    A,
+    /// In between: viscous up to 0.005 ft/s. The report's figure is lost, the number is ours.
+    B,
+    /// That of the program's studies: viscous up to 0.05 ft/s.
+    #[default]
+    C,
+}
+
+impl FrictionProfile {
+    /// Sliding speed up to which friction is viscous, ft/s.
+    pub fn viscous_limit(self) -> f64 {
+        match self {
+            Self::A => 1e-4,
+            Self::B => 5e-3,
+            Self::C => 0.05,
+        }
+    }
+
+    /// dμ/dS over μ0 near rest, s/ft: meets the falling branch.
+    fn viscous(self) -> f64 {
+        match self {
+            Self::A => 12099.8,
+            Self::B => 241.8,
+            Self::C => 24.0,
+        }
+    }
+}
+
 /// Active branch of the friction profile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sliding {
-    /// S ≤ 0.05 ft/s.
+    /// S up to the profile's viscous limit.
     Viscous,
-    /// 0.05 < S ≤ 1.05 ft/s.
+    /// From there to 1.05 ft/s.
     Falling,
     /// S > 1.05 ft/s.
     Steady,
@@ -23,15 +56,14 @@ pub struct FrictionPiece<S> {
     viscous: S,
 }
 
-const VISCOUS_LIMIT: f64 = 0.05;
 const STEADY_LIMIT: f64 = 1.05;
 /// Slack of the squared-speed guard, ft²/s².
 const SLACK: f64 = 1e-13;
 
 impl Sliding {
-    /// The branch that holds at squared sliding speed S², ft²/s².
-    pub fn at(speed_squared: f64) -> Self {
-        if speed_squared <= VISCOUS_LIMIT * VISCOUS_LIMIT {
+    /// The branch of a profile that holds at squared sliding speed S², ft²/s².
+    pub fn at(profile: FrictionProfile, speed_squared: f64) -> Self {
+        if speed_squared <= profile.viscous_limit() * profile.viscous_limit() {
             Self::Viscous
         } else if speed_squared <= STEADY_LIMIT * STEADY_LIMIT {
             Self::Falling
@@ -41,9 +73,9 @@ impl Sliding {
     }
 
     /// Coefficients of this branch.
-    pub fn piece<S: Real>(self) -> FrictionPiece<S> {
+    pub fn piece<S: Real>(self, profile: FrictionProfile) -> FrictionPiece<S> {
         let (constant, viscous) = match self {
-            Self::Viscous => (0.0, 24.0),
+            Self::Viscous => (0.0, profile.viscous()),
             Self::Falling => (1.21, -0.2),
             Self::Steady => (1.0, 0.0),
         };
@@ -54,14 +86,15 @@ impl Sliding {
     }
 
     /// Range of S² over which this branch holds.
-    pub fn bounds(self) -> Bounds {
-        let (low, high) = (VISCOUS_LIMIT * VISCOUS_LIMIT, STEADY_LIMIT * STEADY_LIMIT);
+    pub fn bounds(self, profile: FrictionProfile) -> Bounds {
+        let limit = profile.viscous_limit();
+        let (low, high) = (limit * limit, STEADY_LIMIT * STEADY_LIMIT);
         match self {
             Self::Viscous => Bounds::below(low),
             Self::Falling => Bounds::between(low, high),
             Self::Steady => Bounds::above(high),
         }
-        .widened(SLACK)
+        .widened(SLACK.min(1e-6 * low))
     }
 
     /// The branch next to this one, faster or slower.

@@ -96,6 +96,30 @@ impl Hinge {
         }
     }
 
+    /// What the hinge does at an angle α (rad) and rate state α̇ (rad/s).
+    pub fn at(stops: Stops, angle: f64, rate: f64) -> Self {
+        let beyond = |side: Side, overrun: f64| match side.sign() * rate {
+            outward if outward <= 0.0 => Zone::Returning(side),
+            _ if overrun >= 1.0 / FADING => Zone::Held(side),
+            _ => Zone::Pressing(side),
+        };
+        let zone = if angle > stops.outer {
+            beyond(Side::Outer, angle - stops.outer)
+        } else if angle < stops.inner {
+            beyond(Side::Inner, stops.inner - angle)
+        } else {
+            Zone::Free
+        };
+        let unclipped = Self { zone, clip: 0.0 };
+        let speed = unclipped.piece(stops).unclipped_speed(angle, rate);
+        let clip = if speed.abs() > FASTEST {
+            speed.signum()
+        } else {
+            0.0
+        };
+        Self { zone, clip }
+    }
+
     /// Coefficients of the active piece.
     pub fn piece(&self, stops: Stops) -> HingePiece<f64> {
         let (gain, fading) = match self.zone {

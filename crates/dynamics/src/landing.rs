@@ -10,16 +10,19 @@ use crate::integrator::additive;
 use crate::integrator::event::{Node, Watch, first_exit, is_quiet};
 use crate::integrator::step::{EVALUATIONS, Step};
 use crate::integrator::step_control::{SHORTEST, StepControl};
+use crate::methods::{self, Method};
 use crate::motion::{LegPieces, LegSignals, Motion, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
-use crate::stability::{Judge, Observation, Verdict};
+use crate::stability::{Judge, Observation, calm_height};
 use crate::state::State;
 use crate::strut::Kinks;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
+
+pub(crate) use rates::final_rates;
 
 pub use crate::record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
 
@@ -42,8 +45,6 @@ const BURST: u64 = 4000;
 const BURST_TIME: f64 = 1e-5;
 /// Steps, rejected ones included, before a landing is given up.
 const MOST_STEPS: u64 = 2_000_000;
-/// Subsided motion stays within this height over the extended vehicle's own, ft.
-const CALM_MARGIN: f64 = 0.5;
 
 /// Computes a landing.
 pub fn land<const LEGS: usize>(
@@ -63,6 +64,9 @@ pub fn land_observed<const LEGS: usize>(
     interval: f64,
     observe: impl FnMut(&Instant<LEGS>),
 ) -> Landing<LEGS> {
+    if settings.method() != Method::Located {
+        return methods::land_observed(vehicle, scene, settings, interval, observe).0;
+    }
     let mut flight = Flight::new(vehicle, scene, settings, History::new(interval, observe));
     let outcome = flight.run();
     flight.report_end();
@@ -125,8 +129,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         } else {
             Kinks::Located
         };
-        let laws =
-            std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks));
+        let laws = std::array::from_fn(|j| {
+            LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks)
+                .with_friction(settings.friction_profile())
+        });
         let modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&laws[j]));
         let pieces = std::array::from_fn(|j| modes[j].pieces(&laws[j]));
         let state = touchdown(vehicle, scene, &motion);
@@ -160,28 +166,18 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         }
     }
 
-    /// Height of the CG over the surface above which motion has not subsided, ft.
-    fn calm_height(&self) -> f64 {
-        let legs = self.vehicle.legs().iter().map(|leg| {
-            let design = leg.design();
-            design.linkage.lower_link_length * leg.extended_angle().sin() + design.footpad.height
-        });
-        let extended = legs.fold(f64::NEG_INFINITY, f64::max);
-        self.vehicle.center_of_gravity_height() + extended + CALM_MARGIN
-    }
-
     fn run(&mut self) -> Outcome {
-        let mut judge = Judge::new(self.scene, self.calm_height());
+        let mut judge = Judge::new(self.scene, calm_height(self.vehicle));
         let first_look = judge.look(&self.motion, &self.start);
         let mut seen = judge.observe(&self.motion, &self.start);
         if let Err(verdict) = first_look {
             // With all feet on one side no angle is defined: nothing is left of stability.
             self.note_observation(&Observation { angle: 0.0, ..seen }, 0.0);
-            return outcome_of(verdict);
+            return verdict.into();
         }
         self.note_observation(&seen, 0.0);
         if let Some(verdict) = judge.verdict(&seen, self.least_angle.0) {
-            return outcome_of(verdict);
+            return verdict.into();
         }
         if let Err(outcome) = self.settle() {
             return outcome;
@@ -219,7 +215,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             self.time += reach * length;
             if let Some((_, verdict)) = judged {
                 self.step.before = self.step.at(reach);
-                return outcome_of(verdict);
+                return verdict.into();
             }
             if let Some(event) = event {
                 self.step.before = self.step.at(reach);
@@ -392,14 +388,5 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 self.block_contact[j].get_or_insert(self.time);
             }
         }
-    }
-}
-
-fn outcome_of(verdict: Verdict) -> Outcome {
-    match verdict {
-        Verdict::Yaw => Outcome::UnstableYaw,
-        Verdict::Pitch => Outcome::UnstablePitch,
-        Verdict::Rockback => Outcome::StableRockback,
-        Verdict::Subsided => Outcome::StableSubsided,
     }
 }

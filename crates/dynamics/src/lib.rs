@@ -15,19 +15,24 @@
 //! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
 //! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
 //! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
+//! | the surface from impact times | [`impact_surface`] |
 //! | how it is integrated | [`integrator`] |
+//! | how it was integrated in 1966, and what that was compared with | [`methods`] |
 
 pub mod attitude;
 pub mod contact;
 pub mod critical_feet;
 pub mod crush;
 pub mod damping;
+pub mod energy;
 pub mod friction;
 pub mod hinge;
+pub mod impact_surface;
 pub mod integrator;
 pub mod invalid;
 pub mod kinematics;
 pub mod landing;
+pub mod methods;
 pub mod motion;
 pub mod outcome;
 pub mod profile;

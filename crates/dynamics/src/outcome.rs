@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::stability::Verdict;
+
 /// The end of a landing. Feet and legs are counted from 0 here and from 1 in every output.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
@@ -63,6 +65,17 @@ impl Outcome {
             Self::UnstablePitch | Self::UnstableYaw => Class::Unstable,
             Self::Bottomed { .. } => Class::Bottomed,
             Self::Failure(_) => Class::Failure,
+        }
+    }
+}
+
+impl From<Verdict> for Outcome {
+    fn from(verdict: Verdict) -> Self {
+        match verdict {
+            Verdict::Yaw => Self::UnstableYaw,
+            Verdict::Pitch => Self::UnstablePitch,
+            Verdict::Rockback => Self::StableRockback,
+            Verdict::Subsided => Self::StableSubsided,
         }
     }
 }

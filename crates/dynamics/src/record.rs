@@ -3,7 +3,10 @@
 use nalgebra::Vector3;
 
 use crate::attitude::Attitude;
+use crate::motion::{LegLoads, LegSignals, Signal};
 use crate::outcome::Outcome;
+use crate::stability::Observation;
+use crate::state::State;
 
 /// Work done on one leg's elements since touchdown, ft·lb. Strut and crush work include what is
 /// still stored elastically.
@@ -148,6 +151,54 @@ pub struct Instant<const LEGS: usize> {
     pub potential_change: f64,
     /// The legs.
     pub legs: [LegInstant; LEGS],
+}
+
+impl<const LEGS: usize> Instant<LEGS> {
+    /// The instant at `time`, with `energies` kinetic and released, and the `sets` of each leg's
+    /// outboard section, inboard section and block.
+    pub(crate) fn new(
+        time: f64,
+        state: &State<f64, LEGS>,
+        seen: &Observation<LEGS>,
+        energies: [f64; 2],
+        signals: &[LegSignals<f64>; LEGS],
+        loads: &[LegLoads<f64>; LEGS],
+        sets: [[f64; 3]; LEGS],
+    ) -> Self {
+        let body = state.body();
+        let q = body.quaternion;
+        let [kinetic_energy, potential_change] = energies;
+        Self {
+            time,
+            position: body.position,
+            velocity: body.velocity,
+            attitude: Attitude::from_quaternion([q.x, q.y, q.z, q.w]),
+            angular_velocity: body.rate,
+            stability_angle: seen.angle,
+            clearance: seen.clearance,
+            kinetic_energy,
+            potential_change,
+            legs: std::array::from_fn(|j| {
+                let leg = state.leg(j);
+                let [outer, inner, block] = sets[j];
+                LegInstant {
+                    link_angle: leg.link_angle,
+                    link_rate: leg.link_rate,
+                    pad_angle: leg.pad_angle,
+                    pad_rate: leg.pad_rate,
+                    stroke: signals[j][Signal::Stroke as usize],
+                    strut_force: loads[j].strut,
+                    pad_normal: loads[j].pad_normal,
+                    pad_friction: loads[j].pad_friction,
+                    block_normal: loads[j].block_normal,
+                    block_friction: loads[j].block_friction,
+                    pad_sets: [outer, inner],
+                    block_set: block,
+                    work: LegWork::from_state(leg.work),
+                }
+            }),
+        }
+    }
 }
 
 /// One leg at one instant.

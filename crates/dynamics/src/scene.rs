@@ -1,7 +1,9 @@
 //! The touchdown: speed, direction, attitude, slope and friction, and how to compute it.
 
 use crate::attitude::Attitude;
+use crate::friction::FrictionProfile;
 use crate::invalid::{Invalid, non_negative, require};
+use crate::methods::Method;
 
 /// Touchdown conditions as an input says them; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,6 +96,8 @@ pub struct Settings {
     tolerance: f64,
     time_limit: f64,
     crush_rule: CrushRule,
+    method: Method,
+    friction_profile: FrictionProfile,
 }
 
 impl Settings {
@@ -121,10 +125,40 @@ impl Settings {
             tolerance,
             time_limit,
             crush_rule,
+            method: Method::default(),
+            friction_profile: FrictionProfile::default(),
         })
     }
 
-    /// Relative error tolerance per step.
+    /// The same settings under another crush rule.
+    pub fn with_crush_rule(self, crush_rule: CrushRule) -> Self {
+        Self { crush_rule, ..self }
+    }
+
+    /// The same settings with another onset of friction.
+    pub fn with_friction_profile(self, friction_profile: FrictionProfile) -> Self {
+        Self {
+            friction_profile,
+            ..self
+        }
+    }
+
+    /// How friction sets in near rest.
+    pub fn friction_profile(&self) -> FrictionProfile {
+        self.friction_profile
+    }
+
+    /// The same settings with another method.
+    pub fn with_method(self, method: Method) -> Self {
+        Self { method, ..self }
+    }
+
+    /// Method of integration.
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// Relative error tolerance per step of the method that locates events.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }

@@ -7,6 +7,7 @@ use crate::integrator::event::{Bounds, Signals, Watch};
 use crate::motion::Motion;
 use crate::scene::Scene;
 use crate::state::State;
+use crate::vehicle::Vehicle;
 
 /// Speed below which the CG has no direction of its own, ft/s.
 const DIRECTIONLESS: f64 = 0.001;
@@ -15,6 +16,8 @@ const LEAST_DENOMINATOR: f64 = 1e-4;
 /// Calm: speed (ft/s) and angular rate (rad/s) components below which motion has subsided.
 const CALM_SPEED: f64 = 2.0;
 const CALM_RATE: f64 = 0.1;
+/// Subsided motion stays within this height over the extended vehicle's own, ft.
+const CALM_MARGIN: f64 = 0.5;
 /// Rock-back: σ has been below this, rad, and has risen from its least value by that, rad.
 #[allow(
     clippy::approx_constant,
@@ -26,6 +29,16 @@ const ROCKED_BACK: f64 = 0.874;
 const SIDE_SLACK: f64 = 1e-9;
 const ANGLE_SLACK: f64 = 1e-12;
 const CALM_SLACK: f64 = 1e-11;
+
+/// Height of the CG over the surface above which motion has not subsided, ft.
+pub fn calm_height<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> f64 {
+    let legs = vehicle.legs().iter().map(|leg| {
+        let design = leg.design();
+        design.linkage.lower_link_length * leg.extended_angle().sin() + design.footpad.height
+    });
+    let extended = legs.fold(f64::NEG_INFINITY, f64::max);
+    vehicle.center_of_gravity_height() + extended + CALM_MARGIN
+}
 
 /// The plane in which toppling is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -385,6 +385,18 @@ impl Stance {
         }
     }
 
+    /// What a leg does, on or off the surface, at a stroke δ (ft) and link rate γ̇ (rad/s). On its
+    /// stop on the surface it is not pushed: the torque has yet to say.
+    pub fn at(law: &StrutLaw, on_surface: bool, stroke: f64, link_rate: f64) -> Self {
+        if link_rate >= 0.0 && stroke <= STOP_STROKE {
+            return Self::extended(on_surface, link_rate);
+        }
+        Self::Working(Working {
+            segment: law.segment_at(stroke),
+            travel: Travel::at(link_rate),
+        })
+    }
+
     /// Whether the leg is on its extension stop.
     pub fn is_extended(&self) -> bool {
         !matches!(self, Self::Working(_))

@@ -5,7 +5,7 @@ mod common;
 
 use common::surveyor_leg;
 use touchdown_dynamics::crush::{Crush, CrushLaw};
-use touchdown_dynamics::friction::Sliding;
+use touchdown_dynamics::friction::{FrictionProfile, Sliding};
 use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::strut::{Kinks, Stance, StrutLaw};
@@ -95,17 +95,39 @@ fn friction_profile_c() {
             1.0
         };
         let squared = speed * speed;
-        let sliding = Sliding::at(squared);
-        let coefficient = sliding.piece::<f64>().per_speed(squared) * speed;
+        let sliding = Sliding::at(FrictionProfile::C, squared);
+        let coefficient = sliding.piece::<f64>(FrictionProfile::C).per_speed(squared) * speed;
         assert!(
             (coefficient - expected).abs() < 1e-12,
             "{coefficient} at {speed} ft/s"
         );
-        let range = sliding.bounds();
+        let range = sliding.bounds(FrictionProfile::C);
         assert!(range.lower <= squared && squared <= range.upper);
     }
     // At rest there is no friction, and no division by nothing.
-    assert_eq!(Sliding::at(0.0).piece::<f64>().per_speed(0.0), 24.0);
+    let at_rest = Sliding::at(FrictionProfile::C, 0.0).piece::<f64>(FrictionProfile::C);
+    assert_eq!(at_rest.per_speed(0.0), 24.0);
+}
+
+#[test]
+fn friction_profiles_differ_only_near_rest() {
+    let coefficient = |profile: FrictionProfile, speed: f64| {
+        let piece = Sliding::at(profile, speed * speed).piece::<f64>(profile);
+        piece.per_speed(speed * speed) * speed
+    };
+    for profile in [FrictionProfile::A, FrictionProfile::B] {
+        let limit = profile.viscous_limit();
+        assert!(limit < FrictionProfile::C.viscous_limit());
+        for speed in [0.0501, 0.3, 1.0, 1.1, 5.0] {
+            let expected = coefficient(FrictionProfile::C, speed);
+            assert_eq!(coefficient(profile, speed), expected);
+        }
+        // No jump where viscous friction ends, and half of it halfway.
+        let before = coefficient(profile, limit * (1.0 - 1e-9));
+        let after = coefficient(profile, limit * (1.0 + 1e-9));
+        assert!((before - after).abs() < 1e-8, "{before} {after}");
+        assert!((coefficient(profile, 0.5 * limit) - 0.5 * after).abs() < 1e-8);
+    }
 }
 
 /// A profile easy on the head: elastic slope 10 to 1 at 0.1 ft, then 1 to 1.2 at 0.5 ft, then 4

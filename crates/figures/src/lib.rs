@@ -18,6 +18,7 @@ mod isolines;
 pub mod leading_feet;
 mod legend;
 mod levels;
+pub mod line_chart;
 pub mod map_view;
 pub mod number;
 pub mod perspective;

@@ -2,7 +2,7 @@
 //!
 //! | step | modules |
 //! |---|---|
-//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
+//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`axes`], [`cases`] |
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
 //! | do so on every core | [`run`] |
 //! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
@@ -24,6 +24,7 @@ pub mod history;
 pub mod input_error;
 pub mod landing_table;
 pub mod lattice;
+pub mod method_input;
 pub mod refine;
 pub mod results;
 pub mod run;

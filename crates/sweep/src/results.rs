@@ -6,8 +6,9 @@ use touchdown_dynamics::outcome::Class;
 use crate::boundary::Boundary;
 use crate::certainty::Certainty;
 use crate::document::{Entry, Value as Read};
+use crate::method_input::method_name;
 use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
-use crate::settings_input::crush_rule_name;
+use crate::settings_input::{crush_rule_name, friction_profile_name};
 use crate::sweep_file::Sweep;
 
 /// Columns of the table after those of the axes.
@@ -129,6 +130,8 @@ pub fn record<const LEGS: usize>(
                 "tolerance": sweep.settings.tolerance(),
                 "time_limit_s": sweep.settings.time_limit(),
                 "crush_rule": crush_rule_name(sweep.settings.crush_rule()),
+                "friction_profile": friction_profile_name(sweep.settings.friction_profile()),
+                "method": method_name(&sweep.settings.method()),
             },
         },
         "counts": {

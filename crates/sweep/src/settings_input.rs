@@ -1,20 +1,30 @@
 //! How landings are computed: the table `[solver]` of a sweep file, and the crush rules by name.
 
+use touchdown_dynamics::friction::FrictionProfile;
 use touchdown_dynamics::scene::{CrushRule, Settings};
 
 use crate::input_error::InputError;
+use crate::method_input;
 use crate::section::Section;
 
-const SOLVER: [&str; 3] = ["tolerance", "time_limit_s", "crush_rule"];
+const SOLVER: [&str; 4] = [
+    "tolerance",
+    "time_limit_s",
+    "crush_rule",
+    "friction_profile",
+];
 
 /// Reads `[solver]`; whatever it leaves out has the program's default.
 pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
-    let solver = root.optional_section("solver", &SOLVER)?;
+    let known = [&SOLVER[..], &method_input::KEYS].concat();
+    let solver = root.optional_section("solver", &known)?;
     let number = |key| match &solver {
         Some(solver) => solver.optional_number(key),
         None => Ok(None),
     };
-    let tolerance = number("tolerance")?.unwrap_or(Settings::BOUNDARY_TOLERANCE);
+    let tolerance = number("tolerance")?;
+    let method = method_input::read(solver.as_ref(), tolerance)?;
+    let tolerance = tolerance.unwrap_or(Settings::BOUNDARY_TOLERANCE);
     let time_limit = number("time_limit_s")?.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
     let rule = match solver
         .as_ref()
@@ -24,8 +34,33 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
             .ok_or_else(|| found.complain("\"pivot-rate\" or \"section\""))?,
         None => CrushRule::default(),
     };
+    let profile = match solver
+        .as_ref()
+        .and_then(|solver| solver.optional("friction_profile"))
+    {
+        Some(found) => friction_profile(found.text()?)
+            .ok_or_else(|| found.complain("\"A\", \"B\" or \"C\""))?,
+        None => FrictionProfile::default(),
+    };
     Settings::new(tolerance, time_limit, rule)
+        .map(|settings| settings.with_method(method).with_friction_profile(profile))
         .map_err(|invalid| solver.as_ref().unwrap_or(root).complain(&invalid))
+}
+
+/// Letter of a friction profile in input files.
+pub fn friction_profile_name(profile: FrictionProfile) -> &'static str {
+    match profile {
+        FrictionProfile::A => "A",
+        FrictionProfile::B => "B",
+        FrictionProfile::C => "C",
+    }
+}
+
+/// The friction profile that a letter of an input file stands for.
+pub fn friction_profile(name: &str) -> Option<FrictionProfile> {
+    [FrictionProfile::A, FrictionProfile::B, FrictionProfile::C]
+        .into_iter()
+        .find(|profile| friction_profile_name(*profile) == name)
 }
 
 /// Word of a crush rule in input files.

@@ -4,17 +4,18 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use touchdown_dynamics::landing::land_observed;
+use touchdown_dynamics::landing::Instant;
+use touchdown_dynamics::methods::land_observed;
 use touchdown_dynamics::outcome::Outcome;
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::deposit::Folder;
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::settings_input::crush_rule;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::say::say;
+use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
 use crate::{LEGS, cases, report};
 
@@ -27,6 +28,11 @@ Examples:
     touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \\
       --vertical-velocity 14 --horizontal-velocity 11.25 --cross-slope 180 \\
       --slope 15 --friction 1.0 --history baseline.csv
+
+  The sample run of the report by the report's own integrator:
+    touchdown land --vehicle sweeps/vehicles/surveyor-sample-deck.toml --method report \\
+      --vertical-velocity 14.24567 --horizontal-velocity 9.27685 --cross-slope 180 \\
+      --slope 15 --pitch 5 --friction 0.8
 
   One landing for each row of a table with the columns case, vertical_velocity_fps,
   horizontal_velocity_fps, cross_slope_deg, pitch_deg, yaw_deg, roll_deg, slope_deg, friction:
@@ -42,19 +48,8 @@ pub struct Options {
     pub vehicle: PathBuf,
     #[command(flatten)]
     touchdown: TouchdownOptions,
-    /// When an element may crush further: "pivot-rate", only while its pivot moves into the
-    /// ground, as in the 1966 program, or "section", at its maximum penetration
-    #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule,
-          help_heading = "Solver")]
-    crush_rule: CrushRule,
-    /// Relative error tolerance per step, from 1e-12 to 1e-2 [default: 1e-6]
-    #[arg(long, value_name = "TOL", value_parser = finite, allow_hyphen_values = true,
-          help_heading = "Solver")]
-    tolerance: Option<f64>,
-    /// Time at which a landing without an outcome is given up, s [default: 40]
-    #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true,
-          help_heading = "Solver")]
-    time_limit: Option<f64>,
+    #[command(flatten)]
+    solver: SolverOptions,
     /// Write motion, loads, deformations and energies over time to this CSV file
     #[arg(
         long,
@@ -100,30 +95,14 @@ pub struct Options {
     pub quiet: bool,
 }
 
-pub fn rule(name: &str) -> Result<CrushRule, String> {
-    crush_rule(name).ok_or_else(|| "allowed is pivot-rate or section".to_owned())
-}
-
 /// Runs `land`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let settings = settings(options)?;
+    let settings = options.solver.settings()?;
     let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?;
     match (&options.cases, &options.out) {
         (Some(cases), Some(out)) => cases::run(options, &vehicle, &settings, cases, out),
         _ => land_once(options, &vehicle, &settings),
     }
-}
-
-fn settings(options: &Options) -> Result<Settings, InputError> {
-    let tolerance = options.tolerance.unwrap_or(Settings::DEFAULT_TOLERANCE);
-    let time_limit = options.time_limit.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
-    Settings::new(tolerance, time_limit, options.crush_rule).map_err(|invalid| {
-        let option = match invalid.quantity.as_str() {
-            "time_limit_s" => "--time-limit",
-            _ => "--tolerance",
-        };
-        InputError::value(option, invalid.value, &invalid.allowed)
-    })
 }
 
 fn land_once(
@@ -137,11 +116,13 @@ fn land_once(
 
     let mut history = History::default();
     let mut written = Ok(());
-    let landing = land_observed(&vehicle.vehicle, &scene, settings, interval, |instant| {
+    let observe = |instant: &Instant<LEGS>| {
         if history_place.is_some() && written.is_ok() {
             written = history.add(instant);
         }
-    });
+    };
+    let (landing, integration) =
+        land_observed(&vehicle.vehicle, &scene, settings, interval, observe);
 
     if let Some((folder, name)) = history_place {
         written.map_err(Failure::running)?;
@@ -152,10 +133,10 @@ fn land_once(
     say(&if options.json {
         format!(
             "{:#}\n",
-            report::json(vehicle, &conditions, settings, &landing)
+            report::json(vehicle, &conditions, settings, &landing, &integration)
         )
     } else {
-        report::text(vehicle, &conditions, settings, &landing)
+        report::text(vehicle, &conditions, settings, &landing, &integration)
     })?;
     match &landing.outcome {
         Outcome::Failure(reason) => Err(Failure::running(format!(

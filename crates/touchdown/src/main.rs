@@ -5,6 +5,7 @@
 
 mod cases;
 mod failure;
+mod integration_report;
 mod interrupt;
 mod land;
 mod overrides;
@@ -13,8 +14,10 @@ mod plot;
 mod progress;
 mod report;
 mod say;
+mod solver_options;
 mod study;
 mod summary;
+mod surface;
 mod sweep;
 mod sweep_files;
 mod touchdown_options;
@@ -48,6 +51,8 @@ enum Command {
     Sweep(sweep::Options),
     /// Draw the pictures of result tables anew
     Plot(plot::Options),
+    /// Find slope and cross-slope from the times at which the footpads struck the surface
+    Surface(surface::Options),
     /// Compare results with what the report of 1966 says
     Study(study::Options),
     /// Measure what a tolerance costs and what it buys
@@ -59,6 +64,7 @@ fn main() -> ExitCode {
         Command::Land(options) => land::run(&options),
         Command::Sweep(options) => sweep::run(&options),
         Command::Plot(options) => plot::run(&options),
+        Command::Surface(options) => surface::run(&options),
         Command::Study(options) => study::run(&options),
         Command::WorkPrecision(options) => work_precision::run(&options),
     };

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::scene::CrushRule;
 use touchdown_sweep::boundary::Extent;
 use touchdown_sweep::refine::Refinement;
 use touchdown_sweep::scan::Scan;
@@ -12,7 +12,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::LEGS;
 use crate::failure::Failure;
-use crate::land::rule;
+use crate::solver_options::rule;
 
 /// What holds instead of the sweep files.
 #[derive(Debug, Args)]
@@ -77,10 +77,7 @@ impl Overrides {
                 sweep.vehicle = vehicle.clone();
             }
             if let Some(rule) = self.crush_rule {
-                let (tolerance, limit) = (sweep.settings.tolerance(), sweep.settings.time_limit());
-                sweep.settings = Settings::new(tolerance, limit, rule).map_err(|invalid| {
-                    Failure::running(format!("solver settings: {}", invalid.allowed))
-                })?;
+                sweep.settings = sweep.settings.with_crush_rule(rule);
             }
             if let Some(bands) = self.bands {
                 sweep.search.extent = match bands {

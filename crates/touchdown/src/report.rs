@@ -2,12 +2,16 @@
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Landing, LegWork};
+use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::landing_table;
+use touchdown_sweep::method_input::{method_name, method_words};
 use touchdown_sweep::scene_input::NamedConditions;
-use touchdown_sweep::settings_input::crush_rule_name;
+use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
+
+use crate::integration_report;
 
 /// A landing for a reader.
 pub fn text<const LEGS: usize>(
@@ -15,6 +19,7 @@ pub fn text<const LEGS: usize>(
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing<LEGS>,
+    integration: &IntegrationSummary,
 ) -> String {
     let given: Vec<String> = conditions
         .resolved()
@@ -64,15 +69,19 @@ pub fn text<const LEGS: usize>(
     lines.add(
         "computation",
         format!(
-            "{} steps, {} events, {} derivative evaluations, tolerance {:e}, crush rule {}",
-            landing.steps,
-            landing.events,
-            landing.evaluations,
-            settings.tolerance(),
+            "{} steps, {} events, {} derivative evaluations",
+            landing.steps, landing.events, landing.evaluations,
+        ),
+    );
+    lines.add(
+        "",
+        format!(
+            "{}, crush rule {}",
+            method_words(&settings.method(), settings.tolerance()),
             crush_rule_name(settings.crush_rule())
         ),
     );
-    lines.0
+    lines.0 + &integration_report::text::<LEGS>(integration)
 }
 
 /// Lines of a name and what belongs to it.
@@ -123,6 +132,7 @@ pub fn json<const LEGS: usize>(
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing<LEGS>,
+    integration: &IntegrationSummary,
 ) -> Value {
     let scene: Map<String, Value> = conditions
         .resolved()
@@ -151,6 +161,8 @@ pub fn json<const LEGS: usize>(
             "tolerance": settings.tolerance(),
             "time_limit_s": settings.time_limit(),
             "crush_rule": crush_rule_name(settings.crush_rule()),
+            "friction_profile": friction_profile_name(settings.friction_profile()),
+            "method": method_name(&settings.method()),
         },
         "result": result,
         "why": why(&landing.outcome),
@@ -158,5 +170,6 @@ pub fn json<const LEGS: usize>(
         "events": landing.events,
         "work_by_leg": work.to_vec(),
         "final_kinetic_energy_ftlb": landing.energies.final_kinetic,
+        "integration": integration_report::json::<LEGS>(integration),
     })
 }

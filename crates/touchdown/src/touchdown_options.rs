@@ -130,7 +130,8 @@ pub fn finite(text: &str) -> Result<f64, String> {
     }
 }
 
-fn triple(text: &str) -> Result<[f64; 3], String> {
+/// Three numbers separated by commas.
+pub fn triple(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text
         .split(',')
         .map(|part| finite(part.trim()))

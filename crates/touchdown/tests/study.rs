@@ -56,6 +56,63 @@ fn what_is_committed_is_what_the_results_say() {
 }
 
 #[test]
+fn special_studies_are_what_the_program_says() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("r")).unwrap();
+    let vehicles = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/vehicles");
+    let [level, sample] =
+        ["table-4-1", "sample-deck"].map(|name| format!("{vehicles}/surveyor-{name}.toml"));
+    let done = bench.run(&[
+        "study",
+        "special",
+        "--results",
+        "r",
+        "--vehicle",
+        &level,
+        "--sample-vehicle",
+        &sample,
+    ]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let committed = fs::read_to_string(Path::new(RESULTS).join("special-studies.md")).unwrap();
+    let page = bench.read("r/special-studies.md");
+    assert_eq!(page, committed);
+    for picture in page.split("](").skip(1) {
+        let name = picture.split(')').next().unwrap();
+        assert!(bench.path("r").join(name).is_file(), "{name}");
+        assert!(Path::new(RESULTS).join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn scatter_follows_its_table() {
+    let bench = Bench::new();
+    copy(Path::new(RESULTS), &bench.path("r"));
+    let table = bench.read("r/scatter.csv");
+    let line = |end: &str| {
+        let lines = table
+            .lines()
+            .filter(|line| line.starts_with("figure-4-09,roll_deg,0,"));
+        lines
+            .filter(|line| line.contains(end))
+            .map(str::to_owned)
+            .next()
+            .unwrap()
+    };
+    let low = line(",10.9,20,");
+    let changed = low.replace(",20,0", ",20,7");
+    assert_ne!(low, changed);
+    bench.write("r/scatter.csv", &table.replace(&low, &changed));
+    assert_eq!(study(&bench).code, Some(0));
+    let page = bench.read("r/phase-2.md");
+    assert!(
+        page.contains("| figure-4-09 | 0 | 11.40 | 10.90 |"),
+        "{page}"
+    );
+    bench.write("r/scatter.csv", "figure\n1\n");
+    study(&bench).refused(&["r/scatter.csv: columns are figure,condition"]);
+}
+
+#[test]
 fn verdicts_follow_the_results() {
     let bench = Bench::new();
     copy(Path::new(RESULTS), &bench.path("r"));

@@ -1,11 +1,11 @@
 //! The account of a landing: energies, history, result.
 
 use super::Flight;
-use crate::attitude::Attitude;
-use crate::motion::Signal;
+use super::rates::final_rates;
+use crate::energy::{kinetic, released};
 use crate::outcome::Outcome;
-use crate::record::{Energies, Instant, Landing, LegInstant, LegWork};
-use crate::stability::Judge;
+use crate::record::{Energies, Instant, Landing, LegWork};
+use crate::stability::{Judge, calm_height};
 use crate::state::State;
 
 /// When to report to whom.
@@ -46,26 +46,6 @@ impl<O> History<O> {
 }
 
 impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
-    /// Kinetic energy of body and lower links, ft·lb.
-    fn kinetic_energy(&self, state: &State<f64, LEGS>) -> f64 {
-        let body = state.body();
-        let translation = self.vehicle.mass() * body.velocity.norm_squared();
-        let rotation = body.rate.dot(&(self.vehicle.inertia() * body.rate));
-        let links: f64 = (0..LEGS)
-            .map(|j| {
-                let rate = state.leg(j).link_rate;
-                self.vehicle.legs()[j].design().linkage.inertia * rate * rate
-            })
-            .sum();
-        0.5 * (translation + rotation + links)
-    }
-
-    /// Potential energy released since first contact, ft·lb.
-    fn potential_change(&self, state: &State<f64, LEGS>) -> f64 {
-        let descent = state.body().position.z - self.start.body().position.z;
-        self.vehicle.mass() * self.vehicle.gravity() * descent
-    }
-
     /// Reports the instants that are due up to fraction `reach` of the step.
     pub(super) fn report(&mut self, reach: f64) {
         while self.history.interval.is_finite() && self.history.next() <= self.time_at(reach) {
@@ -85,44 +65,18 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
     }
 
     fn instant(&self, state: &State<f64, LEGS>, time: f64) -> Instant<LEGS> {
-        let body = state.body();
-        let mut judge = Judge::new(self.scene, self.calm_height());
+        let mut judge = Judge::new(self.scene, calm_height(self.vehicle));
         let seen = judge
             .look(&self.motion, state)
             .unwrap_or_else(|_| judge.observe(&self.motion, state));
         let signals = self.motion.signals(state, &self.pieces, false);
         let loads = self.motion.loads(state, &self.pieces);
-        let q = body.quaternion;
-        Instant {
-            time,
-            position: body.position,
-            velocity: body.velocity,
-            attitude: Attitude::from_quaternion([q.x, q.y, q.z, q.w]),
-            angular_velocity: body.rate,
-            stability_angle: seen.angle,
-            clearance: seen.clearance,
-            kinetic_energy: self.kinetic_energy(state),
-            potential_change: self.potential_change(state),
-            legs: std::array::from_fn(|j| {
-                let leg = state.leg(j);
-                let [outer, inner, block] = self.modes[j].sets(&self.laws[j], &signals[j]);
-                LegInstant {
-                    link_angle: leg.link_angle,
-                    link_rate: leg.link_rate,
-                    pad_angle: leg.pad_angle,
-                    pad_rate: leg.pad_rate,
-                    stroke: signals[j][Signal::Stroke as usize],
-                    strut_force: loads[j].strut,
-                    pad_normal: loads[j].pad_normal,
-                    pad_friction: loads[j].pad_friction,
-                    block_normal: loads[j].block_normal,
-                    block_friction: loads[j].block_friction,
-                    pad_sets: [outer, inner],
-                    block_set: block,
-                    work: LegWork::from_state(leg.work),
-                }
-            }),
-        }
+        let sets = std::array::from_fn(|j| self.modes[j].sets(&self.laws[j], &signals[j]));
+        let energies = [
+            kinetic(self.vehicle, state),
+            released(self.vehicle, &self.start, state),
+        ];
+        Instant::new(time, state, &seen, energies, &signals, &loads, sets)
     }
 
     pub(super) fn conclude(self, outcome: Outcome) -> Landing<LEGS> {
@@ -133,14 +87,20 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             min_stability_time: self.least_angle.1,
             min_clearance: self.least_clearance,
             energies: Energies {
-                initial_kinetic: self.kinetic_energy(&self.start),
-                potential_change: self.potential_change(&self.step.before),
+                initial_kinetic: kinetic(self.vehicle, &self.start),
+                potential_change: released(self.vehicle, &self.start, &self.step.before),
                 legs: std::array::from_fn(|j| LegWork::from_state(self.step.before.leg(j).work)),
-                final_kinetic: self.kinetic_energy(&self.step.before),
+                final_kinetic: kinetic(self.vehicle, &self.step.before),
             },
             max_strut_force: self.greatest_strut_force,
             max_stroke: self.greatest_stroke,
-            final_rates: self.final_rates(),
+            final_rates: final_rates(
+                self.vehicle,
+                self.scene,
+                &self.motion,
+                &self.step.before,
+                &self.pieces,
+            ),
             pad_contact: self.pad_contact,
             block_contact: self.block_contact,
             steps: self.steps,

@@ -1,0 +1,65 @@
+//! Where the footpads' sections are.
+
+use nalgebra::Vector3;
+
+use crate::invalid::Invalid;
+use crate::landing::{Instant, land_observed};
+use crate::scene::{CrushRule, Scene, Settings};
+use crate::vehicle::Vehicle;
+
+/// Centroids of the uncrushed outboard and inboard sections of a pad (14)(15), vehicle axes from
+/// the CG, ft.
+pub(super) fn centroids<const LEGS: usize>(
+    vehicle: &Vehicle<LEGS>,
+    leg: usize,
+    link_angle: f64,
+    pad_angle: f64,
+) -> [Vector3<f64>; 2] {
+    let design = vehicle.legs()[leg].design();
+    let (linkage, footpad) = (&design.linkage, &design.footpad);
+    let (sine, cosine) = design.azimuth.sin_cos();
+    let in_plane =
+        |outboard: f64, down: f64| Vector3::new(outboard * sine, outboard * cosine, down);
+    let (sin_link, cos_link) = link_angle.sin_cos();
+    let pivot = in_plane(
+        linkage.lower_hardpoint_radius + linkage.lower_link_length * cos_link,
+        vehicle.center_of_gravity_height() + linkage.lower_link_length * sin_link,
+    );
+    let (sin_pad, cos_pad) = (link_angle - pad_angle).sin_cos();
+    let offset = 2.0 * footpad.diameter / (3.0 * std::f64::consts::PI);
+    let middle = pivot + in_plane(-sin_pad, cos_pad) * footpad.height;
+    let aside = in_plane(cos_pad, sin_pad) * offset;
+    [middle + aside, middle - aside]
+}
+
+/// The CG at first contact and the section of pad `leg` that touches at `contact` (s after first
+/// contact), in the ground axes of a scene, ft.
+pub(super) fn at_contact<const LEGS: usize>(
+    vehicle: &Vehicle<LEGS>,
+    scene: &Scene,
+    leg: usize,
+    contact: f64,
+) -> Result<(Vector3<f64>, Vector3<f64>), Invalid> {
+    // The landing ends at the contact, and its last instant is there.
+    let limit = contact.max(1e-9);
+    let settings = Settings::new(super::TOLERANCE, limit, CrushRule::default())?;
+    let mut instants: Vec<Instant<LEGS>> = Vec::new();
+    land_observed(vehicle, scene, &settings, limit, |instant| {
+        instants.push(instant.clone());
+    });
+    let (Some(first), Some(last)) = (instants.first(), instants.last()) else {
+        return Ok((Vector3::zeros(), Vector3::zeros()));
+    };
+    let angles = &last.legs[leg];
+    let sections = centroids(vehicle, leg, angles.link_angle, angles.pad_angle);
+    let matrix = last.attitude.matrix();
+    let (sine, cosine) = scene.conditions().slope.sin_cos();
+    let depth = |point: &Vector3<f64>| sine * point.y + cosine * point.z;
+    let [outboard, inboard] = sections.map(|section| last.position + matrix * section);
+    let deeper = if depth(&outboard) >= depth(&inboard) {
+        outboard
+    } else {
+        inboard
+    };
+    Ok((first.position, deeper))
+}

@@ -1,0 +1,125 @@
+//! The equations of motion for methods that locate no events: at every evaluation each law's
+//! active piece is chosen from the state.
+//!
+//! This is the only place where these methods touch laws and motion.
+
+use crate::contact::{Choice, LegLaws, LegMode};
+use crate::motion::{LegLoads, LegPieces, LegSignals, Motion, Signal};
+use crate::outcome::Outcome;
+use crate::scene::{Scene, Settings};
+use crate::state::State;
+use crate::strut::Kinks;
+use crate::vehicle::Vehicle;
+
+use super::system::System;
+use super::variables;
+
+/// Plastic sets of outboard section, inboard section and block of each leg, ft.
+pub type Sets<const LEGS: usize> = [[f64; 3]; LEGS];
+
+/// A vehicle in a scene.
+#[derive(Debug, Clone)]
+pub struct ForceModel<const LEGS: usize> {
+    motion: Motion<f64, LEGS>,
+    laws: [LegLaws; LEGS],
+    /// Pieces for a look at signals that no piece has a say in.
+    untouched: [LegPieces<f64>; LEGS],
+}
+
+/// What the laws say at one state.
+#[derive(Debug, Clone)]
+pub struct Look<const LEGS: usize> {
+    /// Derivative of the state.
+    pub slope: State<f64, LEGS>,
+    /// Signals of the legs.
+    pub signals: [LegSignals<f64>; LEGS],
+    /// The pieces chosen.
+    pub choices: [Choice; LEGS],
+}
+
+impl<const LEGS: usize> Look<LEGS> {
+    /// The coefficients chosen.
+    pub fn pieces(&self) -> [LegPieces<f64>; LEGS] {
+        self.choices.map(|choice| choice.pieces)
+    }
+}
+
+impl<const LEGS: usize> ForceModel<LEGS> {
+    /// The model of a vehicle in a scene under the crush rule and friction profile of `settings`.
+    pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings) -> Self {
+        let laws: [LegLaws; LEGS] = std::array::from_fn(|j| {
+            LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), Kinks::Located)
+                .with_friction(settings.friction_profile())
+        });
+        Self {
+            motion: Motion::new(vehicle, scene),
+            untouched: std::array::from_fn(|j| LegMode::untouched(&laws[j]).pieces(&laws[j])),
+            laws,
+        }
+    }
+
+    /// The equations of motion.
+    pub fn motion(&self) -> &Motion<f64, LEGS> {
+        &self.motion
+    }
+
+    /// Chooses the pieces at a state and evaluates; the sets grow as the laws say.
+    pub fn look(&self, state: &State<f64, LEGS>, sets: &mut Sets<LEGS>) -> Look<LEGS> {
+        let mut signals = self.motion.signals(state, &self.untouched, false);
+        let mut choices: [Choice; LEGS] =
+            std::array::from_fn(|j| self.laws[j].choose(sets[j], &signals[j]));
+        *sets = choices.map(|choice| choice.sets);
+        let mut slope = State::zero();
+        let mut evaluate = |choices: &[Choice; LEGS], signals: &mut _| {
+            let pieces = choices.map(|choice| choice.pieces);
+            self.motion.evaluate(state, &pieces, &mut slope, signals);
+        };
+        evaluate(&choices, &mut signals);
+        let mut pushed = false;
+        for ((choice, laws), signals) in choices.iter_mut().zip(&self.laws).zip(&signals) {
+            if choice.awaits_torque() && signals[Signal::LinkTorque as usize] < 0.0 {
+                choice.push(laws);
+                pushed = true;
+            }
+        }
+        if pushed {
+            evaluate(&choices, &mut signals);
+        }
+        Look {
+            slope,
+            signals,
+            choices,
+        }
+    }
+
+    /// How the laws end the landing, if they do.
+    pub fn end(&self, look: &Look<LEGS>) -> Option<Outcome> {
+        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.choices[j], &look.signals[j]))
+    }
+
+    /// Loads at a state.
+    pub fn loads(&self, state: &State<f64, LEGS>, look: &Look<LEGS>) -> [LegLoads<f64>; LEGS] {
+        self.motion.loads(state, &look.pieces())
+    }
+}
+
+impl<const LEGS: usize> System for ForceModel<LEGS> {
+    type State = State<f64, LEGS>;
+    type Memory = Sets<LEGS>;
+
+    fn derivative(&self, state: &Self::State, sets: &mut Sets<LEGS>) -> Self::State {
+        self.look(state, sets).slope
+    }
+
+    fn hold(&self, start: &Self::State, derivative: &mut Self::State) {
+        for j in 0..LEGS {
+            let mut leg = derivative.leg(j);
+            leg.pad_rate = start.leg(j).pad_rate;
+            derivative.set_leg(j, &leg);
+        }
+    }
+
+    fn difference(&self, a: &Self::State, b: &Self::State, difference: &mut Vec<f64>) {
+        variables::difference(a, b, difference);
+    }
+}

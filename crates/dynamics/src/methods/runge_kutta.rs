@@ -1,0 +1,37 @@
+//! The classical Runge-Kutta method of order 4, at a fixed interval.
+
+use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
+
+/// One step; `look` gives derivatives.
+pub(super) fn step<V: Vector>(start: &Start<V>, length: f64, mut look: impl FnMut(&V) -> V) -> V {
+    let Start { state, slope: k1 } = start;
+    let half = 0.5 * length;
+    let k2 = look(&state.advanced([half], [k1]));
+    let k3 = look(&state.advanced([half], [&k2]));
+    let k4 = look(&state.advanced([length], [&k3]));
+    let sixth = length / 6.0;
+    state.advanced(
+        [sixth, 2.0 * sixth, 2.0 * sixth, sixth],
+        [k1, &k2, &k3, &k4],
+    )
+}
+
+/// The method.
+#[derive(Debug, Clone, Copy)]
+pub struct RungeKutta {
+    /// Interval, s.
+    pub interval: f64,
+}
+
+impl<S: System> Stepper<S> for RungeKutta {
+    fn advance(
+        &mut self,
+        start: &Start<S::State>,
+        longest: f64,
+        evaluator: &mut Evaluator<S>,
+    ) -> Taken<S::State> {
+        let length = self.interval.min(longest);
+        let state = step(start, length, |state| evaluator.slope(state));
+        Taken { length, state }
+    }
+}

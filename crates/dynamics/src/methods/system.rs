@@ -1,0 +1,82 @@
+//! What is integrated, and how a method asks for derivatives.
+
+use crate::state::State;
+
+/// A point of a vector space.
+pub trait Vector: Copy {
+    /// self + Σ weight · slope.
+    fn advanced<const TERMS: usize>(&self, weights: [f64; TERMS], slopes: [&Self; TERMS]) -> Self;
+}
+
+impl<const LEGS: usize> Vector for State<f64, LEGS> {
+    fn advanced<const TERMS: usize>(&self, weights: [f64; TERMS], slopes: [&Self; TERMS]) -> Self {
+        State::advanced(self, weights, slopes)
+    }
+}
+
+/// Differential equations whose laws remember what has happened.
+pub trait System {
+    /// What is integrated, and its derivative.
+    type State: Vector;
+    /// What the laws remember: it changes with every evaluation, trial stages included.
+    type Memory: Copy;
+
+    /// The derivative at a state.
+    fn derivative(&self, state: &Self::State, memory: &mut Self::Memory) -> Self::State;
+
+    /// Puts into a derivative what the program of 1966 held over an interval, as it was at its
+    /// start.
+    fn hold(&self, start: &Self::State, derivative: &mut Self::State);
+
+    /// Writes a − b, variable by variable, into `difference`.
+    fn difference(&self, a: &Self::State, b: &Self::State, difference: &mut Vec<f64>);
+}
+
+/// A system under integration: its memory, and how often it was asked.
+#[derive(Debug)]
+pub struct Evaluator<'a, S: System> {
+    /// The system.
+    pub system: &'a S,
+    /// What its laws remember now.
+    pub memory: S::Memory,
+    /// Evaluations so far.
+    pub evaluations: u64,
+}
+
+impl<S: System> Evaluator<'_, S> {
+    /// The derivative at a state.
+    pub fn slope(&mut self, state: &S::State) -> S::State {
+        self.evaluations += 1;
+        self.system.derivative(state, &mut self.memory)
+    }
+}
+
+/// Start of an interval.
+#[derive(Debug, Clone, Copy)]
+pub struct Start<V> {
+    /// The state there.
+    pub state: V,
+    /// Its derivative.
+    pub slope: V,
+}
+
+/// An interval gone through.
+#[derive(Debug, Clone, Copy)]
+pub struct Taken<V> {
+    /// Its length, s.
+    pub length: f64,
+    /// The state at its end.
+    pub state: V,
+}
+
+/// A method of integration.
+pub trait Stepper<S: System> {
+    /// Goes through an interval no longer than `longest` seconds. The evaluator's memory is that
+    /// of the start.
+    fn advance(
+        &mut self,
+        start: &Start<S::State>,
+        longest: f64,
+        evaluator: &mut Evaluator<S>,
+    ) -> Taken<S::State>;
+}

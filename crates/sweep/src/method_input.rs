@@ -1,0 +1,226 @@
+//! Methods of integration by name, and what each of them may be told.
+
+use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, FixedInterval, Method};
+
+use crate::input_error::InputError;
+use crate::section::Section;
+
+/// Names of the methods.
+pub const METHODS: [&str; 5] = ["located", "report", "rk4", "trapezoidal", "milne"];
+
+/// Keys of `[solver]` that concern a method.
+pub(crate) const KEYS: [&str; 6] = [
+    "method",
+    "error_scale",
+    "first_interval_s",
+    "least_interval_s",
+    "interval_s",
+    "error_per_second",
+];
+
+const LIMITS: [&str; 7] = [
+    "pad_angle_deg",
+    "link_rate_dps",
+    "link_angle_deg",
+    "velocity_fps",
+    "position_ft",
+    "angular_velocity_dps",
+    "attitude_deg",
+];
+
+/// Numbers that a method may be told.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct MethodNumbers {
+    /// Relative tolerance per step: `located`.
+    pub tolerance: Option<f64>,
+    /// Factor of all error limits: `report`, `milne`.
+    pub error_scale: Option<f64>,
+    /// The first interval, s: `report`, `milne`.
+    pub first_interval: Option<f64>,
+    /// The interval that is not cut further, s: `report`, `milne`.
+    pub least_interval: Option<f64>,
+    /// The fixed interval, s: `rk4`, `trapezoidal`.
+    pub interval: Option<f64>,
+    /// Error limits per second, before scaling: `report`, `milne`.
+    pub limits: Option<ErrorLimits>,
+}
+
+/// The method of a name, one of [`METHODS`], as its numbers say.
+///
+/// # Errors
+/// Names the first number that is out of its range or of no use to the method.
+pub fn method(name: &str, numbers: &MethodNumbers) -> Result<Method, Invalid> {
+    let checks_errors = matches!(name, "report" | "milne");
+    let is_fixed = matches!(name, "rk4" | "trapezoidal");
+    let used = [
+        ("tolerance", numbers.tolerance, name == "located"),
+        ("error_scale", numbers.error_scale, checks_errors),
+        ("first_interval_s", numbers.first_interval, checks_errors),
+        ("least_interval_s", numbers.least_interval, checks_errors),
+        ("interval_s", numbers.interval, is_fixed),
+    ];
+    for (key, value, is_used) in used {
+        if let (Some(value), false) = (value, is_used) {
+            let allowed = format!("nothing: method {name} has no use for it");
+            return Err(Invalid::new(key, value, &allowed));
+        }
+    }
+    let control = || -> Result<ErrorControl, Invalid> {
+        let scale = numbers.error_scale.unwrap_or(1.0);
+        if scale <= 0.0 {
+            return Err(Invalid::new("error_scale", scale, "value > 0"));
+        }
+        ErrorControl::new(
+            numbers.limits.unwrap_or_default().scaled(scale),
+            numbers
+                .first_interval
+                .unwrap_or(ErrorControl::FIRST_INTERVAL),
+            numbers
+                .least_interval
+                .unwrap_or(ErrorControl::LEAST_INTERVAL),
+        )
+    };
+    let fixed = || match numbers.interval {
+        Some(seconds) => FixedInterval::new(seconds),
+        None => Ok(FixedInterval::default()),
+    };
+    Ok(match name {
+        "report" => Method::Report(control()?),
+        "milne" => Method::Milne(control()?),
+        "rk4" => Method::RungeKutta(fixed()?),
+        "trapezoidal" => Method::Trapezoidal(fixed()?),
+        _ => Method::Located,
+    })
+}
+
+/// Name of a method.
+pub fn method_name(method: &Method) -> &'static str {
+    match method {
+        Method::Located => "located",
+        Method::Report(_) => "report",
+        Method::RungeKutta(_) => "rk4",
+        Method::Trapezoidal(_) => "trapezoidal",
+        Method::Milne(_) => "milne",
+    }
+}
+
+/// What a method goes by, in words.
+pub fn method_words(method: &Method, tolerance: f64) -> String {
+    let name = method_name(method);
+    match method {
+        Method::Located => format!("method {name}, tolerance {tolerance:e}"),
+        Method::RungeKutta(fixed) | Method::Trapezoidal(fixed) => {
+            format!("method {name}, interval {} s", fixed.seconds())
+        }
+        Method::Report(control) | Method::Milne(control) => {
+            let (limits, intervals) = (control.limits(), control.intervals());
+            format!(
+                "method {name}, link rate error {} deg/s per s, first interval {} s, least {} s",
+                rounded(limits.link_rate.to_degrees()),
+                intervals.first,
+                intervals.least
+            )
+        }
+    }
+}
+
+/// Without what a change of units leaves in the last digits.
+fn rounded(value: f64) -> f64 {
+    let scale = 10f64.powi(12 - value.abs().log10().floor() as i32);
+    (value * scale).round() / scale
+}
+
+/// Reads the method of `[solver]`.
+pub(crate) fn read(solver: Option<&Section>, tolerance: Option<f64>) -> Result<Method, InputError> {
+    let Some(solver) = solver else {
+        return Ok(Method::Located);
+    };
+    let name = match solver.optional("method") {
+        None => "located",
+        Some(found) => {
+            let name = found.text()?;
+            if !METHODS.contains(&name) {
+                return Err(found.complain(&quoted()));
+            }
+            name
+        }
+    };
+    let limits = match solver.optional_section("error_per_second", &LIMITS)? {
+        None => None,
+        Some(table) => Some(error_limits(&table)?),
+    };
+    let numbers = MethodNumbers {
+        tolerance,
+        error_scale: solver.optional_number("error_scale")?,
+        first_interval: solver.optional_number("first_interval_s")?,
+        least_interval: solver.optional_number("least_interval_s")?,
+        interval: solver.optional_number("interval_s")?,
+        limits,
+    };
+    method(name, &numbers).map_err(|invalid| solver.complain(&invalid))
+}
+
+/// All names in quotes.
+fn quoted() -> String {
+    let names = METHODS.map(|name| format!("{name:?}"));
+    names.join(" or ")
+}
+
+/// Reads error limits; what is left out has the report's.
+fn error_limits(table: &Section) -> Result<ErrorLimits, InputError> {
+    let mut limits = ErrorLimits::default();
+    let angle = |key| -> Result<Option<f64>, InputError> {
+        Ok(table.optional_number(key)?.map(f64::to_radians))
+    };
+    let given = [
+        (&mut limits.pad_angle, angle("pad_angle_deg")?),
+        (&mut limits.link_rate, angle("link_rate_dps")?),
+        (&mut limits.link_angle, angle("link_angle_deg")?),
+        (&mut limits.velocity, table.optional_number("velocity_fps")?),
+        (&mut limits.position, table.optional_number("position_ft")?),
+        (&mut limits.angular_velocity, angle("angular_velocity_dps")?),
+        (&mut limits.attitude, angle("attitude_deg")?),
+    ];
+    for (limit, value) in given {
+        if let Some(value) = value {
+            *limit = value;
+        }
+    }
+    Ok(limits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_has_its_method_and_back() {
+        for name in METHODS {
+            let found = method(name, &MethodNumbers::default()).unwrap();
+            assert_eq!(method_name(&found), name);
+        }
+    }
+
+    #[test]
+    fn numbers_go_to_the_methods_that_use_them() {
+        let numbers = MethodNumbers {
+            error_scale: Some(0.5),
+            first_interval: Some(0.0003),
+            ..MethodNumbers::default()
+        };
+        let Ok(Method::Report(control)) = method("report", &numbers) else {
+            panic!("no report");
+        };
+        assert_eq!(control.limits().velocity, 1.0 / 12.0);
+        assert_eq!(control.intervals().first, 0.0003);
+        let complaint = method("rk4", &numbers).unwrap_err();
+        assert_eq!(complaint.quantity, "error_scale");
+        assert!(complaint.allowed.contains("no use"));
+        let numbers = MethodNumbers {
+            interval: Some(2.0),
+            ..MethodNumbers::default()
+        };
+        assert_eq!(method("rk4", &numbers).unwrap_err().quantity, "interval_s");
+    }
+}

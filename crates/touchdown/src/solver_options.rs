@@ -1,0 +1,92 @@
+//! How landings are computed, on the command line.
+
+use clap::Args;
+use touchdown_dynamics::friction::FrictionProfile;
+use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
+use touchdown_sweep::settings_input::{crush_rule, friction_profile};
+
+use crate::touchdown_options::finite;
+
+/// Solver settings.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Solver")]
+pub struct SolverOptions {
+    /// When an element may crush further: "pivot-rate", only while its pivot moves into the
+    /// ground, as in the 1966 program, or "section", at its maximum penetration
+    #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule)]
+    crush_rule: CrushRule,
+    /// How friction sets in near rest (4.1.5 of the report): A, B or C, as in the 1966 program
+    #[arg(long, value_name = "PROFILE", default_value = "C", value_parser = profile)]
+    friction_profile: FrictionProfile,
+    /// How the motion is integrated: "located" finds every change of a law in time; the others are
+    /// of 1966: the report's own step doubling, and those it was compared with
+    #[arg(long, value_name = "METHOD", default_value = "located", value_parser = METHODS)]
+    method: String,
+    /// Relative error tolerance per step of "located", from 1e-12 to 1e-2 [default: 1e-6]
+    #[arg(long, value_name = "TOL", value_parser = finite, allow_hyphen_values = true)]
+    tolerance: Option<f64>,
+    /// Factor of all error limits of "report" and "milne" [default: 1]
+    #[arg(long, value_name = "FACTOR", value_parser = finite, allow_hyphen_values = true)]
+    error_scale: Option<f64>,
+    /// First interval of "report" and "milne", s [default: 0.0005]
+    #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
+    first_interval: Option<f64>,
+    /// Interval that "report" and "milne" do not cut further, s [default: 1e-6]
+    #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
+    least_interval: Option<f64>,
+    /// Interval of "rk4" and "trapezoidal", s [default: 0.002]
+    #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
+    fixed_interval: Option<f64>,
+    /// Time at which a landing without an outcome is given up, s [default: 40]
+    #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
+    time_limit: Option<f64>,
+}
+
+/// The crush rule of a name.
+pub fn rule(name: &str) -> Result<CrushRule, String> {
+    crush_rule(name).ok_or_else(|| "allowed is pivot-rate or section".to_owned())
+}
+
+fn profile(name: &str) -> Result<FrictionProfile, String> {
+    friction_profile(name).ok_or_else(|| "allowed is A, B or C".to_owned())
+}
+
+impl SolverOptions {
+    /// The settings, with complaints in the words of the command line.
+    pub fn settings(&self) -> Result<Settings, InputError> {
+        let numbers = MethodNumbers {
+            tolerance: self.tolerance,
+            error_scale: self.error_scale,
+            first_interval: self.first_interval,
+            least_interval: self.least_interval,
+            interval: self.fixed_interval,
+            limits: None,
+        };
+        let method = method(&self.method, &numbers).map_err(in_options)?;
+        let tolerance = self.tolerance.unwrap_or(Settings::DEFAULT_TOLERANCE);
+        let time_limit = self.time_limit.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
+        Settings::new(tolerance, time_limit, self.crush_rule)
+            .map(|settings| {
+                settings
+                    .with_method(method)
+                    .with_friction_profile(self.friction_profile)
+            })
+            .map_err(in_options)
+    }
+}
+
+/// A complaint under the name of the option.
+fn in_options(invalid: Invalid) -> InputError {
+    let option = match invalid.quantity.as_str() {
+        "time_limit_s" => "--time-limit",
+        "error_scale" => "--error-scale",
+        "first_interval_s" => "--first-interval",
+        "least_interval_s" => "--least-interval",
+        "interval_s" => "--fixed-interval",
+        _ => "--tolerance",
+    };
+    InputError::value(option, invalid.value, &invalid.allowed)
+}

@@ -1,0 +1,116 @@
+//! The landing that the special studies look at, by any method.
+
+use touchdown_dynamics::landing::{Instant, Landing};
+use touchdown_dynamics::methods::{
+    ErrorControl, ErrorLimits, IntegrationSummary, Method, land_observed,
+};
+use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_sweep::scene_input::NamedConditions;
+
+use crate::LEGS;
+use crate::failure::Failure;
+
+/// The sample run of 3.4.5.
+const SAMPLE_RUN: [(&str, f64); 6] = [
+    ("vertical_velocity_fps", 14.24567),
+    ("horizontal_velocity_fps", 9.27685),
+    ("cross_slope_deg", 180.0),
+    ("slope_deg", 15.0),
+    ("pitch_deg", 5.0),
+    ("friction", 0.8),
+];
+/// First intervals that differ by nothing that matters lie between these, s.
+const FIRST_INTERVALS: (f64, f64) = (0.0003, 0.0009);
+
+/// The sample run at a friction coefficient, or that of the report.
+pub fn sample_run(friction: Option<f64>) -> Result<Scene, Failure> {
+    let mut conditions = NamedConditions::default();
+    for (name, value) in SAMPLE_RUN {
+        conditions.set(name, value);
+    }
+    if let Some(friction) = friction {
+        conditions.set("friction", friction);
+    }
+    conditions
+        .scene()
+        .map_err(|fault| Failure::running(format!("{}: {}", fault.name, fault.allowed)))
+}
+
+/// Settings with a method.
+pub fn settings(method: Method) -> Result<Settings, Failure> {
+    settings_at(Settings::DEFAULT_TOLERANCE, method)
+}
+
+/// Settings with a method, at a tolerance of the one that locates events.
+pub fn settings_at(tolerance: f64, method: Method) -> Result<Settings, Failure> {
+    Settings::new(
+        tolerance,
+        Settings::DEFAULT_TIME_LIMIT,
+        CrushRule::default(),
+    )
+    .map(|settings| settings.with_method(method))
+    .map_err(|invalid| Failure::running(invalid.allowed))
+}
+
+/// The report's method.
+pub fn report(limits: ErrorLimits, first_interval: f64) -> Result<ErrorControl, Failure> {
+    control(limits, first_interval, ErrorControl::LEAST_INTERVAL)
+}
+
+/// Error limits and intervals.
+pub fn control(limits: ErrorLimits, first: f64, least: f64) -> Result<ErrorControl, Failure> {
+    ErrorControl::new(limits, first, least).map_err(|invalid| Failure::running(invalid.allowed))
+}
+
+/// `count` first intervals, s.
+pub fn first_intervals(count: usize) -> impl Iterator<Item = f64> {
+    let (from, to) = FIRST_INTERVALS;
+    (0..count).map(move |k| from + (to - from) * (k as f64 + 0.5) / count as f64)
+}
+
+/// A landing with its history.
+pub struct Run {
+    pub landing: Landing<LEGS>,
+    pub integration: IntegrationSummary,
+    pub moments: Vec<Instant<LEGS>>,
+}
+
+impl Run {
+    /// The landing, looked at every `interval` seconds.
+    pub fn of(vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings, interval: f64) -> Self {
+        let mut moments = Vec::new();
+        let observe = |instant: &Instant<LEGS>| moments.push(instant.clone());
+        let (landing, integration) = land_observed(vehicle, scene, settings, interval, observe);
+        Self {
+            landing,
+            integration,
+            moments,
+        }
+    }
+
+    /// Pitch against time, deg and s.
+    pub fn pitch(&self) -> Vec<(f64, f64)> {
+        let pitch = |moment: &Instant<LEGS>| moment.attitude.euler().pitch.to_degrees();
+        self.moments.iter().map(|m| (m.time, pitch(m))).collect()
+    }
+
+    /// Evaluations per second of landing: what stands for computer time over problem time.
+    pub fn cost(&self) -> f64 {
+        self.landing.evaluations as f64 / self.landing.end_time
+    }
+
+    /// Whether this is the branch printed in 1966, below σ 16 deg.
+    pub fn is_as_printed(&self) -> bool {
+        self.landing.min_stability_angle.to_degrees() < BETWEEN_BRANCHES
+    }
+}
+
+/// Least stability angle of the sample run between those of its two branches, deg.
+const BETWEEN_BRANCHES: f64 = 16.0;
+
+/// The middle of some numbers.
+pub fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}

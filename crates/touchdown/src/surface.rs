@@ -1,0 +1,301 @@
+//! `touchdown surface`: the surface from the times at which the footpads struck it (2.8).
+
+use std::path::PathBuf;
+
+use clap::Args;
+use nalgebra::Vector3;
+use rand::SeedableRng;
+use rand_distr::{Distribution, Normal};
+use rand_pcg::Pcg64;
+use serde_json::{Value, json};
+use touchdown_dynamics::attitude::{Attitude, Euler};
+use touchdown_dynamics::impact_surface::{Approach, ImpactSurface, NoSurface, determine};
+use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::vehicle_file::VehicleFile;
+
+use crate::LEGS;
+use crate::failure::Failure;
+use crate::say::say;
+use crate::touchdown_options::{finite, triple};
+
+/// Seed of the timing errors: the same command gives the same numbers.
+const SEED: u64 = 1966;
+const MOST_SAMPLES: u32 = 100_000;
+
+const EXAMPLE: &str = "\
+Example:
+  Falling at 14 ft/s and drifting at 3 ft/s along Y, pads 1, 2 and 3 struck after 0, 0.21 and 0.17 s,
+  read to 5 ms:
+    touchdown surface --vehicle sweeps/vehicles/surveyor-table-4-1.toml --velocity 0,3,14 \\
+      --impact-times 0,0.21,0.17 --friction 0.8 --timing-sigma 0.005";
+
+/// Options of `surface`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Options {
+    /// Vehicle file (TOML)
+    #[arg(long, value_name = "FILE")]
+    vehicle: PathBuf,
+    /// Times at which footpads 1, 2 and 3 struck the surface, s after time zero
+    #[arg(long, value_name = "S,S,S", value_parser = triple, allow_hyphen_values = true)]
+    impact_times: [f64; 3],
+    /// Velocity of the CG at time zero, ft/s, in any axes whose Z points down
+    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true)]
+    velocity: [f64; 3],
+    /// Pitch angle at time zero in the same axes
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = finite,
+          allow_hyphen_values = true)]
+    pitch: f64,
+    /// Yaw angle at time zero
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = finite,
+          allow_hyphen_values = true)]
+    yaw: f64,
+    /// Roll angle at time zero
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = finite,
+          allow_hyphen_values = true)]
+    roll: f64,
+    /// Angular velocity at time zero about the vehicle's axes, deg/s
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", value_parser = triple,
+          allow_hyphen_values = true)]
+    angular_velocity: [f64; 3],
+    /// Friction coefficient between surface and vehicle
+    #[arg(long, value_name = "MU", value_parser = finite, allow_hyphen_values = true)]
+    friction: f64,
+    /// Standard deviation of the impact times, s: says how far slope and cross-slope can be trusted
+    #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
+    timing_sigma: Option<f64>,
+    /// Samples of timing errors, from 2 to 100000
+    #[arg(long, value_name = "N", default_value_t = 400, requires = "timing_sigma",
+          value_parser = clap::value_parser!(u32).range(2..=i64::from(MOST_SAMPLES)))]
+    samples: u32,
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What timing errors do to the result.
+struct Uncertainty {
+    sigma: f64,
+    /// Samples that have a surface, of all.
+    found: u32,
+    samples: u32,
+    /// Mean and standard deviation, deg.
+    slope: (f64, f64),
+    cross_slope: Option<(f64, f64)>,
+}
+
+/// Runs `surface`.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?;
+    let approach = Approach {
+        velocity: Vector3::from(options.velocity),
+        attitude: Attitude::from_euler(Euler {
+            pitch: options.pitch.to_radians(),
+            yaw: options.yaw.to_radians(),
+            roll: options.roll.to_radians(),
+        }),
+        angular_velocity: options.angular_velocity.map(f64::to_radians),
+        friction: options.friction,
+    };
+    let found = determine(&vehicle.vehicle, &approach, &options.impact_times).map_err(refused)?;
+    let uncertainty = match options.timing_sigma {
+        Some(sigma) => Some(uncertainty(
+            options,
+            &vehicle.vehicle,
+            &approach,
+            &found,
+            sigma,
+        )?),
+        None => None,
+    };
+    say(&if options.json {
+        format!("{:#}\n", as_json(&found, uncertainty.as_ref()))
+    } else {
+        text(&vehicle.name, &found, uncertainty.as_ref())
+    })?;
+    Ok(())
+}
+
+/// The complaint in the words of the command line.
+fn refused(why: NoSurface) -> Failure {
+    match why {
+        NoSurface::Input(invalid) => {
+            let option = match invalid.quantity.as_str() {
+                "impact_time_s" => "--impact-times",
+                "friction" => "--friction",
+                "angular_velocity_dps" => "--angular-velocity",
+                _ => "--velocity",
+            };
+            InputError::value(option, invalid.value, &invalid.allowed).into()
+        }
+        other => Failure::running(other),
+    }
+}
+
+fn uncertainty(
+    options: &Options,
+    vehicle: &Vehicle<LEGS>,
+    approach: &Approach,
+    found: &ImpactSurface<LEGS>,
+    sigma: f64,
+) -> Result<Uncertainty, Failure> {
+    if sigma <= 0.0 {
+        let error = InputError::value("--timing-sigma", sigma, "value > 0");
+        return Err(error.into());
+    }
+    let errors = Normal::new(0.0, sigma).map_err(Failure::running)?;
+    let mut random = Pcg64::seed_from_u64(SEED);
+    let mut slopes = Vec::new();
+    let mut cross_slopes = Vec::new();
+    for _ in 0..options.samples {
+        let times = options
+            .impact_times
+            .map(|time| time + errors.sample(&mut random));
+        // Only differences matter where the first impact is at time zero.
+        let earliest = times.iter().fold(0.0f64, |least, time| least.min(*time));
+        let Ok(sample) = determine(vehicle, approach, &times.map(|time| time - earliest)) else {
+            continue;
+        };
+        slopes.push(sample.slope.to_degrees());
+        if let (Some(here), Some(there)) = (sample.cross_slope, found.cross_slope) {
+            let apart = (here - there).to_degrees();
+            cross_slopes.push(apart - 360.0 * (apart / 360.0).round() + there.to_degrees());
+        }
+    }
+    Ok(Uncertainty {
+        sigma,
+        found: slopes.len() as u32,
+        samples: options.samples,
+        slope: moments(&slopes).ok_or_else(|| {
+            Failure::running("hardly any of the impact times with errors span a surface")
+        })?,
+        cross_slope: moments(&cross_slopes),
+    })
+}
+
+/// Mean and standard deviation of two values or more.
+fn moments(values: &[f64]) -> Option<(f64, f64)> {
+    let count = values.len() as f64;
+    if values.len() < 2 {
+        return None;
+    }
+    let mean = values.iter().sum::<f64>() / count;
+    let squares = values
+        .iter()
+        .map(|value| (value - mean).powi(2))
+        .sum::<f64>();
+    Some((mean, (squares / (count - 1.0)).sqrt()))
+}
+
+fn text(vehicle: &str, found: &ImpactSurface<LEGS>, uncertainty: Option<&Uncertainty>) -> String {
+    let degrees = |angle: Option<f64>, why: &str| match angle {
+        Some(angle) => format!("{:.6} deg", angle.to_degrees()),
+        None => why.to_owned(),
+    };
+    let mut lines = vec![
+        vehicle.to_owned(),
+        String::new(),
+        line("ground slope", &degrees(Some(found.slope), "")),
+        line(
+            "cross-slope",
+            &degrees(
+                found.cross_slope,
+                "none: level ground or no horizontal motion",
+            ),
+        ),
+        line(
+            "rotation to ground axes",
+            &degrees(found.rotation, "none: on level ground any axes serve"),
+        ),
+        String::new(),
+        "at first contact, in ground axes (Y into the slope)".to_owned(),
+        line("pitch", &degrees(Some(found.attitude.pitch), "")),
+        line("yaw", &degrees(Some(found.attitude.yaw), "")),
+        line("roll", &degrees(Some(found.attitude.roll), "")),
+        line(
+            "vertical velocity",
+            &format!("{:.6} ft/s", found.vertical_velocity),
+        ),
+        line(
+            "horizontal velocity",
+            &format!("{:.6} ft/s", found.horizontal_velocity),
+        ),
+        String::new(),
+        "points of impact in the given axes, from the CG at time zero, ft".to_owned(),
+    ];
+    for (leg, point) in found.impact_points.iter().enumerate() {
+        let place = format!("{:>10.5} {:>10.5} {:>10.5}", point.x, point.y, point.z);
+        lines.push(line(&format!("footpad {}", leg + 1), &place));
+    }
+    lines.push(String::new());
+    lines.push(line(
+        "computation",
+        &format!(
+            "{} landings, times met to {:.1e} s",
+            found.landings, found.residual
+        ),
+    ));
+    if let Some(Uncertainty {
+        sigma,
+        found,
+        samples,
+        slope,
+        cross_slope,
+    }) = uncertainty
+    {
+        lines.push(String::new());
+        lines.push(format!(
+            "with timing errors of {sigma} s ({found} of {samples} samples have a surface)"
+        ));
+        let spread = |(mean, deviation): (f64, f64)| {
+            format!("{mean:.3} deg, standard deviation {deviation:.3} deg")
+        };
+        lines.push(line("ground slope", &spread(*slope)));
+        if let Some(cross_slope) = cross_slope {
+            lines.push(line("cross-slope", &spread(*cross_slope)));
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+fn line(name: &str, value: &str) -> String {
+    format!("{name:<28} {value}")
+}
+
+fn as_json(found: &ImpactSurface<LEGS>, uncertainty: Option<&Uncertainty>) -> Value {
+    let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
+    json!({
+        "slope_deg": found.slope.to_degrees(),
+        "cross_slope_deg": degrees(found.cross_slope),
+        "rotation_deg": degrees(found.rotation),
+        "pitch_deg": found.attitude.pitch.to_degrees(),
+        "yaw_deg": found.attitude.yaw.to_degrees(),
+        "roll_deg": found.attitude.roll.to_degrees(),
+        "vertical_velocity_fps": found.vertical_velocity,
+        "horizontal_velocity_fps": found.horizontal_velocity,
+        "impact_points_ft": found.impact_points.map(|point| [point.x, point.y, point.z]),
+        "residual_s": found.residual,
+        "timing": uncertainty.map(|u| json!({
+            "sigma_s": u.sigma,
+            "samples": u.samples,
+            "with_a_surface": u.found,
+            "slope_mean_deg": u.slope.0,
+            "slope_sigma_deg": u.slope.1,
+            "cross_slope_mean_deg": u.cross_slope.map(|c| c.0),
+            "cross_slope_sigma_deg": u.cross_slope.map(|c| c.1),
+        })),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_are_those_of_a_sample() {
+        assert_eq!(moments(&[1.0]), None);
+        let (mean, deviation) = moments(&[1.0, 3.0]).unwrap();
+        assert_eq!((mean, deviation), (2.0, 2f64.sqrt()));
+    }
+}
