@@ -5,6 +5,7 @@
 
 mod cases;
 mod failure;
+mod import_deck;
 mod integration_report;
 mod interrupt;
 mod land;
@@ -53,6 +54,8 @@ enum Command {
     Plot(plot::Options),
     /// Find slope and cross-slope from the times at which the footpads struck the surface
     Surface(surface::Options),
+    /// Convert a card deck of the 1966 program to a vehicle file and a table of cases
+    ImportDeck(import_deck::Options),
     /// Compare results with what the report of 1966 says
     Study(study::Options),
     /// Measure what a tolerance costs and what it buys
@@ -65,6 +68,7 @@ fn main() -> ExitCode {
         Command::Sweep(options) => sweep::run(&options),
         Command::Plot(options) => plot::run(&options),
         Command::Surface(options) => surface::run(&options),
+        Command::ImportDeck(options) => import_deck::run(&options),
         Command::Study(options) => study::run(&options),
         Command::WorkPrecision(options) => work_precision::run(&options),
     };

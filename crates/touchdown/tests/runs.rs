@@ -284,3 +284,36 @@ fn a_closed_pipe_is_no_failure() {
     drop(land.stdout.take());
     assert_eq!(land.wait().unwrap().code(), Some(0));
 }
+
+#[test]
+fn a_card_deck_lands_as_its_sample_run() {
+    let bench = Bench::new();
+    bench.write(
+        "sample.txt",
+        include_str!("../../sweep/src/sample_deck.txt"),
+    );
+    let done = bench.run(&["import-deck", "sample.txt", "--out", "deck"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.list("deck"), ["sample-cases.csv", "sample.toml"]);
+    let done = bench.run(&[
+        "land",
+        "--vehicle",
+        "deck/sample.toml",
+        "--cases",
+        "deck/sample-cases.csv",
+        "--out",
+        "outcomes.csv",
+        "--quiet",
+    ]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let outcomes = bench.read("outcomes.csv");
+    let rows: Vec<&str> = outcomes.lines().collect();
+    assert_eq!(rows.len(), 3);
+    // The converged branch of the sample run.
+    assert!(
+        rows[1].starts_with("4,stable-rockback,2.303"),
+        "{}",
+        rows[1]
+    );
+    assert!(rows[2].starts_with("5,"), "{}", rows[2]);
+}

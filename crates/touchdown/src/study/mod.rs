@@ -83,50 +83,50 @@ enum Name {
 /// Runs `study`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?.vehicle;
-    let folder = Folder::open(&options.results)?;
-    let mut written = Vec::new();
-    let files = match options.name {
-        Name::PhaseTwo => {
-            let results = Results::new(&options.results);
-            let study = phase_two(&results, &vehicle)?;
-            // The gallery shows what is there.
-            written = folder.deposit(&histories::files(&vehicle)?)?;
-            let gallery = gallery::page(&results)?;
-            vec![
-                ("phase-2.md".to_owned(), study.into_bytes()),
-                ("README.md".to_owned(), gallery.into_bytes()),
-            ]
-        }
+    let written = match options.name {
+        Name::PhaseTwo => phase_two(options, &vehicle)?,
         Name::Special => {
             let sample = VehicleFile::<LEGS>::read(&options.sample_vehicle)?.vehicle;
-            special::files(&sample, &vehicle)?
+            let files = special::files(&sample, &vehicle)?;
+            Folder::open(&options.results)?.deposit(&files)?
         }
         Name::Scatter => {
             let results = Results::new(&options.results);
             let table = scatter::table(&results, &vehicle, options.threads)?;
-            vec![(scatter::TABLE.to_owned(), table)]
+            Folder::open(&options.results)?.deposit(&[(scatter::TABLE.to_owned(), table)])?
         }
     };
-    written.extend(folder.deposit(&files)?);
     for file in written {
         say(&format!("{}\n", file.display()))?;
     }
     Ok(())
 }
 
-fn phase_two(results: &Results, vehicle: &Vehicle<LEGS>) -> Result<String, Failure> {
+fn phase_two(options: &Options, vehicle: &Vehicle<LEGS>) -> Result<Vec<PathBuf>, Failure> {
+    let results = Results::new(&options.results);
     let sections = [
         INTRODUCTION.to_owned(),
-        claims::section(results, vehicle)?,
-        valley::section(results)?,
-        symmetry::section(results)?,
-        scatter::section(results)?,
-        crush_rules::section(results)?,
+        claims::section(&results, vehicle)?,
+        valley::section(&results)?,
+        symmetry::section(&results)?,
+        scatter::section(&results)?,
+        crush_rules::section(&results)?,
         flights::table_4_3(vehicle)?,
-        flights::azimuths(results, vehicle)?,
+        flights::azimuths(&results, vehicle)?,
     ];
     let text = sections.map(|section| section.trim_end().to_owned() + "\n");
-    Ok(text.join("\n"))
+    let folder = Folder::open(&options.results)?;
+    // The page shows what is there.
+    let mut written = folder.deposit(&histories::files(vehicle)?)?;
+    let files = [
+        ("phase-2.md".to_owned(), text.join("\n").into_bytes()),
+        (
+            "README.md".to_owned(),
+            gallery::page(&results)?.into_bytes(),
+        ),
+    ];
+    written.extend(folder.deposit(&files)?);
+    Ok(written)
 }
 
 const INTRODUCTION: &str = "\
