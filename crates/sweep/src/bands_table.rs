@@ -25,10 +25,10 @@ pub fn table<const LEGS: usize>(
     boundaries: &[Boundary],
 ) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let axes = sweep.grid.axes().iter().map(|axis| axis.name());
+    let axes = sweep.axes.iter().map(|axis| axis.name());
     writer.write_record(axes.chain(COLUMNS))?;
     for (point, boundary) in boundaries.iter().enumerate() {
-        let coordinates = sweep.grid.coordinates(point);
+        let coordinates = sweep.coordinates_written(point);
         for (index, band) in boundary.bands.iter().enumerate() {
             let width = band.bracket_width;
             let cells = [
@@ -39,7 +39,7 @@ pub fn table<const LEGS: usize>(
                 width.map_or(String::new(), |width| width.to_string()),
                 band.outcome.to_string(),
             ];
-            writer.write_record(coordinates.iter().map(f64::to_string).chain(cells))?;
+            writer.write_record(coordinates.iter().cloned().chain(cells))?;
         }
     }
     writer

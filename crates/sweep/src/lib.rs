@@ -2,7 +2,8 @@
 //!
 //! | step | modules |
 //! |---|---|
-//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`axes`], [`cases`] |
+//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`instead`], [`cases`] |
+//! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`case`] |
 //! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
 //! | do so on every core | [`run`] |
 //! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
@@ -10,18 +11,24 @@
 //! Nothing here prints: progress goes to a [`run::Observer`], complaints are
 //! [`input_error::InputError`]s.
 
-pub mod axes;
+mod axis_input;
 pub mod bands;
 pub mod bands_table;
 pub mod boundary;
+pub mod case;
 pub mod cases;
 pub mod deposit;
 pub mod document;
 pub mod found;
+pub mod grid;
 pub mod hidden;
 pub mod history;
 pub mod input_error;
+pub mod instead;
+pub mod key_path;
 pub mod landing_table;
+pub mod levels;
+pub mod parameter;
 pub mod results;
 pub mod run;
 pub mod scene_input;

@@ -3,8 +3,11 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::outcome::Class;
 
-use crate::boundary::{Boundary, Extent};
+use crate::boundary::Boundary;
 use crate::document::{Entry, Value as Read};
+use crate::levels::Levels;
+use crate::parameter::Parameter;
+use crate::search_input::extent_name;
 use crate::settings_input::crush_rule_name;
 use crate::sweep_file::Sweep;
 
@@ -48,10 +51,10 @@ pub fn table<const LEGS: usize>(
     boundaries: &[Boundary],
 ) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let axes = sweep.grid.axes().iter().map(|axis| axis.name());
+    let axes = sweep.axes.iter().map(|axis| axis.name());
     writer.write_record(axes.chain(COLUMNS))?;
     for (point, boundary) in boundaries.iter().enumerate() {
-        let coordinates = sweep.grid.coordinates(point);
+        let coordinates = sweep.coordinates_written(point);
         let found = boundary.transition;
         let speed = |speed: Option<f64>| speed.map_or(String::new(), |speed| speed.to_string());
         let results = [
@@ -62,7 +65,7 @@ pub fn table<const LEGS: usize>(
             boundary.landings.to_string(),
             boundary.evaluations.to_string(),
         ];
-        writer.write_record(coordinates.iter().map(f64::to_string).chain(results))?;
+        writer.write_record(coordinates.into_iter().chain(results))?;
     }
     writer
         .into_inner()
@@ -79,19 +82,14 @@ pub fn record<const LEGS: usize>(
         .fixed
         .resolved()
         .into_iter()
-        .filter(|(name, _)| sweep.grid.axes().iter().all(|axis| axis.name() != *name))
+        .filter(|(name, _)| sweep.axes.iter().all(|axis| axis.name() != *name))
         .map(|(name, value)| (name.to_owned(), json!(value)))
         .collect();
     let axes: Map<String, Value> = sweep
-        .grid
-        .axes()
+        .axes
         .iter()
-        .map(|axis| {
-            (
-                axis.name().to_owned(),
-                json!(axis.values().collect::<Vec<_>>()),
-            )
-        })
+        .zip(sweep.grid.axes())
+        .map(|(axis, levels)| (axis.name().to_owned(), levels_of(axis, levels)))
         .collect();
     json!({
         "title": sweep.title,
@@ -133,12 +131,15 @@ pub fn record<const LEGS: usize>(
     })
 }
 
-/// Word of an extent in sweep files.
-fn extent_name(extent: Extent) -> &'static str {
-    match extent {
-        Extent::First => "first",
-        Extent::All => "all",
-    }
+/// The values of an axis, words as words.
+fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
+    levels
+        .values()
+        .map(|value| match axis.word(value) {
+            Some(word) => json!(word),
+            None => json!(value),
+        })
+        .collect()
 }
 
 /// Number of points for each kind of first transition that occurs, `none` last.

@@ -13,6 +13,7 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::boundary::{Boundary, Trial};
+use crate::case::CaseFault;
 use crate::scene_input::SceneFault;
 use crate::sweep_file::Sweep;
 
@@ -32,8 +33,13 @@ impl Observer for () {}
 pub enum RunError {
     /// It was told to stop.
     Cancelled,
-    /// A point of the grid has no scene.
-    Scene(SceneFault),
+    /// A point of the grid has no valid input.
+    Point {
+        /// Its coordinates in words.
+        place: String,
+        /// What is wrong.
+        fault: CaseFault,
+    },
     /// The threads could not be started.
     Threads(rayon::ThreadPoolBuildError),
 }
@@ -42,11 +48,9 @@ impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Cancelled => f.write_str("cancelled"),
-            Self::Scene(fault) => write!(
-                f,
-                "a grid point has no scene: {}: allowed is {}",
-                fault.name, fault.allowed
-            ),
+            Self::Point { place, fault } => {
+                write!(f, "the point {place} has no valid input: {fault}")
+            }
             Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
         }
     }
@@ -146,17 +150,24 @@ fn search_point<const LEGS: usize>(
     observer: &impl Observer,
     cancel: &AtomicBool,
 ) -> Result<Boundary, RunError> {
-    let scene = sweep.scene(point).map_err(RunError::Scene)?;
-    sweep.search.boundary(|speed| {
+    let invalid = |fault| RunError::Point {
+        place: sweep.place(point),
+        fault,
+    };
+    let case = sweep.case(point).map_err(invalid)?;
+    case.search.boundary(|speed| {
         go_on(cancel)?;
-        let faster = scene.with_horizontal_velocity(speed).map_err(|invalid| {
-            RunError::Scene(SceneFault {
-                name: crate::scene_input::HORIZONTAL_VELOCITY,
-                value: Some(invalid.value),
-                allowed: invalid.allowed,
-            })
-        })?;
-        let landing = land(&sweep.vehicle.vehicle, &faster, &sweep.settings);
+        let faster = case
+            .scene
+            .with_horizontal_velocity(speed)
+            .map_err(|fault| {
+                invalid(CaseFault::Scene(SceneFault {
+                    name: crate::scene_input::HORIZONTAL_VELOCITY,
+                    value: Some(fault.value),
+                    allowed: fault.allowed,
+                }))
+            })?;
+        let landing = land(&case.vehicle, &faster, &case.settings);
         observer.landing();
         Ok(Trial {
             least_angle: landing.min_stability_angle,

@@ -11,6 +11,8 @@ const SEARCH: [&str; 5] = [
     "tolerance_fps",
     "bands",
 ];
+/// Keys of `[search]` that are numbers.
+pub(crate) const NUMBERS: [&str; 4] = ["from_fps", "to_fps", "scan_step_fps", "tolerance_fps"];
 /// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
 const LEAST_BRACKET: f64 = 1e-9;
 /// Most landings in one scan.
@@ -68,5 +70,13 @@ fn extent(section: &Section) -> Result<Extent, InputError> {
         "first" => Ok(Extent::First),
         "all" => Ok(Extent::All),
         _ => Err(found.complain("\"first\" or \"all\"")),
+    }
+}
+
+/// Word of an extent in sweep files.
+pub(crate) fn extent_name(extent: Extent) -> &'static str {
+    match extent {
+        Extent::First => "first",
+        Extent::All => "all",
     }
 }

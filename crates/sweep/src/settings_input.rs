@@ -5,7 +5,10 @@ use touchdown_dynamics::scene::{CrushRule, Settings};
 use crate::input_error::InputError;
 use crate::section::Section;
 
-const SOLVER: [&str; 3] = ["tolerance", "time_limit_s", "crush_rule"];
+/// Keys of `[solver]`.
+pub(crate) const SOLVER: [&str; 3] = ["tolerance", "time_limit_s", "crush_rule"];
+/// Words of the crush rules.
+pub(crate) const CRUSH_RULES: [&str; 2] = ["pivot-rate", "section"];
 
 /// Reads `[solver]`; whatever it leaves out has the program's default.
 pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
@@ -31,8 +34,8 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
 /// Word of a crush rule in input files.
 pub fn crush_rule_name(rule: CrushRule) -> &'static str {
     match rule {
-        CrushRule::PivotRate => "pivot-rate",
-        CrushRule::Section => "section",
+        CrushRule::PivotRate => CRUSH_RULES[0],
+        CrushRule::Section => CRUSH_RULES[1],
     }
 }
 

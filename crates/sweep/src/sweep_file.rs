@@ -2,19 +2,22 @@
 
 use std::path::{Path, PathBuf};
 
-use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::scene::Settings;
 
-use crate::axes::{Axis, Grid};
+use crate::axis_input::{self, AxisEntry};
 use crate::boundary::Search;
+use crate::case::CaseFault;
 use crate::document::Document;
-use crate::found::Found;
+use crate::grid::{Grid, GridFault};
 use crate::input_error::InputError;
+use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
 use crate::vehicle_file::VehicleFile;
-use crate::{search_input, settings_input};
+use crate::{case, search_input, settings_input};
 
-const SWEEP: [&str; 7] = [
+/// Keys of a sweep file.
+pub(crate) const SWEEP: [&str; 7] = [
     "title",
     "statement",
     "vehicle",
@@ -23,7 +26,7 @@ const SWEEP: [&str; 7] = [
     "search",
     "solver",
 ];
-const RANGE: [&str; 3] = ["from", "to", "step"];
+
 /// Everything that determines the result of a sweep.
 #[derive(Debug, Clone)]
 pub struct Sweep<const LEGS: usize> {
@@ -33,16 +36,19 @@ pub struct Sweep<const LEGS: usize> {
     pub title: String,
     /// What was said before of what the sweep shows, for its picture to stand against.
     pub statement: Option<String>,
-    /// The vehicle.
+    /// The vehicle; what varies of it has its first value.
     pub vehicle: VehicleFile<LEGS>,
     /// Conditions that do not vary.
     pub fixed: NamedConditions,
-    /// Conditions that vary.
+    /// What varies, one parameter for each axis of the grid.
+    pub axes: Vec<Parameter>,
+    /// The values over which it varies.
     pub grid: Grid,
-    /// Where to search the transition.
+    /// Where to search the transition; what varies of it has its first value.
     pub search: Search,
-    /// How landings are computed.
+    /// How landings are computed; what varies of it has its first value.
     pub settings: Settings,
+    pub(crate) document: Document,
 }
 
 impl<const LEGS: usize> Sweep<LEGS> {
@@ -58,27 +64,52 @@ impl<const LEGS: usize> Sweep<LEGS> {
             Some(found) => Some(found.text()?.to_owned()),
             None => None,
         };
-        let vehicle = vehicle(&root, path)?;
+        let vehicle = vehicle_document(&root, path)?;
         let scene = scene(&root)?;
-        let axes = axes(&root, &scene)?;
-        let search = search_input::search(&root)?;
-        let settings = settings_input::settings(&root)?;
-        let fixed = check_scenes(&scene, &axes, search.from)?;
-        let values = axes.into_iter().map(|(axis, _)| axis).collect();
-        let grid = Grid::new(values).ok_or_else(|| match root.optional("axes") {
-            Some(found) => found.complain_that("the grid has more points than can be counted"),
-            None => root.missing("axes", "a table [axes]"),
-        })?;
-        Ok(Self {
+        let entries = axis_input::entries(&root, LEGS)?;
+        if let Some(searched) = entries
+            .iter()
+            .find(|entry| entry.parameter.name() == HORIZONTAL_VELOCITY)
+        {
+            return Err(searched.found.complain_that(SEARCHED));
+        }
+        let grid = grid(&root, &entries)?;
+        let axes: Vec<Parameter> = entries
+            .iter()
+            .map(|entry| entry.parameter.clone())
+            .collect();
+        let first = grid.coordinates(0);
+
+        let varied = case::written(&document, &axes, Home::Sweep, &first);
+        let varied = Section::root(&varied, &SWEEP)?;
+        let search = search_input::search(&varied)?;
+        let settings = settings_input::settings(&varied)?;
+        let vehicle = VehicleFile {
+            document: vehicle.clone(),
+            ..VehicleFile::from_document(case::written(&vehicle, &axes, Home::Vehicle, &first))?
+        };
+        let mut fixed = NamedConditions::default();
+        for (name, found) in scene.all_values() {
+            fixed.set(name, found.number()?);
+        }
+        let sweep = Self {
             path: path.to_owned(),
             title,
             statement,
             vehicle,
             fixed,
+            axes,
             grid,
             search,
             settings,
-        })
+            document: document.clone(),
+        };
+        for coordinates in sweep.grid.probes() {
+            if let Err(fault) = sweep.case_at(&coordinates) {
+                return Err(locate(&fault, &coordinates, &scene, &entries));
+            }
+        }
+        Ok(sweep)
     }
 
     /// Name of the file without folder and ending: results are named after it.
@@ -87,25 +118,25 @@ impl<const LEGS: usize> Sweep<LEGS> {
         stem.to_string_lossy().into_owned()
     }
 
-    /// The scene of a grid point at the lowest speed of the search.
-    ///
-    /// # Errors
-    /// None for a sweep that was read without error.
-    pub fn scene(&self, point: usize) -> Result<Scene, SceneFault> {
-        let mut conditions = self.fixed;
+    /// The coordinates of a point as results write them.
+    pub fn coordinates_written(&self, point: usize) -> Vec<String> {
         let coordinates = self.grid.coordinates(point);
-        for (axis, value) in self.grid.axes().iter().zip(coordinates) {
-            conditions.set(axis.name(), value);
-        }
-        conditions.set(HORIZONTAL_VELOCITY, self.search.from);
-        conditions.scene()
+        let varied = self.axes.iter().zip(coordinates);
+        varied.map(|(axis, value)| axis.written(value)).collect()
+    }
+
+    /// The coordinates of a point in words.
+    pub fn place(&self, point: usize) -> String {
+        let written = self.coordinates_written(point);
+        let varied = self.axes.iter().zip(written);
+        let equations: Vec<String> = varied
+            .map(|(axis, value)| format!("{} = {value}", axis.name()))
+            .collect();
+        equations.join(", ")
     }
 }
 
-fn vehicle<const LEGS: usize>(
-    root: &Section,
-    path: &Path,
-) -> Result<VehicleFile<LEGS>, InputError> {
+fn vehicle_document(root: &Section, path: &Path) -> Result<Document, InputError> {
     let found = root.value(
         "vehicle",
         "the path of a vehicle file, relative to this file",
@@ -117,7 +148,7 @@ fn vehicle<const LEGS: usize>(
             file.display()
         )));
     }
-    VehicleFile::read(&file)
+    Document::read(&file)
 }
 
 fn scene<'d>(root: &Section<'d>) -> Result<Section<'d>, InputError> {
@@ -131,98 +162,70 @@ fn scene<'d>(root: &Section<'d>) -> Result<Section<'d>, InputError> {
 const SEARCHED: &str = "the horizontal velocity is what a sweep searches: \
      give from_fps and to_fps in [search] instead";
 
-fn axes<'d>(root: &Section<'d>, scene: &Section<'d>) -> Result<Vec<(Axis, Found<'d>)>, InputError> {
-    let allowed = "a table [axes] with at least one condition that varies";
-    let found = root.value("axes", allowed)?;
-    let known: Vec<&str> = NAMES
-        .into_iter()
-        .filter(|name| *name != HORIZONTAL_VELOCITY)
-        .collect();
-    if let Some((_, searched)) = root
-        .section("axes", &NAMES)?
-        .all_values()
-        .find(|(name, _)| *name == HORIZONTAL_VELOCITY)
-    {
-        return Err(searched.complain_that(SEARCHED));
+fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
+    for entry in entries {
+        let fixed = match entry.parameter.home() {
+            Home::Scene => root.optional_section("scene", &NAMES)?,
+            _ => None,
+        };
+        if fixed.is_some_and(|scene| scene.optional(entry.parameter.name()).is_some()) {
+            let both = "also fixed in [scene]: allowed is either of the two";
+            return Err(entry.found.complain_that(both));
+        }
     }
-    let axes = root
-        .section("axes", &known)?
-        .all_values()
-        .map(|(name, found)| {
-            if scene.optional(name).is_some() {
-                let both = "also fixed in [scene]: allowed is either of the two";
-                return Err(found.complain_that(both));
-            }
-            Ok((axis(name, &found)?, found))
-        })
-        .collect::<Result<Vec<_>, _>>()?;
-    if axes.is_empty() {
-        return Err(found.complain(allowed));
-    }
-    Ok(axes)
-}
-
-fn axis(name: &str, found: &Found) -> Result<Axis, InputError> {
-    let allowed = "{ from = …, to = …, step = … } or a list of numbers";
-    let Some(range) = found.table(&RANGE)? else {
-        let values = found
-            .items(allowed)?
-            .iter()
-            .map(Found::number)
-            .collect::<Result<_, _>>()?;
-        return Axis::list(name, values)
-            .ok_or_else(|| found.complain("a list of at least one number"));
-    };
-    let [from, to, step] = [
-        range.number("from")?,
-        range.number("to")?,
-        range.number("step")?,
-    ];
-    Axis::range(name, from, to, step).map_err(|(key, allowed)| match range.optional(key) {
-        Some(found) => found.complain(&format!("{allowed} (from {from} to {to} by {step})")),
-        None => range.missing(key, allowed),
+    let axes = entries
+        .iter()
+        .map(AxisEntry::levels)
+        .collect::<Result<_, _>>()?;
+    Grid::new(axes).map_err(|fault| match fault {
+        GridFault::Uneven([first, other]) => entries[other].found.complain_that(&format!(
+            "moves together with {} but has not as many values: allowed is the same number of \
+             values along one zip",
+            entries[first].parameter.name()
+        )),
+        GridFault::Empty | GridFault::Uncountable => match root.optional("axes") {
+            Some(found) => found.complain_that("the grid has more points than can be counted"),
+            None => root.missing("axes", "a table [axes]"),
+        },
     })
 }
 
-/// Checks the fixed conditions with every value of every axis, and returns the fixed ones.
-///
-/// Conditions are independent of each other but for the two forms of the attitude, so that it is
-/// enough to vary one axis at a time.
-fn check_scenes(
+/// Brings what is wrong at a point to the key that says it.
+fn locate(
+    fault: &CaseFault,
+    coordinates: &[f64],
     scene: &Section,
-    axes: &[(Axis, Found)],
-    lowest_speed: f64,
-) -> Result<NamedConditions, InputError> {
-    let mut fixed = NamedConditions::default();
-    for (name, found) in scene.all_values() {
-        fixed.set(name, found.number()?);
-    }
-    let mut corner = fixed;
-    corner.set(HORIZONTAL_VELOCITY, lowest_speed);
-    for (axis, _) in axes {
-        corner.set(axis.name(), axis.value(0));
-    }
-    for (axis, _) in axes {
-        for value in axis.values() {
-            let mut conditions = corner;
-            conditions.set(axis.name(), value);
-            conditions
-                .scene()
-                .map_err(|fault| locate(&fault, scene, axes))?;
+    entries: &[AxisEntry],
+) -> InputError {
+    match fault {
+        CaseFault::Scene(fault) => locate_condition(fault, scene, entries),
+        CaseFault::Input { part, error } => {
+            let varied = entries.iter().zip(coordinates);
+            let of_part: Vec<(&AxisEntry, &f64)> = varied
+                .filter(|(entry, _)| entry.parameter.home() == *part)
+                .collect();
+            let values = of_part.iter().map(|(entry, value)| {
+                let parameter = &entry.parameter;
+                format!("{} = {}", parameter.name(), parameter.written(**value))
+            });
+            let values = values.collect::<Vec<_>>().join(", ");
+            match of_part.first() {
+                Some((entry, _)) => entry.found.complain_that(&format!("at {values}: {error}")),
+                None => error.clone(),
+            }
         }
     }
-    Ok(fixed)
 }
 
-fn locate(fault: &SceneFault, scene: &Section, axes: &[(Axis, Found)]) -> InputError {
+fn locate_condition(fault: &SceneFault, scene: &Section, entries: &[AxisEntry]) -> InputError {
     if let Some(found) = scene.optional(fault.name) {
         return found.complain(&fault.allowed);
     }
-    match (
-        axes.iter().find(|(axis, _)| axis.name() == fault.name),
-        fault.value,
-    ) {
-        (Some((_, found)), Some(value)) => found.complain_that(&format!(
+    let entry = entries
+        .iter()
+        .find(|entry| entry.parameter.name() == fault.name);
+    match (entry, fault.value) {
+        (Some(entry), Some(value)) => entry.found.complain_that(&format!(
             "{value} is among them: allowed is {}",
             fault.allowed
         )),

@@ -1,6 +1,7 @@
 use super::*;
 use crate::boundary::Extent;
 use std::fs;
+use touchdown_dynamics::scene::CrushRule;
 
 const FIGURE: &str = include_str!("../../../sweeps/figure-4-09.toml");
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
@@ -25,7 +26,7 @@ fn figure_4_9_is_read() {
     assert_eq!(sweep.grid.count(), 25);
     assert_eq!(sweep.search.most_landings(), 109);
     assert_eq!(sweep.settings.tolerance(), 1e-6);
-    let scene = sweep.scene(24).unwrap();
+    let scene = sweep.case(24).unwrap().scene;
     let roll = scene.conditions().attitude.euler().roll.to_degrees();
     assert!((roll - 60.0).abs() < 1e-12);
     assert_eq!(scene.conditions().block_friction, 1.0);
@@ -39,9 +40,12 @@ fn solver_may_be_left_out_and_friction_may_vary() {
         .replace("[axes]", "[axes]\nfriction = [0.4, 0.8]");
     let sweep = read(&text).unwrap();
     assert_eq!(sweep.grid.count(), 50);
-    assert_eq!(sweep.grid.axes()[0].name(), "friction");
+    assert_eq!(sweep.axes[0].name(), "friction");
     assert_eq!(sweep.settings.time_limit(), 40.0);
-    assert_eq!(sweep.scene(30).unwrap().conditions().block_friction, 0.8);
+    assert_eq!(
+        sweep.case(30).unwrap().scene.conditions().block_friction,
+        0.8
+    );
 }
 
 #[test]
@@ -60,6 +64,71 @@ fn tip_form_is_an_axis_like_any_other() {
         "{complaint}"
     );
     assert!(complaint.contains("not both"), "{complaint}");
+}
+
+fn with_axes(axes: &str) -> Result<Sweep<3>, InputError> {
+    read(&FIGURE.replace("[axes]", &format!("[axes]\n{axes}")))
+}
+
+#[test]
+fn any_number_of_the_input_is_an_axis() {
+    let sweep = with_axes(
+        "vehicle.center_of_gravity_height_ft = [1.4, 1.6]\n\
+         \"vehicle.legs[2].strut.compression_damping\" = [50, 60]\n\
+         vehicle.footpad.profile.scale = [1, 1.5]\n\
+         solver.tolerance = [1e-6, 1e-7]\n\
+         solver.crush_rule = [\"pivot-rate\", \"section\"]\n\
+         search.scan_step_fps = [0.25, 0.5]\n",
+    )
+    .unwrap();
+    assert_eq!(sweep.grid.count(), 64 * 25);
+    let case = sweep.case(sweep.grid.count() - 1).unwrap();
+    assert_eq!(case.vehicle.center_of_gravity_height(), 1.6);
+    let damping = |leg: usize| case.vehicle.legs()[leg].design().strut.compression_damping;
+    assert_eq!((damping(0), damping(1)), (54.0, 60.0));
+    let pad = &case.vehicle.legs()[2].design().footpad;
+    assert_eq!(pad.profile.knots()[9][1], 1.5);
+    assert_eq!(case.settings.tolerance(), 1e-7);
+    assert_eq!(case.settings.crush_rule(), CrushRule::Section);
+    assert_eq!(case.search.scan_step, 0.5);
+    assert_eq!(
+        sweep.place(25),
+        "vehicle.center_of_gravity_height_ft = 1.4, \
+         vehicle.legs[2].strut.compression_damping = 50, vehicle.footpad.profile.scale = 1, \
+         solver.tolerance = 0.000001, solver.crush_rule = pivot-rate, \
+         search.scan_step_fps = 0.5, roll_deg = -60"
+    );
+    // The file as it was read is what the record tells.
+    assert_eq!(sweep.vehicle.vehicle.center_of_gravity_height(), 1.4);
+}
+
+#[test]
+fn values_of_axes_are_checked_before_the_run() {
+    let complaint = |axes| with_axes(axes).unwrap_err().to_string();
+    let said = complaint("vehicle.strut.preload_lb = [185, -5]\n");
+    for fragment in [
+        "axes.vehicle.strut.preload_lb = [185, -5]",
+        "at vehicle.strut.preload_lb = -5",
+        "surveyor-table-4-1.toml:26: strut.preload_lb = -5: allowed is",
+    ] {
+        assert!(said.contains(fragment), "{fragment} is not in: {said}");
+    }
+    let said = complaint("search.tolerance_fps = [0.001, 7]\n");
+    assert!(said.contains("search.tolerance_fps = 7"), "{said}");
+    // Each is allowed alone, but not both together.
+    let said = complaint(
+        "vehicle.footpad.minimum_angle_deg = [0.75, 17]\n\
+         vehicle.linkage.hardpoint_angle_deg = [41, 30]\n",
+    );
+    assert!(
+        said.contains("below the angle of the extended link"),
+        "{said}"
+    );
+    let said = complaint(
+        "friction = { values = [1, 2], zip = \"a\" }\n\
+                          slope_deg = { values = [1], zip = \"a\" }\n",
+    );
+    assert!(said.contains("also fixed"), "{said}");
 }
 
 /// What is replaced in the file of Figure 4-9, by what, and what the complaint must contain.

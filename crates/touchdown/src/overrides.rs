@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::scene::CrushRule;
 use touchdown_sweep::boundary::Extent;
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::instead::Instead;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::LEGS;
-use crate::failure::Failure;
 use crate::land::rule;
 
 /// What holds instead of the sweep files.
@@ -37,32 +38,23 @@ enum Bands {
 }
 
 impl Overrides {
-    /// Puts what was given into the sweeps.
+    /// The sweeps with what was given put into them.
     ///
     /// # Errors
-    /// When the vehicle file cannot be used.
-    pub fn apply(&self, sweeps: &mut [Sweep<LEGS>]) -> Result<(), Failure> {
-        let vehicle = match &self.vehicle {
-            Some(file) => Some(VehicleFile::read(file)?),
-            None => None,
+    /// When the vehicle file cannot be used, or what was given varies in a sweep.
+    pub fn apply(&self, sweeps: Vec<Sweep<LEGS>>) -> Result<Vec<Sweep<LEGS>>, InputError> {
+        let vehicle = self.vehicle.as_deref().map(VehicleFile::read).transpose()?;
+        let instead = Instead {
+            vehicle,
+            crush_rule: self.crush_rule,
+            extent: self.bands.map(|bands| match bands {
+                Bands::First => Extent::First,
+                Bands::All => Extent::All,
+            }),
         };
-        for sweep in sweeps {
-            if let Some(vehicle) = &vehicle {
-                sweep.vehicle = vehicle.clone();
-            }
-            if let Some(rule) = self.crush_rule {
-                let (tolerance, limit) = (sweep.settings.tolerance(), sweep.settings.time_limit());
-                sweep.settings = Settings::new(tolerance, limit, rule).map_err(|invalid| {
-                    Failure::running(format!("solver settings: {}", invalid.allowed))
-                })?;
-            }
-            if let Some(bands) = self.bands {
-                sweep.search.extent = match bands {
-                    Bands::First => Extent::First,
-                    Bands::All => Extent::All,
-                };
-            }
-        }
-        Ok(())
+        sweeps
+            .into_iter()
+            .map(|sweep| sweep.with(&instead))
+            .collect()
     }
 }

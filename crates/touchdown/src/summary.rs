@@ -78,15 +78,7 @@ pub fn lowest<const LEGS: usize>(
         .enumerate()
         .filter_map(|(point, boundary)| Some((point, boundary.transition?)))
         .min_by(|(_, a), (_, b)| a.speed().total_cmp(&b.speed()))?;
-    let coordinates = sweep.grid.coordinates(point);
-    let place: Vec<String> = sweep
-        .grid
-        .axes()
-        .iter()
-        .zip(coordinates)
-        .map(|(axis, value)| format!("{} = {value}", axis.name()))
-        .collect();
-    Some((transition, place.join(", ")))
+    Some((transition, sweep.place(point)))
 }
 
 /// Numbers of each kind, in words.

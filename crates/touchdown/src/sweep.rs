@@ -66,8 +66,9 @@ pub struct Options {
 
 /// Runs `sweep`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let mut sweeps = sweep_files::read(&options.files)?;
-    options.overrides.apply(&mut sweeps)?;
+    let sweeps = options
+        .overrides
+        .apply(sweep_files::read(&options.files)?)?;
     let cancel = interrupt::flag()?;
     let folder = Folder::open(&options.out)?;
     let workers = Workers::start(options.threads)?;

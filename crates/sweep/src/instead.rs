@@ -1,0 +1,96 @@
+//! What holds instead of what a sweep file says, for one study more than it tells.
+
+use touchdown_dynamics::scene::CrushRule;
+
+use crate::boundary::Extent;
+use crate::case;
+use crate::document::Value;
+use crate::input_error::InputError;
+use crate::key_path::KeyPath;
+use crate::parameter::Home;
+use crate::search_input::{self, extent_name};
+use crate::section::Section;
+use crate::settings_input::{self, crush_rule_name};
+use crate::sweep_file::{SWEEP, Sweep};
+use crate::vehicle_file::VehicleFile;
+
+/// What holds instead of a sweep file's own.
+#[derive(Debug, Clone, Default)]
+pub struct Instead<const LEGS: usize> {
+    /// The vehicle.
+    pub vehicle: Option<VehicleFile<LEGS>>,
+    /// When an element may crush further.
+    pub crush_rule: Option<CrushRule>,
+    /// How much of the range is searched.
+    pub extent: Option<Extent>,
+}
+
+impl<const LEGS: usize> Sweep<LEGS> {
+    /// The sweep with something instead of what its file says.
+    ///
+    /// # Errors
+    /// When what varies would be replaced, or does not fit the vehicle.
+    pub fn with(mut self, instead: &Instead<LEGS>) -> Result<Self, InputError> {
+        let words = [
+            ("solver.crush_rule", instead.crush_rule.map(crush_rule_name)),
+            ("search.bands", instead.extent.map(extent_name)),
+        ];
+        for (name, word) in words {
+            let (Some(word), Some(path)) = (word, KeyPath::parse(name)) else {
+                continue;
+            };
+            if self.axes.iter().any(|axis| axis.name() == name) {
+                let complaint = format!("{name} = {word:?}: varies in this sweep");
+                return Err(InputError::other(complaint).at(self.document.place()));
+            }
+            self.document.write(&path, Value::Text(word.to_owned()));
+        }
+        let first = self.grid.coordinates(0);
+        let document = case::written(&self.document, &self.axes, Home::Sweep, &first);
+        let root = Section::root(&document, &SWEEP)?;
+        self.search = search_input::search(&root)?;
+        self.settings = settings_input::settings(&root)?;
+        if let Some(vehicle) = &instead.vehicle {
+            self.vehicle = vehicle.clone();
+            self.check_case_by_case()?;
+        }
+        Ok(self)
+    }
+
+    fn check_case_by_case(&self) -> Result<(), InputError> {
+        for coordinates in self.grid.probes() {
+            self.case_at(&coordinates).map_err(|fault| {
+                let complaint = format!("with another vehicle: {fault}");
+                InputError::other(complaint).at(self.document.place())
+            })?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn words_given_instead_hold_and_may_not_vary() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
+        let sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+        let instead = Instead {
+            crush_rule: Some(CrushRule::Section),
+            extent: Some(Extent::First),
+            ..Instead::default()
+        };
+        let mut changed = sweep.with(&instead).unwrap();
+        assert_eq!(changed.settings.crush_rule(), CrushRule::Section);
+        assert_eq!(changed.search.extent, Extent::First);
+        assert_eq!(
+            changed.case(3).unwrap().settings.crush_rule(),
+            CrushRule::Section
+        );
+        changed.axes[0] = crate::parameter::Parameter::named("solver.crush_rule", 3).unwrap();
+        let complaint = changed.with(&instead).unwrap_err().to_string();
+        assert!(complaint.contains("varies in this sweep"), "{complaint}");
+    }
+}
