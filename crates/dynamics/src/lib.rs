@@ -15,7 +15,7 @@
 //! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
 //! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
 //! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
-//! | how it is integrated | [`integrator`] |
+//! | how it is integrated | [`integrator`], [`model_version`] |
 
 pub mod attitude;
 pub mod contact;
@@ -28,6 +28,7 @@ pub mod integrator;
 pub mod invalid;
 pub mod kinematics;
 pub mod landing;
+pub mod model_version;
 pub mod motion;
 pub mod outcome;
 pub mod profile;

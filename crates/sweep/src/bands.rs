@@ -4,13 +4,14 @@
 //! between neighbouring landings of different class is bisected. Whatever third class a bisection
 //! meets becomes a band of its own.
 
+use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::{Class, Outcome};
 
 use crate::boundary::{Boundary, Search, Transition, Trial};
 use crate::hidden;
 
 /// A range of speeds in which landings end alike.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Band {
     /// Lower end, ft/s: the middle of the bracket below, or the lowest speed searched.
     pub from: f64,

@@ -1,5 +1,6 @@
 //! The bands of a sweep as a table.
 
+use crate::bands::Band;
 use crate::boundary::Boundary;
 use crate::sweep_file::Sweep;
 
@@ -13,44 +14,40 @@ pub const COLUMNS: [&str; 6] = [
     "kind",
 ];
 
-/// All bands as CSV: one row per band, from below, points in grid order.
+/// Heading of the table of bands.
+pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
+    let axes = sweep.axes.iter().map(|axis| axis.name());
+    axes.chain(COLUMNS).map(str::to_owned).collect()
+}
+
+/// Rows of a point: one for each band, from below.
 ///
 /// `outcome` is the class that the band's landings share, `kind` how the one nearest to its middle
 /// ended; `bracket_width_fps` belongs to `to_fps` and is empty at the end of the range.
-///
-/// # Errors
-/// None but those of memory.
-pub fn table<const LEGS: usize>(
+pub fn rows<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
-    boundaries: &[Boundary],
-) -> Result<Vec<u8>, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let axes = sweep.axes.iter().map(|axis| axis.name());
-    writer.write_record(axes.chain(COLUMNS))?;
-    for (point, boundary) in boundaries.iter().enumerate() {
-        let coordinates = sweep.coordinates_written(point);
-        for (index, band) in boundary.bands.iter().enumerate() {
-            let width = band.bracket_width;
-            let cells = [
-                (index + 1).to_string(),
-                band.from.to_string(),
-                band.to.to_string(),
-                band.class.to_string(),
-                width.map_or(String::new(), |width| width.to_string()),
-                band.outcome.to_string(),
-            ];
-            writer.write_record(coordinates.iter().cloned().chain(cells))?;
-        }
-    }
-    writer
-        .into_inner()
-        .map_err(|error| error.into_error().into())
+    point: usize,
+    boundary: &Boundary,
+) -> Vec<Vec<String>> {
+    let coordinates = sweep.coordinates_written(point);
+    let row = |(index, band): (usize, &Band)| {
+        let width = band.bracket_width;
+        let cells = [
+            (index + 1).to_string(),
+            band.from.to_string(),
+            band.to.to_string(),
+            band.class.to_string(),
+            width.map_or(String::new(), |width| width.to_string()),
+            band.outcome.to_string(),
+        ];
+        coordinates.iter().cloned().chain(cells).collect()
+    };
+    boundary.bands.iter().enumerate().map(row).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bands::Band;
     use std::path::Path;
     use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -79,12 +76,17 @@ mod tests {
             bands,
             ..Boundary::default()
         };
-        let text = String::from_utf8(table(&sweep, &[boundary]).unwrap()).unwrap();
         assert_eq!(
-            text,
-            "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind\n\
-             -60,1,0,11.5,stable,0.25,stable-subsided\n\
-             -60,2,11.5,25,unstable,,unstable-yaw\n"
+            heading(&sweep).join(","),
+            "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind"
+        );
+        let rows = rows(&sweep, 0, &boundary).into_iter();
+        assert_eq!(
+            rows.map(|row| row.join(",")).collect::<Vec<_>>(),
+            [
+                "-60,1,0,11.5,stable,0.25,stable-subsided",
+                "-60,2,11.5,25,unstable,,unstable-yaw"
+            ]
         );
     }
 }

@@ -3,19 +3,21 @@
 //! TOML's integers and floats are both numbers here; `nan` and `inf` are refused wherever they
 //! stand, because no quantity of a landing can have them.
 
-use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use toml::de::{DeTable, DeValue};
 
 use crate::input_error::{InputError, Place};
 use crate::key_path::KeyPath;
+use crate::library::Source;
 
 /// A file and what it says.
 #[derive(Debug, Clone)]
 pub struct Document {
     path: PathBuf,
+    text: Arc<str>,
     root: Vec<Entry>,
 }
 
@@ -55,17 +57,6 @@ pub enum Value {
 }
 
 impl Document {
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// When the file cannot be read, is not TOML, or holds a number that is not finite.
-    pub fn read(path: &Path) -> Result<Self, InputError> {
-        let text = fs::read_to_string(path).map_err(|error| {
-            InputError::other(format!("cannot be read: {error}")).at(Place::file(path))
-        })?;
-        Self::parse(path, &text)
-    }
-
     /// Takes `text` for the content of the file `path`.
     ///
     /// # Errors
@@ -79,6 +70,7 @@ impl Document {
         let root = reader.entries(table.get_ref(), "")?;
         Ok(Self {
             path: path.to_owned(),
+            text: text.into(),
             root,
         })
     }
@@ -86,6 +78,14 @@ impl Document {
     /// The file.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// A copy of the file, word for word.
+    pub fn source(&self) -> Source {
+        Source {
+            path: self.path.clone(),
+            text: self.text.to_string(),
+        }
     }
 
     /// The file as a place.

@@ -70,6 +70,11 @@ impl Grid {
         self.count
     }
 
+    /// Axes that move together, as indices; each group of them is one dimension, slowest first.
+    pub fn dimensions(&self) -> &[Vec<usize>] {
+        &self.dimensions
+    }
+
     /// Coordinates of the `index`-th point, from 0, one for each axis.
     pub fn coordinates(&self, index: usize) -> Vec<f64> {
         let mut rest = index;

@@ -1,5 +1,7 @@
 //! What holds instead of what a sweep file says, for one study more than it tells.
 
+use std::path::PathBuf;
+
 use touchdown_dynamics::scene::CrushRule;
 
 use crate::boundary::Extent;
@@ -25,6 +27,14 @@ pub struct Instead<const LEGS: usize> {
     pub extent: Option<Extent>,
 }
 
+/// What was given instead, by the names of files and words.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Given {
+    pub(crate) vehicle: Option<PathBuf>,
+    pub(crate) crush_rule: Option<String>,
+    pub(crate) bands: Option<String>,
+}
+
 impl<const LEGS: usize> Sweep<LEGS> {
     /// The sweep with something instead of what its file says.
     ///
@@ -45,6 +55,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
             }
             self.document.write(&path, Value::Text(word.to_owned()));
         }
+        let [crush_rule, bands] = words.map(|(_, word)| word.map(str::to_owned));
         let first = self.grid.coordinates(0);
         let document = case::written(&self.document, &self.axes, Home::Sweep, &first);
         let root = Section::root(&document, &SWEEP)?;
@@ -53,7 +64,16 @@ impl<const LEGS: usize> Sweep<LEGS> {
         if let Some(vehicle) = &instead.vehicle {
             self.vehicle = vehicle.clone();
             self.check_case_by_case()?;
+            self.sources.push(vehicle.document.source());
         }
+        self.instead = Given {
+            vehicle: instead
+                .vehicle
+                .as_ref()
+                .map(|file| file.document.path().to_owned()),
+            crush_rule,
+            bands,
+        };
         Ok(self)
     }
 

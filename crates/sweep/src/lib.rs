@@ -5,8 +5,9 @@
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`instead`], [`cases`] |
 //! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`case`] |
 //! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
+//! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
 //! | do so on every core | [`run`] |
-//! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
+//! | tell | [`findings`], [`tally`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
 //! Nothing here prints: progress goes to a [`run::Observer`], complaints are
 //! [`input_error::InputError`]s.
@@ -19,21 +20,31 @@ pub mod case;
 pub mod cases;
 pub mod deposit;
 pub mod document;
+pub mod findings;
 pub mod found;
 pub mod grid;
+pub mod header;
 pub mod hidden;
 pub mod history;
 pub mod input_error;
 pub mod instead;
+pub mod journal;
 pub mod key_path;
 pub mod landing_table;
 pub mod levels;
+pub mod library;
+pub mod merge;
 pub mod parameter;
+pub mod point_set;
+mod resolved_input;
 pub mod results;
 pub mod run;
 pub mod scene_input;
 mod search_input;
 pub mod section;
 pub mod settings_input;
+pub mod shard;
 pub mod sweep_file;
+pub mod tables;
+pub mod tally;
 pub mod vehicle_file;

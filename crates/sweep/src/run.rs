@@ -1,11 +1,15 @@
 //! Landings on every core.
 //!
-//! Work is shared out point by point, so that all cores are busy to the end; results are collected
-//! in grid order and no landing knows of another, so that they do not depend on the threads.
+//! Work is shared out point by point, so that all cores are busy to the end. What a point came to
+//! goes to the journal as soon as it is known, and nothing of it stays in memory. No landing knows
+//! of another, so that results do not depend on the threads.
 
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use rayon::prelude::*;
 use touchdown_dynamics::landing::{Landing, land};
@@ -14,7 +18,10 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::boundary::{Boundary, Trial};
 use crate::case::CaseFault;
+use crate::findings;
+use crate::journal::{JournalError, Opened};
 use crate::scene_input::SceneFault;
+use crate::shard::Shard;
 use crate::sweep_file::Sweep;
 
 /// Whoever wants to know how far a run is. Called from all threads.
@@ -40,6 +47,8 @@ pub enum RunError {
         /// What is wrong.
         fault: CaseFault,
     },
+    /// Results could not be kept.
+    Journal(JournalError),
     /// The threads could not be started.
     Threads(rayon::ThreadPoolBuildError),
 }
@@ -51,6 +60,7 @@ impl fmt::Display for RunError {
             Self::Point { place, fault } => {
                 write!(f, "the point {place} has no valid input: {fault}")
             }
+            Self::Journal(error) => error.fmt(f),
             Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
         }
     }
@@ -83,20 +93,85 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Searches the boundary at every point of a sweep, in grid order.
+    /// Searches the boundary at every point of a shard that is not `done`, into the journal.
     ///
     /// # Errors
-    /// When `cancel` became true; it is looked at before every landing.
+    /// When `cancel` became true, which is looked at before every landing, or a result cannot be
+    /// kept. What was journaled until then stays good.
     pub fn sweep<const LEGS: usize>(
         &self,
         sweep: &Sweep<LEGS>,
+        shard: Shard,
+        opened: &mut Opened,
         observer: &impl Observer,
         cancel: &AtomicBool,
-    ) -> Result<Vec<Boundary>, RunError> {
-        self.each(sweep.grid.count(), |point| {
-            let boundary = search_point(sweep, point, observer, cancel)?;
+    ) -> Result<(), RunError> {
+        let Opened { journal, done, .. } = opened;
+        let points = done.missing().map(|index| shard.point(index));
+        let stop = Stop::on(cancel);
+        let work = |point| {
+            let boundary = search_point(sweep, point, observer, &stop)?;
             observer.point();
-            Ok(boundary)
+            Ok(findings::encode(&boundary))
+        };
+        let streamed = self.stream(points, &stop, work, |finished| {
+            if let Some((point, result)) = finished {
+                journal.add(point, &result)?;
+            }
+            journal.tick()
+        });
+        // Also when the run was stopped, but not over the error that stopped it.
+        streamed.and(journal.finish().map_err(RunError::Journal))
+    }
+
+    /// Gives points to threads as they become free, and results to `keep` as they become known;
+    /// `keep` is also called when nothing is known for a while.
+    fn stream<T: Send>(
+        &self,
+        points: impl Iterator<Item = usize> + Send,
+        stop: &Stop,
+        work: impl Fn(usize) -> Result<T, RunError> + Sync,
+        mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
+    ) -> Result<(), RunError> {
+        const LONGEST_SILENCE: Duration = Duration::from_millis(100);
+        let points = Mutex::new(points);
+        let next = || points.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let (send, receive) = sync_channel(2 * self.threads());
+        self.pool.in_place_scope(|scope| {
+            // Ends with this closure, so that nobody waits to send what nobody receives.
+            let receive = receive;
+            for _ in 0..self.threads() {
+                let send = send.clone();
+                let (next, work) = (&next, &work);
+                scope.spawn(move |_| {
+                    while let Some(point) = next() {
+                        let result = work(point);
+                        let is_last = result.is_err();
+                        if send.send((point, result)).is_err() || is_last {
+                            break;
+                        }
+                    }
+                });
+            }
+            drop(send);
+            let mut ended = Ok(());
+            loop {
+                let kept = match receive.recv_timeout(LONGEST_SILENCE) {
+                    Ok((point, Ok(result))) => keep(Some((point, result))),
+                    Err(RecvTimeoutError::Timeout) => keep(None),
+                    Err(RecvTimeoutError::Disconnected) => return ended,
+                    Ok((_, Err(error))) => {
+                        stop.stop();
+                        // The first error says why the others were stopped.
+                        ended = ended.and(Err(error));
+                        continue;
+                    }
+                };
+                if let Err(error) = kept {
+                    stop.stop();
+                    return Err(RunError::Journal(error));
+                }
+            }
         })
     }
 
@@ -112,8 +187,9 @@ impl Workers {
         observer: &impl Observer,
         cancel: &AtomicBool,
     ) -> Result<Vec<Landing<LEGS>>, RunError> {
+        let stop = Stop::on(cancel);
         self.each(scenes.len(), |case| {
-            go_on(cancel)?;
+            stop.go_on()?;
             let landing = land(vehicle, &scenes[case], settings);
             observer.landing();
             observer.point();
@@ -136,11 +212,27 @@ impl Workers {
     }
 }
 
-fn go_on(cancel: &AtomicBool) -> Result<(), RunError> {
-    if cancel.load(Ordering::Relaxed) {
-        Err(RunError::Cancelled)
-    } else {
-        Ok(())
+/// Whether to go on: not when the run was cancelled from outside or has come to an end within.
+struct Stop<'c> {
+    cancelled: &'c AtomicBool,
+    ended: AtomicBool,
+}
+
+impl<'c> Stop<'c> {
+    fn on(cancelled: &'c AtomicBool) -> Self {
+        let ended = AtomicBool::new(false);
+        Self { cancelled, ended }
+    }
+
+    fn stop(&self) {
+        self.ended.store(true, Ordering::Relaxed);
+    }
+
+    fn go_on(&self) -> Result<(), RunError> {
+        match self.cancelled.load(Ordering::Relaxed) || self.ended.load(Ordering::Relaxed) {
+            true => Err(RunError::Cancelled),
+            false => Ok(()),
+        }
     }
 }
 
@@ -148,7 +240,7 @@ fn search_point<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
     point: usize,
     observer: &impl Observer,
-    cancel: &AtomicBool,
+    stop: &Stop,
 ) -> Result<Boundary, RunError> {
     let invalid = |fault| RunError::Point {
         place: sweep.place(point),
@@ -156,7 +248,7 @@ fn search_point<const LEGS: usize>(
     };
     let case = sweep.case(point).map_err(invalid)?;
     case.search.boundary(|speed| {
-        go_on(cancel)?;
+        stop.go_on()?;
         let faster = case
             .scene
             .with_horizontal_velocity(speed)
@@ -195,10 +287,46 @@ mod tests {
     }
 
     #[test]
+    fn every_point_is_kept_once_for_any_number_of_threads() {
+        let cancel = AtomicBool::new(false);
+        for threads in [1, 2, 3] {
+            let mut kept = Vec::new();
+            let keep = |finished: Option<(usize, usize)>| {
+                kept.extend(finished);
+                Ok(())
+            };
+            let stop = Stop::on(&cancel);
+            let streamed = workers(threads).stream(0..1000, &stop, |n| Ok(n * n), keep);
+            assert!(streamed.is_ok());
+            kept.sort_unstable();
+            let expected: Vec<_> = (0..1000).map(|n| (n, n * n)).collect();
+            assert_eq!(kept, expected);
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_kept_ends_the_run() {
+        let cancel = AtomicBool::new(false);
+        let stop = Stop::on(&cancel);
+        let mut kept = 0;
+        let keep = |finished: Option<(usize, usize)>| {
+            kept += usize::from(finished.is_some());
+            match kept {
+                5 => Err(JournalError::Gone("here".into())),
+                _ => Ok(()),
+            }
+        };
+        let work = |n| stop.go_on().map(|()| n);
+        let streamed = workers(2).stream(0.., &stop, work, keep);
+        assert!(matches!(streamed, Err(RunError::Journal(_))));
+        assert_eq!(kept, 5);
+    }
+
+    #[test]
     fn cancelling_stops_before_the_next_landing() {
         let cancel = AtomicBool::new(false);
         let outcome = workers(1).each(100, |n| {
-            go_on(&cancel)?;
+            Stop::on(&cancel).go_on()?;
             cancel.store(n == 3, Ordering::Relaxed);
             assert!(n <= 3);
             Ok(())

@@ -66,11 +66,7 @@ fn extent(section: &Section) -> Result<Extent, InputError> {
     let Some(found) = section.optional("bands") else {
         return Ok(Extent::default());
     };
-    match found.text()? {
-        "first" => Ok(Extent::First),
-        "all" => Ok(Extent::All),
-        _ => Err(found.complain("\"first\" or \"all\"")),
-    }
+    extent_named(found.text()?).ok_or_else(|| found.complain("\"first\" or \"all\""))
 }
 
 /// Word of an extent in sweep files.
@@ -79,4 +75,11 @@ pub(crate) fn extent_name(extent: Extent) -> &'static str {
         Extent::First => "first",
         Extent::All => "all",
     }
+}
+
+/// The extent that a word of an input file stands for.
+pub(crate) fn extent_named(name: &str) -> Option<Extent> {
+    [Extent::First, Extent::All]
+        .into_iter()
+        .find(|extent| extent_name(*extent) == name)
 }

@@ -10,6 +10,8 @@ use crate::case::CaseFault;
 use crate::document::Document;
 use crate::grid::{Grid, GridFault};
 use crate::input_error::InputError;
+use crate::instead::Given;
+use crate::library::{Library, Source};
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
@@ -48,6 +50,9 @@ pub struct Sweep<const LEGS: usize> {
     pub search: Search,
     /// How landings are computed; what varies of it has its first value.
     pub settings: Settings,
+    /// The files that were read.
+    pub(crate) sources: Vec<Source>,
+    pub(crate) instead: Given,
     pub(crate) document: Document,
 }
 
@@ -57,14 +62,22 @@ impl<const LEGS: usize> Sweep<LEGS> {
     /// # Errors
     /// Names file, line, key and value of the first thing wrong, and what is allowed.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        let document = Document::read(path)?;
+        Self::read_from(path, Library::Disk)
+    }
+
+    /// Reads a sweep file and what it names from a library.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`].
+    pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
+        let document = library.document(path)?;
         let root = Section::root(&document, &SWEEP)?;
         let title = root.text("title")?.to_owned();
         let statement = match root.optional("statement") {
             Some(found) => Some(found.text()?.to_owned()),
             None => None,
         };
-        let vehicle = vehicle_document(&root, path)?;
+        let vehicle = vehicle_document(&root, path, library)?;
         let scene = scene(&root)?;
         let entries = axis_input::entries(&root, LEGS)?;
         if let Some(searched) = entries
@@ -84,6 +97,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         let varied = Section::root(&varied, &SWEEP)?;
         let search = search_input::search(&varied)?;
         let settings = settings_input::settings(&varied)?;
+        let sources_vehicle = vehicle.source();
         let vehicle = VehicleFile {
             document: vehicle.clone(),
             ..VehicleFile::from_document(case::written(&vehicle, &axes, Home::Vehicle, &first))?
@@ -102,6 +116,8 @@ impl<const LEGS: usize> Sweep<LEGS> {
             grid,
             search,
             settings,
+            sources: vec![document.source(), sources_vehicle],
+            instead: Given::default(),
             document: document.clone(),
         };
         for coordinates in sweep.grid.probes() {
@@ -136,19 +152,19 @@ impl<const LEGS: usize> Sweep<LEGS> {
     }
 }
 
-fn vehicle_document(root: &Section, path: &Path) -> Result<Document, InputError> {
+fn vehicle_document(root: &Section, path: &Path, library: Library) -> Result<Document, InputError> {
     let found = root.value(
         "vehicle",
         "the path of a vehicle file, relative to this file",
     )?;
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
-    if !file.is_file() {
+    if !library.has(&file) {
         return Err(found.complain_that(&format!(
             "there is no file {}: allowed is the path of a vehicle file, relative to this file",
             file.display()
         )));
     }
-    Document::read(&file)
+    library.document(&file)
 }
 
 fn scene<'d>(root: &Section<'d>) -> Result<Section<'d>, InputError> {

@@ -9,6 +9,7 @@ use touchdown_dynamics::vehicle::{
 
 use crate::document::Document;
 use crate::input_error::InputError;
+use crate::library::Library;
 use crate::section::Section;
 
 const INCHES_PER_FOOT: f64 = 12.0;
@@ -115,7 +116,15 @@ impl<const LEGS: usize> VehicleFile<LEGS> {
     /// # Errors
     /// Names file, line, key and value of the first thing wrong, and what is allowed.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        Self::from_document(Document::read(path)?)
+        Self::read_from(path, Library::Disk)
+    }
+
+    /// Reads a vehicle from a library.
+    ///
+    /// # Errors
+    /// As [`VehicleFile::read`].
+    pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
+        Self::from_document(library.document(path)?)
     }
 
     /// Takes the vehicle from a document.

@@ -6,7 +6,9 @@
 mod cases;
 mod failure;
 mod interrupt;
+mod journal_files;
 mod land;
+mod merge;
 mod overrides;
 mod overview;
 mod plot;
@@ -17,6 +19,7 @@ mod study;
 mod summary;
 mod sweep;
 mod sweep_files;
+mod sweep_results;
 mod touchdown_options;
 
 use std::process::ExitCode;
@@ -45,6 +48,8 @@ enum Command {
     Land(Box<land::Options>),
     /// Search the horizontal velocity at which landings cease to be stable, over a grid
     Sweep(sweep::Options),
+    /// Put the shards of sweeps together into results
+    Merge(merge::Options),
     /// Draw the pictures of result tables anew
     Plot(plot::Options),
     /// Compare results with what the report of 1966 says
@@ -55,6 +60,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Land(options) => land::run(&options),
         Command::Sweep(options) => sweep::run(&options),
+        Command::Merge(options) => merge::run(&options),
         Command::Plot(options) => plot::run(&options),
         Command::Study(options) => study::run(&options),
     };

@@ -1,0 +1,137 @@
+//! The result tables of a sweep, written row by row from its journals.
+
+use std::fmt;
+use std::io;
+
+use crate::boundary::Extent;
+use crate::deposit::{DepositError, Draft, Folder};
+use crate::findings;
+use crate::journal::{InOrder, JournalError};
+use crate::sweep_file::Sweep;
+use crate::tally::Tally;
+use crate::{bands_table, results};
+
+/// Tables that are written but not yet in their places.
+#[derive(Debug)]
+pub struct Tables {
+    /// First transitions.
+    pub points: Draft,
+    /// Bands, where all were searched.
+    pub bands: Option<Draft>,
+    /// Their points in numbers.
+    pub tally: Tally,
+}
+
+/// Why tables could not be written.
+#[derive(Debug)]
+pub enum TablesError {
+    /// A journal cannot be read.
+    Journal(JournalError),
+    /// A table cannot be written.
+    Deposit(DepositError),
+    /// A point is in no journal, or what it came to cannot be understood.
+    Point(usize),
+}
+
+impl fmt::Display for TablesError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Journal(error) => error.fmt(f),
+            Self::Deposit(error) => error.fmt(f),
+            Self::Point(point) => write!(f, "there is no result of point {point}"),
+        }
+    }
+}
+
+impl std::error::Error for TablesError {}
+
+impl From<JournalError> for TablesError {
+    fn from(error: JournalError) -> Self {
+        Self::Journal(error)
+    }
+}
+
+impl From<DepositError> for TablesError {
+    fn from(error: DepositError) -> Self {
+        Self::Deposit(error)
+    }
+}
+
+impl Tables {
+    /// Writes the tables of a sweep beside their places in `folder`, points in grid order.
+    ///
+    /// # Errors
+    /// When a result is missing or something cannot be read or written.
+    pub fn write<const LEGS: usize>(
+        sweep: &Sweep<LEGS>,
+        results: &mut InOrder,
+        folder: &Folder,
+    ) -> Result<Self, TablesError> {
+        let stem = sweep.stem();
+        let mut points = Table::begin(folder, &format!("{stem}.csv"), &results::heading(sweep))?;
+        let mut bands = match sweep.search.extent {
+            Extent::First => None,
+            Extent::All => {
+                let name = format!("{stem}-bands.csv");
+                Some(Table::begin(folder, &name, &bands_table::heading(sweep))?)
+            }
+        };
+        let mut tally = Tally::default();
+        for point in 0..sweep.grid.count() {
+            let bytes = results.result(point)?;
+            let boundary = bytes.as_deref().and_then(findings::decode);
+            let boundary = boundary.ok_or(TablesError::Point(point))?;
+            points.add(&results::row(sweep, point, &boundary))?;
+            if let Some(bands) = &mut bands {
+                for row in bands_table::rows(sweep, point, &boundary) {
+                    bands.add(&row)?;
+                }
+            }
+            tally.add(point, &boundary);
+        }
+        Ok(Self {
+            points: points.end()?,
+            bands: bands.map(Table::end).transpose()?,
+            tally,
+        })
+    }
+}
+
+/// A table under way.
+struct Table {
+    writer: csv::Writer<Draft>,
+    name: String,
+    folder: Folder,
+}
+
+impl Table {
+    fn begin(folder: &Folder, name: &str, heading: &[String]) -> Result<Self, DepositError> {
+        let draft = folder.draft(name)?;
+        let mut table = Self {
+            writer: csv::Writer::from_writer(draft),
+            name: name.to_owned(),
+            folder: folder.clone(),
+        };
+        table.add(heading)?;
+        Ok(table)
+    }
+
+    fn add(&mut self, row: &[String]) -> Result<(), DepositError> {
+        let written = self.writer.write_record(row);
+        written.map_err(|error| self.refuse(error.into()))
+    }
+
+    fn end(self) -> Result<Draft, DepositError> {
+        let (name, folder) = (self.name, self.folder);
+        let path = folder.path(&name);
+        self.writer.into_inner().map_err(|error| DepositError {
+            path,
+            error: error.into_error(),
+        })
+    }
+
+    fn refuse(&self, error: io::Error) -> DepositError {
+        let path = self.folder.path(&self.name);
+        DepositError { path, error }
+    }
+}
