@@ -12,6 +12,8 @@ use crate::parameter::Parameter;
 use crate::section::{Layer, Section};
 
 const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
+/// Keys of an axis that is sampled.
+const SAMPLED: [&str; 4] = ["mean", "sd", "file", "column"];
 const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";
 const NEEDED: &str = "a table [axes] with at least one condition that varies";
 
@@ -73,7 +75,10 @@ fn descend<'d>(
 
 /// Whether a table holds further names, and not the form of an axis.
 fn is_table_of_axes(entries: &[Entry]) -> bool {
-    let says_form = |entry: &Entry| FORM.contains(&entry.key.as_str());
+    let says_form = |entry: &Entry| {
+        let key = entry.key.as_str();
+        FORM.contains(&key) || SAMPLED.contains(&key)
+    };
     !entries.is_empty() && !entries.iter().any(says_form)
 }
 

@@ -9,13 +9,12 @@ use std::fmt;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::boundary::Search;
 use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, SceneFault};
 use crate::section::Section;
-use crate::sweep_file::{SWEEP, Sweep};
+use crate::sweep_file::{Job, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
 
@@ -24,10 +23,10 @@ use crate::{search_input, settings_input};
 pub struct Case<'s, const LEGS: usize> {
     /// The vehicle.
     pub vehicle: Cow<'s, Vehicle<LEGS>>,
-    /// The scene, at the lowest speed of the search.
+    /// The scene; where the speed is searched, at the lowest of the search.
     pub scene: Scene,
-    /// Where to search.
-    pub search: Search,
+    /// What is asked.
+    pub job: Job,
     /// How landings are computed.
     pub settings: Settings,
 }
@@ -61,7 +60,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
     /// # Errors
     /// When values that are valid one by one are not valid together.
     pub fn case(&self, point: usize) -> Result<Case<'_, LEGS>, CaseFault> {
-        self.case_at(&self.grid.coordinates(point))
+        self.case_at(&self.design.coordinates(point))
     }
 
     /// The input at coordinates, one for each axis.
@@ -69,18 +68,20 @@ impl<const LEGS: usize> Sweep<LEGS> {
     /// # Errors
     /// When it is not valid.
     pub fn case_at(&self, coordinates: &[f64]) -> Result<Case<'_, LEGS>, CaseFault> {
-        let (search, settings) = self.search_and_settings(coordinates)?;
+        let (job, settings) = self.job_and_settings(coordinates)?;
         let mut conditions = self.fixed;
         for (axis, value) in self.axes.iter().zip(coordinates) {
             if axis.home() == Home::Scene {
                 conditions.set(axis.name(), *value);
             }
         }
-        conditions.set(HORIZONTAL_VELOCITY, search.from);
+        if let Job::Boundary(search) = job {
+            conditions.set(HORIZONTAL_VELOCITY, search.from);
+        }
         Ok(Case {
             vehicle: self.vehicle_at(coordinates)?,
             scene: conditions.scene().map_err(CaseFault::Scene)?,
-            search,
+            job,
             settings,
         })
     }
@@ -104,17 +105,18 @@ impl<const LEGS: usize> Sweep<LEGS> {
             .map_err(in_part(Home::Vehicle))
     }
 
-    fn search_and_settings(&self, coordinates: &[f64]) -> Result<(Search, Settings), CaseFault> {
+    fn job_and_settings(&self, coordinates: &[f64]) -> Result<(Job, Settings), CaseFault> {
         if !self.varies(Home::Sweep) {
-            return Ok((self.search, self.settings));
+            return Ok((self.job, self.settings));
         }
         let document = written(&self.document, &self.axes, Home::Sweep, coordinates);
         let read = || {
             let root = Section::root(&document, &SWEEP)?;
-            Ok((
-                search_input::search(&root)?,
-                settings_input::settings(&root)?,
-            ))
+            let job = match self.job {
+                Job::Boundary(_) => Job::Boundary(search_input::search(&root)?),
+                outcome => outcome,
+            };
+            Ok((job, settings_input::settings(&root)?))
         };
         read().map_err(in_part(Home::Sweep))
     }

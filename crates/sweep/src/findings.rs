@@ -1,18 +1,38 @@
 //! What a point came to, as the bytes of a journal's record.
 
-use crate::boundary::Boundary;
+use serde::{Deserialize, Serialize};
+use touchdown_dynamics::outcome::Outcome;
 
-/// The bytes of what a point came to; numbers keep every bit.
-pub fn encode(boundary: &Boundary) -> Vec<u8> {
-    // Into memory, and of types that have a form: neither can fail.
-    postcard::to_stdvec(boundary).unwrap_or_default()
+use crate::boundary::Boundary;
+use crate::landing_table::Cell;
+
+/// What a point came to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Finding {
+    /// Where landings cease to be stable.
+    Boundary(Boundary),
+    /// How one landing ended.
+    Landing {
+        /// Its outcome.
+        outcome: Outcome,
+        /// All that is told of it, as [`crate::landing_table`] orders it.
+        cells: Vec<Cell>,
+    },
 }
 
-/// What a point came to; `None` for bytes that say nothing.
-pub fn decode(bytes: &[u8]) -> Option<Boundary> {
-    match postcard::take_from_bytes(bytes) {
-        Ok((boundary, [])) => Some(boundary),
-        _ => None,
+impl Finding {
+    /// Its bytes; numbers keep every bit.
+    pub fn encode(&self) -> Vec<u8> {
+        // Into memory, and of types that have a form: neither can fail.
+        postcard::to_stdvec(self).unwrap_or_default()
+    }
+
+    /// What bytes say; `None` if they say nothing.
+    pub fn decode(bytes: &[u8]) -> Option<Self> {
+        match postcard::take_from_bytes(bytes) {
+            Ok((finding, [])) => Some(finding),
+            _ => None,
+        }
     }
 }
 
@@ -21,11 +41,11 @@ mod tests {
     use super::*;
     use crate::bands::Band;
     use crate::boundary::Transition;
-    use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+    use touchdown_dynamics::outcome::{Class, Failure};
 
     #[test]
     fn every_bit_survives() {
-        let boundary = Boundary {
+        let boundary = Finding::Boundary(Boundary {
             transition: Some(Transition {
                 to: Class::Failure,
                 low: 0.1 + 0.2,
@@ -42,12 +62,23 @@ mod tests {
             finds: 1,
             landings: 1 << 40,
             evaluations: u64::MAX,
+        });
+        let landing = Finding::Landing {
+            outcome: Outcome::Bottomed { leg: 1 },
+            cells: vec![
+                Cell::Word("ä".to_owned()),
+                Cell::Number(-0.0),
+                Cell::Count(7),
+            ],
         };
-        let bytes = encode(&boundary);
-        let read = decode(&bytes).unwrap();
-        assert_eq!(read, boundary);
-        assert!(read.bands[0].from.is_sign_negative());
-        assert_eq!(decode(&bytes[1..]), None);
-        assert_eq!(decode(&[bytes, vec![0]].concat()), None);
+        for finding in [boundary, landing] {
+            let bytes = finding.encode();
+            assert_eq!(
+                format!("{:?}", Finding::decode(&bytes)),
+                format!("{:?}", Some(finding))
+            );
+            assert_eq!(Finding::decode(&bytes[..bytes.len() - 1]), None);
+            assert_eq!(Finding::decode(&[bytes, vec![0]].concat()), None);
+        }
     }
 }

@@ -64,7 +64,7 @@ impl Header {
             program: program.to_owned(),
             model: MODEL_VERSION,
             probe: probe(sweep)?,
-            points: sweep.grid.count(),
+            points: sweep.design.count(),
             shard: [shard.number(), shard.count()],
             input: sweep.resolved(),
             origin: Origin {

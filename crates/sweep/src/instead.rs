@@ -13,7 +13,7 @@ use crate::parameter::Home;
 use crate::search_input::{self, extent_name};
 use crate::section::Section;
 use crate::settings_input::{self, crush_rule_name};
-use crate::sweep_file::{SWEEP, Sweep};
+use crate::sweep_file::{Job, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
 
 /// What holds instead of a sweep file's own.
@@ -41,6 +41,11 @@ impl<const LEGS: usize> Sweep<LEGS> {
     /// # Errors
     /// When what varies would be replaced, or does not fit the vehicle.
     pub fn with(mut self, instead: &Instead<LEGS>) -> Result<Self, InputError> {
+        if let (Job::Outcome { .. }, Some(extent)) = (self.job, instead.extent) {
+            let name = extent_name(extent);
+            let complaint = format!("bands = {name:?}: says nothing where job = \"outcome\"");
+            return Err(InputError::other(complaint).at(self.document.place()));
+        }
         let words = [
             ("solver.crush_rule", instead.crush_rule.map(crush_rule_name)),
             ("search.bands", instead.extent.map(extent_name)),
@@ -56,10 +61,12 @@ impl<const LEGS: usize> Sweep<LEGS> {
             self.document.write(&path, Value::Text(word.to_owned()));
         }
         let [crush_rule, bands] = words.map(|(_, word)| word.map(str::to_owned));
-        let first = self.grid.coordinates(0);
+        let first = self.design.coordinates(0);
         let document = case::written(&self.document, &self.axes, Home::Sweep, &first);
         let root = Section::root(&document, &SWEEP)?;
-        self.search = search_input::search(&root)?;
+        if let Job::Boundary(search) = &mut self.job {
+            *search = search_input::search(&root)?;
+        }
         self.settings = settings_input::settings(&root)?;
         if let Some(vehicle) = &instead.vehicle {
             self.vehicle = vehicle.clone();
@@ -78,7 +85,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
     }
 
     fn check_case_by_case(&self) -> Result<(), InputError> {
-        for coordinates in self.grid.probes() {
+        for coordinates in self.design.probes() {
             self.case_at(&coordinates).map_err(|fault| {
                 let complaint = format!("with another vehicle: {fault}");
                 InputError::other(complaint).at(self.document.place())
@@ -104,7 +111,7 @@ mod tests {
         };
         let mut changed = sweep.with(&instead).unwrap();
         assert_eq!(changed.settings.crush_rule(), CrushRule::Section);
-        assert_eq!(changed.search.extent, Extent::First);
+        assert_eq!(changed.search().unwrap().extent, Extent::First);
         assert_eq!(
             changed.case(3).unwrap().settings.crush_rule(),
             CrushRule::Section

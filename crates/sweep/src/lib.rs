@@ -3,11 +3,11 @@
 //! | step | modules |
 //! |---|---|
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`instead`], [`cases`] |
-//! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`case`] |
+//! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
 //! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
 //! | do so on every core | [`run`] |
-//! | tell | [`findings`], [`tally`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
+//! | tell | [`findings`], [`tally`], [`probabilities`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
 //! Nothing here prints: progress goes to a [`run::Observer`], complaints are
 //! [`input_error::InputError`]s.
@@ -19,6 +19,8 @@ pub mod boundary;
 pub mod case;
 pub mod cases;
 pub mod deposit;
+pub mod design;
+pub mod distribution;
 pub mod document;
 pub mod findings;
 pub mod found;
@@ -30,15 +32,19 @@ pub mod input_error;
 pub mod instead;
 pub mod journal;
 pub mod key_path;
+mod known;
 pub mod landing_table;
 pub mod levels;
 pub mod library;
 pub mod merge;
 pub mod parameter;
 pub mod point_set;
+pub mod probabilities;
 mod resolved_input;
 pub mod results;
 pub mod run;
+pub mod sample;
+mod sample_input;
 pub mod scene_input;
 mod search_input;
 pub mod section;

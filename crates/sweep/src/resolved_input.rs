@@ -2,12 +2,14 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::design::Design;
+use crate::distribution::Distribution;
 use crate::document::{Entry, Value as Read};
 use crate::levels::Levels;
 use crate::parameter::Parameter;
 use crate::search_input::extent_name;
 use crate::settings_input::crush_rule_name;
-use crate::sweep_file::Sweep;
+use crate::sweep_file::{Job, Sweep};
 
 /// Longest axis whose values are told one by one.
 const MOST_VALUES: usize = 1000;
@@ -22,42 +24,89 @@ impl<const LEGS: usize> Sweep<LEGS> {
             .filter(|(name, _)| self.axes.iter().all(|axis| axis.name() != *name))
             .map(|(name, value)| (name.to_owned(), json!(value)))
             .collect();
-        let axes: Map<String, Value> = self
-            .axes
-            .iter()
-            .zip(self.grid.axes())
-            .map(|(axis, levels)| (axis.name().to_owned(), levels_of(axis, levels)))
-            .collect();
-        let together: Vec<Vec<&str>> = self
-            .grid
-            .dimensions()
-            .iter()
-            .filter(|together| together.len() > 1)
-            .map(|together| {
-                together
-                    .iter()
-                    .map(|axis| self.axes[*axis].name())
-                    .collect()
-            })
-            .collect();
-        json!({
+        let mut input = json!({
+            "job": match self.job {
+                Job::Boundary(_) => "boundary",
+                Job::Outcome { .. } => "outcome",
+            },
             "vehicle": tree(self.vehicle.document.root()),
             "scene": scene,
-            "axes": axes,
-            "axes_that_move_together": together,
-            "search": {
-                "from_fps": self.search.from,
-                "to_fps": self.search.to,
-                "scan_step_fps": self.search.scan_step,
-                "tolerance_fps": self.search.tolerance,
-                "bands": extent_name(self.search.extent),
-            },
+            "axes": self.axes_resolved(),
+            "axes_that_move_together": self.together(),
             "solver": {
                 "tolerance": self.settings.tolerance(),
                 "time_limit_s": self.settings.time_limit(),
                 "crush_rule": crush_rule_name(self.settings.crush_rule()),
             },
-        })
+        });
+        match self.job {
+            Job::Boundary(search) => {
+                input["search"] = json!({
+                    "from_fps": search.from,
+                    "to_fps": search.to,
+                    "scan_step_fps": search.scan_step,
+                    "tolerance_fps": search.tolerance,
+                    "bands": extent_name(search.extent),
+                });
+            }
+            Job::Outcome { enough } => input["stop_at_interval_width"] = json!(enough),
+        }
+        if let Design::Sample(sample) = &self.design {
+            input["sample"] = json!({
+                "design": sample.spread().name(),
+                "count": sample.count(),
+                "seed": sample.seed(),
+            });
+        }
+        input
+    }
+
+    fn axes_resolved(&self) -> Map<String, Value> {
+        let value = |(index, axis): (usize, &Parameter)| {
+            let value = match &self.design {
+                Design::Grid(grid) => levels_of(axis, &grid.axes()[index]),
+                Design::Sample(sample) => distribution_of(&sample.axes()[index].distribution),
+            };
+            (axis.name().to_owned(), value)
+        };
+        self.axes.iter().enumerate().map(value).collect()
+    }
+
+    /// Names of axes that move together, group by group.
+    fn together(&self) -> Vec<Vec<&str>> {
+        let groups: Vec<Vec<usize>> = match &self.design {
+            Design::Grid(grid) => grid.dimensions().to_vec(),
+            Design::Sample(sample) => {
+                let mut groups = vec![Vec::new(); sample.axes().len()];
+                for (index, axis) in sample.axes().iter().enumerate() {
+                    groups[axis.number].push(index);
+                }
+                groups
+            }
+        };
+        let name = |axis: &usize| self.axes[*axis].name();
+        groups
+            .iter()
+            .filter(|together| together.len() > 1)
+            .map(|together| together.iter().map(name).collect())
+            .collect()
+    }
+}
+
+fn distribution_of(distribution: &Distribution) -> Value {
+    match distribution {
+        Distribution::Uniform { from, to } => json!({"uniform": {"from": from, "to": to}}),
+        Distribution::LogUniform { from, to } => json!({"log-uniform": {"from": from, "to": to}}),
+        Distribution::Normal { mean, deviation } => {
+            json!({"normal": {"mean": mean, "sd": deviation}})
+        }
+        Distribution::Truncated {
+            mean,
+            deviation,
+            from,
+            to,
+        } => json!({"normal": {"mean": mean, "sd": deviation, "from": from, "to": to}}),
+        Distribution::Column(values) => json!({"column": values}),
     }
 }
 

@@ -3,7 +3,10 @@
 use serde_json::{Map, Value, json};
 
 use crate::boundary::Boundary;
-use crate::sweep_file::Sweep;
+use crate::findings::Finding;
+use crate::landing_table::{self, Cell};
+use crate::probabilities::wilson;
+use crate::sweep_file::{Job, Sweep};
 use crate::tally::Tally;
 
 /// Columns of the table after those of the axes.
@@ -38,29 +41,36 @@ pub fn transition_name(boundary: &Boundary) -> String {
 /// Heading of the table of a sweep.
 pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
     let axes = sweep.axes.iter().map(|axis| axis.name());
-    axes.chain(COLUMNS).map(str::to_owned).collect()
+    let axes = axes.map(str::to_owned);
+    match sweep.job {
+        Job::Boundary(_) => axes.chain(COLUMNS.map(str::to_owned)).collect(),
+        Job::Outcome { .. } => axes.chain(landing_table::names(LEGS)).collect(),
+    }
 }
 
 /// Row of a point in the table of a sweep.
 ///
 /// Numbers have as many digits as it takes to read the same number back, and no more.
-pub fn row<const LEGS: usize>(
-    sweep: &Sweep<LEGS>,
-    point: usize,
-    boundary: &Boundary,
-) -> Vec<String> {
+pub fn row<const LEGS: usize>(sweep: &Sweep<LEGS>, point: usize, finding: &Finding) -> Vec<String> {
+    let mut row = sweep.coordinates_written(point);
+    match finding {
+        Finding::Boundary(boundary) => row.extend(boundary_cells(boundary)),
+        Finding::Landing { cells, .. } => row.extend(cells.iter().map(Cell::to_string)),
+    }
+    row
+}
+
+fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
     let found = boundary.transition;
     let speed = |speed: Option<f64>| speed.map_or(String::new(), |speed| speed.to_string());
-    let mut row = sweep.coordinates_written(point);
-    row.extend([
+    [
         transition_name(boundary),
         speed(found.map(|found| found.speed())),
         speed(found.map(|found| found.low)),
         speed(found.map(|found| found.high)),
         boundary.landings.to_string(),
         boundary.evaluations.to_string(),
-    ]);
-    row
+    ]
 }
 
 /// The record of a sweep: all of its input with defaults filled in, counts and circumstances.
@@ -93,9 +103,26 @@ pub fn record<const LEGS: usize>(
             "bands": tally.bands,
             "looks_for_hidden_bands": tally.looks,
             "hidden_bands_found": tally.finds,
+            "outcomes": outcomes(tally),
         },
         "threads": circumstances.threads,
         "wall_time_s": circumstances.wall_time,
+    })
+}
+
+/// Landings by how they ended, where that is asked.
+fn outcomes(tally: &Tally) -> Value {
+    let Some(known) = &tally.probabilities else {
+        return Value::Null;
+    };
+    let count = known.overall;
+    json!({
+        "landings": count.landings,
+        "toppled": count.toppled,
+        "topple_probability_95": wilson(count.toppled, count.landings),
+        "bottomed": count.bottomed,
+        "bottom_probability_95": wilson(count.bottomed, count.landings),
+        "failed": count.failed,
     })
 }
 
@@ -137,7 +164,9 @@ mod tests {
              landings,derivative_evaluations"
         );
         let rows = boundaries.iter().enumerate();
-        let rows = rows.map(|(point, boundary)| row(&sweep, point, boundary).join(","));
+        let rows = rows.map(|(point, boundary)| {
+            row(&sweep, point, &Finding::Boundary(boundary.clone())).join(",")
+        });
         assert_eq!(
             rows.collect::<Vec<_>>(),
             [
@@ -158,7 +187,7 @@ mod tests {
         };
         let mut tally = Tally::default();
         for (point, boundary) in boundaries.iter().enumerate() {
-            tally.add(point, boundary);
+            tally.add(&sweep, point, &Finding::Boundary(boundary.clone()));
         }
         let record = record(&sweep, &tally, circumstances);
         assert_eq!(record["program"]["version"], "1.2.3");

@@ -16,13 +16,15 @@ use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::boundary::{Boundary, Trial};
+use crate::boundary::Trial;
 use crate::case::CaseFault;
-use crate::findings;
+use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
+use crate::known::Known;
+use crate::landing_table;
 use crate::scene_input::SceneFault;
 use crate::shard::Shard;
-use crate::sweep_file::Sweep;
+use crate::sweep_file::{Job, Sweep};
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
@@ -93,7 +95,7 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Searches the boundary at every point of a shard that is not `done`, into the journal.
+    /// Finds what the sweep asks at every point of a shard that is not `done`, into the journal.
     ///
     /// # Errors
     /// When `cancel` became true, which is looked at before every landing, or a result cannot be
@@ -106,20 +108,31 @@ impl Workers {
         observer: &impl Observer,
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
+        let mut known = Known::of(sweep, shard, opened).map_err(RunError::Journal)?;
         let Opened { journal, done, .. } = opened;
         let points = done.missing().map(|index| shard.point(index));
         let stop = Stop::on(cancel);
+        if known.is_enough {
+            return Ok(());
+        }
         let work = |point| {
-            let boundary = search_point(sweep, point, observer, &stop)?;
+            let finding = find(sweep, point, observer, &stop)?;
             observer.point();
-            Ok(findings::encode(&boundary))
+            Ok(finding)
         };
         let streamed = self.stream(points, &stop, work, |finished| {
-            if let Some((point, result)) = finished {
-                journal.add(point, &result)?;
+            if let Some((point, finding)) = finished {
+                journal.add(point, &finding.encode())?;
+                if known.is_enough_with(sweep, point, finding) {
+                    stop.stop();
+                }
             }
             journal.tick()
         });
+        let streamed = match (known.is_enough, streamed) {
+            (true, Err(RunError::Cancelled)) if !cancel.load(Ordering::Relaxed) => Ok(()),
+            (_, streamed) => streamed,
+        };
         // Also when the run was stopped, but not over the error that stopped it.
         streamed.and(journal.finish().map_err(RunError::Journal))
     }
@@ -236,37 +249,51 @@ impl<'c> Stop<'c> {
     }
 }
 
-fn search_point<const LEGS: usize>(
+/// What a sweep asks at a point.
+fn find<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
     point: usize,
     observer: &impl Observer,
     stop: &Stop,
-) -> Result<Boundary, RunError> {
+) -> Result<Finding, RunError> {
     let invalid = |fault| RunError::Point {
         place: sweep.place(point),
         fault,
     };
     let case = sweep.case(point).map_err(invalid)?;
-    case.search.boundary(|speed| {
+    let landed = |scene: &Scene| {
         stop.go_on()?;
-        let faster = case
-            .scene
-            .with_horizontal_velocity(speed)
-            .map_err(|fault| {
-                invalid(CaseFault::Scene(SceneFault {
-                    name: crate::scene_input::HORIZONTAL_VELOCITY,
-                    value: Some(fault.value),
-                    allowed: fault.allowed,
-                }))
-            })?;
-        let landing = land(&case.vehicle, &faster, &case.settings);
+        let landing = land(&case.vehicle, scene, &case.settings);
         observer.landing();
+        Ok(landing)
+    };
+    let Job::Boundary(search) = case.job else {
+        let landing = landed(&case.scene)?;
+        let cells = landing_table::columns(&landing)
+            .into_iter()
+            .map(|(_, cell)| cell);
+        return Ok(Finding::Landing {
+            cells: cells.collect(),
+            outcome: landing.outcome,
+        });
+    };
+    let boundary = search.boundary(|speed| {
+        let faster = case.scene.with_horizontal_velocity(speed);
+        let faster = faster.map_err(|fault| {
+            invalid(CaseFault::Scene(SceneFault {
+                name: crate::scene_input::HORIZONTAL_VELOCITY,
+                value: Some(fault.value),
+                allowed: fault.allowed,
+            }))
+        })?;
+        let landing = landed(&faster)?;
         Ok(Trial {
             least_angle: landing.min_stability_angle,
             outcome: landing.outcome,
             evaluations: landing.evaluations,
         })
-    })
+    });
+    boundary.map(Finding::Boundary)
 }
 
 #[cfg(test)]

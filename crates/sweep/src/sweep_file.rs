@@ -7,6 +7,7 @@ use touchdown_dynamics::scene::Settings;
 use crate::axis_input::{self, AxisEntry};
 use crate::boundary::Search;
 use crate::case::CaseFault;
+use crate::design::Design;
 use crate::document::Document;
 use crate::grid::{Grid, GridFault};
 use crate::input_error::InputError;
@@ -16,18 +17,32 @@ use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
 use crate::vehicle_file::VehicleFile;
-use crate::{case, search_input, settings_input};
+use crate::{case, sample_input, search_input, settings_input};
 
 /// Keys of a sweep file.
-pub(crate) const SWEEP: [&str; 7] = [
+pub(crate) const SWEEP: [&str; 9] = [
     "title",
     "statement",
+    "job",
     "vehicle",
     "scene",
     "axes",
+    "sample",
     "search",
     "solver",
 ];
+
+/// What a sweep asks at every point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Job {
+    /// From which horizontal velocity on landings are no longer stable.
+    Boundary(Search),
+    /// How one landing ends.
+    Outcome {
+        /// Width of the intervals of the probabilities at which enough is known.
+        enough: Option<f64>,
+    },
+}
 
 /// Everything that determines the result of a sweep.
 #[derive(Debug, Clone)]
@@ -42,12 +57,12 @@ pub struct Sweep<const LEGS: usize> {
     pub vehicle: VehicleFile<LEGS>,
     /// Conditions that do not vary.
     pub fixed: NamedConditions,
-    /// What varies, one parameter for each axis of the grid.
+    /// What varies, one parameter for each axis.
     pub axes: Vec<Parameter>,
     /// The values over which it varies.
-    pub grid: Grid,
-    /// Where to search the transition; what varies of it has its first value.
-    pub search: Search,
+    pub design: Design,
+    /// What is asked at every point; what varies of it has its first value.
+    pub job: Job,
     /// How landings are computed; what varies of it has its first value.
     pub settings: Settings,
     /// The files that were read.
@@ -78,26 +93,30 @@ impl<const LEGS: usize> Sweep<LEGS> {
             None => None,
         };
         let vehicle = vehicle_document(&root, path, library)?;
-        let scene = scene(&root)?;
+        let asked = asked(&root)?;
+        let scene = root.section("scene", &NAMES)?;
         let entries = axis_input::entries(&root, LEGS)?;
-        if let Some(searched) = entries
-            .iter()
-            .find(|entry| entry.parameter.name() == HORIZONTAL_VELOCITY)
-        {
-            return Err(searched.found.complain_that(SEARCHED));
-        }
-        let grid = grid(&root, &entries)?;
+        check_names(&root, &scene, &entries, asked)?;
+        let mut sources = vec![document.source(), vehicle.source()];
+        let sampled = sample_input::sampled(&root, &entries, path, library, &mut sources)?;
+        let enough = sampled.as_ref().and_then(|sampled| sampled.enough);
+        let design = match sampled {
+            Some(sampled) => Design::Sample(sampled.sample),
+            None => Design::Grid(grid(&root, &entries)?),
+        };
         let axes: Vec<Parameter> = entries
             .iter()
             .map(|entry| entry.parameter.clone())
             .collect();
-        let first = grid.coordinates(0);
+        let first = design.coordinates(0);
 
         let varied = case::written(&document, &axes, Home::Sweep, &first);
         let varied = Section::root(&varied, &SWEEP)?;
-        let search = search_input::search(&varied)?;
+        let job = match asked {
+            Asked::Boundary => Job::Boundary(search_input::search(&varied)?),
+            Asked::Outcome => Job::Outcome { enough },
+        };
         let settings = settings_input::settings(&varied)?;
-        let sources_vehicle = vehicle.source();
         let vehicle = VehicleFile {
             document: vehicle.clone(),
             ..VehicleFile::from_document(case::written(&vehicle, &axes, Home::Vehicle, &first))?
@@ -113,14 +132,14 @@ impl<const LEGS: usize> Sweep<LEGS> {
             vehicle,
             fixed,
             axes,
-            grid,
-            search,
+            design,
+            job,
             settings,
-            sources: vec![document.source(), sources_vehicle],
+            sources,
             instead: Given::default(),
             document: document.clone(),
         };
-        for coordinates in sweep.grid.probes() {
+        for coordinates in sweep.design.probes() {
             if let Err(fault) = sweep.case_at(&coordinates) {
                 return Err(locate(&fault, &coordinates, &scene, &entries));
             }
@@ -134,9 +153,17 @@ impl<const LEGS: usize> Sweep<LEGS> {
         stem.to_string_lossy().into_owned()
     }
 
+    /// Where to search, if that is what the sweep asks.
+    pub fn search(&self) -> Option<&Search> {
+        match &self.job {
+            Job::Boundary(search) => Some(search),
+            Job::Outcome { .. } => None,
+        }
+    }
+
     /// The coordinates of a point as results write them.
     pub fn coordinates_written(&self, point: usize) -> Vec<String> {
-        let coordinates = self.grid.coordinates(point);
+        let coordinates = self.design.coordinates(point);
         let varied = self.axes.iter().zip(coordinates);
         varied.map(|(axis, value)| axis.written(value)).collect()
     }
@@ -167,11 +194,55 @@ fn vehicle_document(root: &Section, path: &Path, library: Library) -> Result<Doc
     library.document(&file)
 }
 
-fn scene<'d>(root: &Section<'d>) -> Result<Section<'d>, InputError> {
-    let scene = root.section("scene", &NAMES)?;
-    match scene.optional(HORIZONTAL_VELOCITY) {
-        Some(found) => Err(found.complain_that(SEARCHED)),
-        None => Ok(scene),
+/// The job by its word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Asked {
+    Boundary,
+    Outcome,
+}
+
+fn asked(root: &Section) -> Result<Asked, InputError> {
+    let Some(found) = root.optional("job") else {
+        return Ok(Asked::Boundary);
+    };
+    match found.text()? {
+        "boundary" => Ok(Asked::Boundary),
+        "outcome" => Ok(Asked::Outcome),
+        _ => Err(found.complain("\"boundary\" or \"outcome\"")),
+    }
+}
+
+/// Checks that nothing is said twice or to no purpose.
+fn check_names(
+    root: &Section,
+    scene: &Section,
+    entries: &[AxisEntry],
+    asked: Asked,
+) -> Result<(), InputError> {
+    let varied = |name: &str| entries.iter().find(|entry| entry.parameter.name() == name);
+    if asked == Asked::Boundary {
+        let fixed = scene.optional(HORIZONTAL_VELOCITY);
+        let varied = varied(HORIZONTAL_VELOCITY).map(|entry| entry.found.clone());
+        if let Some(found) = fixed.or(varied) {
+            return Err(found.complain_that(SEARCHED));
+        }
+    } else if let Some(found) = root.optional("search") {
+        return Err(found.complain_that("says nothing where job = \"outcome\""));
+    }
+    for (name, _) in scene.all_values() {
+        if let Some(entry) = varied(name) {
+            let both = "also fixed in [scene]: allowed is either of the two";
+            return Err(entry.found.complain_that(both));
+        }
+    }
+    let searched = entries
+        .iter()
+        .find(|entry| entry.parameter.name().starts_with("search."));
+    match searched {
+        Some(entry) if asked == Asked::Outcome => Err(entry
+            .found
+            .complain_that("says nothing where job = \"outcome\"")),
+        _ => Ok(()),
     }
 }
 
@@ -179,16 +250,6 @@ const SEARCHED: &str = "the horizontal velocity is what a sweep searches: \
      give from_fps and to_fps in [search] instead";
 
 fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
-    for entry in entries {
-        let fixed = match entry.parameter.home() {
-            Home::Scene => root.optional_section("scene", &NAMES)?,
-            _ => None,
-        };
-        if fixed.is_some_and(|scene| scene.optional(entry.parameter.name()).is_some()) {
-            let both = "also fixed in [scene]: allowed is either of the two";
-            return Err(entry.found.complain_that(both));
-        }
-    }
     let axes = entries
         .iter()
         .map(AxisEntry::levels)

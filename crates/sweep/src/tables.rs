@@ -5,19 +5,19 @@ use std::io;
 
 use crate::boundary::Extent;
 use crate::deposit::{DepositError, Draft, Folder};
-use crate::findings;
+use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::sweep_file::Sweep;
 use crate::tally::Tally;
-use crate::{bands_table, results};
+use crate::{bands_table, probabilities, results};
 
 /// Tables that are written but not yet in their places.
 #[derive(Debug)]
 pub struct Tables {
-    /// First transitions.
+    /// What each point came to.
     pub points: Draft,
-    /// Bands, where all were searched.
-    pub bands: Option<Draft>,
+    /// Bands, where all were searched, or probabilities of outcomes.
+    pub beside: Option<Draft>,
     /// Their points in numbers.
     pub tally: Tally,
 }
@@ -68,30 +68,47 @@ impl Tables {
         folder: &Folder,
     ) -> Result<Self, TablesError> {
         let stem = sweep.stem();
-        let mut points = Table::begin(folder, &format!("{stem}.csv"), &results::heading(sweep))?;
-        let mut bands = match sweep.search.extent {
-            Extent::First => None,
-            Extent::All => {
-                let name = format!("{stem}-bands.csv");
-                Some(Table::begin(folder, &name, &bands_table::heading(sweep))?)
-            }
+        let begin = |end: &str, heading: &[String]| {
+            Table::begin(folder, &format!("{stem}{end}.csv"), heading)
         };
-        let mut tally = Tally::default();
-        for point in 0..sweep.grid.count() {
+        let mut points = begin("", &results::heading(sweep))?;
+        let has_bands = sweep
+            .search()
+            .is_some_and(|search| search.extent == Extent::All);
+        let mut bands = match has_bands {
+            true => Some(begin("-bands", &bands_table::heading(sweep))?),
+            false => None,
+        };
+        let mut tally = Tally::of(sweep);
+        for point in 0..sweep.design.count() {
             let bytes = results.result(point)?;
-            let boundary = bytes.as_deref().and_then(findings::decode);
-            let boundary = boundary.ok_or(TablesError::Point(point))?;
-            points.add(&results::row(sweep, point, &boundary))?;
-            if let Some(bands) = &mut bands {
-                for row in bands_table::rows(sweep, point, &boundary) {
+            let finding = bytes.as_deref().and_then(Finding::decode);
+            let finding = finding.ok_or(TablesError::Point(point))?;
+            points.add(&results::row(sweep, point, &finding))?;
+            if let (Some(bands), Finding::Boundary(boundary)) = (&mut bands, &finding) {
+                for row in bands_table::rows(sweep, point, boundary) {
                     bands.add(&row)?;
                 }
             }
-            tally.add(point, &boundary);
+            tally.add(sweep, point, &finding);
+            if tally.is_enough(sweep) {
+                break;
+            }
         }
+        let beside = match &tally.probabilities {
+            None => bands,
+            Some(probabilities) => {
+                let heading = probabilities::COLUMNS.map(str::to_owned);
+                let mut table = begin("-probabilities", &heading)?;
+                for row in probabilities.rows(sweep) {
+                    table.add(&row)?;
+                }
+                Some(table)
+            }
+        };
         Ok(Self {
             points: points.end()?,
-            bands: bands.map(Table::end).transpose()?,
+            beside: beside.map(Table::end).transpose()?,
             tally,
         })
     }

@@ -3,6 +3,10 @@
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Boundary, Transition};
+use crate::findings::Finding;
+use crate::landing_table::Cell;
+use crate::probabilities::Probabilities;
+use crate::sweep_file::{Job, Sweep};
 
 /// Counts over the points of a sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -21,6 +25,8 @@ pub struct Tally {
     pub finds: u64,
     /// The lowest first transition, and its point.
     pub lowest: Option<(usize, Transition)>,
+    /// Outcomes, where they are asked.
+    pub probabilities: Option<Probabilities>,
     kinds: [usize; 4],
 }
 
@@ -33,9 +39,47 @@ const KINDS: [Option<Class>; 4] = [
 ];
 
 impl Tally {
-    /// Adds a point; points come in grid order.
-    pub fn add(&mut self, point: usize, boundary: &Boundary) {
+    /// No points yet of a sweep.
+    pub fn of<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Self {
+        let probabilities = match sweep.job {
+            Job::Boundary(_) => None,
+            Job::Outcome { .. } => Some(Probabilities::none(sweep)),
+        };
+        Self {
+            probabilities,
+            ..Self::default()
+        }
+    }
+
+    /// Adds a point; points come in order.
+    pub fn add<const LEGS: usize>(&mut self, sweep: &Sweep<LEGS>, point: usize, found: &Finding) {
         self.points += 1;
+        match found {
+            Finding::Boundary(boundary) => self.add_boundary(point, boundary),
+            Finding::Landing { outcome, cells } => {
+                self.landings += 1;
+                self.evaluations += evaluations(cells);
+                if let Some(probabilities) = &mut self.probabilities {
+                    probabilities.add(&sweep.design.coordinates(point), outcome.class());
+                }
+            }
+        }
+    }
+
+    /// Whether the points so far tell enough, so that those after them do not count.
+    pub fn is_enough<const LEGS: usize>(&self, sweep: &Sweep<LEGS>) -> bool {
+        match (sweep.job, &self.probabilities) {
+            (
+                Job::Outcome {
+                    enough: Some(width),
+                },
+                Some(known),
+            ) => known.overall.is_enough(width),
+            _ => false,
+        }
+    }
+
+    fn add_boundary(&mut self, point: usize, boundary: &Boundary) {
         self.landings += boundary.landings;
         self.evaluations += boundary.evaluations;
         self.bands += boundary.bands.len();
@@ -64,6 +108,16 @@ impl Tally {
     }
 }
 
+/// Evaluations that a landing took, by its column.
+fn evaluations(cells: &[Cell]) -> u64 {
+    let counts = cells.iter().rev().filter_map(|cell| match cell {
+        Cell::Count(count) => Some(*count),
+        _ => None,
+    });
+    // The last count of a row, after the steps.
+    counts.take(1).sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,7 +141,8 @@ mod tests {
             at(Class::Unstable, 11.0),
         ];
         for (point, boundary) in boundaries.iter().enumerate() {
-            tally.add(point, boundary);
+            tally.points += 1;
+            tally.add_boundary(point, boundary);
         }
         assert_eq!(tally.lowest.map(|(point, _)| point), Some(2));
         assert_eq!((tally.points, tally.landings), (4, 30));

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use touchdown_dynamics::landing::Landing;
 use touchdown_sweep::boundary::Extent;
+use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tally::Tally;
@@ -49,8 +50,13 @@ pub fn sweep<const LEGS: usize>(
     files: &[PathBuf],
 ) -> String {
     let mut text = format!("{}\n", sweep.title);
-    let kinds = counted(&tally.kinds());
-    text += &format!("  {} points, first transition to: {kinds}\n", tally.points);
+    match &tally.probabilities {
+        None => {
+            let kinds = counted(&tally.kinds());
+            text += &format!("  {} points, first transition to: {kinds}\n", tally.points);
+        }
+        Some(known) => text += &outcomes(known.overall, sweep.design.count()),
+    }
     if let Some((point, transition)) = tally.lowest {
         let (speed, kind) = (transition.speed(), transition.to);
         let place = sweep.place(point);
@@ -59,7 +65,10 @@ pub fn sweep<const LEGS: usize>(
     let Circumstances {
         threads, wall_time, ..
     } = circumstances;
-    if sweep.search.extent == Extent::All {
+    if sweep
+        .search()
+        .is_some_and(|search| search.extent == Extent::All)
+    {
         let Tally {
             bands,
             looks,
@@ -74,6 +83,29 @@ pub fn sweep<const LEGS: usize>(
     );
     text += &format!("  {}", written(files));
     text
+}
+
+/// How landings ended, with intervals at 95 %.
+fn outcomes(count: Count, asked: usize) -> String {
+    let share = |name: &str, hits: u64| {
+        let [low, high] = wilson(hits, count.landings).map(|share| 100.0 * share);
+        let percent = 100.0 * hits as f64 / count.landings.max(1) as f64;
+        format!("  {name} {hits}: {percent:.2} %, at 95 % between {low:.2} and {high:.2} %\n")
+    };
+    let early = match count.landings < asked as u64 {
+        true => format!(" of {asked}, which are enough"),
+        false => String::new(),
+    };
+    let failed = match count.failed {
+        0 => String::new(),
+        failed => format!("  could not be computed: {failed}\n"),
+    };
+    format!(
+        "  {} landings{early}\n{}{}{failed}",
+        count.landings,
+        share("toppled", count.toppled),
+        share("bottomed a strut", count.bottomed)
+    )
 }
 
 /// Numbers of each kind, in words.

@@ -84,7 +84,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let workers = Workers::start(options.threads)?;
     let shard = options.shard.unwrap_or(Shard::WHOLE);
 
-    let points = sweeps.iter().map(|sweep| shard.len(sweep.grid.count()));
+    let points = sweeps.iter().map(|sweep| shard.len(sweep.design.count()));
     let progress = Progress::start("points", points.sum(), options.quiet);
     let night = Night {
         options,
@@ -133,7 +133,7 @@ struct Night<'n> {
 
 /// What a sweep came to.
 enum Done {
-    Whole(Written),
+    Whole(Box<Written>),
     /// A shard has a journal only; in words.
     Shard(String),
 }
@@ -152,7 +152,7 @@ impl Night<'_> {
         for warning in &opened.warnings {
             eprintln!("touchdown: {warning}");
         }
-        let points = shard.len(sweep.grid.count());
+        let points = shard.len(sweep.design.count());
         let earlier = opened.done.len();
         self.progress.skip(earlier);
         if earlier > 0 && !self.options.quiet {
@@ -182,10 +182,10 @@ impl Night<'_> {
             wall_time: Some(start.elapsed().as_secs_f64()),
         };
         let records = opened.journal.into_records()?;
-        let count = sweep.grid.count();
+        let count = sweep.design.count();
         let mut results = InOrder::new(vec![records], count, &self.options.out)?;
         let written = sweep_results::write(sweep, &mut results, self.folder, circumstances)?;
         results.remove_journals()?;
-        Ok(Done::Whole(written))
+        Ok(Done::Whole(Box::new(written)))
     }
 }

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use touchdown_figures::picture;
 use touchdown_sweep::deposit::{Draft, Folder};
+use touchdown_sweep::design::Design;
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::results::{self, Circumstances};
-use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::sweep_file::{Job, Sweep};
 use touchdown_sweep::tables::Tables;
 use touchdown_sweep::tally::Tally;
 
@@ -45,7 +46,7 @@ pub fn write(
         .iter()
         .map(|(name, bytes)| folder.draft_of(name, bytes))
         .collect::<Result<Vec<_>, _>>()?;
-    drafts.extend(tables.bands);
+    drafts.extend(tables.beside);
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     Ok(Written {
@@ -61,13 +62,17 @@ fn pictures(
     record: &str,
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let has_words = sweep.axes.iter().any(|axis| !axis.words().is_empty());
-    if has_words || sweep.axes.len() > MOST_DRAWN_AXES {
+    let is_drawn = matches!(
+        (&sweep.job, &sweep.design),
+        (Job::Boundary(_), Design::Grid(_))
+    );
+    if !is_drawn || has_words || sweep.axes.len() > MOST_DRAWN_AXES {
         return Ok(Vec::new());
     }
     let Some(points) = tables.points.text(LONGEST_DRAWN)? else {
         return Ok(Vec::new());
     };
-    let bands = match &tables.bands {
+    let bands = match &tables.beside {
         Some(bands) => bands.text(LONGEST_DRAWN)?,
         None => None,
     };

@@ -188,6 +188,21 @@ impl Journal {
         self.is_in_place()
     }
 
+    /// The records that are there, for reading while nothing is added.
+    ///
+    /// # Errors
+    /// Whatever the file system says.
+    pub(crate) fn so_far(&self, points: usize) -> Result<InOrder, JournalError> {
+        let refuse = |error| io_error(&self.path, error);
+        let records = Records {
+            path: self.path.clone(),
+            file: self.writer.medium().try_clone().map_err(refuse)?,
+            head: self.head,
+        };
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        InOrder::new(vec![records], points, &folder.join("."))
+    }
+
     /// Ends writing; the records are there to be read, and the file is still nobody else's.
     ///
     /// # Errors

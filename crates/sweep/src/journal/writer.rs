@@ -73,6 +73,11 @@ impl<M: Medium> Writer<M> {
         Ok(true)
     }
 
+    /// What is written to.
+    pub(crate) fn medium(&self) -> &M {
+        &self.medium
+    }
+
     /// What was written to.
     pub(crate) fn into_medium(self) -> M {
         self.medium
