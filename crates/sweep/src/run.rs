@@ -137,6 +137,20 @@ impl Workers {
         streamed.and(journal.finish().map_err(RunError::Journal))
     }
 
+    /// Finds what the sweep asks at some points, in their order.
+    ///
+    /// # Errors
+    /// When the input of one of them is not valid.
+    pub fn points<const LEGS: usize>(
+        &self,
+        sweep: &Sweep<LEGS>,
+        points: &[usize],
+    ) -> Result<Vec<Finding>, RunError> {
+        let never = AtomicBool::new(false);
+        let stop = Stop::on(&never);
+        self.each(points.len(), |index| find(sweep, points[index], &(), &stop))
+    }
+
     /// Gives points to threads as they become free, and results to `keep` as they become known;
     /// `keep` is also called when nothing is known for a while.
     fn stream<T: Send>(

@@ -4,10 +4,12 @@
 //! the lander begins to topple.
 
 mod cases;
+mod dry_run;
 mod failure;
 mod interrupt;
 mod journal_files;
 mod land;
+mod least;
 mod merge;
 mod overrides;
 mod overview;

@@ -20,7 +20,9 @@ use crate::overrides::Overrides;
 use crate::progress::Progress;
 use crate::say::say;
 use crate::sweep_results::Written;
-use crate::{LEGS, interrupt, journal_files, overview, summary, sweep_files, sweep_results};
+use crate::{
+    LEGS, dry_run, interrupt, journal_files, overview, summary, sweep_files, sweep_results,
+};
 
 const EXAMPLE: &str = "\
 Example:
@@ -60,6 +62,10 @@ pub struct Options {
     /// Threads; results do not depend on their number [default: one for each core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
+    /// Check the input of every sweep and tell what it will take, from a few points computed as a
+    /// sample; nothing is written
+    #[arg(long)]
+    dry_run: bool,
     /// Go on with an interrupted run, and do not begin one (running again goes on too)
     #[arg(long)]
     resume: bool,
@@ -80,9 +86,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         .overrides
         .apply(sweep_files::read(&options.files)?)?;
     let cancel = interrupt::flag()?;
-    let folder = Folder::open(&options.out)?;
     let workers = Workers::start(options.threads)?;
     let shard = options.shard.unwrap_or(Shard::WHOLE);
+    if options.dry_run {
+        for sweep in &sweeps {
+            say(&dry_run::tell(sweep, shard, &workers)?)?;
+        }
+        return Ok(());
+    }
+    let folder = Folder::open(&options.out)?;
 
     let points = sweeps.iter().map(|sweep| shard.len(sweep.design.count()));
     let progress = Progress::start("points", points.sum(), options.quiet);

@@ -390,6 +390,11 @@ fn sync_folder(path: &Path) {
     let _ = File::open(folder.unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all());
 }
 
+/// Bytes that a record takes whose result takes so many.
+pub(crate) fn record_length(result: usize) -> usize {
+    frame::OVERHEAD + size_of::<u64>() + result
+}
+
 /// A point and what it came to, from a payload.
 fn record(payload: &[u8]) -> Option<(usize, &[u8])> {
     let (point, result) = payload.split_first_chunk()?;
