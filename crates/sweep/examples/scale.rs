@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     told("index", points, start);
     let start = Instant::now();
     let folder = Folder::open(home.path())?;
-    let tables = Tables::write(&sweep, &mut results, &folder)?;
+    let tables = Tables::write(&sweep, &mut results, &folder, false)?;
     told("tables", points, start);
     let files = Draft::put_in_place(vec![tables.points])?;
     let table = fs::metadata(&files[0])?.len();

@@ -38,6 +38,7 @@ pub mod levels;
 pub mod library;
 pub mod merge;
 pub mod parameter;
+mod parquet_table;
 pub mod point_set;
 pub mod probabilities;
 mod resolved_input;

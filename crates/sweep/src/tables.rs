@@ -2,11 +2,13 @@
 
 use std::fmt;
 use std::io;
+use std::path::{Path, PathBuf};
 
 use crate::boundary::Extent;
 use crate::deposit::{DepositError, Draft, Folder};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
+use crate::parquet_table::ParquetTable;
 use crate::sweep_file::Sweep;
 use crate::tally::Tally;
 use crate::{bands_table, probabilities, results};
@@ -18,6 +20,8 @@ pub struct Tables {
     pub points: Draft,
     /// Bands, where all were searched, or probabilities of outcomes.
     pub beside: Option<Draft>,
+    /// The same as Parquet files, where they were asked for.
+    pub parquet: Vec<Draft>,
     /// Their points in numbers.
     pub tally: Tally,
 }
@@ -66,10 +70,16 @@ impl Tables {
         sweep: &Sweep<LEGS>,
         results: &mut InOrder,
         folder: &Folder,
+        has_parquet: bool,
     ) -> Result<Self, TablesError> {
         let stem = sweep.stem();
         let begin = |end: &str, heading: &[String]| {
-            Table::begin(folder, &format!("{stem}{end}.csv"), heading)
+            Table::begin(
+                folder,
+                &format!("{stem}{end}"),
+                heading,
+                has_parquet.then_some(sweep),
+            )
         };
         let mut points = begin("", &results::heading(sweep))?;
         let has_bands = sweep
@@ -106,9 +116,19 @@ impl Tables {
                 Some(table)
             }
         };
+        let (points, mut parquet) = points.end()?;
+        let beside = match beside {
+            None => None,
+            Some(table) => {
+                let (csv, more) = table.end()?;
+                parquet.extend(more);
+                Some(csv)
+            }
+        };
         Ok(Self {
-            points: points.end()?,
-            beside: beside.map(Table::end).transpose()?,
+            points,
+            beside,
+            parquet,
             tally,
         })
     }
@@ -117,38 +137,59 @@ impl Tables {
 /// A table under way.
 struct Table {
     writer: csv::Writer<Draft>,
-    name: String,
-    folder: Folder,
+    path: PathBuf,
+    parquet: Option<(ParquetTable, PathBuf)>,
 }
 
 impl Table {
-    fn begin(folder: &Folder, name: &str, heading: &[String]) -> Result<Self, DepositError> {
-        let draft = folder.draft(name)?;
-        let mut table = Self {
-            writer: csv::Writer::from_writer(draft),
-            name: name.to_owned(),
-            folder: folder.clone(),
+    fn begin<const LEGS: usize>(
+        folder: &Folder,
+        stem: &str,
+        heading: &[String],
+        parquet_of: Option<&Sweep<LEGS>>,
+    ) -> Result<Self, DepositError> {
+        let name = |ending: &str| format!("{stem}.{ending}");
+        let parquet = match parquet_of {
+            None => None,
+            Some(sweep) => {
+                let path = folder.path(&name("parquet"));
+                let table = ParquetTable::begin(folder.draft(&name("parquet"))?, sweep, heading);
+                Some((table.map_err(|error| refuse(&path, error))?, path))
+            }
         };
-        table.add(heading)?;
+        let mut table = Self {
+            writer: csv::Writer::from_writer(folder.draft(&name("csv"))?),
+            path: folder.path(&name("csv")),
+            parquet,
+        };
+        table.write(heading)?;
         Ok(table)
     }
 
     fn add(&mut self, row: &[String]) -> Result<(), DepositError> {
+        if let Some((table, path)) = &mut self.parquet {
+            table.add(row).map_err(|error| refuse(path, error))?;
+        }
+        self.write(row)
+    }
+
+    fn write(&mut self, row: &[String]) -> Result<(), DepositError> {
         let written = self.writer.write_record(row);
-        written.map_err(|error| self.refuse(error.into()))
+        written.map_err(|error| refuse(&self.path, error.into()))
     }
 
-    fn end(self) -> Result<Draft, DepositError> {
-        let (name, folder) = (self.name, self.folder);
-        let path = folder.path(&name);
-        self.writer.into_inner().map_err(|error| DepositError {
-            path,
-            error: error.into_error(),
-        })
+    /// The table as CSV, and as Parquet.
+    fn end(self) -> Result<(Draft, Vec<Draft>), DepositError> {
+        let csv = self.writer.into_inner();
+        let csv = csv.map_err(|error| refuse(&self.path, error.into_error()))?;
+        let parquet = self
+            .parquet
+            .map(|(table, path)| table.end().map_err(|error| refuse(&path, error)));
+        Ok((csv, parquet.transpose()?.into_iter().collect()))
     }
+}
 
-    fn refuse(&self, error: io::Error) -> DepositError {
-        let path = self.folder.path(&self.name);
-        DepositError { path, error }
-    }
+fn refuse(path: &Path, error: io::Error) -> DepositError {
+    let path = path.to_owned();
+    DepositError { path, error }
 }

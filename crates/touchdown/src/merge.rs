@@ -12,6 +12,7 @@ use touchdown_sweep::sweep_file::Sweep;
 
 use crate::failure::Failure;
 use crate::say::say;
+use crate::sweep_results::Format;
 use crate::{LEGS, journal_files, summary, sweep_results};
 
 const EXAMPLE: &str = "\
@@ -32,6 +33,9 @@ pub struct Options {
     /// Folder for the results [default: the one with the journals]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Form of the tables
+    #[arg(long, value_name = "FORMAT", default_value = "csv")]
+    format: Format,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -53,7 +57,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let folder = Folder::open(options.out.as_ref().unwrap_or(&options.folder))?;
     let mut told = String::new();
     for shards in sweeps {
-        told += &merge(shards, &folder)?;
+        told += &merge(shards, &folder, options.format)?;
     }
     match options.quiet {
         true => Ok(()),
@@ -62,7 +66,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 }
 
 /// Writes the results of a sweep; in words.
-fn merge(shards: Shards, folder: &Folder) -> Result<String, Failure> {
+fn merge(shards: Shards, folder: &Folder, format: Format) -> Result<String, Failure> {
     const SHOWN: usize = 10;
     let Shards {
         header,
@@ -94,7 +98,7 @@ fn merge(shards: Shards, folder: &Folder) -> Result<String, Failure> {
         threads: None,
         wall_time: None,
     };
-    let written = sweep_results::write(&sweep, &mut results, folder, circumstances)?;
+    let written = sweep_results::write(&sweep, &mut results, folder, circumstances, format)?;
     Ok(summary::sweep(
         &sweep,
         &written.tally,

@@ -19,7 +19,7 @@ use crate::failure::Failure;
 use crate::overrides::Overrides;
 use crate::progress::Progress;
 use crate::say::say;
-use crate::sweep_results::Written;
+use crate::sweep_results::{Format, Written};
 use crate::{
     LEGS, dry_run, interrupt, journal_files, overview, summary, sweep_files, sweep_results,
 };
@@ -73,6 +73,9 @@ pub struct Options {
     /// of sixteen parts
     #[arg(long, value_name = "NUMBER/COUNT")]
     shard: Option<Shard>,
+    /// Form of the tables
+    #[arg(long, value_name = "FORMAT", default_value = "csv")]
+    format: Format,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -188,15 +191,23 @@ impl Night<'_> {
                 path.display()
             )));
         }
+        // Time and threads of a run that went on with another's work say nothing of the whole.
+        let is_one_run = earlier == 0;
         let circumstances = Circumstances {
             version: env!("CARGO_PKG_VERSION"),
-            threads: Some(self.workers.threads()),
-            wall_time: Some(start.elapsed().as_secs_f64()),
+            threads: is_one_run.then(|| self.workers.threads()),
+            wall_time: is_one_run.then(|| start.elapsed().as_secs_f64()),
         };
         let records = opened.journal.into_records()?;
         let count = sweep.design.count();
         let mut results = InOrder::new(vec![records], count, &self.options.out)?;
-        let written = sweep_results::write(sweep, &mut results, self.folder, circumstances)?;
+        let written = sweep_results::write(
+            sweep,
+            &mut results,
+            self.folder,
+            circumstances,
+            self.options.format,
+        )?;
         results.remove_journals()?;
         Ok(Done::Whole(Box::new(written)))
     }

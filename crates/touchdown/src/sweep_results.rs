@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::ValueEnum;
 use touchdown_figures::picture;
 use touchdown_sweep::deposit::{Draft, Folder};
 use touchdown_sweep::design::Design;
@@ -19,6 +20,15 @@ const LONGEST_DRAWN: u64 = 4 << 20;
 /// Axes that pictures can show.
 const MOST_DRAWN_AXES: usize = 2;
 
+/// Forms of the tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Comma-separated values
+    Csv,
+    /// Parquet, beside the CSV files: with units and the whole input in the files' metadata
+    Parquet,
+}
+
 /// What was written of a sweep.
 pub struct Written {
     /// Its points in numbers.
@@ -35,8 +45,9 @@ pub fn write(
     results: &mut InOrder,
     folder: &Folder,
     circumstances: Circumstances<'static>,
+    format: Format,
 ) -> Result<Written, Failure> {
-    let tables = Tables::write(sweep, results, folder)?;
+    let tables = Tables::write(sweep, results, folder, format == Format::Parquet)?;
     let record = results::record(sweep, &tables.tally, circumstances);
     let record = format!("{record:#}\n");
 
@@ -46,6 +57,7 @@ pub fn write(
         .iter()
         .map(|(name, bytes)| folder.draft_of(name, bytes))
         .collect::<Result<Vec<_>, _>>()?;
+    drafts.extend(tables.parquet);
     drafts.extend(tables.beside);
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
