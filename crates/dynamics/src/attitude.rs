@@ -61,6 +61,11 @@ impl Attitude {
         )))
     }
 
+    /// This rotation, in ground axes, after another.
+    pub fn after(&self, first: &Self) -> Self {
+        Self(self.0 * first.0)
+    }
+
     /// Unit quaternion (w, x, y, z).
     pub fn quaternion(&self) -> [f64; 4] {
         [self.0.w, self.0.i, self.0.j, self.0.k]

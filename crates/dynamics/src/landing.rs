@@ -1,6 +1,7 @@
 //! One landing: integrate from first contact until an outcome, and report.
 
 mod account;
+mod rates;
 mod verdict;
 
 use crate::contact::{LegLaws, LegMode};
@@ -20,7 +21,7 @@ use crate::vehicle::Vehicle;
 
 use account::History;
 
-pub use crate::record::{Energies, Instant, Landing, LegInstant, LegWork};
+pub use crate::record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
 
 /// First step after touchdown, s.
 const FIRST_STEP: f64 = 1e-4;
@@ -100,6 +101,7 @@ struct Flight<'a, O, const LEGS: usize> {
     least_angle: (f64, f64),
     least_clearance: f64,
     greatest_strut_force: [f64; LEGS],
+    greatest_stroke: [f64; LEGS],
     pad_contact: [Option<f64>; LEGS],
     block_contact: [Option<f64>; LEGS],
     steps: u64,
@@ -148,6 +150,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             least_angle: (f64::INFINITY, 0.0),
             least_clearance: f64::INFINITY,
             greatest_strut_force: [0.0; LEGS],
+            greatest_stroke: [0.0; LEGS],
             pad_contact: [None; LEGS],
             block_contact: [None; LEGS],
             steps: 0,
@@ -243,7 +246,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 });
             }
             self.follow();
-            self.note_strut_forces();
+            self.note_struts();
         }
         Outcome::Failure(Failure::StepLimit)
     }
@@ -310,9 +313,13 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         self.time + theta * self.step.length
     }
 
-    fn note_strut_forces(&mut self) {
-        for (greatest, signals) in self.greatest_strut_force.iter_mut().zip(&self.signals) {
-            *greatest = greatest.max(signals[Signal::StrutForce as usize].abs());
+    fn note_struts(&mut self) {
+        for (j, signals) in self.signals.iter().enumerate() {
+            let force = &mut self.greatest_strut_force[j];
+            *force = force.max(signals[Signal::StrutForce as usize].abs());
+            // A stroke is greatest where its rate changes sign, which is an event.
+            let stroke = &mut self.greatest_stroke[j];
+            *stroke = stroke.max(signals[Signal::Stroke as usize]);
         }
     }
 

@@ -80,6 +80,17 @@ impl<const LEGS: usize> Energies<LEGS> {
     }
 }
 
+/// Rates at the end of a landing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FinalRates<const LEGS: usize> {
+    /// Rate of the stability angle σ, rad/s; `None` where all feet stand on one side.
+    pub stability_angle: Option<f64>,
+    /// Rates of the strokes of the struts, ft/s.
+    pub strokes: [f64; LEGS],
+    /// Their accelerations with the body at rest, ft/s².
+    pub stroke_accelerations: [f64; LEGS],
+}
+
 /// What one landing came to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Landing<const LEGS: usize> {
@@ -96,6 +107,10 @@ pub struct Landing<const LEGS: usize> {
     pub min_clearance: f64,
     /// Largest strut force magnitudes, lb.
     pub max_strut_force: [f64; LEGS],
+    /// Greatest stroke of each strut, ft.
+    pub max_stroke: [f64; LEGS],
+    /// How fast it was still on its way at the end.
+    pub final_rates: FinalRates<LEGS>,
     /// First contact of each footpad, s.
     pub pad_contact: [Option<f64>; LEGS],
     /// First contact of each body block, s.

@@ -97,8 +97,12 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Tolerance that the program uses when none is given.
+    /// Tolerance of a single landing when none is given: trajectories to 1e-6 ft.
     pub const DEFAULT_TOLERANCE: f64 = 1e-6;
+    /// Tolerance of a search for the boundary when none is given: the loosest at which every
+    /// transition of the level grid lies well within 5e-4 ft/s of the converged one
+    /// (`results/work-precision.csv`).
+    pub const BOUNDARY_TOLERANCE: f64 = 3e-5;
     /// Time limit t_f of the report's runs, s.
     pub const DEFAULT_TIME_LIMIT: f64 = 40.0;
 

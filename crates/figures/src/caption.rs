@@ -51,6 +51,7 @@ impl Caption {
 fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
     let words = match name {
         "vertical_velocity_fps" => format!("vertical velocity {value} ft/s"),
+        "horizontal_velocity_fps" => format!("horizontal velocity {value} ft/s"),
         "cross_slope_deg" => format!("cross-slope {value} deg"),
         "slope_deg" => format!("slope {value} deg"),
         "friction" => format!("friction {value}"),

@@ -23,6 +23,9 @@ const BAR: u32 = 92;
 /// Shortest line that carries a label, and least distance between labels, pixels.
 const LABELLED: f64 = 70.0;
 const APART: i32 = 46;
+/// Width of a label, and distance of its middle from a disc that it must not cover, pixels.
+const LABEL_WIDTH: i32 = 28;
+const CLEAR: f64 = 18.0;
 
 type Frame = Cartesian2d<RangedCoordf64, RangedCoordf64>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Frame>;
@@ -125,6 +128,17 @@ fn draw_isolines(
     view: &View,
 ) -> Result<(), FigureError> {
     let mut labels: Vec<((i32, i32), f64)> = Vec::new();
+    let pixel = |place| on_sheet(map, chart, place);
+    let valley: Vec<(i32, i32)> = surface
+        .valley()
+        .into_iter()
+        .map(|place| pixel(view.at(place)))
+        .collect();
+    let [across, up] = view.ranges(surface);
+    let (left, right) = (
+        pixel((across.start, up.start)).0,
+        pixel((across.end, up.start)).0,
+    );
     for level in LEVELS {
         for line in isolines::lines(surface, level) {
             let places: Vec<(f64, f64)> = line.into_iter().map(|place| view.at(place)).collect();
@@ -139,13 +153,17 @@ fn draw_isolines(
             let width = if level.fract() == 0.0 { 2 } else { 1 };
             let element = PathElement::new(places, ink::TEXT.stroke_width(width));
             chart.draw_series([element]).map_err(drawing)?;
-            // The middle, or else what is nearest to it and far from other labels.
+            // The middle, or else what is nearest to it and free.
             let mut order: Vec<usize> = (0..pixels.len()).collect();
             order.sort_by_key(|index| index.abs_diff(pixels.len() / 2));
             let free = order.into_iter().map(|index| pixels[index]).find(|place| {
-                labels
-                    .iter()
-                    .all(|(other, _)| distance(*place, *other) > f64::from(APART))
+                let is_apart =
+                    |(other, _): &((i32, i32), f64)| distance(*place, *other) > f64::from(APART);
+                let is_clear = |disc: &(i32, i32)| distance(*place, *disc) > CLEAR;
+                labels.iter().all(is_apart)
+                    && valley.iter().all(is_clear)
+                    && place.0 - left > LABEL_WIDTH / 2
+                    && right - place.0 > LABEL_WIDTH / 2
             });
             if let Some(place) = free
                 && length > LABELLED
@@ -156,7 +174,10 @@ fn draw_isolines(
     }
     let centred = Pos::new(HPos::Center, VPos::Center);
     for ((x, y), level) in labels {
-        let paper = Rectangle::new([(x - 14, y - 8), (x + 14, y + 7)], WHITE.mix(0.85).filled());
+        let paper = Rectangle::new(
+            [(x - LABEL_WIDTH / 2, y - 8), (x + LABEL_WIDTH / 2, y + 7)],
+            WHITE.mix(0.85).filled(),
+        );
         map.draw(&paper).map_err(drawing)?;
         let style = ink::text(11, ink::TEXT).pos(centred);
         map.draw(&Text::new(number::label(level), (x, y), style))

@@ -41,6 +41,16 @@ pub fn mark(kind: Kind) -> RGBColor {
     }
 }
 
+/// Colour of the line of a landing among several.
+pub fn series(index: usize) -> RGBColor {
+    [
+        RGBColor(0, 90, 160),
+        RGBColor(213, 94, 0),
+        RGBColor(0, 130, 100),
+        RGBColor(150, 40, 110),
+    ][index % 4]
+}
+
 /// Colour of the region above a kind of transition.
 pub fn region(kind: Kind) -> RGBColor {
     match kind {

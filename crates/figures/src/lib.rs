@@ -1,4 +1,4 @@
-//! Pictures of stability boundaries, from the result tables of sweeps alone.
+//! Pictures of stability boundaries and of landings, from result tables alone.
 //!
 //! The same table gives the same picture, byte for byte.
 
@@ -11,6 +11,8 @@ pub mod caption;
 mod colour_bar;
 pub mod contour_map;
 pub mod figure_error;
+pub mod history_chart;
+pub mod history_table;
 mod ink;
 mod isolines;
 pub mod leading_feet;
@@ -26,3 +28,4 @@ mod sheet;
 mod stations;
 pub mod surface;
 mod view_point;
+pub mod work_precision;

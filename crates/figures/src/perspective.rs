@@ -149,7 +149,7 @@ fn draw_box(
             point.pixel(back_s, fast, floor),
             point.pixel(back_s, fast, top),
         ])?;
-        let place = point.outside(front_s, fast, floor, [0.05, 0.0]);
+        let place = point.outside(front_s, fast, floor, [0.07, 0.0]);
         write(number::label(fast), place, beside, 12)?;
     }
     for rung in 0..=((top - floor) / RUNG).round() as usize {
@@ -167,10 +167,12 @@ fn draw_box(
     }
     let (x, y) = point.pixel(front_s, back_f, top);
     write("V_H, ft/s".to_owned(), (x, y - 18), beside, 13)?;
-    let place = point.outside(0.5 * (s0 + s1), front_f, floor, [0.0, 0.3]);
-    write(axis_title(&surface.axes[0]), place, beside, 14)?;
-    let place = point.outside(front_s, 0.5 * (f0 + f1), floor, [0.2, 0.0]);
-    write(axis_title(&surface.axes[1]), place, beside, 14)
+    // Titles begin, or end, beyond the numbers, however long they are.
+    let [begins, ends] = [HPos::Left, HPos::Right].map(|side| Pos::new(side, VPos::Center));
+    let place = point.outside(0.5 * (s0 + s1), front_f, floor, [0.0, 0.14]);
+    write(axis_title(&surface.axes[0]), place, begins, 14)?;
+    let place = point.outside(front_s, 0.5 * (f0 + f1), floor, [0.16, 0.0]);
+    write(axis_title(&surface.axes[1]), place, ends, 14)
 }
 
 #[cfg(test)]

@@ -6,9 +6,12 @@ use crate::boundary_table::BoundaryTable;
 use crate::caption::Caption;
 use crate::contour_map;
 use crate::figure_error::FigureError;
+use crate::history_chart;
+use crate::history_table::{self, HistoryTable};
 use crate::map_view::View;
 use crate::perspective;
 use crate::surface::Surface;
+use crate::work_precision;
 
 /// A picture and what is appended to the table's name to name it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,7 +23,7 @@ pub struct Picture {
 }
 
 /// Draws all pictures of a result table: a profile for one axis, a contour map and a perspective
-/// view for a grid of two, none for anything else.
+/// view for a grid of two, none for anything else; for a table of histories, one of these.
 ///
 /// # Errors
 /// When a table is not one that a sweep writes, or a record is not JSON.
@@ -29,12 +32,24 @@ pub fn draw(
     bands: Option<&str>,
     record: Option<&str>,
 ) -> Result<Vec<Picture>, FigureError> {
-    let table = BoundaryTable::parse(table)?;
-    let bands = bands.map(BandsTable::parse).transpose()?;
+    if work_precision::is_one(table) {
+        return Ok(vec![Picture {
+            suffix: "",
+            svg: work_precision::draw(table)?,
+        }]);
+    }
     let caption = match record {
         Some(record) => Caption::from_record(record)?,
         None => Caption::default(),
     };
+    if history_table::is_history(table) {
+        return Ok(vec![Picture {
+            suffix: "",
+            svg: history_chart::draw(&HistoryTable::parse(table)?, &caption)?,
+        }]);
+    }
+    let table = BoundaryTable::parse(table)?;
+    let bands = bands.map(BandsTable::parse).transpose()?;
     match table.axes.len() {
         1 => Ok(vec![Picture {
             suffix: "",

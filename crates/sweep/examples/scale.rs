@@ -14,6 +14,7 @@ use std::time::Instant;
 
 use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::boundary::{Boundary, Transition};
+use touchdown_sweep::certainty::Certainty;
 use touchdown_sweep::deposit::{Draft, Folder};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
@@ -100,6 +101,7 @@ fn made_up(point: usize) -> Finding {
             to: Class::Unstable,
             low,
             high: low + 1.0 / 1024.0,
+            certainty: Certainty::Certain,
         }),
         landings: 54,
         evaluations: 300_000 + point as u64 % 1000,

@@ -1,14 +1,16 @@
 //! All bands of equal outcome between the lowest and the highest speed of a search.
 //!
 //! The whole range is scanned, intervals that may hide a band are looked into, and every change
-//! between neighbouring landings of different class is bisected. Whatever third class a bisection
+//! between neighbouring landings of different class is narrowed down. Whatever third class that
 //! meets becomes a band of its own.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::{Class, Outcome};
 
-use crate::boundary::{Boundary, Search, Transition, Trial};
+use crate::boundary::{Boundary, Search};
+use crate::certainty::{Certainty, Variation};
 use crate::hidden;
+use crate::trial::{Sample, Trial};
 
 /// A range of speeds in which landings end alike.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -23,43 +25,28 @@ pub struct Band {
     pub outcome: Outcome,
     /// Width of the bracket of the upper transition, ft/s; `None` at the end of the range.
     pub bracket_width: Option<f64>,
-}
-
-/// A landing of the search.
-#[derive(Debug, Clone)]
-pub(crate) struct Sample {
-    /// Its horizontal speed, ft/s.
-    pub(crate) speed: f64,
-    pub(crate) trial: Trial,
-}
-
-impl Sample {
-    pub(crate) fn class(&self) -> Class {
-        self.trial.outcome.class()
-    }
+    /// How well the upper transition is determined.
+    pub certainty: Certainty,
 }
 
 impl Search {
-    /// Searches all bands with `land`, which lands at a given horizontal speed. The first
-    /// transition is the one that [`Search::first_transition`] finds, unless a hidden band lies
+    /// Searches all bands with `land`, which lands at a given horizontal speed with a variation. The
+    /// first transition is the one that [`Search::first_transition`] finds, unless a hidden band lies
     /// below it.
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
     pub fn all_bands<Stop>(
         &self,
-        mut land: impl FnMut(f64) -> Result<Trial, Stop>,
+        mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let mut sample = |speed| {
-            let trial = land(speed)?;
-            Ok(Sample { speed, trial })
-        };
-        let mut samples: Vec<Sample> = (0..self.scan_count())
-            .map(|index| sample(self.scan_speed(index)))
-            .collect::<Result<_, _>>()?;
+        let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
+        let mut samples = self.scanned(false, &mut sample)?;
+        let skipped = self.scan_count() - samples.len() as u64;
 
-        let suspects = hidden::suspects(&samples);
+        let suspects = hidden::suspects(&samples, self.scan_step);
         let mut found = Vec::new();
+        let mut looks = suspects.len() as u64;
         let mut finds = 0;
         for &index in &suspects {
             let look = hidden::look(&samples[index], &samples[index + 1], &mut sample)?;
@@ -69,72 +56,49 @@ impl Search {
         insert(&mut samples, found);
 
         let mut between = Vec::new();
+        let mut spent = [0, 0];
         for pair in samples.windows(2) {
-            bisect(
-                &pair[0],
-                &pair[1],
-                self.tolerance,
-                &mut sample,
-                &mut between,
-            )?;
+            let narrowing = self.narrowing(true);
+            let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample)?;
+            between.append(&mut narrowed.samples);
+            looks += narrowed.looks;
+            finds += narrowed.finds;
+            spent = [spent[0] + narrowed.spent[0], spent[1] + narrowed.spent[1]];
         }
         insert(&mut samples, between);
 
-        Ok(Boundary {
-            transition: first_change(&samples),
+        let mut boundary = Boundary {
             bands: bands(&samples),
-            looks: suspects.len() as u64,
+            looks,
             finds,
-            landings: samples.len() as u64,
-            evaluations: samples.iter().map(|sample| sample.trial.evaluations).sum(),
-        })
+            skipped,
+            ..Boundary::of(&samples)
+        };
+        boundary.landings += spent[0];
+        boundary.evaluations += spent[1];
+        let mut certainties = Vec::new();
+        for pair in samples.windows(2) {
+            if pair[0].class() != pair[1].class() {
+                let ends = [&pair[0], &pair[1]];
+                let certainty = self.tested(ends, &mut boundary, &mut land)?;
+                certainties.push((pair[1].speed, certainty));
+            }
+        }
+        for (band, (_, certainty)) in boundary.bands.iter_mut().zip(&certainties) {
+            band.certainty = *certainty;
+        }
+        if let Some(first) = &mut boundary.transition
+            && let Some((_, certainty)) = certainties.iter().find(|(high, _)| *high == first.high)
+        {
+            first.certainty = *certainty;
+        }
+        Ok(boundary)
     }
 }
 
 fn insert(samples: &mut Vec<Sample>, more: Vec<Sample>) {
     samples.extend(more);
     samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-}
-
-/// Halves the interval between two landings until every change of class in it that halving meets
-/// is bracketed within `tolerance`; adds the landings to `found`.
-fn bisect<Stop>(
-    low: &Sample,
-    high: &Sample,
-    tolerance: f64,
-    sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
-    found: &mut Vec<Sample>,
-) -> Result<(), Stop> {
-    let (mut low, mut high) = (low.clone(), high.clone());
-    while low.class() != high.class() && high.speed - low.speed > tolerance {
-        let speed = 0.5 * (low.speed + high.speed);
-        if speed <= low.speed || speed >= high.speed {
-            break;
-        }
-        let middle = sample(speed)?;
-        found.push(middle.clone());
-        if middle.class() == low.class() {
-            low = middle;
-        } else {
-            if middle.class() != high.class() {
-                bisect(&middle, &high, tolerance, sample, found)?;
-            }
-            high = middle;
-        }
-    }
-    Ok(())
-}
-
-/// The first landing that is not stable, with the one below it.
-fn first_change(samples: &[Sample]) -> Option<Transition> {
-    let index = samples
-        .iter()
-        .position(|sample| sample.class() != Class::Stable)?;
-    Some(Transition {
-        to: samples[index].class(),
-        low: samples[index.saturating_sub(1)].speed,
-        high: samples[index].speed,
-    })
 }
 
 /// Runs of landings of the same class, from end to end.
@@ -158,6 +122,7 @@ fn bands(samples: &[Sample]) -> Vec<Band> {
             class: first.class(),
             outcome: nearest.trial.outcome.clone(),
             bracket_width: next.map(|next| next.speed - last.speed),
+            certainty: Certainty::default(),
         });
     }
     bands

@@ -5,13 +5,16 @@ use crate::boundary::Boundary;
 use crate::sweep_file::Sweep;
 
 /// Columns of the table after those of the axes.
-pub const COLUMNS: [&str; 6] = [
+pub const COLUMNS: [&str; 9] = [
     "band",
     "from_fps",
     "to_fps",
     "outcome",
     "bracket_width_fps",
     "kind",
+    "certainty",
+    "disputed_from_fps",
+    "disputed_to_fps",
 ];
 
 /// Heading of the table of bands.
@@ -23,7 +26,8 @@ pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
 /// Rows of a point: one for each band, from below.
 ///
 /// `outcome` is the class that the band's landings share, `kind` how the one nearest to its middle
-/// ended; `bracket_width_fps` belongs to `to_fps` and is empty at the end of the range.
+/// ended; `bracket_width_fps` and `certainty` belong to `to_fps` and are empty at the end of the range.
+/// Where `certainty` is `disputed`, small changes decide between the two speeds that follow.
 pub fn rows<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
     point: usize,
@@ -40,6 +44,7 @@ pub fn rows<const LEGS: usize>(
             width.map_or(String::new(), |width| width.to_string()),
             band.outcome.to_string(),
         ];
+        let cells = cells.into_iter().chain(band.certainty.cells());
         coordinates.iter().cloned().chain(cells).collect()
     };
     boundary.bands.iter().enumerate().map(row).collect()
@@ -48,6 +53,7 @@ pub fn rows<const LEGS: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certainty::Certainty;
     use std::path::Path;
     use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -55,12 +61,16 @@ mod tests {
     fn a_row_for_every_band() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
         let sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
-        let band = |from, to, class, outcome, bracket_width| Band {
+        let band = |from, to, class, outcome, bracket_width: Option<f64>| Band {
             from,
             to,
             class,
             outcome,
             bracket_width,
+            certainty: match bracket_width {
+                Some(_) => Certainty::Disputed([11.25, 12.0]),
+                None => Certainty::Untested,
+            },
         };
         let bands = vec![
             band(
@@ -78,14 +88,15 @@ mod tests {
         };
         assert_eq!(
             heading(&sweep).join(","),
-            "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind"
+            "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind,certainty,\
+             disputed_from_fps,disputed_to_fps"
         );
         let rows = rows(&sweep, 0, &boundary).into_iter();
         assert_eq!(
             rows.map(|row| row.join(",")).collect::<Vec<_>>(),
             [
-                "-60,1,0,11.5,stable,0.25,stable-subsided",
-                "-60,2,11.5,25,unstable,,unstable-yaw"
+                "-60,1,0,11.5,stable,0.25,stable-subsided,disputed,11.25,12",
+                "-60,2,11.5,25,unstable,,unstable-yaw,,,"
             ]
         );
     }

@@ -1,6 +1,10 @@
 use super::*;
 use crate::boundary::Extent;
+use crate::certainty::Doubt;
+use crate::refine::Refinement;
+use crate::scan::Scan;
 use std::convert::Infallible;
+use touchdown_dynamics::outcome::Class;
 
 const SEARCH: Search = Search {
     from: 0.0,
@@ -8,10 +12,14 @@ const SEARCH: Search = Search {
     scan_step: 0.25,
     tolerance: 0.001,
     extent: Extent::All,
+    scan: Scan::Full,
+    refinement: Refinement::Bisection,
+    doubt: Doubt::None,
 };
 
 fn survey(class: impl Fn(f64) -> Class) -> Boundary {
-    let Ok(found) = SEARCH.boundary(|speed| Ok::<_, Infallible>(Trial::example(class(speed), 10)));
+    let Ok(found) =
+        SEARCH.boundary(|speed, _| Ok::<_, Infallible>(Trial::example(class(speed), 10)));
     found
 }
 
@@ -45,7 +53,7 @@ fn bands_cover_the_range_without_gaps() {
     }
     assert_eq!(found.bands[3].bracket_width, None);
     assert_eq!(found.bands[1].outcome, Outcome::UnstablePitch);
-    assert_eq!(found.landings, 101 + 3 * 8);
+    assert_eq!((found.landings, found.looks), (101 + 3 * (8 + 2), 3));
 }
 
 #[test]
@@ -55,7 +63,7 @@ fn first_transition_is_the_same_in_both_extents() {
         ..SEARCH
     };
     let Ok(alone) =
-        first.boundary(|speed| Ok::<_, Infallible>(Trial::example(re_entrant(speed), 10)));
+        first.boundary(|speed, _| Ok::<_, Infallible>(Trial::example(re_entrant(speed), 10)));
     assert_eq!(survey(re_entrant).transition, alone.transition);
     assert!(alone.bands.is_empty());
 }
@@ -77,7 +85,7 @@ fn a_third_class_inside_a_bracket_is_a_band_of_its_own() {
 #[test]
 fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
     let angle = |v: f64| 0.2 * ((v - 13.1).abs() - 0.02);
-    let Ok(found) = SEARCH.all_bands(|speed| {
+    let Ok(found) = SEARCH.all_bands(|speed, _| {
         let class = if angle(speed) > 0.0 {
             Class::Stable
         } else {
@@ -89,7 +97,7 @@ fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
         })
     });
     assert_eq!(found.finds, 1);
-    assert!(found.looks <= 3, "{}", found.looks);
+    assert!(found.looks <= 5, "{}", found.looks);
     let band = &found.bands[1];
     assert!((band.from - 13.08).abs() <= 0.0005 && (band.to - 13.12).abs() <= 0.0005);
     assert!((found.transition.unwrap().speed() - 13.08).abs() <= 0.0005);

@@ -2,12 +2,16 @@
 //!
 //! Outcomes can re-enter: above the speed at which a lander topples it may be stable again. A
 //! bisection over the whole range could then settle on any of the changes, so the range is
-//! scanned upward in steps first and only the step in which the outcome changes is bisected.
+//! scanned upward in steps first and only the step in which the outcome changes is narrowed down.
 
 use serde::{Deserialize, Serialize};
-use touchdown_dynamics::outcome::{Class, Outcome};
+use touchdown_dynamics::outcome::Class;
 
 use crate::bands::Band;
+use crate::certainty::{self, Certainty, Doubt, Variation};
+use crate::refine::{Narrowed, Narrowing, Refinement};
+use crate::scan::Scan;
+use crate::trial::{Sample, Trial};
 
 /// Where to search, ft/s, and how closely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +26,12 @@ pub struct Search {
     pub tolerance: f64,
     /// How much of the range is searched.
     pub extent: Extent,
+    /// How it is scanned.
+    pub scan: Scan,
+    /// How brackets are narrowed.
+    pub refinement: Refinement,
+    /// Which transitions are put to the test.
+    pub doubt: Doubt,
 }
 
 /// How much of the range of speeds a search goes through.
@@ -34,17 +44,6 @@ pub enum Extent {
     All,
 }
 
-/// What one landing told.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Trial {
-    /// How it ended.
-    pub outcome: Outcome,
-    /// Least stability angle on the way, rad.
-    pub least_angle: f64,
-    /// Evaluations of the equations of motion that it took.
-    pub evaluations: u64,
-}
-
 /// The first change away from a stable landing.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Transition {
@@ -55,6 +54,8 @@ pub struct Transition {
     pub low: f64,
     /// Lowest speed known not to be stable, ft/s.
     pub high: f64,
+    /// How well it is determined.
+    pub certainty: Certainty,
 }
 
 impl Transition {
@@ -71,11 +72,15 @@ pub struct Boundary {
     pub transition: Option<Transition>,
     /// All bands of the range from below; none when only the first transition was asked for.
     pub bands: Vec<Band>,
-    /// Intervals between equal outcomes that were looked into for a hidden band.
+    /// Intervals between like outcomes that were looked into for a hidden band.
     pub looks: u64,
     /// How many of them held one.
     pub finds: u64,
-    /// Landings computed.
+    /// Landings of a full scan that were spared by skipping.
+    pub skipped: u64,
+    /// Landings that put transitions to the test.
+    pub tests: u64,
+    /// Landings computed, tests included.
     pub landings: u64,
     /// Evaluations of the equations of motion in all of them.
     pub evaluations: u64,
@@ -92,20 +97,20 @@ impl Search {
         (self.from + index as f64 * self.scan_step).min(self.to)
     }
 
-    /// Most landings that one search can take.
+    /// Landings that one search is expected to take at most.
     pub fn most_landings(&self) -> u64 {
         let halvings = (self.scan_step / self.tolerance).log2().ceil().max(0.0);
         self.scan_count() + halvings as u64
     }
 
     /// Searches as much of the range as [`Search::extent`] says with `land`, which lands at a given
-    /// horizontal speed.
+    /// horizontal speed with a variation.
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
     pub fn boundary<Stop>(
         &self,
-        land: impl FnMut(f64) -> Result<Trial, Stop>,
+        land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         match self.extent {
             Extent::First => self.first_transition(land),
@@ -113,182 +118,106 @@ impl Search {
         }
     }
 
-    /// Searches the first transition with `land`, which lands at a given horizontal speed.
+    /// Searches the first transition with `land`, which lands at a given horizontal speed with a
+    /// variation.
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
     pub fn first_transition<Stop>(
         &self,
-        mut land: impl FnMut(f64) -> Result<Trial, Stop>,
+        mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let mut boundary = Boundary::default();
-        let mut count = |speed| {
-            let trial = land(speed)?;
+        let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
+        let mut samples = self.scanned(true, &mut sample)?;
+        let change = first_unstable(&samples);
+        let full_scan = match change {
+            Some(index) => self.steps_to(samples[index].speed) + 1,
+            None => self.scan_count(),
+        };
+        let skipped = full_scan.saturating_sub(samples.len() as u64);
+        let mut narrowed = Narrowed::default();
+        if let Some(index) = change.filter(|index| *index > 0) {
+            let (low, high) = (&samples[index - 1], &samples[index]);
+            narrowed = self.narrowing(false).between(low, high, &mut sample)?;
+            samples.append(&mut narrowed.samples);
+            samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        }
+        let mut boundary = Boundary::of(&samples);
+        if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
+            let ends = [&samples[index - 1], &samples[index]];
+            let certainty = self.tested(ends, &mut boundary, &mut land)?;
+            if let Some(found) = &mut boundary.transition {
+                found.certainty = certainty;
+            }
+        }
+        Ok(Boundary {
+            skipped,
+            looks: narrowed.looks,
+            finds: narrowed.finds,
+            landings: boundary.landings + narrowed.spent[0],
+            evaluations: boundary.evaluations + narrowed.spent[1],
+            ..boundary
+        })
+    }
+
+    /// Puts a change to the test and counts the landings that this took.
+    pub(crate) fn tested<Stop>(
+        &self,
+        ends: [&Sample; 2],
+        boundary: &mut Boundary,
+        land: &mut impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Certainty, Stop> {
+        let mut counted = |speed, variation| {
+            let trial = land(speed, variation)?;
             boundary.landings += 1;
+            boundary.tests += 1;
             boundary.evaluations += trial.evaluations;
-            Ok(trial.outcome.class())
+            Ok(trial)
         };
-        let mut low = self.from;
-        for index in 0..self.scan_count() {
-            let high = self.scan_speed(index);
-            let class = count(high)?;
-            if class != Class::Stable {
-                let found = Transition {
-                    to: class,
-                    low,
-                    high,
-                };
-                boundary.transition = Some(refine(found, self.tolerance, &mut count)?);
-                break;
-            }
-            low = high;
+        certainty::test(self.doubt, ends, self.scan_step, &mut counted)
+    }
+
+    pub(crate) fn narrowing(&self, to_all: bool) -> Narrowing {
+        Narrowing {
+            refinement: self.refinement,
+            tolerance: self.tolerance,
+            to_all,
         }
-        Ok(boundary)
+    }
+
+    /// Number of steps of the scan below a speed of it.
+    fn steps_to(&self, speed: f64) -> u64 {
+        ((speed - self.from) / self.scan_step - 1e-9)
+            .ceil()
+            .max(0.0) as u64
     }
 }
 
-/// Halves a bracket until it is at most `tolerance` wide, its lower end stable throughout.
-fn refine<Stop>(
-    mut bracket: Transition,
-    tolerance: f64,
-    class_at: &mut impl FnMut(f64) -> Result<Class, Stop>,
-) -> Result<Transition, Stop> {
-    while bracket.high - bracket.low > tolerance {
-        let middle = bracket.speed();
-        if middle <= bracket.low || middle >= bracket.high {
-            break;
-        }
-        match class_at(middle)? {
-            Class::Stable => bracket.low = middle,
-            class => {
-                bracket.high = middle;
-                bracket.to = class;
-            }
-        }
-    }
-    Ok(bracket)
-}
-
-#[cfg(test)]
-impl Trial {
-    /// A landing that ended in a class somehow.
-    pub(crate) fn example(class: Class, evaluations: u64) -> Self {
-        use touchdown_dynamics::outcome::Failure;
-        let outcome = match class {
-            Class::Stable => Outcome::StableSubsided,
-            Class::Unstable => Outcome::UnstablePitch,
-            Class::Bottomed => Outcome::Bottomed { leg: 0 },
-            Class::Failure => Outcome::Failure(Failure::StepLimit),
-        };
+impl Boundary {
+    /// What a search found that took these landings, in order: the first transition and the cost.
+    pub(crate) fn of(samples: &[Sample]) -> Self {
+        let transition = first_unstable(samples).map(|index| Transition {
+            to: samples[index].class(),
+            low: samples[index.saturating_sub(1)].speed,
+            high: samples[index].speed,
+            certainty: Certainty::default(),
+        });
         Self {
-            outcome,
-            least_angle: 0.5,
-            evaluations,
+            transition,
+            landings: samples.len() as u64,
+            evaluations: samples.iter().map(|sample| sample.trial.evaluations).sum(),
+            ..Self::default()
         }
     }
+}
+
+/// Index of the first landing that is not stable.
+pub(crate) fn first_unstable(samples: &[Sample]) -> Option<usize> {
+    samples
+        .iter()
+        .position(|sample| sample.class() != Class::Stable)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::convert::Infallible;
-
-    const SEARCH: Search = Search {
-        from: 0.0,
-        to: 25.0,
-        scan_step: 0.25,
-        tolerance: 0.001,
-        extent: Extent::First,
-    };
-
-    fn find(search: Search, class: impl Fn(f64) -> Class) -> Boundary {
-        let found: Result<_, Infallible> =
-            search.first_transition(|speed| Ok(Trial::example(class(speed), 10)));
-        match found {
-            Ok(boundary) => boundary,
-        }
-    }
-
-    #[test]
-    fn single_boundary_is_bracketed_within_tolerance() {
-        let boundary = find(SEARCH, |v| {
-            if v < 11.4 {
-                Class::Stable
-            } else {
-                Class::Unstable
-            }
-        });
-        let found = boundary.transition.unwrap();
-        assert_eq!(found.to, Class::Unstable);
-        assert!(found.low < 11.4 && 11.4 <= found.high);
-        assert!(found.high - found.low <= 0.001);
-        assert_eq!(boundary.landings, 47 + 8);
-        assert_eq!(boundary.evaluations, 550);
-        assert!(boundary.landings <= SEARCH.most_landings());
-    }
-
-    #[test]
-    fn re_entrant_outcomes_give_the_first_change() {
-        let boundary = find(SEARCH, |v| match v {
-            v if v < 12.1 => Class::Stable,
-            v if v < 16.3 => Class::Unstable,
-            v if v < 20.0 => Class::Stable,
-            _ => Class::Bottomed,
-        });
-        let found = boundary.transition.unwrap();
-        assert_eq!(found.to, Class::Unstable);
-        assert!((found.speed() - 12.1).abs() <= 0.0005);
-    }
-
-    #[test]
-    fn class_is_that_of_the_final_upper_end() {
-        // The scan meets toppling at 12.25, but bottoming comes first.
-        let boundary = find(SEARCH, |v| match v {
-            v if v < 12.1 => Class::Stable,
-            v if v < 12.2 => Class::Bottomed,
-            _ => Class::Unstable,
-        });
-        assert_eq!(boundary.transition.unwrap().to, Class::Bottomed);
-    }
-
-    #[test]
-    fn not_stable_at_the_start_is_a_transition_there() {
-        let boundary = find(SEARCH, |_| Class::Failure);
-        let found = boundary.transition.unwrap();
-        assert_eq!(
-            (found.to, found.low, found.high),
-            (Class::Failure, 0.0, 0.0)
-        );
-        assert_eq!((found.speed(), boundary.landings), (0.0, 1));
-    }
-
-    #[test]
-    fn none_when_all_is_stable_and_the_upper_end_is_looked_at() {
-        assert_eq!(find(SEARCH, |_| Class::Stable).transition, None);
-        let odd = Search { to: 1.1, ..SEARCH };
-        assert_eq!(odd.scan_count(), 6);
-        assert_eq!(odd.scan_speed(5), 1.1);
-        let boundary = find(odd, |v| {
-            if v < 1.05 {
-                Class::Stable
-            } else {
-                Class::Unstable
-            }
-        });
-        assert!((boundary.transition.unwrap().speed() - 1.05).abs() <= 0.0005);
-    }
-
-    #[test]
-    fn stops_when_told_to() {
-        let mut landings = 0;
-        let stopped = SEARCH.first_transition(|_| {
-            landings += 1;
-            if landings > 3 {
-                Err("stop")
-            } else {
-                Ok(Trial::example(Class::Stable, 1))
-            }
-        });
-        assert_eq!((stopped, landings), (Err("stop"), 4));
-    }
-}
+#[path = "boundary_tests.rs"]
+mod tests;

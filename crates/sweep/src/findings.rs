@@ -47,6 +47,7 @@ mod tests {
     use super::*;
     use crate::bands::Band;
     use crate::boundary::Transition;
+    use crate::certainty::Certainty;
     use touchdown_dynamics::outcome::{Class, Failure};
 
     #[test]
@@ -56,6 +57,7 @@ mod tests {
                 to: Class::Failure,
                 low: 0.1 + 0.2,
                 high: f64::MIN_POSITIVE,
+                certainty: Certainty::Disputed([1.0, 2.0]),
             }),
             bands: vec![Band {
                 from: -0.0,
@@ -63,9 +65,12 @@ mod tests {
                 class: Class::Bottomed,
                 outcome: Outcome::Failure(Failure::PadInclination { leg: 2 }),
                 bracket_width: None,
+                certainty: Certainty::Certain,
             }],
             looks: 3,
             finds: 1,
+            skipped: 5,
+            tests: 9,
             landings: 1 << 40,
             evaluations: u64::MAX,
         });

@@ -10,7 +10,7 @@ use touchdown_dynamics::model_version::MODEL_VERSION;
 
 use crate::case::CaseFault;
 use crate::input_error::InputError;
-use crate::instead::Instead;
+use crate::instead::{Given, Instead};
 use crate::library::{Library, Source};
 use crate::shard::Shard;
 use crate::sweep_file::Sweep;
@@ -41,11 +41,7 @@ pub struct Header {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct Origin {
     sweep: PathBuf,
-    /// The vehicle given instead of the sweep file's.
-    vehicle: Option<PathBuf>,
-    /// The crush rule in force.
-    crush_rule: Option<String>,
-    bands: Option<String>,
+    instead: Given,
     sources: Vec<Source>,
 }
 
@@ -69,9 +65,7 @@ impl Header {
             input: sweep.resolved(),
             origin: Origin {
                 sweep: sweep.path.clone(),
-                vehicle: sweep.instead.vehicle.clone(),
-                crush_rule: sweep.instead.crush_rule.clone(),
-                bands: sweep.instead.bands.clone(),
+                instead: sweep.instead.clone(),
                 sources: sweep.sources.clone(),
             },
         })
@@ -132,19 +126,14 @@ impl Header {
     pub fn sweep<const LEGS: usize>(&self) -> Result<Sweep<LEGS>, InputError> {
         let Origin {
             sweep,
-            vehicle,
-            crush_rule,
-            bands,
+            instead,
             sources,
         } = &self.origin;
         let library = Library::Copies(sources);
         let read_vehicle = |path: &PathBuf| VehicleFile::read_from(path, library);
         let instead = Instead {
-            vehicle: vehicle.as_ref().map(read_vehicle).transpose()?,
-            crush_rule: crush_rule
-                .as_deref()
-                .and_then(crate::settings_input::crush_rule),
-            extent: bands.as_deref().and_then(crate::search_input::extent_named),
+            vehicle: instead.vehicle.as_ref().map(read_vehicle).transpose()?,
+            words: instead.words.clone(),
         };
         Sweep::read_from(sweep, library)?.with(&instead)
     }
@@ -194,9 +183,7 @@ impl Header {
             input: serde_json::json!({"friction": friction}),
             origin: Origin {
                 sweep: "s.toml".into(),
-                vehicle: None,
-                crush_rule: None,
-                bands: None,
+                instead: Given::default(),
                 sources: Vec::new(),
             },
         }

@@ -129,7 +129,7 @@ fn failure(outcome: &Outcome) -> String {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use touchdown_dynamics::landing::{Energies, LegWork};
+    use touchdown_dynamics::landing::{Energies, FinalRates, LegWork};
     use touchdown_dynamics::outcome::Failure;
 
     /// A landing made up for tests of tables.
@@ -141,6 +141,12 @@ pub(crate) mod tests {
             min_stability_time: 1.0,
             min_clearance: 0.5,
             max_strut_force: [1.0, 2.0, 3.0],
+            max_stroke: [0.0; 3],
+            final_rates: FinalRates {
+                stability_angle: None,
+                strokes: [0.0; 3],
+                stroke_accelerations: [0.0; 3],
+            },
             pad_contact: [Some(0.0), None, Some(0.25)],
             block_contact: [None; 3],
             energies: Energies {

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`sweep_file`], [`instead`], [`cases`] |
 //! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
-//! | find where the lander begins to topple | [`boundary`], [`bands`], [`hidden`] |
+//! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
 //! | do so on every core | [`run`] |
 //! | tell | [`findings`], [`tally`], [`probabilities`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
@@ -18,6 +18,7 @@ pub mod bands_table;
 pub mod boundary;
 pub mod case;
 pub mod cases;
+pub mod certainty;
 pub mod deposit;
 pub mod design;
 pub mod distribution;
@@ -34,6 +35,7 @@ pub mod journal;
 pub mod key_path;
 mod known;
 pub mod landing_table;
+pub mod lattice;
 pub mod levels;
 pub mod library;
 pub mod merge;
@@ -41,11 +43,13 @@ pub mod parameter;
 mod parquet_table;
 pub mod point_set;
 pub mod probabilities;
+pub mod refine;
 mod resolved_input;
 pub mod results;
 pub mod run;
 pub mod sample;
 mod sample_input;
+pub mod scan;
 pub mod scene_input;
 mod search_input;
 pub mod section;
@@ -54,4 +58,5 @@ pub mod shard;
 pub mod sweep_file;
 pub mod tables;
 pub mod tally;
+pub mod trial;
 pub mod vehicle_file;

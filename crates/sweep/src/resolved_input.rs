@@ -7,7 +7,7 @@ use crate::distribution::Distribution;
 use crate::document::{Entry, Value as Read};
 use crate::levels::Levels;
 use crate::parameter::Parameter;
-use crate::search_input::extent_name;
+use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
 use crate::settings_input::crush_rule_name;
 use crate::sweep_file::{Job, Sweep};
 
@@ -46,7 +46,10 @@ impl<const LEGS: usize> Sweep<LEGS> {
                     "to_fps": search.to,
                     "scan_step_fps": search.scan_step,
                     "tolerance_fps": search.tolerance,
-                    "bands": extent_name(search.extent),
+                    "bands": word(&EXTENTS, search.extent),
+                    "scan": word(&SCANS, search.scan),
+                    "refinement": word(&REFINEMENTS, search.refinement),
+                    "certainty": word(&DOUBTS, search.doubt),
                 });
             }
             Job::Outcome { enough } => input["stop_at_interval_width"] = json!(enough),

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::boundary::Boundary;
+use crate::certainty::Certainty;
 use crate::findings::Finding;
 use crate::landing_table::{self, Cell};
 use crate::probabilities::wilson;
@@ -10,13 +11,16 @@ use crate::sweep_file::{Job, Sweep};
 use crate::tally::Tally;
 
 /// Columns of the table after those of the axes.
-pub const COLUMNS: [&str; 6] = [
+pub const COLUMNS: [&str; 9] = [
     "first_transition_to",
     "first_transition_fps",
     "bracket_low_fps",
     "bracket_high_fps",
     "landings",
     "derivative_evaluations",
+    "certainty",
+    "disputed_from_fps",
+    "disputed_to_fps",
 ];
 
 /// How a sweep was run, which its input does not tell.
@@ -63,6 +67,8 @@ pub fn row<const LEGS: usize>(sweep: &Sweep<LEGS>, point: usize, finding: &Findi
 fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
     let found = boundary.transition;
     let speed = |speed: Option<f64>| speed.map_or(String::new(), |speed| speed.to_string());
+    let certainty = found.map_or(Certainty::Untested, |found| found.certainty);
+    let [word, from, to] = certainty.cells();
     [
         transition_name(boundary),
         speed(found.map(|found| found.speed())),
@@ -70,6 +76,9 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
         speed(found.map(|found| found.high)),
         boundary.landings.to_string(),
         boundary.evaluations.to_string(),
+        word,
+        from,
+        to,
     ]
 }
 
@@ -98,6 +107,8 @@ pub fn record<const LEGS: usize>(
                 .into_iter()
                 .map(|(kind, count)| (kind, json!(count)))
                 .collect::<Map<String, Value>>(),
+            "scan_speeds_skipped": tally.skipped,
+            "certainty_landings": tally.tests,
             "landings": tally.landings,
             "derivative_evaluations": tally.evaluations,
             "bands": tally.bands,
@@ -137,7 +148,12 @@ mod tests {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
         let sweep = Sweep::read(Path::new(path)).unwrap();
         let at = |to, low, high| Boundary {
-            transition: Some(Transition { to, low, high }),
+            transition: Some(Transition {
+                to,
+                low,
+                high,
+                certainty: Certainty::Certain,
+            }),
             landings: 50,
             evaluations: 1000,
             ..Boundary::default()
@@ -161,7 +177,7 @@ mod tests {
         assert_eq!(
             heading(&sweep).join(","),
             "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
-             landings,derivative_evaluations"
+             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps"
         );
         let rows = boundaries.iter().enumerate();
         let rows = rows.map(|(point, boundary)| {
@@ -170,9 +186,9 @@ mod tests {
         assert_eq!(
             rows.collect::<Vec<_>>(),
             [
-                "-60,unstable,11.375,11.25,11.5,50,1000",
-                "-55,none,,,,101,2000",
-                "-50,bottomed,0.2,0.1,0.3,50,1000"
+                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,",
+                "-55,none,,,,101,2000,,,",
+                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,"
             ]
         );
     }

@@ -16,7 +16,6 @@ use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::boundary::Trial;
 use crate::case::CaseFault;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
@@ -25,6 +24,7 @@ use crate::landing_table;
 use crate::scene_input::SceneFault;
 use crate::shard::Shard;
 use crate::sweep_file::{Job, Sweep};
+use crate::trial::{Scales, Trial};
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
@@ -275,14 +275,14 @@ fn find<const LEGS: usize>(
         fault,
     };
     let case = sweep.case(point).map_err(invalid)?;
-    let landed = |scene: &Scene| {
+    let landed = |scene: &Scene, settings: &Settings| {
         stop.go_on()?;
-        let landing = land(&case.vehicle, scene, &case.settings);
+        let landing = land(&case.vehicle, scene, settings);
         observer.landing();
         Ok(landing)
     };
     let Job::Boundary(search) = case.job else {
-        let landing = landed(&case.scene)?;
+        let landing = landed(&case.scene, &case.settings)?;
         let cells = landing_table::columns(&landing)
             .into_iter()
             .map(|(_, cell)| cell);
@@ -291,21 +291,20 @@ fn find<const LEGS: usize>(
             outcome: landing.outcome,
         });
     };
-    let boundary = search.boundary(|speed| {
-        let faster = case.scene.with_horizontal_velocity(speed);
-        let faster = faster.map_err(|fault| {
+    let scales = Scales::of(&case.vehicle);
+    let boundary = search.boundary(|speed, variation| {
+        let varied = case
+            .scene
+            .with_horizontal_velocity(speed)
+            .and_then(|faster| variation.of(&faster, &case.settings));
+        let (varied, settings) = varied.map_err(|fault| {
             invalid(CaseFault::Scene(SceneFault {
                 name: crate::scene_input::HORIZONTAL_VELOCITY,
                 value: Some(fault.value),
                 allowed: fault.allowed,
             }))
         })?;
-        let landing = landed(&faster)?;
-        Ok(Trial {
-            least_angle: landing.min_stability_angle,
-            outcome: landing.outcome,
-            evaluations: landing.evaluations,
-        })
+        Ok(Trial::of(landed(&varied, &settings)?, &scales))
     });
     boundary.map(Finding::Boundary)
 }

@@ -1,15 +1,33 @@
 //! Where to search: the table `[search]` of a sweep file.
 
 use crate::boundary::{Extent, Search};
+use crate::certainty::Doubt;
 use crate::input_error::InputError;
+use crate::refine::Refinement;
+use crate::scan::Scan;
 use crate::section::Section;
 
-const SEARCH: [&str; 5] = [
+const SEARCH: [&str; 8] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",
     "tolerance_fps",
     "bands",
+    "scan",
+    "refinement",
+    "certainty",
+];
+/// Words of the choices, and what they mean; the first is what holds without a word.
+pub(crate) const EXTENTS: [(&str, Extent); 2] = [("first", Extent::First), ("all", Extent::All)];
+pub(crate) const SCANS: [(&str, Scan); 2] = [("full", Scan::Full), ("skipping", Scan::Skipping)];
+pub(crate) const REFINEMENTS: [(&str, Refinement); 2] = [
+    ("bisection", Refinement::Bisection),
+    ("margin", Refinement::Margin),
+];
+pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
+    ("doubtful", Doubt::Doubtful),
+    ("all", Doubt::All),
+    ("none", Doubt::None),
 ];
 /// Keys of `[search]` that are numbers.
 pub(crate) const NUMBERS: [&str; 4] = ["from_fps", "to_fps", "scan_step_fps", "tolerance_fps"];
@@ -26,7 +44,10 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         to: section.number("to_fps")?,
         scan_step: section.number("scan_step_fps")?,
         tolerance: section.number("tolerance_fps")?,
-        extent: extent(section)?,
+        extent: choice(section, "bands", &EXTENTS)?,
+        scan: choice(section, "scan", &SCANS)?,
+        refinement: choice(section, "refinement", &REFINEMENTS)?,
+        doubt: choice(section, "certainty", &DOUBTS)?,
     };
     let width = search.to - search.from;
     let step = search.scan_step;
@@ -62,24 +83,29 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
     Ok(search)
 }
 
-fn extent(section: &Section) -> Result<Extent, InputError> {
-    let Some(found) = section.optional("bands") else {
-        return Ok(Extent::default());
+/// The choice that a key names; without the key, the first.
+fn choice<T: Copy, const CHOICES: usize>(
+    section: &Section,
+    key: &str,
+    choices: &[(&str, T); CHOICES],
+) -> Result<T, InputError> {
+    let Some(found) = section.optional(key) else {
+        return Ok(choices[0].1);
     };
-    extent_named(found.text()?).ok_or_else(|| found.complain("\"first\" or \"all\""))
-}
-
-/// Word of an extent in sweep files.
-pub(crate) fn extent_name(extent: Extent) -> &'static str {
-    match extent {
-        Extent::First => "first",
-        Extent::All => "all",
+    let text = found.text()?;
+    match choices.iter().find(|(word, _)| *word == text) {
+        Some((_, choice)) => Ok(*choice),
+        None => {
+            let words = choices.map(|(word, _)| format!("\"{word}\""));
+            Err(found.complain(&words.join(" or ")))
+        }
     }
 }
 
-/// The extent that a word of an input file stands for.
-pub(crate) fn extent_named(name: &str) -> Option<Extent> {
-    [Extent::First, Extent::All]
-        .into_iter()
-        .find(|extent| extent_name(*extent) == name)
+/// The word for a choice.
+pub(crate) fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], choice: T) -> &'static str {
+    choices
+        .iter()
+        .find(|(_, known)| *known == choice)
+        .map_or("", |(word, _)| word)
 }

@@ -17,7 +17,7 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
         Some(solver) => solver.optional_number(key),
         None => Ok(None),
     };
-    let tolerance = number("tolerance")?.unwrap_or(Settings::DEFAULT_TOLERANCE);
+    let tolerance = number("tolerance")?.unwrap_or(Settings::BOUNDARY_TOLERANCE);
     let time_limit = number("time_limit_s")?.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
     let rule = match solver
         .as_ref()

@@ -23,6 +23,10 @@ pub struct Tally {
     pub looks: u64,
     /// Hidden bands found.
     pub finds: u64,
+    /// Landings spared by skipping.
+    pub skipped: u64,
+    /// Landings that put transitions to the test.
+    pub tests: u64,
     /// The lowest first transition, and its point.
     pub lowest: Option<(usize, Transition)>,
     /// Outcomes, where they are asked.
@@ -85,6 +89,8 @@ impl Tally {
         self.bands += boundary.bands.len();
         self.looks += boundary.looks;
         self.finds += boundary.finds;
+        self.skipped += boundary.skipped;
+        self.tests += boundary.tests;
         let kind = boundary.transition.map(|transition| transition.to);
         if let Some(index) = KINDS.iter().position(|known| *known == kind) {
             self.kinds[index] += 1;
@@ -121,6 +127,7 @@ fn evaluations(cells: &[Cell]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certainty::Certainty;
 
     #[test]
     fn kinds_and_the_first_of_the_lowest_are_kept() {
@@ -129,6 +136,7 @@ mod tests {
                 to,
                 low: speed,
                 high: speed,
+                certainty: Certainty::Untested,
             }),
             landings: 10,
             ..Boundary::default()

@@ -23,6 +23,7 @@ mod sweep;
 mod sweep_files;
 mod sweep_results;
 mod touchdown_options;
+mod work_precision;
 
 use std::process::ExitCode;
 
@@ -56,6 +57,8 @@ enum Command {
     Plot(plot::Options),
     /// Compare results with what the report of 1966 says
     Study(study::Options),
+    /// Measure what a tolerance costs and what it buys
+    WorkPrecision(work_precision::Options),
 }
 
 fn main() -> ExitCode {
@@ -65,6 +68,7 @@ fn main() -> ExitCode {
         Command::Merge(options) => merge::run(&options),
         Command::Plot(options) => plot::run(&options),
         Command::Study(options) => study::run(&options),
+        Command::WorkPrecision(options) => work_precision::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::scene::CrushRule;
-use touchdown_sweep::boundary::Extent;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::instead::Instead;
+use touchdown_sweep::settings_input::crush_rule_name;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -26,6 +26,12 @@ pub struct Overrides {
     /// Search up to the first transition, or all of them
     #[arg(long, value_name = "BANDS")]
     bands: Option<Bands>,
+    /// Scan every step, or skip those between quiet landings
+    #[arg(long, value_name = "SCAN")]
+    scan: Option<ScanName>,
+    /// Narrow brackets by interpolating margins, or by halving
+    #[arg(long, value_name = "HOW")]
+    refinement: Option<RefinementName>,
 }
 
 /// Extents of a search by name.
@@ -37,6 +43,24 @@ enum Bands {
     All,
 }
 
+/// Scans by name.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum ScanName {
+    /// Every step
+    Full,
+    /// Every step but between quiet landings
+    Skipping,
+}
+
+/// Ways to narrow brackets by name.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum RefinementName {
+    /// Interpolation of margins
+    Margin,
+    /// Halving
+    Bisection,
+}
+
 impl Overrides {
     /// The sweeps with what was given put into them.
     ///
@@ -44,17 +68,26 @@ impl Overrides {
     /// When the vehicle file cannot be used, or what was given varies in a sweep.
     pub fn apply(&self, sweeps: Vec<Sweep<LEGS>>) -> Result<Vec<Sweep<LEGS>>, InputError> {
         let vehicle = self.vehicle.as_deref().map(VehicleFile::read).transpose()?;
+        let rule = self.crush_rule.map(|rule| crush_rule_name(rule).to_owned());
+        let words = [
+            ("solver.crush_rule", rule),
+            ("search.bands", self.bands.and_then(word)),
+            ("search.scan", self.scan.and_then(word)),
+            ("search.refinement", self.refinement.and_then(word)),
+        ];
+        let given = |(key, word): (&str, Option<String>)| Some((key.to_owned(), word?));
         let instead = Instead {
             vehicle,
-            crush_rule: self.crush_rule,
-            extent: self.bands.map(|bands| match bands {
-                Bands::First => Extent::First,
-                Bands::All => Extent::All,
-            }),
+            words: words.into_iter().filter_map(given).collect(),
         };
         sweeps
             .into_iter()
             .map(|sweep| sweep.with(&instead))
             .collect()
     }
+}
+
+/// The word of an option's value, which sweep files use too.
+fn word(value: impl ValueEnum) -> Option<String> {
+    Some(value.to_possible_value()?.get_name().to_owned())
 }

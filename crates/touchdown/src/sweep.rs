@@ -46,7 +46,7 @@ Example:
     tolerance_fps = 0.001                              # then halving to this width
     bands = \"first\"                                    # or \"all\": every change up to to_fps
     [solver]
-    tolerance = 1e-6
+    tolerance = 3e-5
     crush_rule = \"pivot-rate\"                          # or \"section\"";
 
 /// Options of `sweep`.

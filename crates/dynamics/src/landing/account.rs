@@ -139,6 +139,8 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 final_kinetic: self.kinetic_energy(&self.step.before),
             },
             max_strut_force: self.greatest_strut_force,
+            max_stroke: self.greatest_stroke,
+            final_rates: self.final_rates(),
             pad_contact: self.pad_contact,
             block_contact: self.block_contact,
             steps: self.steps,

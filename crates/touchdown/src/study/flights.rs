@@ -18,7 +18,7 @@ const TABLE_4_3: &str = include_str!("../../../dynamics/tests/reference/table-4-
 /// Horizontal velocity at which the report compares two azimuths, ft/s.
 pub const AZIMUTH_SPEED: f64 = 11.0;
 /// Time between instants, s: the times of Table 4-3 are multiples of it.
-const INTERVAL: f64 = 0.005;
+pub(super) const INTERVAL: f64 = 0.005;
 /// Conditions of all these landings.
 const COMMON: [(&str, f64); 3] = [
     ("vertical_velocity_fps", 14.0),
@@ -119,24 +119,32 @@ pub fn tipped(vehicle: &Vehicle<LEGS>, azimuth: f64) -> Result<Flown, Failure> {
     fly(vehicle, &conditions)
 }
 
+/// What Table 4-3 prints: time, s, and velocities across and up the slope, ft/s.
+pub(super) fn printed() -> Result<Vec<(f64, [f64; 2])>, Failure> {
+    let mut printed = Vec::new();
+    for record in csv::Reader::from_reader(TABLE_4_3.as_bytes()).records() {
+        let record = record.map_err(Failure::running)?;
+        let number = |column: usize| record[column].parse::<f64>().map_err(Failure::running);
+        printed.push((number(0)?, [number(1)?, number(2)?]));
+    }
+    Ok(printed)
+}
+
 /// A row of Table 4-3: time, and the printed and computed velocities across and along.
 type Row = (f64, [f64; 2], [f64; 2]);
 
 fn rows(flown: &Flown) -> Result<Vec<Row>, Failure> {
     let mut rows = Vec::new();
-    for record in csv::Reader::from_reader(TABLE_4_3.as_bytes()).records() {
-        let record = record.map_err(Failure::running)?;
-        let number = |column: usize| record[column].parse::<f64>().map_err(Failure::running);
-        let time = number(0)?;
+    for (time, print) in printed()? {
         let moment = flown.at(time).ok_or_else(|| {
             Failure::running(format!("the landing of Table 4-3 ends before {time} s"))
         })?;
-        rows.push((time, [number(1)?, number(2)?], moment.velocity));
+        rows.push((time, print, moment.velocity));
     }
     Ok(rows)
 }
 
-fn table_4_3_landing(vehicle: &Vehicle<LEGS>) -> Result<Flown, Failure> {
+pub(super) fn table_4_3_landing(vehicle: &Vehicle<LEGS>) -> Result<Flown, Failure> {
     let conditions = [
         ("horizontal_velocity_fps", 12.0),
         ("cross_slope_deg", 170.0),

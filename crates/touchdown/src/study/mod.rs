@@ -5,6 +5,7 @@ mod claims;
 mod crush_rules;
 mod flights;
 mod gallery;
+mod histories;
 mod judged_landings;
 mod level_claims;
 mod planar_claims;
@@ -74,6 +75,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         flights::azimuths(&results, &vehicle)?,
     ];
     let text = sections.map(|section| section.trim_end().to_owned() + "\n");
+    let folder = Folder::open(&options.results)?;
+    // The page shows what is there.
+    let mut written = folder.deposit(&histories::files(&vehicle)?)?;
     let files = [
         ("phase-2.md".to_owned(), text.join("\n").into_bytes()),
         (
@@ -81,7 +85,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             gallery::page(&results)?.into_bytes(),
         ),
     ];
-    for file in Folder::open(&options.results)?.deposit(&files)? {
+    written.extend(folder.deposit(&files)?);
+    for file in written {
         say(&format!("{}\n", file.display()))?;
     }
     Ok(())

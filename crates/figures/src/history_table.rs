@@ -1,0 +1,188 @@
+//! Histories of landings, read back: what changes with time, for one landing or several.
+
+use crate::figure_error::FigureError;
+
+/// The column that makes a table one of histories.
+pub const TIME: &str = "t_s";
+/// Whether something touches the surface: 0 in free flight.
+const TOUCHES: &str = "touches";
+/// In the name of a column of printed values, before its unit.
+const PRINTED: &str = "_1966";
+
+/// Histories of the same quantities.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HistoryTable {
+    /// Name of the condition that tells landings apart, if there are several.
+    pub condition: Option<String>,
+    /// Names of the quantities, with units.
+    pub quantities: Vec<String>,
+    /// The landings, in the order of the table.
+    pub landings: Vec<History>,
+}
+
+/// One landing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct History {
+    /// Value of the condition that tells it apart.
+    pub condition: Option<f64>,
+    /// Its instants.
+    pub instants: Vec<Instant>,
+}
+
+/// An instant of a landing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Instant {
+    /// Time after first contact, s.
+    pub time: f64,
+    /// Whether nothing touches the surface, where the table tells.
+    pub is_free: bool,
+    /// The quantities.
+    pub values: Vec<f64>,
+    /// What was printed of them in 1966.
+    pub printed: Vec<Option<f64>>,
+}
+
+/// Whether the heading of a table is one of histories.
+pub fn is_history(csv: &str) -> bool {
+    let heading = csv.lines().next().unwrap_or_default();
+    heading.split(',').any(|column| column == TIME)
+}
+
+impl HistoryTable {
+    /// Reads a table of histories: columns of a condition if landings differ in it, time,
+    /// quantities, what was printed of them (`name_1966_unit`), and `touches`.
+    ///
+    /// # Errors
+    /// Names the row and column of what is no number.
+    pub fn parse(csv: &str) -> Result<Self, FigureError> {
+        let broken = |error: csv::Error| FigureError::Table(error.to_string());
+        let mut reader = csv::Reader::from_reader(csv.as_bytes());
+        let heading = reader.headers().map_err(broken)?.clone();
+        let column = |name: &str| heading.iter().position(|known| known == name);
+        let time =
+            column(TIME).ok_or_else(|| FigureError::Table(format!("column {TIME} is missing")))?;
+        let (touches, condition) = (column(TOUCHES), (time > 0).then_some(0));
+        let quantities: Vec<usize> = (time + 1..heading.len())
+            .filter(|index| Some(*index) != touches && !heading[*index].contains(PRINTED))
+            .collect();
+        if quantities.is_empty() {
+            return Err(FigureError::Table(format!("no quantity after {TIME}")));
+        }
+        let printed: Vec<Option<usize>> = quantities
+            .iter()
+            .map(|index| {
+                let (name, unit) = heading[*index].rsplit_once('_')?;
+                column(&format!("{name}{PRINTED}_{unit}"))
+            })
+            .collect();
+        let mut landings: Vec<History> = Vec::new();
+        for (index, record) in reader.records().enumerate() {
+            let record = record.map_err(broken)?;
+            let number = |column: usize| match record[column].parse::<f64>() {
+                Ok(number) if number.is_finite() => Ok(number),
+                _ => Err(FigureError::Table(format!(
+                    "row {}: {} = {}: allowed is a finite number",
+                    index + 1,
+                    &heading[column],
+                    &record[column]
+                ))),
+            };
+            let instant = Instant {
+                time: number(time)?,
+                is_free: touches.map(number).transpose()? == Some(0.0),
+                values: quantities
+                    .iter()
+                    .map(|column| number(*column))
+                    .collect::<Result<_, _>>()?,
+                printed: printed
+                    .iter()
+                    .map(|column| {
+                        let told = column.filter(|column| !record[*column].is_empty());
+                        told.map(number).transpose()
+                    })
+                    .collect::<Result<_, _>>()?,
+            };
+            let condition = condition.map(number).transpose()?;
+            match landings.last_mut() {
+                Some(last) if last.condition == condition => last.instants.push(instant),
+                _ => landings.push(History {
+                    condition,
+                    instants: vec![instant],
+                }),
+            }
+        }
+        if landings.is_empty() {
+            return Err(FigureError::Table("has no rows".to_owned()));
+        }
+        Ok(Self {
+            condition: condition.map(|column| heading[column].to_owned()),
+            quantities: quantities
+                .iter()
+                .map(|column| heading[*column].to_owned())
+                .collect(),
+            landings,
+        })
+    }
+
+    /// Time of the last instant of all, s.
+    pub fn end(&self) -> f64 {
+        self.instants().map(|i| i.time).fold(0.0, f64::max)
+    }
+
+    /// Least and greatest value of a quantity, printed ones included.
+    pub fn range(&self, quantity: usize) -> [f64; 2] {
+        self.instants()
+            .flat_map(|instant| [Some(instant.values[quantity]), instant.printed[quantity]])
+            .flatten()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                [low.min(value), high.max(value)]
+            })
+    }
+
+    fn instants(&self) -> impl Iterator<Item = &Instant> {
+        self.landings.iter().flat_map(|landing| &landing.instants)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn landings_are_told_apart_by_the_column_before_time() {
+        let text = "tip_azimuth_deg,t_s,psi_deg,touches\n90,0,1,1\n90,0.5,2,0\n-90,0,3,1\n";
+        assert!(is_history(text));
+        let table = HistoryTable::parse(text).unwrap();
+        assert_eq!(table.condition.as_deref(), Some("tip_azimuth_deg"));
+        assert_eq!(table.quantities, ["psi_deg"]);
+        assert_eq!(table.landings.len(), 2);
+        let first = &table.landings[0];
+        assert_eq!(first.condition, Some(90.0));
+        assert!(!first.instants[0].is_free && first.instants[1].is_free);
+        assert_eq!((table.end(), table.range(0)), (0.5, [1.0, 3.0]));
+    }
+
+    #[test]
+    fn printed_values_belong_to_their_quantity_and_may_be_missing() {
+        let text = "t_s,x_rate_fps,y_rate_fps,y_rate_1966_fps\n0,1,2,2.1\n1,1,2,\n";
+        let table = HistoryTable::parse(text).unwrap();
+        assert_eq!(table.quantities, ["x_rate_fps", "y_rate_fps"]);
+        let printed: Vec<_> = table.landings[0]
+            .instants
+            .iter()
+            .map(|i| &i.printed)
+            .collect();
+        assert_eq!(*printed[0], [None, Some(2.1)]);
+        assert_eq!(*printed[1], [None, None]);
+        assert_eq!(table.range(1), [2.0, 2.1]);
+    }
+
+    #[test]
+    fn complaints_name_row_and_column() {
+        let complaint = |text: &str| HistoryTable::parse(text).unwrap_err().to_string();
+        assert!(complaint("a,b\n1,2\n").contains("column t_s is missing"));
+        assert!(complaint("t_s\n1\n").contains("no quantity after t_s"));
+        assert!(complaint("t_s,z_ft\n").contains("no rows"));
+        assert!(complaint("t_s,z_ft\n0,up\n").contains("row 1: z_ft = up"));
+    }
+}

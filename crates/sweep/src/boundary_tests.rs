@@ -1,0 +1,104 @@
+use super::*;
+use std::convert::Infallible;
+
+const SEARCH: Search = Search {
+    from: 0.0,
+    to: 25.0,
+    scan_step: 0.25,
+    tolerance: 0.001,
+    extent: Extent::First,
+    scan: Scan::Full,
+    refinement: Refinement::Bisection,
+    doubt: Doubt::None,
+};
+
+fn find(search: Search, class: impl Fn(f64) -> Class) -> Boundary {
+    let found: Result<_, Infallible> =
+        search.first_transition(|speed, _| Ok(Trial::example(class(speed), 10)));
+    match found {
+        Ok(boundary) => boundary,
+    }
+}
+
+#[test]
+fn single_boundary_is_bracketed_within_tolerance() {
+    let boundary = find(SEARCH, |v| {
+        if v < 11.4 {
+            Class::Stable
+        } else {
+            Class::Unstable
+        }
+    });
+    let found = boundary.transition.unwrap();
+    assert_eq!(found.to, Class::Unstable);
+    assert!(found.low < 11.4 && 11.4 <= found.high);
+    assert!(found.high - found.low <= 0.001);
+    assert_eq!((boundary.landings, boundary.looks), (47 + 8 + 2, 1));
+    assert_eq!(boundary.evaluations, 570);
+    assert!(boundary.landings <= SEARCH.most_landings());
+}
+
+#[test]
+fn re_entrant_outcomes_give_the_first_change() {
+    let boundary = find(SEARCH, |v| match v {
+        v if v < 12.1 => Class::Stable,
+        v if v < 16.3 => Class::Unstable,
+        v if v < 20.0 => Class::Stable,
+        _ => Class::Bottomed,
+    });
+    let found = boundary.transition.unwrap();
+    assert_eq!(found.to, Class::Unstable);
+    assert!((found.speed() - 12.1).abs() <= 0.0005);
+}
+
+#[test]
+fn class_is_that_of_the_final_upper_end() {
+    // The scan meets toppling at 12.25, but bottoming comes first.
+    let boundary = find(SEARCH, |v| match v {
+        v if v < 12.1 => Class::Stable,
+        v if v < 12.2 => Class::Bottomed,
+        _ => Class::Unstable,
+    });
+    assert_eq!(boundary.transition.unwrap().to, Class::Bottomed);
+}
+
+#[test]
+fn not_stable_at_the_start_is_a_transition_there() {
+    let boundary = find(SEARCH, |_| Class::Failure);
+    let found = boundary.transition.unwrap();
+    assert_eq!(
+        (found.to, found.low, found.high),
+        (Class::Failure, 0.0, 0.0)
+    );
+    assert_eq!((found.speed(), boundary.landings), (0.0, 1));
+}
+
+#[test]
+fn none_when_all_is_stable_and_the_upper_end_is_looked_at() {
+    assert_eq!(find(SEARCH, |_| Class::Stable).transition, None);
+    let odd = Search { to: 1.1, ..SEARCH };
+    assert_eq!(odd.scan_count(), 6);
+    assert_eq!(odd.scan_speed(5), 1.1);
+    let boundary = find(odd, |v| {
+        if v < 1.05 {
+            Class::Stable
+        } else {
+            Class::Unstable
+        }
+    });
+    assert!((boundary.transition.unwrap().speed() - 1.05).abs() <= 0.0005);
+}
+
+#[test]
+fn stops_when_told_to() {
+    let mut landings = 0;
+    let stopped = SEARCH.first_transition(|_, _| {
+        landings += 1;
+        if landings > 3 {
+            Err("stop")
+        } else {
+            Ok(Trial::example(Class::Stable, 1))
+        }
+    });
+    assert_eq!((stopped, landings), (Err("stop"), 4));
+}

@@ -1,0 +1,88 @@
+use super::*;
+use crate::trial::Margins;
+use std::convert::Infallible;
+use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::scene::CrushRule;
+
+fn sample(speed: f64, margin: f64) -> Sample {
+    let class = if margin > 0.0 {
+        Class::Stable
+    } else {
+        Class::Unstable
+    };
+    let margins = Margins {
+        toppling: Some(margin),
+        bottoming: None,
+    };
+    let trial = Trial {
+        margins,
+        ..Trial::example(class, 1)
+    };
+    Sample { speed, trial }
+}
+
+/// Tests the change at 1 ft/s of landings whose transition moves by `shift` at looser tolerance.
+fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
+    let mut landings = 0;
+    let mut land = |speed: f64, variation: Variation| {
+        landings += 1;
+        let moved = match variation {
+            Variation::Tolerance(factor) if factor > 1.0 => shift,
+            _ => 0.0,
+        };
+        let margin = if speed < 1.0 + moved { jump } else { -jump };
+        Ok::<_, Infallible>(sample(speed, margin).trial)
+    };
+    let (low, high) = (sample(0.9995, jump), sample(1.0005, -jump));
+    let Ok(certainty) = test(doubt, [&low, &high], 0.25, &mut land);
+    (certainty, landings)
+}
+
+#[test]
+fn a_margin_through_zero_is_certain_without_a_landing() {
+    assert_eq!(tested(Doubt::Doubtful, 1e-4, 0.0), (Certainty::Certain, 0));
+    assert_eq!(tested(Doubt::None, 1.0, 0.0), (Certainty::Untested, 0));
+    assert_eq!(tested(Doubt::All, 1e-4, 0.0), (Certainty::Certain, 12));
+    assert_eq!(tested(Doubt::Doubtful, 0.1, 0.0), (Certainty::Certain, 12));
+}
+
+#[test]
+fn disagreement_widens_the_interval_until_all_agree() {
+    let (certainty, _) = tested(Doubt::Doubtful, 0.1, 0.005);
+    let Certainty::Disputed([low, high]) = certainty else {
+        panic!("{certainty:?}");
+    };
+    assert_eq!(low, 0.9995);
+    assert!((1.005..1.012).contains(&high), "{high}");
+    let (certainty, _) = tested(Doubt::Doubtful, 0.1, 9.0);
+    assert_eq!(certainty, Certainty::Disputed([0.9995, 1.0005 + 0.25]));
+}
+
+#[test]
+fn variations_change_what_they_say_and_little_of_it() {
+    let attitude = Attitude::from_euler(Euler {
+        pitch: 0.1,
+        yaw: 0.2,
+        roll: 0.3,
+    });
+    let scene = Scene::new(Conditions {
+        vertical_velocity: 14.0,
+        horizontal_velocity: 11.0,
+        cross_slope: 3.0,
+        slope: 0.25,
+        attitude,
+        angular_velocity: Default::default(),
+        pad_friction: 1.0,
+        block_friction: 1.0,
+    })
+    .unwrap();
+    let settings = Settings::new(1e-6, 40.0, CrushRule::default()).unwrap();
+    let varied = |variation: Variation| variation.of(&scene, &settings).unwrap();
+    assert_eq!(varied(Variation::Given), (scene, settings));
+    assert_eq!(varied(Variation::Tolerance(0.1)).1.tolerance(), 1e-7);
+    let faster = varied(Variation::Speed(1e-6)).0;
+    assert_eq!(faster.conditions().horizontal_velocity, 11.000001);
+    let tilted = varied(Variation::Tilt(1e-6)).0.conditions().attitude;
+    let turn = tilted.euler().pitch - attitude.euler().pitch;
+    assert!((turn.to_degrees() - 1e-6).abs() < 1e-9, "{turn}");
+}

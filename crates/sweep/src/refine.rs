@@ -1,0 +1,293 @@
+//! From an interval in which the outcome changes to a bracket as narrow as was asked for.
+//!
+//! Bisection takes one landing for every halving, and the landings nearest to a transition are the
+//! longest of all. The margins of the landings run through zero where the outcome changes, nearly on
+//! a straight line, so that interpolating them finds the place in two or three landings. Only speeds
+//! that halving can meet are landed at, and both ends of the bracket are landings: where an
+//! interval holds one transition, the bracket is that of bisection to the last bit.
+//!
+//! On 42 intervals with all landings of their lattices computed, the 24 from stable to toppling took
+//! 3.1 landings in the mean instead of 8, the 7 that bottom 4.3, the 10 from toppling to stable,
+//! whose margins often jump, 6.5; evaluations fell by 45 %. A prediction from neighbouring points
+//! of the grid was measured and left out: extrapolating two neighbours misses by 0.13 ft/s in the
+//! median (312 points of Figures 4-5 to 4-25), and lies within 0.01 ft/s at 15 % of the points, so
+//! that it could spare at most one of three landings at few of them.
+//!
+//! On the level-vehicle grid both ways give the first transitions of the reference to 0.001 ft/s but at
+//! cross-slope 170 deg, roll 30 deg: there a toppling band of 0.002 ft/s at 14.307 lies below the
+//! transition at 14.311, and interpolation finds the one, halving the other. Halving therefore holds
+//! where nothing is said.
+//!
+//! Where margins jump or turn back an interval may hold more than one. It is halved after all then, so
+//! that both ways give the same, and looked at again in its wide gaps.
+
+use touchdown_dynamics::outcome::Class;
+
+use crate::lattice::Lattice;
+use crate::trial::{Sample, margin_jumps};
+
+/// How brackets are narrowed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Refinement {
+    /// Interpolates margins where they speak of the change, and halves where they do not.
+    Margin,
+    /// Halves.
+    #[default]
+    Bisection,
+}
+
+/// Landings more than halving would take that interpolation may spend before it has to halve.
+const SLACK: i32 = 2;
+
+/// A gap is wide that is more than this part of the interval: a quarter.
+const WIDE_GAP: u64 = 4;
+
+/// How an interval is narrowed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Narrowing {
+    /// How the next speed is chosen.
+    pub(crate) refinement: Refinement,
+    /// Greatest width of the brackets, ft/s.
+    pub(crate) tolerance: f64,
+    /// Whether changes above the lowest that is met are narrowed too.
+    pub(crate) to_all: bool,
+}
+
+/// What narrowing an interval gave.
+#[derive(Debug, Default)]
+pub(crate) struct Narrowed {
+    /// Landings in between, in no order.
+    pub(crate) samples: Vec<Sample>,
+    /// Gaps between like landings that were looked into, and those that held another change.
+    pub(crate) looks: u64,
+    pub(crate) finds: u64,
+    /// Landings that are not among the samples, and evaluations in them.
+    pub(crate) spent: [u64; 2],
+}
+
+impl Narrowing {
+    /// Narrows down the change of class between two landings and any other that is met on the way.
+    pub(crate) fn between<Stop>(
+        &self,
+        low: &Sample,
+        high: &Sample,
+        sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
+    ) -> Result<Narrowed, Stop> {
+        if low.class() == high.class() {
+            return Ok(Narrowed::default());
+        }
+        let lattice = Lattice::new(low.speed, high.speed, self.tolerance);
+        let mut nodes = Vec::new();
+        let mut land = |index| {
+            let node = Node {
+                index,
+                sample: sample(lattice.speed(index))?,
+            };
+            nodes.push(node.clone());
+            Ok(node)
+        };
+        let node = |index, sample: &Sample| Node {
+            index,
+            sample: sample.clone(),
+        };
+        let ends = [node(0, low), node(lattice.parts(), high)];
+        let [from, to] = ends.clone();
+        self.narrow(from, to, &mut land)?;
+        let mut narrowed = Narrowed::default();
+        if !is_regular(&ends, &nodes) {
+            if self.refinement == Refinement::Margin {
+                // The margins led astray, or to one of several changes: only halving counts.
+                let evaluations = nodes.iter().map(|node| node.sample.trial.evaluations);
+                narrowed.spent = [nodes.len() as u64, evaluations.sum()];
+                nodes.clear();
+                let halving = Self {
+                    refinement: Refinement::Bisection,
+                    ..*self
+                };
+                let [from, to] = ends.clone();
+                halving.narrow(from, to, &mut |index| {
+                    let node = Node {
+                        index,
+                        sample: sample(lattice.speed(index))?,
+                    };
+                    nodes.push(node.clone());
+                    Ok(node)
+                })?;
+            }
+            (narrowed.looks, narrowed.finds) =
+                self.look_again(&ends, &mut nodes, &mut |index| {
+                    sample(lattice.speed(index)).map(|sample| Node { index, sample })
+                })?;
+        }
+        narrowed.samples = nodes.into_iter().map(|node| node.sample).collect();
+        Ok(narrowed)
+    }
+
+    /// Where a margin jumps or turns back inside the interval, there may be more changes than the
+    /// one that was narrowed down: lands at the thirds of each wide gap between like landings, and
+    /// narrows what it finds.
+    fn look_again<Stop>(
+        &self,
+        ends: &[Node; 2],
+        found: &mut Vec<Node>,
+        land: &mut impl FnMut(u64) -> Result<Node, Stop>,
+    ) -> Result<(u64, u64), Stop> {
+        let mut nodes: Vec<Node> = ends.iter().chain(found.iter()).cloned().collect();
+        nodes.sort_by_key(|node| node.index);
+        let wide = ends[1].index / WIDE_GAP;
+        let gaps = nodes
+            .windows(2)
+            .take_while(|pair| self.to_all || pair[1].class() == ends[0].class())
+            .filter(|pair| {
+                pair[0].class() == pair[1].class() && pair[1].index - pair[0].index > wide.max(2)
+            });
+        let (mut looks, mut finds) = (0, 0);
+        for gap in gaps {
+            let [below, above] = [&gap[0], &gap[1]];
+            let width = above.index - below.index;
+            let mut kept = |index| {
+                let node = land(index)?;
+                found.push(node.clone());
+                Ok(node)
+            };
+            let thirds = [
+                kept(below.index + width / 3)?,
+                kept(above.index - width / 3)?,
+            ];
+            looks += 1;
+            finds += u64::from(thirds.iter().any(|node| node.class() != below.class()));
+            let [first, second] = &thirds;
+            for [low, high] in [[below, first], [first, second], [second, above]] {
+                self.narrow(low.clone(), high.clone(), &mut kept)?;
+            }
+        }
+        Ok((looks, finds))
+    }
+
+    fn narrow<Stop>(
+        &self,
+        mut low: Node,
+        mut high: Node,
+        land: &mut impl FnMut(u64) -> Result<Node, Stop>,
+    ) -> Result<(), Stop> {
+        let most = ((high.index - low.index) as f64).log2().ceil() as i32 + SLACK;
+        let mut landings = 0;
+        let mut outside: Option<Node> = None;
+        while low.class() != high.class() && high.index - low.index > 1 {
+            let aim = match self.refinement {
+                Refinement::Margin => aim(&low, &high, outside.as_ref()),
+                Refinement::Bisection => None,
+            };
+            landings += 1;
+            // What is left must be within reach of halving.
+            let widest = 2f64.powi(most - landings);
+            let node = land(place(aim, low.index, high.index, widest))?;
+            if node.class() == low.class() {
+                outside = Some(std::mem::replace(&mut low, node));
+            } else if node.class() == high.class() {
+                outside = Some(std::mem::replace(&mut high, node));
+            } else {
+                if self.to_all {
+                    self.narrow(node.clone(), high, land)?;
+                }
+                high = node;
+                outside = None;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether neighbouring landings change class once, at a margin that runs through zero and never
+/// turns back.
+fn is_regular(ends: &[Node; 2], between: &[Node]) -> bool {
+    let mut nodes: Vec<&Node> = ends.iter().chain(between).collect();
+    nodes.sort_by_key(|node| node.index);
+    let changes: Vec<&[&Node]> = nodes
+        .windows(2)
+        .filter(|pair| pair[0].class() != pair[1].class())
+        .collect();
+    let [change] = changes[..] else {
+        return false;
+    };
+    let [low, high] = [change[0], change[1]];
+    let classes = [low.class(), high.class()];
+    let margins: Option<Vec<f64>> = nodes.iter().map(|node| node.margin(classes)).collect();
+    let falls = |a: f64, b: f64| match classes[0] {
+        Class::Stable => a > b,
+        _ => a < b,
+    };
+    !margin_jumps(&low.sample, &high.sample)
+        && margins.is_some_and(|margins| margins.windows(2).all(|pair| falls(pair[0], pair[1])))
+}
+
+/// A landing at a speed of the lattice.
+#[derive(Debug, Clone)]
+struct Node {
+    index: u64,
+    sample: Sample,
+}
+
+impl Node {
+    fn class(&self) -> Class {
+        self.sample.class()
+    }
+
+    fn margin(&self, classes: [Class; 2]) -> Option<f64> {
+        self.sample.trial.margin(classes)
+    }
+}
+
+/// Where the margin passes zero between two landings, counted in parts of the lattice: on the line
+/// through both, or on the parabola through a landing beyond them too where the margin is monotone.
+fn aim(low: &Node, high: &Node, outside: Option<&Node>) -> Option<f64> {
+    let classes = [low.class(), high.class()];
+    let point = |node: &Node| Some([node.index as f64, node.margin(classes)?]);
+    let [a, b] = [point(low)?, point(high)?];
+    let changes_sign = (a[1] > 0.0) != (b[1] > 0.0);
+    let line = || a[0] + (b[0] - a[0]) * a[1] / (a[1] - b[1]);
+    changes_sign.then(|| {
+        outside
+            .and_then(point)
+            .and_then(|c| inverse(a, b, c))
+            .filter(|place| (a[0]..b[0]).contains(place))
+            .unwrap_or_else(line)
+    })
+}
+
+/// Place of zero on the parabola through three points in which the place is a function of the margin;
+/// `None` where the margin is not monotone over them.
+fn inverse(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<f64> {
+    let mut points = [a, b, c];
+    points.sort_by(|p, q| p[0].total_cmp(&q[0]));
+    let [[x0, y0], [x1, y1], [x2, y2]] = points;
+    let is_monotone = (y1 - y0) * (y2 - y1) > 0.0;
+    is_monotone.then(|| {
+        x0 * y1 * y2 / ((y0 - y1) * (y0 - y2))
+            + x1 * y0 * y2 / ((y1 - y0) * (y1 - y2))
+            + x2 * y0 * y1 / ((y2 - y0) * (y2 - y1))
+    })
+}
+
+/// The place to land at next: next to the aim, on the side of the farther end, and so that neither
+/// part is wider than `widest`; the middle without an aim.
+fn place(aim: Option<f64>, low: u64, high: u64, widest: f64) -> u64 {
+    let middle = low + (high - low) / 2;
+    let Some(aim) = aim else {
+        return middle;
+    };
+    let (a, b) = (low as f64, high as f64);
+    let beside = if aim - a < b - aim {
+        aim.ceil()
+    } else {
+        aim.floor()
+    };
+    let reach = (widest - 0.5 * (b - a)).max(0.0);
+    let centre = 0.5 * (a + b);
+    let within = beside.max(centre - reach).min(centre + reach).round();
+    (within as u64).clamp(low + 1, high - 1)
+}
+
+#[cfg(test)]
+#[path = "refine_tests.rs"]
+mod tests;

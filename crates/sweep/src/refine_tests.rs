@@ -1,0 +1,118 @@
+use super::*;
+use crate::trial::{Margins, Trial};
+use std::convert::Infallible;
+
+const HALVINGS: usize = 8;
+
+/// A landing that topples where its margin is negative.
+fn at(speed: f64, margin: f64) -> Sample {
+    let class = if margin > 0.0 {
+        Class::Stable
+    } else {
+        Class::Unstable
+    };
+    let margins = Margins {
+        toppling: Some(margin),
+        bottoming: None,
+    };
+    let trial = Trial {
+        margins,
+        ..Trial::example(class, 1)
+    };
+    Sample { speed, trial }
+}
+
+/// Bracket of the change between 0 and 0.25, and the landings that it took.
+fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2], usize) {
+    let narrowing = Narrowing {
+        refinement,
+        tolerance: 0.001,
+        to_all: true,
+    };
+    let (low, high) = (sample(0.0), sample(0.25));
+    let mut land = |speed| Ok::<_, Infallible>(sample(speed));
+    let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
+    let mut samples = narrowed.samples;
+    let landings = match narrowed.spent[0] {
+        0 => samples.len() - 2 * narrowed.looks as usize,
+        spent => spent as usize,
+    };
+    samples.extend([low, high]);
+    samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    let mut changes = samples
+        .windows(2)
+        .filter(|pair| pair[0].class() != pair[1].class());
+    let change = changes.next().unwrap();
+    assert!(changes.next().is_none());
+    ([change[0].speed, change[1].speed], landings)
+}
+
+/// The same bracket by both ways; landings that interpolation took.
+fn both(margin: impl Fn(f64) -> f64) -> usize {
+    let sample = |speed| at(speed, margin(speed));
+    let (halved, landings) = bracket(Refinement::Bisection, sample);
+    assert_eq!(landings, HALVINGS);
+    let (interpolated, landings) = bracket(Refinement::Margin, sample);
+    assert_eq!(interpolated, halved);
+    landings
+}
+
+#[test]
+fn a_straight_margin_takes_the_two_ends_of_the_bracket() {
+    for at in 1..250 {
+        let place = 0.001 * f64::from(at);
+        assert!(both(|v| place - v) <= 2, "{place}");
+        assert!(both(|v| v - place) <= 2, "{place}");
+    }
+}
+
+#[test]
+fn bent_margins_take_few_landings_and_jumps_no_more_than_the_slack() {
+    for at in 1..250 {
+        let place = 0.001 * f64::from(at);
+        assert!(both(|v| (place - v) * (1.0 + 3.0 * v)) <= 5, "{place}");
+        let kinked = |v: f64| (place - v) * if v < place { 1.0 } else { 3.0 };
+        let jumping = |v: f64| if v < place { 0.04 - 0.1 * v } else { -0.3 };
+        for landings in [both(kinked), both(jumping)] {
+            assert!(landings <= HALVINGS + SLACK as usize, "{place}");
+        }
+    }
+}
+
+#[test]
+fn landings_without_a_margin_are_halved() {
+    let sample = |speed: f64| Sample {
+        trial: Trial::example(at(speed, 0.1 - speed).class(), 1),
+        ..at(speed, 0.0)
+    };
+    let halved = bracket(Refinement::Bisection, sample);
+    assert_eq!(bracket(Refinement::Margin, sample), halved);
+}
+
+#[test]
+fn an_irregular_interval_is_looked_at_again() {
+    // Topples from 0.04 to 0.16 and from 0.2 on; the first guess falls between.
+    let margin = |v: f64| match v {
+        v if v < 0.04 => 0.2,
+        v if v < 0.16 => -0.1,
+        v if v < 0.2 => 0.05,
+        _ => -0.05,
+    };
+    for refinement in [Refinement::Margin, Refinement::Bisection] {
+        let narrowing = Narrowing {
+            refinement,
+            tolerance: 0.001,
+            to_all: true,
+        };
+        let mut land = |speed| Ok::<_, Infallible>(at(speed, margin(speed)));
+        let (low, high) = (at(0.0, 0.2), at(0.25, -0.05));
+        let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
+        let mut samples = narrowed.samples;
+        samples.extend([low, high]);
+        samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let mut changes = samples
+            .windows(2)
+            .filter(|pair| pair[0].class() != pair[1].class());
+        assert!((changes.next().unwrap()[0].speed - 0.04).abs() < 0.001);
+    }
+}

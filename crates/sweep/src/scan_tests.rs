@@ -1,0 +1,77 @@
+use super::*;
+use crate::boundary::Extent;
+use crate::certainty::Doubt;
+use crate::refine::Refinement;
+use crate::trial::Trial;
+use std::convert::Infallible;
+
+const SEARCH: Search = Search {
+    from: 0.0,
+    to: 25.0,
+    scan_step: 0.25,
+    tolerance: 0.001,
+    extent: Extent::All,
+    scan: Scan::Skipping,
+    refinement: Refinement::Margin,
+    doubt: Doubt::None,
+};
+
+/// Scans landings that last so long and end in such a class at a speed; returns the speeds.
+fn scan(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<f64> {
+    let mut sample = |speed| {
+        let (duration, class) = land(speed);
+        let mut trial = Trial {
+            duration,
+            ..Trial::example(class, 1)
+        };
+        trial.margins.bottoming = Some(0.5);
+        Ok::<_, Infallible>(Sample { speed, trial })
+    };
+    let Ok(samples) = search.scanned(to_first, &mut sample);
+    samples.into_iter().map(|sample| sample.speed).collect()
+}
+
+#[test]
+fn a_full_scan_takes_every_step_up_to_what_it_looks_for() {
+    let full = Search {
+        scan: Scan::Full,
+        ..SEARCH
+    };
+    let topples_at_10 = |v: f64| {
+        let class = if v < 10.0 {
+            Class::Stable
+        } else {
+            Class::Unstable
+        };
+        (0.5, class)
+    };
+    assert_eq!(scan(full, false, topples_at_10).len(), 101);
+    assert_eq!(scan(full, true, topples_at_10).len(), 41);
+}
+
+#[test]
+fn quiet_stretches_are_passed_over_and_changes_found_in_the_same_step() {
+    let land = |v: f64| match v {
+        v if v < 10.0 => (0.5, Class::Stable),
+        v if v < 11.4 => (2.0, Class::Stable),
+        v if v < 12.0 => (3.0, Class::Unstable),
+        _ => (1.0, Class::Unstable),
+    };
+    let speeds = scan(SEARCH, false, land);
+    assert!(speeds.len() < 40, "{}", speeds.len());
+    for step in 40..=48 {
+        assert!(speeds.contains(&(0.25 * f64::from(step))), "{step}");
+    }
+    assert_eq!(speeds.last(), Some(&25.0));
+    let first = scan(SEARCH, true, land);
+    assert!(first.contains(&11.25) && first.contains(&11.5));
+    assert_eq!(first.last(), Some(&12.0));
+}
+
+#[test]
+fn long_landings_are_never_passed_over() {
+    assert_eq!(scan(SEARCH, false, |_| (2.0, Class::Stable)).len(), 101);
+    let odd = Search { to: 1.1, ..SEARCH };
+    assert_eq!(scan(odd, false, |_| (2.0, Class::Stable)).len(), 6);
+    assert_eq!(scan(odd, false, |_| (1.0, Class::Stable)), [0.0, 1.1]);
+}

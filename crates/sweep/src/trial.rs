@@ -1,0 +1,168 @@
+//! What a search keeps of a landing, and how far that was from ending otherwise.
+
+use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::outcome::{Class, Outcome};
+use touchdown_dynamics::vehicle::Vehicle;
+
+/// What one landing told.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Least stability angle on the way, rad.
+    pub least_angle: f64,
+    /// Margins against ending otherwise.
+    pub margins: Margins,
+    /// How long it took, in times that the CG falls freely from its height at touchdown.
+    pub duration: f64,
+    /// Evaluations of the equations of motion that it took.
+    pub evaluations: u64,
+}
+
+/// Signed margins, positive on the side of a stable landing and continuous where nothing but the
+/// speed decides.
+///
+/// A vehicle that rocks over its feet moves over a hill of potential energy. What its energy falls
+/// short of the top is proportional to σ² where it turns back, and what is left of it beyond to the
+/// square of the rate at which σ passes zero. Both run straight through zero with the speed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Margins {
+    /// Against toppling: the square of the least σ, or minus the square of its rate at its zero in
+    /// radians per free fall, rad². `None` where all feet came to one side.
+    pub toppling: Option<f64>,
+    /// Against bottoming: the least stroke that a strut had left, or minus the stroke that it would
+    /// have needed beyond its stop, in units of the whole stroke. `None` where it did not slow down.
+    pub bottoming: Option<f64>,
+}
+
+/// Measures of a vehicle by which margins are made dimensionless.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scales<const LEGS: usize> {
+    /// Time in which the CG falls freely from its height at touchdown, s.
+    pub fall_time: f64,
+    /// Stroke at which each strut bottoms, ft.
+    pub strokes: [f64; LEGS],
+}
+
+impl<const LEGS: usize> Scales<LEGS> {
+    /// The scales of a vehicle.
+    pub fn of(vehicle: &Vehicle<LEGS>) -> Self {
+        let stance = vehicle.legs().iter().map(|leg| {
+            let design = leg.design();
+            design.linkage.lower_link_length * leg.extended_angle().sin() + design.footpad.height
+        });
+        let height = vehicle.center_of_gravity_height() + stance.fold(f64::NEG_INFINITY, f64::max);
+        Self {
+            fall_time: (2.0 * height / vehicle.gravity()).sqrt(),
+            strokes: std::array::from_fn(|j| {
+                let strut = &vehicle.legs()[j].design().strut;
+                strut.extended_length - strut.minimum_length
+            }),
+        }
+    }
+}
+
+impl Trial {
+    /// What a search keeps of a landing.
+    pub fn of<const LEGS: usize>(landing: Landing<LEGS>, scales: &Scales<LEGS>) -> Self {
+        Self {
+            margins: Margins {
+                toppling: toppling(&landing, scales),
+                bottoming: bottoming(&landing, scales),
+            },
+            least_angle: landing.min_stability_angle,
+            duration: landing.end_time / scales.fall_time,
+            evaluations: landing.evaluations,
+            outcome: landing.outcome,
+        }
+    }
+
+    /// The margin that decides between two classes, positive in a stable landing.
+    pub fn margin(&self, classes: [Class; 2]) -> Option<f64> {
+        match classes {
+            [Class::Stable, Class::Unstable] | [Class::Unstable, Class::Stable] => {
+                self.margins.toppling
+            }
+            [Class::Stable, Class::Bottomed] | [Class::Bottomed, Class::Stable] => {
+                self.margins.bottoming
+            }
+            _ => None,
+        }
+    }
+}
+
+fn toppling<const LEGS: usize>(landing: &Landing<LEGS>, scales: &Scales<LEGS>) -> Option<f64> {
+    match landing.outcome {
+        Outcome::UnstableYaw => None,
+        Outcome::UnstablePitch => {
+            let rate = landing.final_rates.stability_angle? * scales.fall_time;
+            Some(-rate * rate)
+        }
+        _ => Some(landing.min_stability_angle * landing.min_stability_angle),
+    }
+}
+
+fn bottoming<const LEGS: usize>(landing: &Landing<LEGS>, scales: &Scales<LEGS>) -> Option<f64> {
+    if let Outcome::Bottomed { leg } = landing.outcome {
+        let rates = &landing.final_rates;
+        let (rate, braking) = (rates.strokes[leg], -rates.stroke_accelerations[leg]);
+        let beyond = rate * rate / (2.0 * braking);
+        return (braking > 0.0).then(|| -beyond / scales.strokes[leg]);
+    }
+    let left = landing
+        .max_stroke
+        .iter()
+        .zip(&scales.strokes)
+        .map(|(stroke, whole)| 1.0 - stroke / whole);
+    Some(left.fold(1.0, f64::min))
+}
+
+/// A landing of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// Its horizontal speed, ft/s.
+    pub speed: f64,
+    /// What it told.
+    pub trial: Trial,
+}
+
+impl Sample {
+    /// The class of its outcome.
+    pub fn class(&self) -> Class {
+        self.trial.outcome.class()
+    }
+}
+
+/// Greatest difference of a margin across a bracket in which it runs through zero: at the regular
+/// transitions of the level vehicle it is 0.0003 for a bracket of 0.001 ft/s.
+const LEAST_JUMP: f64 = 0.01;
+
+/// Whether, of the change between two landings, no margin tells, or one that jumps.
+pub fn margin_jumps(low: &Sample, high: &Sample) -> bool {
+    let classes = [low.class(), high.class()];
+    match [low, high].map(|sample| sample.trial.margin(classes)) {
+        [Some(a), Some(b)] => (a - b).abs() > LEAST_JUMP,
+        _ => true,
+    }
+}
+
+#[cfg(test)]
+impl Trial {
+    /// A landing that ended in a class somehow.
+    pub(crate) fn example(class: Class, evaluations: u64) -> Self {
+        use touchdown_dynamics::outcome::Failure;
+        let outcome = match class {
+            Class::Stable => Outcome::StableSubsided,
+            Class::Unstable => Outcome::UnstablePitch,
+            Class::Bottomed => Outcome::Bottomed { leg: 0 },
+            Class::Failure => Outcome::Failure(Failure::StepLimit),
+        };
+        Self {
+            outcome,
+            least_angle: 0.5,
+            margins: Margins::default(),
+            duration: 3.0,
+            evaluations,
+        }
+    }
+}

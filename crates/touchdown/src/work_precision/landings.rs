@@ -1,0 +1,144 @@
+//! Cost and error of single landings, on one thread.
+
+use std::time::Instant as Clock;
+
+use rayon::prelude::*;
+use touchdown_dynamics::landing::{land, land_observed};
+use touchdown_dynamics::record::Instant;
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
+
+use super::{CONVERGED, settings};
+use crate::LEGS;
+use crate::failure::Failure;
+
+/// Times at which trajectories are compared, in intervals of 0.1 s.
+const COMPARED: [usize; 2] = [3, 10];
+const INTERVAL: f64 = 0.1;
+
+/// Landings with their converged answers.
+pub struct Landings<'v> {
+    vehicle: &'v Vehicle<LEGS>,
+    scenes: Vec<Scene>,
+    converged: Vec<Seen>,
+}
+
+/// What is compared of a landing.
+struct Seen {
+    /// At the compared times, where the landing lasts that long.
+    instants: [Option<Instant<LEGS>>; 2],
+    /// Least stability angle, deg.
+    least_angle: f64,
+}
+
+/// What a tolerance costs, and the error of what it gives: median and worst.
+pub struct Measured {
+    /// Time of a landing, µs: median and mean.
+    pub time: [f64; 2],
+    /// Steps, evaluations and events of a landing, mean.
+    pub steps: f64,
+    /// Evaluations of the equations of motion, whole or in part.
+    pub evaluations: f64,
+    /// Changes of the active piece of a law.
+    pub events: f64,
+    /// Error of position at 0.3 s and 1 s, ft.
+    pub position: [[f64; 2]; 2],
+    /// Error of pitch at 0.3 s and 1 s, deg.
+    pub pitch: [[f64; 2]; 2],
+    /// Error of the least stability angle, deg.
+    pub least_angle: [f64; 2],
+}
+
+impl<'v> Landings<'v> {
+    /// Lands with the tightest tolerance.
+    pub fn converged(vehicle: &'v Vehicle<LEGS>, scenes: Vec<Scene>) -> Result<Self, Failure> {
+        let converged = scenes
+            .par_iter()
+            .map(|scene| seen(vehicle, scene, CONVERGED))
+            .collect::<Result<_, _>>()?;
+        Ok(Self {
+            vehicle,
+            scenes,
+            converged,
+        })
+    }
+
+    /// Lands with a tolerance and compares.
+    pub fn measure(&self, tolerance: f64) -> Result<Measured, Failure> {
+        let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
+        let (mut times, mut sums) = (Vec::new(), [0; 3]);
+        for scene in &self.scenes {
+            let clock = Clock::now();
+            let landing = land(self.vehicle, scene, &settings);
+            times.push(clock.elapsed().as_secs_f64() * 1e6);
+            let counts = [landing.steps, landing.evaluations, landing.events];
+            sums.iter_mut().zip(counts).for_each(|(sum, n)| *sum += n);
+        }
+        let found: Vec<Seen> = self
+            .scenes
+            .par_iter()
+            .map(|scene| seen(self.vehicle, scene, tolerance))
+            .collect::<Result<_, _>>()?;
+        let pairs = || found.iter().zip(&self.converged);
+        let at = |time: usize, error: fn(&Instant<LEGS>, &Instant<LEGS>) -> f64| {
+            let errors = pairs().filter_map(|(one, other)| {
+                Some(error(
+                    one.instants[time].as_ref()?,
+                    other.instants[time].as_ref()?,
+                ))
+            });
+            median_and_worst(errors.collect())
+        };
+        let position =
+            |one: &Instant<LEGS>, other: &Instant<LEGS>| (one.position - other.position).norm();
+        let pitch = |one: &Instant<LEGS>, other: &Instant<LEGS>| {
+            let [one, other] = [one, other].map(|instant| instant.attitude.euler().pitch);
+            (one - other).abs().to_degrees()
+        };
+        let count = self.scenes.len() as f64;
+        let [steps, evaluations, events] = sums.map(|sum| sum as f64 / count);
+        Ok(Measured {
+            time: [
+                median_and_worst(times.clone())[0],
+                times.iter().sum::<f64>() / count,
+            ],
+            steps,
+            evaluations,
+            events,
+            position: [at(0, position), at(1, position)],
+            pitch: [at(0, pitch), at(1, pitch)],
+            least_angle: median_and_worst(
+                pairs()
+                    .map(|(one, other)| (one.least_angle - other.least_angle).abs())
+                    .collect(),
+            ),
+        })
+    }
+}
+
+fn seen(vehicle: &Vehicle<LEGS>, scene: &Scene, tolerance: f64) -> Result<Seen, Failure> {
+    let mut instants = [None, None];
+    let mut count = 0;
+    let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
+    let landing = land_observed(vehicle, scene, &settings, INTERVAL, |instant| {
+        // The end of a landing is reported too, but not at a full interval.
+        let is_regular = (instant.time - INTERVAL * count as f64).abs() < 1e-9;
+        if let (true, Some(k)) = (is_regular, COMPARED.iter().position(|&n| n == count)) {
+            instants[k] = Some(instant.clone());
+        }
+        count += 1;
+    });
+    Ok(Seen {
+        instants,
+        least_angle: landing.min_stability_angle.to_degrees(),
+    })
+}
+
+/// Median and greatest of some errors; not a number where there are none.
+pub fn median_and_worst(mut errors: Vec<f64>) -> [f64; 2] {
+    errors.sort_by(f64::total_cmp);
+    match errors.as_slice() {
+        [] => [f64::NAN; 2],
+        sorted => [sorted[sorted.len() / 2], sorted[sorted.len() - 1]],
+    }
+}

@@ -1,0 +1,23 @@
+#!/bin/sh
+# How many bands the search misses: the level-vehicle grid scanned by 0.02 ft/s (178,893 landings, about
+# ten minutes on two cores) to results/fine-bands.csv, against the sweep scripts/level-grid.toml.
+# With --kept the fine scan is not computed again.
+set -eu
+cd "$(dirname "$0")/.."
+cargo build --release --quiet
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+if [ "${1:-}" != --kept ]; then
+    awk 'BEGIN {
+        print "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,roll_deg,slope_deg,friction,pitch_deg,yaw_deg"
+        for (c = 80; c <= 180; c += 10) for (r = -60; r <= 60; r += 10) for (i = 0; i <= 1250; i++)
+            printf "%d,14,%.2f,%d,%d,15,1,0,0\n", ++n, 0.02 * i, c, r
+    }' > "$work/cases.csv"
+    target/release/touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \
+        --cases "$work/cases.csv" --out "$work/landings.csv"
+    cut -d, -f3-5 "$work/cases.csv" | awk -F, -v OFS=, '{ print $2, $3, $1 }' |
+        paste -d, - "$work/landings.csv" | tail -n +2 | cut -d, -f1-3,5 |
+        awk -f scripts/fine-bands.awk > results/fine-bands.csv
+fi
+target/release/touchdown sweep scripts/level-grid.toml --out "$work"
+awk -f scripts/missed-bands.awk "$work/level-grid-bands.csv" results/fine-bands.csv
