@@ -16,7 +16,7 @@
 //! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
 //! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
 //! | the surface from impact times | [`impact_surface`] |
-//! | how it is integrated | [`integrator`] |
+//! | how it is integrated | [`integrator`], [`model_version`] |
 //! | how it was integrated in 1966, and what that was compared with | [`methods`] |
 
 pub mod attitude;
@@ -33,6 +33,7 @@ pub mod invalid;
 pub mod kinematics;
 pub mod landing;
 pub mod methods;
+pub mod model_version;
 pub mod motion;
 pub mod outcome;
 pub mod profile;

@@ -5,6 +5,7 @@ use std::fmt;
 use crate::stability::Verdict;
 
 /// The end of a landing. Feet and legs are counted from 0 here and from 1 in every output.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
     /// The vehicle rocked up, did not topple, and came back onto other feet.
@@ -27,6 +28,7 @@ pub enum Outcome {
 }
 
 /// Why a landing could not be computed to its end.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Failure {
     /// A loaded footpad inclined more than 65 deg, where the model has no law.
@@ -45,6 +47,7 @@ pub enum Failure {
 }
 
 /// Coarse class of an outcome: what a boundary search tells apart.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Class {
     /// Did not topple and no strut bottomed, a landing out of time included.

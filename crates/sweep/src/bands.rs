@@ -4,6 +4,7 @@
 //! between neighbouring landings of different class is narrowed down. Whatever third class that
 //! meets becomes a band of its own.
 
+use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::{Class, Outcome};
 
 use crate::boundary::{Boundary, Search};
@@ -12,7 +13,7 @@ use crate::hidden;
 use crate::trial::{Sample, Trial};
 
 /// A range of speeds in which landings end alike.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Band {
     /// Lower end, ft/s: the middle of the bracket below, or the lowest speed searched.
     pub from: f64,

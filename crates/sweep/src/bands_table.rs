@@ -1,5 +1,6 @@
 //! The bands of a sweep as a table.
 
+use crate::bands::Band;
 use crate::boundary::Boundary;
 use crate::sweep_file::Sweep;
 
@@ -16,51 +17,42 @@ pub const COLUMNS: [&str; 9] = [
     "disputed_to_fps",
 ];
 
-/// All bands as CSV: one row per band, from below, points in grid order.
+/// Heading of the table of bands.
+pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
+    let axes = sweep.axes.iter().map(|axis| axis.name());
+    axes.chain(COLUMNS).map(str::to_owned).collect()
+}
+
+/// Rows of a point: one for each band, from below.
 ///
 /// `outcome` is the class that the band's landings share, `kind` how the one nearest to its middle
 /// ended; `bracket_width_fps` and `certainty` belong to `to_fps` and are empty at the end of the range.
 /// Where `certainty` is `disputed`, small changes decide between the two speeds that follow.
-///
-/// # Errors
-/// None but those of memory.
-pub fn table<const LEGS: usize>(
+pub fn rows<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
-    boundaries: &[Boundary],
-) -> Result<Vec<u8>, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let axes = sweep.grid.axes().iter().map(|axis| axis.name());
-    writer.write_record(axes.chain(COLUMNS))?;
-    for (point, boundary) in boundaries.iter().enumerate() {
-        let coordinates = sweep.grid.coordinates(point);
-        for (index, band) in boundary.bands.iter().enumerate() {
-            let width = band.bracket_width;
-            let cells = [
-                (index + 1).to_string(),
-                band.from.to_string(),
-                band.to.to_string(),
-                band.class.to_string(),
-                width.map_or(String::new(), |width| width.to_string()),
-                band.outcome.to_string(),
-            ];
-            writer.write_record(
-                coordinates
-                    .iter()
-                    .map(f64::to_string)
-                    .chain(cells)
-                    .chain(band.certainty.cells()),
-            )?;
-        }
-    }
-    writer
-        .into_inner()
-        .map_err(|error| error.into_error().into())
+    point: usize,
+    boundary: &Boundary,
+) -> Vec<Vec<String>> {
+    let coordinates = sweep.coordinates_written(point);
+    let row = |(index, band): (usize, &Band)| {
+        let width = band.bracket_width;
+        let cells = [
+            (index + 1).to_string(),
+            band.from.to_string(),
+            band.to.to_string(),
+            band.class.to_string(),
+            width.map_or(String::new(), |width| width.to_string()),
+            band.outcome.to_string(),
+        ];
+        let cells = cells.into_iter().chain(band.certainty.cells());
+        coordinates.iter().cloned().chain(cells).collect()
+    };
+    boundary.bands.iter().enumerate().map(row).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bands::Band;
     use crate::certainty::Certainty;
     use std::path::Path;
     use touchdown_dynamics::outcome::{Class, Outcome};
@@ -94,13 +86,18 @@ mod tests {
             bands,
             ..Boundary::default()
         };
-        let text = String::from_utf8(table(&sweep, &[boundary]).unwrap()).unwrap();
         assert_eq!(
-            text,
+            heading(&sweep).join(","),
             "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind,certainty,\
-             disputed_from_fps,disputed_to_fps\n\
-             -60,1,0,11.5,stable,0.25,stable-subsided,disputed,11.25,12\n\
-             -60,2,11.5,25,unstable,,unstable-yaw,,,\n"
+             disputed_from_fps,disputed_to_fps"
+        );
+        let rows = rows(&sweep, 0, &boundary).into_iter();
+        assert_eq!(
+            rows.map(|row| row.join(",")).collect::<Vec<_>>(),
+            [
+                "-60,1,0,11.5,stable,0.25,stable-subsided,disputed,11.25,12",
+                "-60,2,11.5,25,unstable,,unstable-yaw,,,"
+            ]
         );
     }
 }

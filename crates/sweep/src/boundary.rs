@@ -4,6 +4,7 @@
 //! bisection over the whole range could then settle on any of the changes, so the range is
 //! scanned upward in steps first and only the step in which the outcome changes is narrowed down.
 
+use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::Class;
 
 use crate::bands::Band;
@@ -44,7 +45,7 @@ pub enum Extent {
 }
 
 /// The first change away from a stable landing.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Transition {
     /// How landings end at `high`.
     pub to: Class,
@@ -65,7 +66,7 @@ impl Transition {
 }
 
 /// What a search found, and what it cost.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Boundary {
     /// The first transition, if there is one in the range.
     pub transition: Option<Transition>,

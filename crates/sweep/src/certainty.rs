@@ -8,6 +8,7 @@
 //! Where a margin runs through zero the transition is as certain as the trajectory. It is doubtful
 //! where the margin jumps across the bracket, or where no margin speaks of the change.
 
+use serde::{Deserialize, Serialize};
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
@@ -27,7 +28,7 @@ pub enum Doubt {
 }
 
 /// How well a transition is determined.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub enum Certainty {
     /// Nobody asked.
     #[default]

@@ -30,7 +30,7 @@ impl Folder {
             path: path.to_owned(),
         };
         // Permissions, quotas and read-only mounts show only when a file is really made.
-        folder.beside(b"").map_err(refuse)?;
+        folder.beside().map_err(refuse)?;
         Ok(folder)
     }
 
@@ -60,34 +60,98 @@ impl Folder {
     /// # Errors
     /// Names the file that could not be written.
     pub fn deposit(&self, files: &[(String, Vec<u8>)]) -> Result<Vec<PathBuf>, DepositError> {
-        let mut written = Vec::with_capacity(files.len());
-        for (name, bytes) in files {
-            let path = self.path(name);
-            match self.beside(bytes) {
-                Ok(file) => written.push((path, file)),
-                Err(error) => return Err(DepositError { path, error }),
-            }
+        let drafts = files.iter().map(|(name, bytes)| self.draft_of(name, bytes));
+        Draft::put_in_place(drafts.collect::<Result<_, _>>()?)
+    }
+
+    /// Begins a file that is to stand in this folder.
+    ///
+    /// # Errors
+    /// Names the file that cannot be written.
+    pub fn draft(&self, name: &str) -> Result<Draft, DepositError> {
+        let path = self.path(name);
+        match self.beside() {
+            Ok(file) => Ok(Draft { path, file }),
+            Err(error) => Err(DepositError { path, error }),
         }
-        let rename = |(path, file): (PathBuf, NamedTempFile)| match file.persist(&path) {
+    }
+
+    /// Begins a file and fills it.
+    ///
+    /// # Errors
+    /// Names the file that cannot be written.
+    pub fn draft_of(&self, name: &str, bytes: &[u8]) -> Result<Draft, DepositError> {
+        let mut draft = self.draft(name)?;
+        let written = draft.file.write_all(bytes);
+        written.map_err(|error| draft.refuse(error))?;
+        Ok(draft)
+    }
+
+    fn beside(&self) -> io::Result<NamedTempFile> {
+        let mut builder = Builder::new();
+        builder.prefix(".touchdown-");
+        // Temporary files are private by default, but results are for all to read.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        builder.tempfile_in(&self.path)
+    }
+}
+
+/// A file that is written beside its place; it vanishes unless it is put there.
+#[derive(Debug)]
+pub struct Draft {
+    path: PathBuf,
+    file: NamedTempFile,
+}
+
+impl Draft {
+    /// Puts files in their places, when all of them are written to the disk.
+    ///
+    /// # Errors
+    /// Names the file that could not be put in its place.
+    pub fn put_in_place(drafts: Vec<Self>) -> Result<Vec<PathBuf>, DepositError> {
+        for draft in &drafts {
+            let synced = draft.file.as_file().sync_all();
+            synced.map_err(|error| draft.refuse(error))?;
+        }
+        let rename = |Self { path, file }| match file.persist(&path) {
             Ok(_) => Ok(path),
             Err(error) => Err(DepositError {
                 path,
                 error: error.error,
             }),
         };
-        written.into_iter().map(rename).collect()
+        drafts.into_iter().map(rename).collect()
     }
 
-    fn beside(&self, bytes: &[u8]) -> io::Result<NamedTempFile> {
-        let mut builder = Builder::new();
-        builder.prefix(".touchdown-");
-        // Temporary files are private by default, but results are for all to read.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut file = builder.tempfile_in(&self.path)?;
-        file.write_all(bytes)?;
-        file.as_file().sync_all()?;
-        Ok(file)
+    /// What was written so far, if it is a text of at most `most` bytes.
+    ///
+    /// # Errors
+    /// When the file cannot be read.
+    pub fn text(&self, most: u64) -> Result<Option<String>, DepositError> {
+        let read = || {
+            let length = self.file.as_file().metadata()?.len();
+            match length <= most {
+                true => fs::read_to_string(self.file.path()).map(Some),
+                false => Ok(None),
+            }
+        };
+        read().map_err(|error| self.refuse(error))
+    }
+
+    fn refuse(&self, error: io::Error) -> DepositError {
+        let path = self.path.clone();
+        DepositError { path, error }
+    }
+}
+
+impl Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
     }
 }
 

@@ -3,18 +3,21 @@
 //! TOML's integers and floats are both numbers here; `nan` and `inf` are refused wherever they
 //! stand, because no quantity of a landing can have them.
 
-use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use toml::de::{DeTable, DeValue};
 
 use crate::input_error::{InputError, Place};
+use crate::key_path::KeyPath;
+use crate::library::Source;
 
 /// A file and what it says.
 #[derive(Debug, Clone)]
 pub struct Document {
     path: PathBuf,
+    text: Arc<str>,
     root: Vec<Entry>,
 }
 
@@ -54,17 +57,6 @@ pub enum Value {
 }
 
 impl Document {
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// When the file cannot be read, is not TOML, or holds a number that is not finite.
-    pub fn read(path: &Path) -> Result<Self, InputError> {
-        let text = fs::read_to_string(path).map_err(|error| {
-            InputError::other(format!("cannot be read: {error}")).at(Place::file(path))
-        })?;
-        Self::parse(path, &text)
-    }
-
     /// Takes `text` for the content of the file `path`.
     ///
     /// # Errors
@@ -78,6 +70,7 @@ impl Document {
         let root = reader.entries(table.get_ref(), "")?;
         Ok(Self {
             path: path.to_owned(),
+            text: text.into(),
             root,
         })
     }
@@ -85,6 +78,14 @@ impl Document {
     /// The file.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// A copy of the file, word for word.
+    pub fn source(&self) -> Source {
+        Source {
+            path: self.path.clone(),
+            text: self.text.to_string(),
+        }
     }
 
     /// The file as a place.
@@ -96,6 +97,60 @@ impl Document {
     pub fn root(&self) -> &[Entry] {
         &self.root
     }
+
+    /// Puts a value in the place of the one at `path`, or adds it there. Tables on the way are
+    /// made when they are missing, entries of arrays are not: whether there was a place for it.
+    pub fn write(&mut self, path: &KeyPath, value: Value) -> bool {
+        let Some((last, tables)) = path.steps.split_last() else {
+            return false;
+        };
+        let mut entries = &mut self.root;
+        let mut line = 1;
+        for step in tables {
+            let mut node = &mut entry(entries, &step.key, line).node;
+            if let Some(index) = step.entry {
+                let Value::List(nodes) = &mut node.value else {
+                    return false;
+                };
+                let Some(found) = nodes.get_mut(index) else {
+                    return false;
+                };
+                node = found;
+            }
+            line = node.line;
+            let Value::Table(below) = &mut node.value else {
+                return false;
+            };
+            entries = below;
+        }
+        let node = &mut entry(entries, &last.key, line).node;
+        node.written = match &value {
+            Value::Number(number) => number.to_string(),
+            Value::Text(text) => format!("{text:?}"),
+            _ => node.written.clone(),
+        };
+        node.value = value;
+        true
+    }
+}
+
+/// The entry of a key, added as an empty table when it is not there.
+fn entry<'e>(entries: &'e mut Vec<Entry>, key: &str, line: usize) -> &'e mut Entry {
+    let index = match entries.iter().position(|entry| entry.key == key) {
+        Some(index) => index,
+        None => {
+            entries.push(Entry {
+                key: key.to_owned(),
+                node: Node {
+                    line,
+                    written: "a table".to_owned(),
+                    value: Value::Table(Vec::new()),
+                },
+            });
+            entries.len() - 1
+        }
+    };
+    &mut entries[index]
 }
 
 /// Turns the parser's tree into ours.
@@ -260,6 +315,24 @@ mod tests {
                 .starts_with("f.toml:3: axes.roll_deg[2] = -inf")
         );
         assert!(complaint("a = 1e999").contains("a = 1e999"));
+    }
+
+    #[test]
+    fn values_are_written_over_others_and_into_new_tables() {
+        let text = "a = 1\n[[legs]]\nx = 2\n[[legs]]\nx = 3\n";
+        let mut document = Document::parse(Path::new("f"), text).unwrap();
+        let mut write =
+            |path, number| document.write(&KeyPath::parse(path).unwrap(), Value::Number(number));
+        assert!(write("a", 7.0) && write("legs[2].strut.preload_lb", 5.0));
+        assert!(!write("legs[3].x", 1.0) && !write("a.b", 1.0) && !write("a[1].b", 1.0));
+        assert_eq!(document.root()[0].node.written, "7");
+        let Value::List(legs) = &document.root()[1].node.value else {
+            panic!("legs are a list");
+        };
+        let Value::Table(leg) = &legs[1].value else {
+            panic!("a leg is a table");
+        };
+        assert_eq!((leg[1].key.as_str(), leg[1].node.line), ("strut", 4));
     }
 
     #[test]

@@ -2,12 +2,13 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Outcome;
 
 /// A result.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Cell {
     /// A word or a sentence.
     Word(String),
@@ -80,6 +81,39 @@ pub fn columns<const LEGS: usize>(landing: &Landing<LEGS>) -> Vec<Column> {
     columns
 }
 
+/// Names of the columns for a vehicle with `legs` legs.
+pub fn names(legs: usize) -> Vec<String> {
+    let before = [
+        "outcome",
+        "end_time_s",
+        "min_stability_angle_deg",
+        "min_clearance_ft",
+        "initial_kinetic_energy_ftlb",
+        "potential_energy_change_ftlb",
+    ];
+    let of_legs = [
+        ("max_strut_force", "lb"),
+        ("pad_contact", "s"),
+        ("block_contact", "s"),
+    ];
+    let after = [
+        "energy_closure_ftlb",
+        "steps",
+        "derivative_evaluations",
+        "failure",
+    ];
+    let of_legs = of_legs
+        .iter()
+        .flat_map(|(name, unit)| (1..=legs).map(move |leg| format!("{name}_{leg}_{unit}")));
+    let own = |name: &str| name.to_owned();
+    before
+        .map(own)
+        .into_iter()
+        .chain(of_legs)
+        .chain(after.map(own))
+        .collect()
+}
+
 fn column(name: &str, cell: Cell) -> Column {
     (name.to_owned(), cell)
 }
@@ -130,6 +164,7 @@ pub(crate) mod tests {
     #[test]
     fn columns_have_the_names_of_the_contract() {
         let (names, values): (Vec<_>, Vec<_>) = columns(&example()).into_iter().unzip();
+        assert_eq!(names, super::names(3));
         assert_eq!(
             names.join(","),
             "outcome,end_time_s,min_stability_angle_deg,min_clearance_ft,\

@@ -2,38 +2,63 @@
 //!
 //! | step | modules |
 //! |---|---|
-//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`axes`], [`cases`], [`deck`] |
+//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`instead`], [`cases`], [`deck`] |
+//! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
+//! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
 //! | do so on every core | [`run`] |
-//! | tell | [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
+//! | tell | [`findings`], [`tally`], [`probabilities`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
 //! Nothing here prints: progress goes to a [`run::Observer`], complaints are
 //! [`input_error::InputError`]s.
 
-pub mod axes;
+mod axis_input;
 pub mod bands;
 pub mod bands_table;
 pub mod boundary;
+pub mod case;
 pub mod cases;
 pub mod certainty;
 pub mod deck;
 pub mod deposit;
+pub mod design;
+pub mod distribution;
 pub mod document;
+pub mod findings;
 pub mod found;
+pub mod grid;
+pub mod header;
 pub mod hidden;
 pub mod history;
 pub mod input_error;
+pub mod instead;
+pub mod journal;
+pub mod key_path;
+mod known;
 pub mod landing_table;
 pub mod lattice;
+pub mod levels;
+pub mod library;
+pub mod merge;
 pub mod method_input;
+pub mod parameter;
+mod parquet_table;
+pub mod point_set;
+pub mod probabilities;
 pub mod refine;
+mod resolved_input;
 pub mod results;
 pub mod run;
+pub mod sample;
+mod sample_input;
 pub mod scan;
 pub mod scene_input;
 mod search_input;
 pub mod section;
 pub mod settings_input;
+pub mod shard;
 pub mod sweep_file;
+pub mod tables;
+pub mod tally;
 pub mod trial;
 pub mod vehicle_file;

@@ -1,15 +1,14 @@
 //! The result table of a sweep and the record of how it came about.
 
 use serde_json::{Map, Value, json};
-use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::Boundary;
 use crate::certainty::Certainty;
-use crate::document::{Entry, Value as Read};
-use crate::method_input::method_name;
-use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
-use crate::settings_input::{crush_rule_name, friction_profile_name};
-use crate::sweep_file::Sweep;
+use crate::findings::Finding;
+use crate::landing_table::{self, Cell};
+use crate::probabilities::wilson;
+use crate::sweep_file::{Job, Sweep};
+use crate::tally::Tally;
 
 /// Columns of the table after those of the axes.
 pub const COLUMNS: [&str; 9] = [
@@ -29,10 +28,10 @@ pub const COLUMNS: [&str; 9] = [
 pub struct Circumstances<'a> {
     /// Version of the program.
     pub version: &'a str,
-    /// Threads used.
-    pub threads: usize,
-    /// Time from first to last landing, s.
-    pub wall_time: f64,
+    /// Threads used, where there was one run.
+    pub threads: Option<usize>,
+    /// Time from first to last landing of it, s.
+    pub wall_time: Option<f64>,
 }
 
 /// Word for the transition of a point.
@@ -43,146 +42,99 @@ pub fn transition_name(boundary: &Boundary) -> String {
     }
 }
 
-/// The table of a sweep as CSV: one row per grid point, in grid order.
+/// Heading of the table of a sweep.
+pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
+    let axes = sweep.axes.iter().map(|axis| axis.name());
+    let axes = axes.map(str::to_owned);
+    match sweep.job {
+        Job::Boundary(_) => axes.chain(COLUMNS.map(str::to_owned)).collect(),
+        Job::Outcome { .. } => axes.chain(landing_table::names(LEGS)).collect(),
+    }
+}
+
+/// Row of a point in the table of a sweep.
 ///
 /// Numbers have as many digits as it takes to read the same number back, and no more.
-///
-/// # Errors
-/// None but those of memory.
-pub fn table<const LEGS: usize>(
-    sweep: &Sweep<LEGS>,
-    boundaries: &[Boundary],
-) -> Result<Vec<u8>, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let axes = sweep.grid.axes().iter().map(|axis| axis.name());
-    writer.write_record(axes.chain(COLUMNS))?;
-    for (point, boundary) in boundaries.iter().enumerate() {
-        let coordinates = sweep.grid.coordinates(point);
-        let found = boundary.transition;
-        let speed = |speed: Option<f64>| speed.map_or(String::new(), |speed| speed.to_string());
-        let results = [
-            transition_name(boundary),
-            speed(found.map(|found| found.speed())),
-            speed(found.map(|found| found.low)),
-            speed(found.map(|found| found.high)),
-            boundary.landings.to_string(),
-            boundary.evaluations.to_string(),
-        ];
-        let certainty = found.map_or(Certainty::Untested, |found| found.certainty);
-        writer.write_record(
-            coordinates
-                .iter()
-                .map(f64::to_string)
-                .chain(results)
-                .chain(certainty.cells()),
-        )?;
+pub fn row<const LEGS: usize>(sweep: &Sweep<LEGS>, point: usize, finding: &Finding) -> Vec<String> {
+    let mut row = sweep.coordinates_written(point);
+    match finding {
+        Finding::Boundary(boundary) => row.extend(boundary_cells(boundary)),
+        Finding::Landing { cells, .. } => row.extend(cells.iter().map(Cell::to_string)),
     }
-    writer
-        .into_inner()
-        .map_err(|error| error.into_error().into())
+    row
+}
+
+fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
+    let found = boundary.transition;
+    let speed = |speed: Option<f64>| speed.map_or(String::new(), |speed| speed.to_string());
+    let certainty = found.map_or(Certainty::Untested, |found| found.certainty);
+    let [word, from, to] = certainty.cells();
+    [
+        transition_name(boundary),
+        speed(found.map(|found| found.speed())),
+        speed(found.map(|found| found.low)),
+        speed(found.map(|found| found.high)),
+        boundary.landings.to_string(),
+        boundary.evaluations.to_string(),
+        word,
+        from,
+        to,
+    ]
 }
 
 /// The record of a sweep: all of its input with defaults filled in, counts and circumstances.
 pub fn record<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
-    boundaries: &[Boundary],
+    tally: &Tally,
     circumstances: Circumstances,
 ) -> Value {
-    let scene: Map<String, Value> = sweep
-        .fixed
-        .resolved()
-        .into_iter()
-        .filter(|(name, _)| sweep.grid.axes().iter().all(|axis| axis.name() != *name))
-        .map(|(name, value)| (name.to_owned(), json!(value)))
-        .collect();
-    let axes: Map<String, Value> = sweep
-        .grid
-        .axes()
-        .iter()
-        .map(|axis| {
-            (
-                axis.name().to_owned(),
-                json!(axis.values().collect::<Vec<_>>()),
-            )
-        })
-        .collect();
+    let mut input = json!({
+        "sweep_file": sweep.path.display().to_string(),
+        "vehicle_file": sweep.vehicle.document.path().display().to_string(),
+    });
+    if let (Value::Object(input), Value::Object(resolved)) = (&mut input, sweep.resolved()) {
+        input.extend(resolved);
+    }
     json!({
         "title": sweep.title,
         "statement": sweep.statement,
         "program": { "name": "touchdown", "version": circumstances.version },
-        "input": {
-            "sweep_file": sweep.path.display().to_string(),
-            "vehicle_file": sweep.vehicle.document.path().display().to_string(),
-            "vehicle": tree(sweep.vehicle.document.root()),
-            "scene": scene,
-            "axes": axes,
-            "search": {
-                "from_fps": sweep.search.from,
-                "to_fps": sweep.search.to,
-                "scan_step_fps": sweep.search.scan_step,
-                "tolerance_fps": sweep.search.tolerance,
-                "bands": word(&EXTENTS, sweep.search.extent),
-                "scan": word(&SCANS, sweep.search.scan),
-                "refinement": word(&REFINEMENTS, sweep.search.refinement),
-                "certainty": word(&DOUBTS, sweep.search.doubt),
-            },
-            "solver": {
-                "tolerance": sweep.settings.tolerance(),
-                "time_limit_s": sweep.settings.time_limit(),
-                "crush_rule": crush_rule_name(sweep.settings.crush_rule()),
-                "friction_profile": friction_profile_name(sweep.settings.friction_profile()),
-                "method": method_name(&sweep.settings.method()),
-            },
-        },
+        "input": input,
         "counts": {
-            "points": boundaries.len(),
-            "first_transition_to": count_by_kind(boundaries)
+            "points": tally.points,
+            "first_transition_to": tally
+                .kinds()
                 .into_iter()
                 .map(|(kind, count)| (kind, json!(count)))
                 .collect::<Map<String, Value>>(),
-            "scan_speeds_skipped": boundaries.iter().map(|b| b.skipped).sum::<u64>(),
-            "certainty_landings": boundaries.iter().map(|b| b.tests).sum::<u64>(),
-            "landings": boundaries.iter().map(|b| b.landings).sum::<u64>(),
-            "derivative_evaluations": boundaries.iter().map(|b| b.evaluations).sum::<u64>(),
-            "bands": boundaries.iter().map(|b| b.bands.len()).sum::<usize>(),
-            "looks_for_hidden_bands": boundaries.iter().map(|b| b.looks).sum::<u64>(),
-            "hidden_bands_found": boundaries.iter().map(|b| b.finds).sum::<u64>(),
+            "scan_speeds_skipped": tally.skipped,
+            "certainty_landings": tally.tests,
+            "landings": tally.landings,
+            "derivative_evaluations": tally.evaluations,
+            "bands": tally.bands,
+            "looks_for_hidden_bands": tally.looks,
+            "hidden_bands_found": tally.finds,
+            "outcomes": outcomes(tally),
         },
         "threads": circumstances.threads,
         "wall_time_s": circumstances.wall_time,
     })
 }
 
-/// Number of points for each kind of first transition that occurs, `none` last.
-pub fn count_by_kind(boundaries: &[Boundary]) -> Vec<(String, usize)> {
-    [Class::Unstable, Class::Bottomed, Class::Failure]
-        .map(|class| class.to_string())
-        .into_iter()
-        .chain(["none".to_owned()])
-        .map(|kind| {
-            let same = |boundary: &&Boundary| transition_name(boundary) == kind;
-            let count = boundaries.iter().filter(same).count();
-            (kind, count)
-        })
-        .filter(|(_, count)| *count > 0)
-        .collect()
-}
-
-fn tree(entries: &[Entry]) -> Value {
-    let fields = entries
-        .iter()
-        .map(|entry| (entry.key.clone(), value(&entry.node.value)));
-    Value::Object(fields.collect())
-}
-
-fn value(read: &Read) -> Value {
-    match read {
-        Read::Number(number) => json!(number),
-        Read::Text(text) => json!(text),
-        Read::List(nodes) => nodes.iter().map(|node| value(&node.value)).collect(),
-        Read::Table(entries) => tree(entries),
-        Read::Foreign => Value::Null,
-    }
+/// Landings by how they ended, where that is asked.
+fn outcomes(tally: &Tally) -> Value {
+    let Some(known) = &tally.probabilities else {
+        return Value::Null;
+    };
+    let count = known.overall;
+    json!({
+        "landings": count.landings,
+        "toppled": count.toppled,
+        "topple_probability_95": wilson(count.toppled, count.landings),
+        "bottomed": count.bottomed,
+        "bottom_probability_95": wilson(count.bottomed, count.landings),
+        "failed": count.failed,
+    })
 }
 
 #[cfg(test)]
@@ -190,6 +142,7 @@ mod tests {
     use super::*;
     use crate::boundary::Transition;
     use std::path::Path;
+    use touchdown_dynamics::outcome::Class;
 
     fn example() -> (Sweep<3>, Vec<Boundary>) {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
@@ -221,14 +174,22 @@ mod tests {
     #[test]
     fn rows_follow_the_grid() {
         let (sweep, boundaries) = example();
-        let text = String::from_utf8(table(&sweep, &boundaries).unwrap()).unwrap();
         assert_eq!(
-            text,
+            heading(&sweep).join(","),
             "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
-             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps\n\
-             -60,unstable,11.375,11.25,11.5,50,1000,certain,,\n\
-             -55,none,,,,101,2000,,,\n\
-             -50,bottomed,0.2,0.1,0.3,50,1000,certain,,\n"
+             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps"
+        );
+        let rows = boundaries.iter().enumerate();
+        let rows = rows.map(|(point, boundary)| {
+            row(&sweep, point, &Finding::Boundary(boundary.clone())).join(",")
+        });
+        assert_eq!(
+            rows.collect::<Vec<_>>(),
+            [
+                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,",
+                "-55,none,,,,101,2000,,,",
+                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,"
+            ]
         );
     }
 
@@ -237,10 +198,14 @@ mod tests {
         let (sweep, boundaries) = example();
         let circumstances = Circumstances {
             version: "1.2.3",
-            threads: 2,
-            wall_time: 0.5,
+            threads: Some(2),
+            wall_time: Some(0.5),
         };
-        let record = record(&sweep, &boundaries, circumstances);
+        let mut tally = Tally::default();
+        for (point, boundary) in boundaries.iter().enumerate() {
+            tally.add(&sweep, point, &Finding::Boundary(boundary.clone()));
+        }
+        let record = record(&sweep, &tally, circumstances);
         assert_eq!(record["program"]["version"], "1.2.3");
         assert_eq!(record["input"]["scene"]["block_friction"], 1.0);
         assert_eq!(record["input"]["scene"].get("roll_deg"), None);

@@ -1,20 +1,29 @@
 //! Landings on every core.
 //!
-//! Work is shared out point by point, so that all cores are busy to the end; results are collected
-//! in grid order and no landing knows of another, so that they do not depend on the threads.
+//! Work is shared out point by point, so that all cores are busy to the end. What a point came to
+//! goes to the journal as soon as it is known, and nothing of it stays in memory. No landing knows
+//! of another, so that results do not depend on the threads.
 
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use rayon::prelude::*;
 use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::boundary::Boundary;
+use crate::case::CaseFault;
+use crate::findings::Finding;
+use crate::journal::{JournalError, Opened};
+use crate::known::Known;
+use crate::landing_table;
 use crate::scene_input::SceneFault;
-use crate::sweep_file::Sweep;
+use crate::shard::Shard;
+use crate::sweep_file::{Job, Sweep};
 use crate::trial::{Scales, Trial};
 
 /// Whoever wants to know how far a run is. Called from all threads.
@@ -33,8 +42,15 @@ impl Observer for () {}
 pub enum RunError {
     /// It was told to stop.
     Cancelled,
-    /// A point of the grid has no scene.
-    Scene(SceneFault),
+    /// A point of the grid has no valid input.
+    Point {
+        /// Its coordinates in words.
+        place: String,
+        /// What is wrong.
+        fault: CaseFault,
+    },
+    /// Results could not be kept.
+    Journal(JournalError),
     /// The threads could not be started.
     Threads(rayon::ThreadPoolBuildError),
 }
@@ -43,11 +59,10 @@ impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Cancelled => f.write_str("cancelled"),
-            Self::Scene(fault) => write!(
-                f,
-                "a grid point has no scene: {}: allowed is {}",
-                fault.name, fault.allowed
-            ),
+            Self::Point { place, fault } => {
+                write!(f, "the point {place} has no valid input: {fault}")
+            }
+            Self::Journal(error) => error.fmt(f),
             Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
         }
     }
@@ -80,20 +95,110 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Searches the boundary at every point of a sweep, in grid order.
+    /// Finds what the sweep asks at every point of a shard that is not `done`, into the journal.
     ///
     /// # Errors
-    /// When `cancel` became true; it is looked at before every landing.
+    /// When `cancel` became true, which is looked at before every landing, or a result cannot be
+    /// kept. What was journaled until then stays good.
     pub fn sweep<const LEGS: usize>(
         &self,
         sweep: &Sweep<LEGS>,
+        shard: Shard,
+        opened: &mut Opened,
         observer: &impl Observer,
         cancel: &AtomicBool,
-    ) -> Result<Vec<Boundary>, RunError> {
-        self.each(sweep.grid.count(), |point| {
-            let boundary = search_point(sweep, point, observer, cancel)?;
+    ) -> Result<(), RunError> {
+        let mut known = Known::of(sweep, shard, opened).map_err(RunError::Journal)?;
+        let Opened { journal, done, .. } = opened;
+        let points = done.missing().map(|index| shard.point(index));
+        let stop = Stop::on(cancel);
+        if known.is_enough {
+            return Ok(());
+        }
+        let work = |point| {
+            let finding = find(sweep, point, observer, &stop)?;
             observer.point();
-            Ok(boundary)
+            Ok(finding)
+        };
+        let streamed = self.stream(points, &stop, work, |finished| {
+            if let Some((point, finding)) = finished {
+                journal.add(point, &finding.encode())?;
+                if known.is_enough_with(sweep, point, finding) {
+                    stop.stop();
+                }
+            }
+            journal.tick()
+        });
+        let streamed = match (known.is_enough, streamed) {
+            (true, Err(RunError::Cancelled)) if !cancel.load(Ordering::Relaxed) => Ok(()),
+            (_, streamed) => streamed,
+        };
+        // Also when the run was stopped, but not over the error that stopped it.
+        streamed.and(journal.finish().map_err(RunError::Journal))
+    }
+
+    /// Finds what the sweep asks at some points, in their order.
+    ///
+    /// # Errors
+    /// When the input of one of them is not valid.
+    pub fn points<const LEGS: usize>(
+        &self,
+        sweep: &Sweep<LEGS>,
+        points: &[usize],
+    ) -> Result<Vec<Finding>, RunError> {
+        let never = AtomicBool::new(false);
+        let stop = Stop::on(&never);
+        self.each(points.len(), |index| find(sweep, points[index], &(), &stop))
+    }
+
+    /// Gives points to threads as they become free, and results to `keep` as they become known;
+    /// `keep` is also called when nothing is known for a while.
+    fn stream<T: Send>(
+        &self,
+        points: impl Iterator<Item = usize> + Send,
+        stop: &Stop,
+        work: impl Fn(usize) -> Result<T, RunError> + Sync,
+        mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
+    ) -> Result<(), RunError> {
+        const LONGEST_SILENCE: Duration = Duration::from_millis(100);
+        let points = Mutex::new(points);
+        let next = || points.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let (send, receive) = sync_channel(2 * self.threads());
+        self.pool.in_place_scope(|scope| {
+            // Ends with this closure, so that nobody waits to send what nobody receives.
+            let receive = receive;
+            for _ in 0..self.threads() {
+                let send = send.clone();
+                let (next, work) = (&next, &work);
+                scope.spawn(move |_| {
+                    while let Some(point) = next() {
+                        let result = work(point);
+                        let is_last = result.is_err();
+                        if send.send((point, result)).is_err() || is_last {
+                            break;
+                        }
+                    }
+                });
+            }
+            drop(send);
+            let mut ended = Ok(());
+            loop {
+                let kept = match receive.recv_timeout(LONGEST_SILENCE) {
+                    Ok((point, Ok(result))) => keep(Some((point, result))),
+                    Err(RecvTimeoutError::Timeout) => keep(None),
+                    Err(RecvTimeoutError::Disconnected) => return ended,
+                    Ok((_, Err(error))) => {
+                        stop.stop();
+                        // The first error says why the others were stopped.
+                        ended = ended.and(Err(error));
+                        continue;
+                    }
+                };
+                if let Err(error) = kept {
+                    stop.stop();
+                    return Err(RunError::Journal(error));
+                }
+            }
         })
     }
 
@@ -109,8 +214,9 @@ impl Workers {
         observer: &impl Observer,
         cancel: &AtomicBool,
     ) -> Result<Vec<Landing<LEGS>>, RunError> {
+        let stop = Stop::on(cancel);
         self.each(scenes.len(), |case| {
-            go_on(cancel)?;
+            stop.go_on()?;
             let landing = land(vehicle, &scenes[case], settings);
             observer.landing();
             observer.point();
@@ -133,38 +239,74 @@ impl Workers {
     }
 }
 
-fn go_on(cancel: &AtomicBool) -> Result<(), RunError> {
-    if cancel.load(Ordering::Relaxed) {
-        Err(RunError::Cancelled)
-    } else {
-        Ok(())
+/// Whether to go on: not when the run was cancelled from outside or has come to an end within.
+struct Stop<'c> {
+    cancelled: &'c AtomicBool,
+    ended: AtomicBool,
+}
+
+impl<'c> Stop<'c> {
+    fn on(cancelled: &'c AtomicBool) -> Self {
+        let ended = AtomicBool::new(false);
+        Self { cancelled, ended }
+    }
+
+    fn stop(&self) {
+        self.ended.store(true, Ordering::Relaxed);
+    }
+
+    fn go_on(&self) -> Result<(), RunError> {
+        match self.cancelled.load(Ordering::Relaxed) || self.ended.load(Ordering::Relaxed) {
+            true => Err(RunError::Cancelled),
+            false => Ok(()),
+        }
     }
 }
 
-fn search_point<const LEGS: usize>(
+/// What a sweep asks at a point.
+fn find<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
     point: usize,
     observer: &impl Observer,
-    cancel: &AtomicBool,
-) -> Result<Boundary, RunError> {
-    let scene = sweep.scene(point).map_err(RunError::Scene)?;
-    let scales = Scales::of(&sweep.vehicle.vehicle);
-    sweep.search.boundary(|speed, variation| {
-        go_on(cancel)?;
-        let (varied, settings) = scene
-            .with_horizontal_velocity(speed)
-            .and_then(|faster| variation.of(&faster, &sweep.settings))
-            .map_err(|invalid| {
-                RunError::Scene(SceneFault {
-                    name: crate::scene_input::HORIZONTAL_VELOCITY,
-                    value: Some(invalid.value),
-                    allowed: invalid.allowed,
-                })
-            })?;
-        let landing = land(&sweep.vehicle.vehicle, &varied, &settings);
+    stop: &Stop,
+) -> Result<Finding, RunError> {
+    let invalid = |fault| RunError::Point {
+        place: sweep.place(point),
+        fault,
+    };
+    let case = sweep.case(point).map_err(invalid)?;
+    let landed = |scene: &Scene, settings: &Settings| {
+        stop.go_on()?;
+        let landing = land(&case.vehicle, scene, settings);
         observer.landing();
-        Ok(Trial::of(landing, &scales))
-    })
+        Ok(landing)
+    };
+    let Job::Boundary(search) = case.job else {
+        let landing = landed(&case.scene, &case.settings)?;
+        let cells = landing_table::columns(&landing)
+            .into_iter()
+            .map(|(_, cell)| cell);
+        return Ok(Finding::Landing {
+            cells: cells.collect(),
+            outcome: landing.outcome,
+        });
+    };
+    let scales = Scales::of(&case.vehicle);
+    let boundary = search.boundary(|speed, variation| {
+        let varied = case
+            .scene
+            .with_horizontal_velocity(speed)
+            .and_then(|faster| variation.of(&faster, &case.settings));
+        let (varied, settings) = varied.map_err(|fault| {
+            invalid(CaseFault::Scene(SceneFault {
+                name: crate::scene_input::HORIZONTAL_VELOCITY,
+                value: Some(fault.value),
+                allowed: fault.allowed,
+            }))
+        })?;
+        Ok(Trial::of(landed(&varied, &settings)?, &scales))
+    });
+    boundary.map(Finding::Boundary)
 }
 
 #[cfg(test)]
@@ -185,10 +327,46 @@ mod tests {
     }
 
     #[test]
+    fn every_point_is_kept_once_for_any_number_of_threads() {
+        let cancel = AtomicBool::new(false);
+        for threads in [1, 2, 3] {
+            let mut kept = Vec::new();
+            let keep = |finished: Option<(usize, usize)>| {
+                kept.extend(finished);
+                Ok(())
+            };
+            let stop = Stop::on(&cancel);
+            let streamed = workers(threads).stream(0..1000, &stop, |n| Ok(n * n), keep);
+            assert!(streamed.is_ok());
+            kept.sort_unstable();
+            let expected: Vec<_> = (0..1000).map(|n| (n, n * n)).collect();
+            assert_eq!(kept, expected);
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_kept_ends_the_run() {
+        let cancel = AtomicBool::new(false);
+        let stop = Stop::on(&cancel);
+        let mut kept = 0;
+        let keep = |finished: Option<(usize, usize)>| {
+            kept += usize::from(finished.is_some());
+            match kept {
+                5 => Err(JournalError::Gone("here".into())),
+                _ => Ok(()),
+            }
+        };
+        let work = |n| stop.go_on().map(|()| n);
+        let streamed = workers(2).stream(0.., &stop, work, keep);
+        assert!(matches!(streamed, Err(RunError::Journal(_))));
+        assert_eq!(kept, 5);
+    }
+
+    #[test]
     fn cancelling_stops_before_the_next_landing() {
         let cancel = AtomicBool::new(false);
         let outcome = workers(1).each(100, |n| {
-            go_on(&cancel)?;
+            Stop::on(&cancel).go_on()?;
             cancel.store(n == 3, Ordering::Relaxed);
             assert!(n <= 3);
             Ok(())

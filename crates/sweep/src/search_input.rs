@@ -29,6 +29,8 @@ pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
     ("all", Doubt::All),
     ("none", Doubt::None),
 ];
+/// Keys of `[search]` that are numbers.
+pub(crate) const NUMBERS: [&str; 4] = ["from_fps", "to_fps", "scan_step_fps", "tolerance_fps"];
 /// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
 const LEAST_BRACKET: f64 = 1e-9;
 /// Most landings in one scan.

@@ -7,12 +7,17 @@ use crate::input_error::InputError;
 use crate::method_input;
 use crate::section::Section;
 
-const SOLVER: [&str; 4] = [
+/// Keys of `[solver]`.
+pub(crate) const SOLVER: [&str; 4] = [
     "tolerance",
     "time_limit_s",
     "crush_rule",
     "friction_profile",
 ];
+/// Words of the crush rules.
+pub(crate) const CRUSH_RULES: [&str; 2] = ["pivot-rate", "section"];
+/// Letters of the friction profiles.
+pub(crate) const FRICTION_PROFILES: [&str; 3] = ["A", "B", "C"];
 
 /// Reads `[solver]`; whatever it leaves out has the program's default.
 pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
@@ -50,9 +55,9 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
 /// Letter of a friction profile in input files.
 pub fn friction_profile_name(profile: FrictionProfile) -> &'static str {
     match profile {
-        FrictionProfile::A => "A",
-        FrictionProfile::B => "B",
-        FrictionProfile::C => "C",
+        FrictionProfile::A => FRICTION_PROFILES[0],
+        FrictionProfile::B => FRICTION_PROFILES[1],
+        FrictionProfile::C => FRICTION_PROFILES[2],
     }
 }
 
@@ -66,8 +71,8 @@ pub fn friction_profile(name: &str) -> Option<FrictionProfile> {
 /// Word of a crush rule in input files.
 pub fn crush_rule_name(rule: CrushRule) -> &'static str {
     match rule {
-        CrushRule::PivotRate => "pivot-rate",
-        CrushRule::Section => "section",
+        CrushRule::PivotRate => CRUSH_RULES[0],
+        CrushRule::Section => CRUSH_RULES[1],
     }
 }
 

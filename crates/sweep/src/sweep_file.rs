@@ -2,28 +2,48 @@
 
 use std::path::{Path, PathBuf};
 
-use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::scene::Settings;
 
-use crate::axes::{Axis, Grid};
+use crate::axis_input::{self, AxisEntry};
 use crate::boundary::Search;
+use crate::case::CaseFault;
+use crate::design::Design;
 use crate::document::Document;
-use crate::found::Found;
+use crate::grid::{Grid, GridFault};
 use crate::input_error::InputError;
+use crate::instead::Given;
+use crate::library::{Library, Source};
+use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
 use crate::vehicle_file::VehicleFile;
-use crate::{search_input, settings_input};
+use crate::{case, sample_input, search_input, settings_input};
 
-const SWEEP: [&str; 7] = [
+/// Keys of a sweep file.
+pub(crate) const SWEEP: [&str; 9] = [
     "title",
     "statement",
+    "job",
     "vehicle",
     "scene",
     "axes",
+    "sample",
     "search",
     "solver",
 ];
-const RANGE: [&str; 3] = ["from", "to", "step"];
+
+/// What a sweep asks at every point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Job {
+    /// From which horizontal velocity on landings are no longer stable.
+    Boundary(Search),
+    /// How one landing ends.
+    Outcome {
+        /// Width of the intervals of the probabilities at which enough is known.
+        enough: Option<f64>,
+    },
+}
+
 /// Everything that determines the result of a sweep.
 #[derive(Debug, Clone)]
 pub struct Sweep<const LEGS: usize> {
@@ -33,16 +53,22 @@ pub struct Sweep<const LEGS: usize> {
     pub title: String,
     /// What was said before of what the sweep shows, for its picture to stand against.
     pub statement: Option<String>,
-    /// The vehicle.
+    /// The vehicle; what varies of it has its first value.
     pub vehicle: VehicleFile<LEGS>,
     /// Conditions that do not vary.
     pub fixed: NamedConditions,
-    /// Conditions that vary.
-    pub grid: Grid,
-    /// Where to search the transition.
-    pub search: Search,
-    /// How landings are computed.
+    /// What varies, one parameter for each axis.
+    pub axes: Vec<Parameter>,
+    /// The values over which it varies.
+    pub design: Design,
+    /// What is asked at every point; what varies of it has its first value.
+    pub job: Job,
+    /// How landings are computed; what varies of it has its first value.
     pub settings: Settings,
+    /// The files that were read.
+    pub(crate) sources: Vec<Source>,
+    pub(crate) instead: Given,
+    pub(crate) document: Document,
 }
 
 impl<const LEGS: usize> Sweep<LEGS> {
@@ -51,34 +77,74 @@ impl<const LEGS: usize> Sweep<LEGS> {
     /// # Errors
     /// Names file, line, key and value of the first thing wrong, and what is allowed.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        let document = Document::read(path)?;
+        Self::read_from(path, Library::Disk)
+    }
+
+    /// Reads a sweep file and what it names from a library.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`].
+    pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
+        let document = library.document(path)?;
         let root = Section::root(&document, &SWEEP)?;
         let title = root.text("title")?.to_owned();
         let statement = match root.optional("statement") {
             Some(found) => Some(found.text()?.to_owned()),
             None => None,
         };
-        let vehicle = vehicle(&root, path)?;
-        let scene = scene(&root)?;
-        let axes = axes(&root, &scene)?;
-        let search = search_input::search(&root)?;
-        let settings = settings_input::settings(&root)?;
-        let fixed = check_scenes(&scene, &axes, search.from)?;
-        let values = axes.into_iter().map(|(axis, _)| axis).collect();
-        let grid = Grid::new(values).ok_or_else(|| match root.optional("axes") {
-            Some(found) => found.complain_that("the grid has more points than can be counted"),
-            None => root.missing("axes", "a table [axes]"),
-        })?;
-        Ok(Self {
+        let vehicle = vehicle_document(&root, path, library)?;
+        let asked = asked(&root)?;
+        let scene = root.section("scene", &NAMES)?;
+        let entries = axis_input::entries(&root, LEGS)?;
+        check_names(&root, &scene, &entries, asked)?;
+        let mut sources = vec![document.source(), vehicle.source()];
+        let sampled = sample_input::sampled(&root, &entries, path, library, &mut sources)?;
+        let enough = sampled.as_ref().and_then(|sampled| sampled.enough);
+        let design = match sampled {
+            Some(sampled) => Design::Sample(sampled.sample),
+            None => Design::Grid(grid(&root, &entries)?),
+        };
+        let axes: Vec<Parameter> = entries
+            .iter()
+            .map(|entry| entry.parameter.clone())
+            .collect();
+        let first = design.coordinates(0);
+
+        let varied = case::written(&document, &axes, Home::Sweep, &first);
+        let varied = Section::root(&varied, &SWEEP)?;
+        let job = match asked {
+            Asked::Boundary => Job::Boundary(search_input::search(&varied)?),
+            Asked::Outcome => Job::Outcome { enough },
+        };
+        let settings = settings_input::settings(&varied)?;
+        let vehicle = VehicleFile {
+            document: vehicle.clone(),
+            ..VehicleFile::from_document(case::written(&vehicle, &axes, Home::Vehicle, &first))?
+        };
+        let mut fixed = NamedConditions::default();
+        for (name, found) in scene.all_values() {
+            fixed.set(name, found.number()?);
+        }
+        let sweep = Self {
             path: path.to_owned(),
             title,
             statement,
             vehicle,
             fixed,
-            grid,
-            search,
+            axes,
+            design,
+            job,
             settings,
-        })
+            sources,
+            instead: Given::default(),
+            document: document.clone(),
+        };
+        for coordinates in sweep.design.probes() {
+            if let Err(fault) = sweep.case_at(&coordinates) {
+                return Err(locate(&fault, &coordinates, &scene, &entries));
+            }
+        }
+        Ok(sweep)
     }
 
     /// Name of the file without folder and ending: results are named after it.
@@ -87,142 +153,156 @@ impl<const LEGS: usize> Sweep<LEGS> {
         stem.to_string_lossy().into_owned()
     }
 
-    /// The scene of a grid point at the lowest speed of the search.
-    ///
-    /// # Errors
-    /// None for a sweep that was read without error.
-    pub fn scene(&self, point: usize) -> Result<Scene, SceneFault> {
-        let mut conditions = self.fixed;
-        let coordinates = self.grid.coordinates(point);
-        for (axis, value) in self.grid.axes().iter().zip(coordinates) {
-            conditions.set(axis.name(), value);
+    /// Where to search, if that is what the sweep asks.
+    pub fn search(&self) -> Option<&Search> {
+        match &self.job {
+            Job::Boundary(search) => Some(search),
+            Job::Outcome { .. } => None,
         }
-        conditions.set(HORIZONTAL_VELOCITY, self.search.from);
-        conditions.scene()
+    }
+
+    /// The coordinates of a point as results write them.
+    pub fn coordinates_written(&self, point: usize) -> Vec<String> {
+        let coordinates = self.design.coordinates(point);
+        let varied = self.axes.iter().zip(coordinates);
+        varied.map(|(axis, value)| axis.written(value)).collect()
+    }
+
+    /// The coordinates of a point in words.
+    pub fn place(&self, point: usize) -> String {
+        let written = self.coordinates_written(point);
+        let varied = self.axes.iter().zip(written);
+        let equations: Vec<String> = varied
+            .map(|(axis, value)| format!("{} = {value}", axis.name()))
+            .collect();
+        equations.join(", ")
     }
 }
 
-fn vehicle<const LEGS: usize>(
-    root: &Section,
-    path: &Path,
-) -> Result<VehicleFile<LEGS>, InputError> {
+fn vehicle_document(root: &Section, path: &Path, library: Library) -> Result<Document, InputError> {
     let found = root.value(
         "vehicle",
         "the path of a vehicle file, relative to this file",
     )?;
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
-    if !file.is_file() {
+    if !library.has(&file) {
         return Err(found.complain_that(&format!(
             "there is no file {}: allowed is the path of a vehicle file, relative to this file",
             file.display()
         )));
     }
-    VehicleFile::read(&file)
+    library.document(&file)
 }
 
-fn scene<'d>(root: &Section<'d>) -> Result<Section<'d>, InputError> {
-    let scene = root.section("scene", &NAMES)?;
-    match scene.optional(HORIZONTAL_VELOCITY) {
-        Some(found) => Err(found.complain_that(SEARCHED)),
-        None => Ok(scene),
+/// The job by its word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Asked {
+    Boundary,
+    Outcome,
+}
+
+fn asked(root: &Section) -> Result<Asked, InputError> {
+    let Some(found) = root.optional("job") else {
+        return Ok(Asked::Boundary);
+    };
+    match found.text()? {
+        "boundary" => Ok(Asked::Boundary),
+        "outcome" => Ok(Asked::Outcome),
+        _ => Err(found.complain("\"boundary\" or \"outcome\"")),
+    }
+}
+
+/// Checks that nothing is said twice or to no purpose.
+fn check_names(
+    root: &Section,
+    scene: &Section,
+    entries: &[AxisEntry],
+    asked: Asked,
+) -> Result<(), InputError> {
+    let varied = |name: &str| entries.iter().find(|entry| entry.parameter.name() == name);
+    if asked == Asked::Boundary {
+        let fixed = scene.optional(HORIZONTAL_VELOCITY);
+        let varied = varied(HORIZONTAL_VELOCITY).map(|entry| entry.found.clone());
+        if let Some(found) = fixed.or(varied) {
+            return Err(found.complain_that(SEARCHED));
+        }
+    } else if let Some(found) = root.optional("search") {
+        return Err(found.complain_that("says nothing where job = \"outcome\""));
+    }
+    for (name, _) in scene.all_values() {
+        if let Some(entry) = varied(name) {
+            let both = "also fixed in [scene]: allowed is either of the two";
+            return Err(entry.found.complain_that(both));
+        }
+    }
+    let searched = entries
+        .iter()
+        .find(|entry| entry.parameter.name().starts_with("search."));
+    match searched {
+        Some(entry) if asked == Asked::Outcome => Err(entry
+            .found
+            .complain_that("says nothing where job = \"outcome\"")),
+        _ => Ok(()),
     }
 }
 
 const SEARCHED: &str = "the horizontal velocity is what a sweep searches: \
      give from_fps and to_fps in [search] instead";
 
-fn axes<'d>(root: &Section<'d>, scene: &Section<'d>) -> Result<Vec<(Axis, Found<'d>)>, InputError> {
-    let allowed = "a table [axes] with at least one condition that varies";
-    let found = root.value("axes", allowed)?;
-    let known: Vec<&str> = NAMES
-        .into_iter()
-        .filter(|name| *name != HORIZONTAL_VELOCITY)
-        .collect();
-    if let Some((_, searched)) = root
-        .section("axes", &NAMES)?
-        .all_values()
-        .find(|(name, _)| *name == HORIZONTAL_VELOCITY)
-    {
-        return Err(searched.complain_that(SEARCHED));
-    }
-    let axes = root
-        .section("axes", &known)?
-        .all_values()
-        .map(|(name, found)| {
-            if scene.optional(name).is_some() {
-                let both = "also fixed in [scene]: allowed is either of the two";
-                return Err(found.complain_that(both));
-            }
-            Ok((axis(name, &found)?, found))
-        })
-        .collect::<Result<Vec<_>, _>>()?;
-    if axes.is_empty() {
-        return Err(found.complain(allowed));
-    }
-    Ok(axes)
-}
-
-fn axis(name: &str, found: &Found) -> Result<Axis, InputError> {
-    let allowed = "{ from = …, to = …, step = … } or a list of numbers";
-    let Some(range) = found.table(&RANGE)? else {
-        let values = found
-            .items(allowed)?
-            .iter()
-            .map(Found::number)
-            .collect::<Result<_, _>>()?;
-        return Axis::list(name, values)
-            .ok_or_else(|| found.complain("a list of at least one number"));
-    };
-    let [from, to, step] = [
-        range.number("from")?,
-        range.number("to")?,
-        range.number("step")?,
-    ];
-    Axis::range(name, from, to, step).map_err(|(key, allowed)| match range.optional(key) {
-        Some(found) => found.complain(&format!("{allowed} (from {from} to {to} by {step})")),
-        None => range.missing(key, allowed),
+fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
+    let axes = entries
+        .iter()
+        .map(AxisEntry::levels)
+        .collect::<Result<_, _>>()?;
+    Grid::new(axes).map_err(|fault| match fault {
+        GridFault::Uneven([first, other]) => entries[other].found.complain_that(&format!(
+            "moves together with {} but has not as many values: allowed is the same number of \
+             values along one zip",
+            entries[first].parameter.name()
+        )),
+        GridFault::Empty | GridFault::Uncountable => match root.optional("axes") {
+            Some(found) => found.complain_that("the grid has more points than can be counted"),
+            None => root.missing("axes", "a table [axes]"),
+        },
     })
 }
 
-/// Checks the fixed conditions with every value of every axis, and returns the fixed ones.
-///
-/// Conditions are independent of each other but for the two forms of the attitude, so that it is
-/// enough to vary one axis at a time.
-fn check_scenes(
+/// Brings what is wrong at a point to the key that says it.
+fn locate(
+    fault: &CaseFault,
+    coordinates: &[f64],
     scene: &Section,
-    axes: &[(Axis, Found)],
-    lowest_speed: f64,
-) -> Result<NamedConditions, InputError> {
-    let mut fixed = NamedConditions::default();
-    for (name, found) in scene.all_values() {
-        fixed.set(name, found.number()?);
-    }
-    let mut corner = fixed;
-    corner.set(HORIZONTAL_VELOCITY, lowest_speed);
-    for (axis, _) in axes {
-        corner.set(axis.name(), axis.value(0));
-    }
-    for (axis, _) in axes {
-        for value in axis.values() {
-            let mut conditions = corner;
-            conditions.set(axis.name(), value);
-            conditions
-                .scene()
-                .map_err(|fault| locate(&fault, scene, axes))?;
+    entries: &[AxisEntry],
+) -> InputError {
+    match fault {
+        CaseFault::Scene(fault) => locate_condition(fault, scene, entries),
+        CaseFault::Input { part, error } => {
+            let varied = entries.iter().zip(coordinates);
+            let of_part: Vec<(&AxisEntry, &f64)> = varied
+                .filter(|(entry, _)| entry.parameter.home() == *part)
+                .collect();
+            let values = of_part.iter().map(|(entry, value)| {
+                let parameter = &entry.parameter;
+                format!("{} = {}", parameter.name(), parameter.written(**value))
+            });
+            let values = values.collect::<Vec<_>>().join(", ");
+            match of_part.first() {
+                Some((entry, _)) => entry.found.complain_that(&format!("at {values}: {error}")),
+                None => error.clone(),
+            }
         }
     }
-    Ok(fixed)
 }
 
-fn locate(fault: &SceneFault, scene: &Section, axes: &[(Axis, Found)]) -> InputError {
+fn locate_condition(fault: &SceneFault, scene: &Section, entries: &[AxisEntry]) -> InputError {
     if let Some(found) = scene.optional(fault.name) {
         return found.complain(&fault.allowed);
     }
-    match (
-        axes.iter().find(|(axis, _)| axis.name() == fault.name),
-        fault.value,
-    ) {
-        (Some((_, found)), Some(value)) => found.complain_that(&format!(
+    let entry = entries
+        .iter()
+        .find(|entry| entry.parameter.name() == fault.name);
+    match (entry, fault.value) {
+        (Some(entry), Some(value)) => entry.found.complain_that(&format!(
             "{value} is among them: allowed is {}",
             fault.allowed
         )),

@@ -9,6 +9,7 @@ use touchdown_dynamics::vehicle::{
 
 use crate::document::Document;
 use crate::input_error::InputError;
+use crate::library::Library;
 use crate::section::Section;
 
 const INCHES_PER_FOOT: f64 = 12.0;
@@ -63,8 +64,40 @@ const BLOCK: [&str; 5] = [
     "crush_pressure_psf",
     "profile",
 ];
-const MULTIPLIER: [&str; 2] = ["stroke_in", "multiplier"];
-const PRESSURE: [&str; 2] = ["interference_in", "relative_pressure"];
+const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
+const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
+/// Factor on the ordinates of a table, 1 when it is left out.
+const SCALE: &str = "scale";
+
+/// Dotted names of all numbers of a vehicle file with `legs` legs; those of the tables are their
+/// scales.
+pub(crate) fn numbers(legs: usize) -> Vec<String> {
+    let parts: [(&str, &[&str]); 4] = [
+        ("linkage", &LINKAGE),
+        ("strut", &STRUT),
+        ("footpad", &FOOTPAD),
+        ("block", &BLOCK),
+    ];
+    let of_a_leg = parts.iter().flat_map(|(part, keys)| {
+        keys.iter().map(move |key| match key.ends_with("profile") {
+            true => format!("{part}.{key}.{SCALE}"),
+            false => format!("{part}.{key}"),
+        })
+    });
+    let of_a_leg: Vec<String> = of_a_leg.collect();
+    let own = (1..=legs).flat_map(|leg| {
+        std::iter::once("azimuth_deg")
+            .chain(of_a_leg.iter().map(String::as_str))
+            .map(move |key| format!("legs[{leg}].{key}"))
+    });
+    let body = ["mass_slug", "gravity_fps2", "center_of_gravity_height_ft"];
+    body.into_iter()
+        .map(str::to_owned)
+        .chain(INERTIA.map(|key| format!("inertia_slug_ft2.{key}")))
+        .chain(of_a_leg.iter().cloned())
+        .chain(own)
+        .collect()
+}
 
 /// A vehicle with the file that describes it.
 #[derive(Debug, Clone)]
@@ -83,7 +116,15 @@ impl<const LEGS: usize> VehicleFile<LEGS> {
     /// # Errors
     /// Names file, line, key and value of the first thing wrong, and what is allowed.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        Self::from_document(Document::read(path)?)
+        Self::read_from(path, Library::Disk)
+    }
+
+    /// Reads a vehicle from a library.
+    ///
+    /// # Errors
+    /// As [`VehicleFile::read`].
+    pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
+        Self::from_document(library.document(path)?)
     }
 
     /// Takes the vehicle from a document.
@@ -206,9 +247,10 @@ fn block(section: &Section) -> Result<Block, InputError> {
 }
 
 /// A table whose abscissas are in inches, as the report prints them.
-fn profile(section: &Section, key: &str, columns: [&str; 2]) -> Result<Profile, InputError> {
+fn profile(section: &Section, key: &str, columns: [&str; 3]) -> Result<Profile, InputError> {
     let table = section.section(key, &columns)?;
-    let [abscissas, ordinates] = columns;
+    let [abscissas, ordinates, _] = columns;
+    let scale = scale(&table)?;
     let x = column(&table, abscissas)?;
     let y = column(&table, ordinates)?;
     let list = table.value(ordinates, "a list of numbers")?;
@@ -239,8 +281,21 @@ fn profile(section: &Section, key: &str, columns: [&str; 2]) -> Result<Profile, 
             return Err(item.complain("a number ≥ 0"));
         }
     }
-    let knots = x.iter().zip(y).map(|(x, y)| [x / INCHES_PER_FOOT, y]);
+    let knots = x
+        .iter()
+        .zip(y)
+        .map(|(x, y)| [x / INCHES_PER_FOOT, scale * y]);
     Profile::new(knots.collect()).map_err(|invalid| list.complain(&invalid.allowed))
+}
+
+fn scale(table: &Section) -> Result<f64, InputError> {
+    match table.optional(SCALE) {
+        None => Ok(1.0),
+        Some(found) => match found.number()? {
+            scale if scale > 0.0 => Ok(scale),
+            _ => Err(found.complain("a number > 0")),
+        },
+    }
 }
 
 fn column(table: &Section, key: &str) -> Result<Vec<f64>, InputError> {

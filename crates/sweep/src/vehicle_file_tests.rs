@@ -1,4 +1,6 @@
 use super::*;
+use crate::document::Value;
+use crate::key_path::KeyPath;
 
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
@@ -37,6 +39,41 @@ fn a_leg_may_differ_in_anything_its_tables_included() {
         [[0.0, 0.0], [1.0 / 12.0, 2.0]]
     );
     assert_eq!(first.design().footpad.profile.knots().len(), 14);
+}
+
+#[test]
+fn a_scale_multiplies_the_ordinates_of_a_table_for_all_legs_or_one() {
+    let scaled = |text: &str| SURVEYOR.replace("[footpad.profile]", text);
+    let vehicle = read(&scaled("[footpad.profile]\nscale = 2"))
+        .unwrap()
+        .vehicle;
+    let knots = vehicle.legs()[0].design().footpad.profile.knots();
+    assert_eq!(knots[1], [0.1 / 12.0, 0.936]);
+    let own = format!("{SURVEYOR}[legs.footpad.profile]\nscale = 3\n");
+    let vehicle = read(&own).unwrap().vehicle;
+    let pressure = |leg: usize| vehicle.legs()[leg].design().footpad.profile.knots()[9][1];
+    assert_eq!((pressure(0), pressure(2)), (1.0, 3.0));
+    let complaint = read(&scaled("[footpad.profile]\nscale = 0")).unwrap_err();
+    assert!(
+        complaint
+            .to_string()
+            .contains("footpad.profile.scale = 0: allowed is a number > 0")
+    );
+}
+
+#[test]
+fn every_number_has_a_name() {
+    let mut document = Document::parse(Path::new("v.toml"), SURVEYOR).unwrap();
+    for name in numbers(3) {
+        let path = KeyPath::parse(&name).unwrap();
+        assert!(document.write(&path, Value::Number(0.5)), "{name}");
+    }
+    // Nothing was added that a vehicle file does not know.
+    let complaint = VehicleFile::<3>::from_document(document).unwrap_err();
+    assert!(
+        !complaint.to_string().contains("unknown key"),
+        "{complaint}"
+    );
 }
 
 /// What is replaced in the Surveyor's file, by what, and what the complaint must contain.

@@ -4,34 +4,45 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
 
 use touchdown_dynamics::outcome::Class;
-use touchdown_sweep::axes::{Axis, Grid};
 use touchdown_sweep::boundary::{Boundary, Extent};
 use touchdown_sweep::certainty::Doubt;
+use touchdown_sweep::design::Design;
+use touchdown_sweep::findings::Finding;
+use touchdown_sweep::grid::Grid;
+use touchdown_sweep::levels::Levels;
 use touchdown_sweep::refine::Refinement;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::scan::Scan;
-use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::sweep_file::{Job, Sweep};
 
 /// A sweep of Phase II at some values of its axis.
 fn sweep(name: &str, values: &[f64]) -> Sweep<3> {
     let sweeps = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps");
     let mut sweep: Sweep<3> = Sweep::read(&PathBuf::from(sweeps).join(name)).unwrap();
-    let axis = sweep.grid.axes()[0].name().to_owned();
-    sweep.grid = Grid::new(vec![Axis::list(&axis, values.to_vec()).unwrap()]).unwrap();
+    let levels = Levels::list(values.to_vec()).unwrap();
+    sweep.design = Design::Grid(Grid::new(vec![(levels, None)]).unwrap());
     sweep
 }
 
 fn search(sweep: &Sweep<3>, extent: Extent, scan: Scan, refinement: Refinement) -> Vec<Boundary> {
     let mut sweep = sweep.clone();
-    sweep.search.extent = extent;
-    sweep.search.scan = scan;
-    sweep.search.refinement = refinement;
-    sweep.search.doubt = Doubt::None;
+    let Job::Boundary(search) = &mut sweep.job else {
+        panic!("the sweeps of Phase II ask for boundaries");
+    };
+    search.extent = extent;
+    search.scan = scan;
+    search.refinement = refinement;
+    search.doubt = Doubt::None;
     let workers = Workers::start(None).unwrap();
-    workers.sweep(&sweep, &(), &AtomicBool::new(false)).unwrap()
+    let points: Vec<usize> = (0..sweep.design.count()).collect();
+    let boundary = |found| match found {
+        Finding::Boundary(boundary) => boundary,
+        Finding::Landing { .. } => panic!("a boundary was asked"),
+    };
+    let found = workers.points(&sweep, &points).unwrap();
+    found.into_iter().map(boundary).collect()
 }
 
 type Outline = Vec<(f64, f64, Class, Option<f64>)>;

@@ -5,7 +5,12 @@ use std::process::ExitCode;
 
 use touchdown_sweep::deposit::DepositError;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::journal::JournalError;
+use touchdown_sweep::merge::MergeError;
 use touchdown_sweep::run::RunError;
+use touchdown_sweep::tables::TablesError;
+
+use crate::interrupt;
 
 /// An end other than success.
 #[derive(Debug)]
@@ -14,8 +19,8 @@ pub enum Failure {
     Input(InputError),
     /// Something went wrong while running.
     Running(String),
-    /// The user interrupted.
-    Interrupted,
+    /// The user interrupted; what became of the work.
+    Interrupted(String),
 }
 
 impl Failure {
@@ -24,8 +29,7 @@ impl Failure {
         ExitCode::from(match self {
             Self::Running(_) => 1,
             Self::Input(_) => 2,
-            // 128 + SIGINT, as shells report it.
-            Self::Interrupted => 130,
+            Self::Interrupted(_) => interrupt::EXIT_CODE,
         })
     }
 
@@ -40,7 +44,7 @@ impl fmt::Display for Failure {
         match self {
             Self::Input(error) => error.fmt(f),
             Self::Running(what) => f.write_str(what),
-            Self::Interrupted => f.write_str("interrupted; no unfinished result was written"),
+            Self::Interrupted(work) => write!(f, "interrupted; {work}"),
         }
     }
 }
@@ -57,10 +61,35 @@ impl From<DepositError> for Failure {
     }
 }
 
+impl From<JournalError> for Failure {
+    fn from(error: JournalError) -> Self {
+        match error {
+            JournalError::Different { .. } => Self::Input(InputError::other(error.to_string())),
+            other => Self::running(other),
+        }
+    }
+}
+
+impl From<MergeError> for Failure {
+    fn from(error: MergeError) -> Self {
+        match error {
+            MergeError::Journal(error) => error.into(),
+            strangers => Self::Input(InputError::other(strangers.to_string())),
+        }
+    }
+}
+
+impl From<TablesError> for Failure {
+    fn from(error: TablesError) -> Self {
+        Self::running(error)
+    }
+}
+
 impl From<RunError> for Failure {
     fn from(error: RunError) -> Self {
         match error {
-            RunError::Cancelled => Self::Interrupted,
+            RunError::Cancelled => Self::Interrupted("no unfinished result was written".to_owned()),
+            RunError::Journal(error) => error.into(),
             other => Self::running(other),
         }
     }

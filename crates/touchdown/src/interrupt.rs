@@ -1,9 +1,20 @@
-//! Ctrl-C: the first asks the run to stop between landings, the second stops at once.
+//! Ctrl-C and termination: the first asks the run to stop between landings, the second stops at
+//! once.
+//!
+//! A landing can take longer than anyone who asks a program to stop will wait. What is finished is
+//! in the journal by then, so after a while the program ends in the middle of a landing.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
 
 use crate::failure::Failure;
+
+/// Longest time from an interruption to the end of the program.
+const PATIENCE: Duration = Duration::from_millis(1700);
+/// 128 + SIGINT, as shells report it.
+pub const EXIT_CODE: u8 = 130;
 
 /// A flag that becomes true when the user interrupts.
 pub fn flag() -> Result<Arc<AtomicBool>, Failure> {
@@ -11,8 +22,15 @@ pub fn flag() -> Result<Arc<AtomicBool>, Failure> {
     let raised = Arc::clone(&cancel);
     ctrlc::set_handler(move || {
         if raised.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+            std::process::exit(EXIT_CODE.into());
         }
+        thread::spawn(|| {
+            thread::sleep(PATIENCE);
+            eprintln!(
+                "touchdown: interrupted in the middle of a landing; what is finished is kept"
+            );
+            std::process::exit(EXIT_CODE.into());
+        });
     })
     .map_err(Failure::running)?;
     Ok(cancel)

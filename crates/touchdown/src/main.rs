@@ -4,11 +4,15 @@
 //! the lander begins to topple.
 
 mod cases;
+mod dry_run;
 mod failure;
 mod import_deck;
 mod integration_report;
 mod interrupt;
+mod journal_files;
 mod land;
+mod least;
+mod merge;
 mod overrides;
 mod overview;
 mod plot;
@@ -21,6 +25,7 @@ mod summary;
 mod surface;
 mod sweep;
 mod sweep_files;
+mod sweep_results;
 mod touchdown_options;
 mod work_precision;
 
@@ -50,6 +55,8 @@ enum Command {
     Land(Box<land::Options>),
     /// Search the horizontal velocity at which landings cease to be stable, over a grid
     Sweep(sweep::Options),
+    /// Put the shards of sweeps together into results
+    Merge(merge::Options),
     /// Draw the pictures of result tables anew
     Plot(plot::Options),
     /// Find slope and cross-slope from the times at which the footpads struck the surface
@@ -66,6 +73,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Land(options) => land::run(&options),
         Command::Sweep(options) => sweep::run(&options),
+        Command::Merge(options) => merge::run(&options),
         Command::Plot(options) => plot::run(&options),
         Command::Surface(options) => surface::run(&options),
         Command::ImportDeck(options) => import_deck::run(&options),

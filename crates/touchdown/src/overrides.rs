@@ -4,14 +4,13 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::scene::CrushRule;
-use touchdown_sweep::boundary::Extent;
-use touchdown_sweep::refine::Refinement;
-use touchdown_sweep::scan::Scan;
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::instead::Instead;
+use touchdown_sweep::settings_input::crush_rule_name;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::LEGS;
-use crate::failure::Failure;
 use crate::solver_options::rule;
 
 /// What holds instead of the sweep files.
@@ -63,41 +62,32 @@ enum RefinementName {
 }
 
 impl Overrides {
-    /// Puts what was given into the sweeps.
+    /// The sweeps with what was given put into them.
     ///
     /// # Errors
-    /// When the vehicle file cannot be used.
-    pub fn apply(&self, sweeps: &mut [Sweep<LEGS>]) -> Result<(), Failure> {
-        let vehicle = match &self.vehicle {
-            Some(file) => Some(VehicleFile::read(file)?),
-            None => None,
+    /// When the vehicle file cannot be used, or what was given varies in a sweep.
+    pub fn apply(&self, sweeps: Vec<Sweep<LEGS>>) -> Result<Vec<Sweep<LEGS>>, InputError> {
+        let vehicle = self.vehicle.as_deref().map(VehicleFile::read).transpose()?;
+        let rule = self.crush_rule.map(|rule| crush_rule_name(rule).to_owned());
+        let words = [
+            ("solver.crush_rule", rule),
+            ("search.bands", self.bands.and_then(word)),
+            ("search.scan", self.scan.and_then(word)),
+            ("search.refinement", self.refinement.and_then(word)),
+        ];
+        let given = |(key, word): (&str, Option<String>)| Some((key.to_owned(), word?));
+        let instead = Instead {
+            vehicle,
+            words: words.into_iter().filter_map(given).collect(),
         };
-        for sweep in sweeps {
-            if let Some(vehicle) = &vehicle {
-                sweep.vehicle = vehicle.clone();
-            }
-            if let Some(rule) = self.crush_rule {
-                sweep.settings = sweep.settings.with_crush_rule(rule);
-            }
-            if let Some(bands) = self.bands {
-                sweep.search.extent = match bands {
-                    Bands::First => Extent::First,
-                    Bands::All => Extent::All,
-                };
-            }
-            if let Some(scan) = self.scan {
-                sweep.search.scan = match scan {
-                    ScanName::Full => Scan::Full,
-                    ScanName::Skipping => Scan::Skipping,
-                };
-            }
-            if let Some(refinement) = self.refinement {
-                sweep.search.refinement = match refinement {
-                    RefinementName::Margin => Refinement::Margin,
-                    RefinementName::Bisection => Refinement::Bisection,
-                };
-            }
-        }
-        Ok(())
+        sweeps
+            .into_iter()
+            .map(|sweep| sweep.with(&instead))
+            .collect()
     }
+}
+
+/// The word of an option's value, which sweep files use too.
+fn word(value: impl ValueEnum) -> Option<String> {
+    Some(value.to_possible_value()?.get_name().to_owned())
 }

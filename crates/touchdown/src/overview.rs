@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::time::Duration;
 
-use touchdown_sweep::boundary::Boundary;
-use touchdown_sweep::results::{Circumstances, count_by_kind};
+use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::tally::Tally;
 
 use crate::LEGS;
 use crate::summary;
@@ -28,25 +28,27 @@ pub struct Line {
 
 impl Line {
     /// The line of a sweep that was run.
-    pub fn of(sweep: &Sweep<LEGS>, boundaries: &[Boundary], circumstances: Circumstances) -> Self {
-        let landings = boundaries.iter().map(|boundary| boundary.landings).sum();
-        let looks: u64 = boundaries.iter().map(|boundary| boundary.looks).sum();
-        let finds: u64 = boundaries.iter().map(|boundary| boundary.finds).sum();
-        let lowest = match summary::lowest(sweep, boundaries) {
-            Some((transition, place)) => format!("{:.3} ({place})", transition.speed()),
+    pub fn of(sweep: &Sweep<LEGS>, tally: &Tally, circumstances: Circumstances) -> Self {
+        let lowest = match tally.lowest {
+            Some((point, transition)) => {
+                format!("{:.3} ({})", transition.speed(), sweep.place(point))
+            }
             None => "-".to_owned(),
         };
         Self {
             cells: [
                 sweep.stem(),
-                boundaries.len().to_string(),
-                summary::counted(&count_by_kind(boundaries)),
+                tally.points.to_string(),
+                summary::counted(&tally.kinds()),
                 lowest,
-                u64::to_string(&landings),
-                format!("{finds}/{looks}"),
-                format!("{:.1}", circumstances.wall_time),
+                tally.landings.to_string(),
+                format!("{}/{}", tally.finds, tally.looks),
+                match circumstances.wall_time {
+                    Some(seconds) => format!("{seconds:.1}"),
+                    None => "-".to_owned(),
+                },
             ],
-            landings,
+            landings: tally.landings,
         }
     }
 }

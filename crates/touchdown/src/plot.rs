@@ -10,6 +10,7 @@ use touchdown_sweep::deposit::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
+use crate::least;
 use crate::say::say;
 
 const EXAMPLES: &str = "\
@@ -19,6 +20,9 @@ Examples:
 
   touchdown plot results/surface-4-20.csv --out map.png
     writes map-contours.png and map-perspective.png, as two axes have two pictures
+
+  touchdown plot results/trade.csv --least-over friction,roll_deg --out map.png
+    draws the worst of everything else over two of many axes
 
 The table of bands (figure-4-09-bands.csv) and the record (figure-4-09.json) are read where they
 stand beside the table: without the one only first transitions are drawn, without the other there
@@ -31,6 +35,10 @@ pub struct Options {
     /// Result tables of sweeps (CSV)
     #[arg(required = true, value_name = "FILE.csv")]
     tables: Vec<PathBuf>,
+    /// Draw over these axes only (commas between them): of all points that agree in them, the one
+    /// with the lowest first transition
+    #[arg(long, value_name = "AXES", value_delimiter = ',')]
+    least_over: Vec<String>,
     /// The picture, .svg or .png [default: both, beside the table]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -50,7 +58,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return Err(InputError::other(complaint).at(Place::file(out)).into());
     }
     for table in &options.tables {
-        let pictures = draw(table)?;
+        let pictures = draw(table, &options.least_over)?;
         let place = options.out.as_deref().unwrap_or(table);
         let forms = match &options.out {
             Some(out) => vec![form_of(out)?],
@@ -107,7 +115,7 @@ fn stem(path: &Path) -> String {
         .into_owned()
 }
 
-fn draw(table: &Path) -> Result<Vec<Picture>, InputError> {
+fn draw(table: &Path, least_over: &[String]) -> Result<Vec<Picture>, InputError> {
     let refuse = |complaint: String| InputError::other(complaint).at(Place::file(table));
     let text =
         fs::read_to_string(table).map_err(|error| refuse(format!("cannot be read: {error}")))?;
@@ -115,7 +123,11 @@ fn draw(table: &Path) -> Result<Vec<Picture>, InputError> {
         let name = format!("{}{ending}", stem(table));
         fs::read_to_string(table.with_file_name(name)).ok()
     };
-    let (bands, record) = (beside("-bands.csv"), beside(".json"));
+    let record = beside(".json");
+    let (text, bands) = match least_over {
+        [] => (text, beside("-bands.csv")),
+        axes => (least::over(&text, axes).map_err(refuse)?, None),
+    };
     let pictures = picture::draw(&text, bands.as_deref(), record.as_deref())
         .map_err(|error| refuse(error.to_string()))?;
     if pictures.is_empty() {

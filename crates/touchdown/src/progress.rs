@@ -18,6 +18,8 @@ pub struct Progress {
     unit: &'static str,
     count: u64,
     done: AtomicU64,
+    /// Done before this run began.
+    earlier: AtomicU64,
     landings: Arc<AtomicU64>,
     last_line: AtomicU64,
     show: Show,
@@ -43,9 +45,21 @@ impl Progress {
             unit,
             count: count as u64,
             done: AtomicU64::new(0),
+            earlier: AtomicU64::new(0),
             landings,
             last_line: AtomicU64::new(0),
             show,
+        }
+    }
+
+    /// Counts points that were done before this run began.
+    pub fn skip(&self, points: usize) {
+        let points = points as u64;
+        self.done.fetch_add(points, Ordering::Relaxed);
+        self.earlier.fetch_add(points, Ordering::Relaxed);
+        if let Show::Bar(bar) = &self.show {
+            bar.inc(points);
+            bar.reset_eta();
         }
     }
 
@@ -74,10 +88,11 @@ impl Progress {
         let (done, count) = (self.done.load(Ordering::Relaxed), self.count);
         let landings = self.landings.load(Ordering::Relaxed);
         let rate = landings as f64 / elapsed.as_secs_f64();
-        let left = match done {
+        let now_done = done - self.earlier.load(Ordering::Relaxed).min(done);
+        let left = match now_done {
             0 => String::new(),
-            done => {
-                let left = elapsed.as_secs_f64() * (count - done) as f64 / done as f64;
+            now_done => {
+                let left = elapsed.as_secs_f64() * (count - done) as f64 / now_done as f64;
                 format!(", about {left:.0} s left")
             }
         };

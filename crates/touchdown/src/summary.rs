@@ -4,9 +4,11 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use touchdown_dynamics::landing::Landing;
-use touchdown_sweep::boundary::{Boundary, Extent, Transition};
-use touchdown_sweep::results::{Circumstances, count_by_kind};
+use touchdown_sweep::boundary::Extent;
+use touchdown_sweep::probabilities::{Count, wilson};
+use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::tally::Tally;
 
 /// A table of cases in short.
 pub fn cases<const LEGS: usize>(
@@ -30,7 +32,12 @@ pub fn cases<const LEGS: usize>(
         "{} cases: {}\n{}{}",
         landings.len(),
         counted(&kinds),
-        cost(landings.len() as u64, evaluations, seconds, threads),
+        cost(
+            landings.len() as u64,
+            evaluations,
+            Some(seconds),
+            Some(threads)
+        ),
         written(files)
     )
 }
@@ -38,55 +45,67 @@ pub fn cases<const LEGS: usize>(
 /// A sweep in short.
 pub fn sweep<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
-    boundaries: &[Boundary],
+    tally: &Tally,
     circumstances: Circumstances,
     files: &[PathBuf],
 ) -> String {
     let mut text = format!("{}\n", sweep.title);
-    let kinds = counted(&count_by_kind(boundaries));
-    text += &format!(
-        "  {} points, first transition to: {kinds}\n",
-        boundaries.len()
-    );
-    if let Some((transition, place)) = lowest(sweep, boundaries) {
+    match &tally.probabilities {
+        None => {
+            let kinds = counted(&tally.kinds());
+            text += &format!("  {} points, first transition to: {kinds}\n", tally.points);
+        }
+        Some(known) => text += &outcomes(known.overall, sweep.design.count()),
+    }
+    if let Some((point, transition)) = tally.lowest {
         let (speed, kind) = (transition.speed(), transition.to);
+        let place = sweep.place(point);
         text += &format!("  lowest V_H {speed:.4} ft/s ({kind}) at {place}\n");
     }
-    let landings = boundaries.iter().map(|boundary| boundary.landings).sum();
-    let evaluations = boundaries.iter().map(|boundary| boundary.evaluations).sum();
     let Circumstances {
         threads, wall_time, ..
     } = circumstances;
-    let looks: u64 = boundaries.iter().map(|boundary| boundary.looks).sum();
-    if sweep.search.extent == Extent::All {
-        let bands: usize = boundaries.iter().map(|boundary| boundary.bands.len()).sum();
-        let finds: u64 = boundaries.iter().map(|boundary| boundary.finds).sum();
+    if sweep
+        .search()
+        .is_some_and(|search| search.extent == Extent::All)
+    {
+        let Tally {
+            bands,
+            looks,
+            finds,
+            ..
+        } = tally;
         text += &format!("  {bands} bands; {looks} looks for hidden ones found {finds}\n");
     }
-    text += &format!("  {}", cost(landings, evaluations, wall_time, threads));
+    text += &format!(
+        "  {}",
+        cost(tally.landings, tally.evaluations, wall_time, threads)
+    );
     text += &format!("  {}", written(files));
     text
 }
 
-/// The lowest first transition of a sweep and its coordinates in words.
-pub fn lowest<const LEGS: usize>(
-    sweep: &Sweep<LEGS>,
-    boundaries: &[Boundary],
-) -> Option<(Transition, String)> {
-    let (point, transition) = boundaries
-        .iter()
-        .enumerate()
-        .filter_map(|(point, boundary)| Some((point, boundary.transition?)))
-        .min_by(|(_, a), (_, b)| a.speed().total_cmp(&b.speed()))?;
-    let coordinates = sweep.grid.coordinates(point);
-    let place: Vec<String> = sweep
-        .grid
-        .axes()
-        .iter()
-        .zip(coordinates)
-        .map(|(axis, value)| format!("{} = {value}", axis.name()))
-        .collect();
-    Some((transition, place.join(", ")))
+/// How landings ended, with intervals at 95 %.
+fn outcomes(count: Count, asked: usize) -> String {
+    let share = |name: &str, hits: u64| {
+        let [low, high] = wilson(hits, count.landings).map(|share| 100.0 * share);
+        let percent = 100.0 * hits as f64 / count.landings.max(1) as f64;
+        format!("  {name} {hits}: {percent:.2} %, at 95 % between {low:.2} and {high:.2} %\n")
+    };
+    let early = match count.landings < asked as u64 {
+        true => format!(" of {asked}, which are enough"),
+        false => String::new(),
+    };
+    let failed = match count.failed {
+        0 => String::new(),
+        failed => format!("  could not be computed: {failed}\n"),
+    };
+    format!(
+        "  {} landings{early}\n{}{}{failed}",
+        count.landings,
+        share("toppled", count.toppled),
+        share("bottomed a strut", count.bottomed)
+    )
 }
 
 /// Numbers of each kind, in words.
@@ -98,19 +117,21 @@ pub fn counted(kinds: &[(String, usize)]) -> String {
     parts.join(", ")
 }
 
-fn cost(landings: u64, evaluations: u64, seconds: f64, threads: usize) -> String {
+fn cost(landings: u64, evaluations: u64, seconds: Option<f64>, threads: Option<usize>) -> String {
+    let work = format!("{landings} landings, {evaluations} derivative evaluations");
+    let (Some(seconds), Some(threads)) = (seconds, threads) else {
+        return format!("{work}\n");
+    };
     let rate = landings as f64 / seconds.max(1e-9);
     let threads = match threads {
         1 => "one thread".to_owned(),
         many => format!("{many} threads"),
     };
-    format!(
-        "{landings} landings, {evaluations} derivative evaluations, {seconds:.2} s on {threads}: \
-         {rate:.0} landings/s\n"
-    )
+    format!("{work}, {seconds:.2} s on {threads}: {rate:.0} landings/s\n")
 }
 
-fn written(files: &[PathBuf]) -> String {
+/// The files of a run.
+pub fn written(files: &[PathBuf]) -> String {
     let names: Vec<String> = files
         .iter()
         .map(|file| file.display().to_string())

@@ -2,22 +2,27 @@
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
-use touchdown_figures::picture;
-use touchdown_sweep::bands_table;
-use touchdown_sweep::boundary::{Boundary, Extent};
 use touchdown_sweep::deposit::Folder;
-use touchdown_sweep::results::{self, Circumstances};
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::header::Header;
+use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::results::Circumstances;
+use touchdown_sweep::run::{RunError, Workers};
+use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::Sweep;
 
 use crate::failure::Failure;
 use crate::overrides::Overrides;
 use crate::progress::Progress;
 use crate::say::say;
-use crate::{LEGS, interrupt, overview, plot, summary, sweep_files};
+use crate::sweep_results::{Format, Written};
+use crate::{
+    LEGS, dry_run, interrupt, journal_files, overview, summary, sweep_files, sweep_results,
+};
 
 const EXAMPLE: &str = "\
 Example:
@@ -57,6 +62,20 @@ pub struct Options {
     /// Threads; results do not depend on their number [default: one for each core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
+    /// Check the input of every sweep and tell what it will take, from a few points computed as a
+    /// sample; nothing is written
+    #[arg(long)]
+    dry_run: bool,
+    /// Go on with an interrupted run, and do not begin one (running again goes on too)
+    #[arg(long)]
+    resume: bool,
+    /// Compute every COUNT-th point only, into a journal for `touchdown merge`: 3/16 is the third
+    /// of sixteen parts
+    #[arg(long, value_name = "NUMBER/COUNT")]
+    shard: Option<Shard>,
+    /// Form of the tables
+    #[arg(long, value_name = "FORMAT", default_value = "csv")]
+    format: Format,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -66,67 +85,130 @@ pub struct Options {
 
 /// Runs `sweep`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let mut sweeps = sweep_files::read(&options.files)?;
-    options.overrides.apply(&mut sweeps)?;
+    let sweeps = options
+        .overrides
+        .apply(sweep_files::read(&options.files)?)?;
     let cancel = interrupt::flag()?;
-    let folder = Folder::open(&options.out)?;
     let workers = Workers::start(options.threads)?;
+    let shard = options.shard.unwrap_or(Shard::WHOLE);
+    if options.dry_run {
+        for sweep in &sweeps {
+            say(&dry_run::tell(sweep, shard, &workers)?)?;
+        }
+        return Ok(());
+    }
+    let folder = Folder::open(&options.out)?;
 
-    let points = sweeps.iter().map(|sweep| sweep.grid.count()).sum();
-    let progress = Progress::start("points", points, options.quiet);
+    let points = sweeps.iter().map(|sweep| shard.len(sweep.design.count()));
+    let progress = Progress::start("points", points.sum(), options.quiet);
+    let night = Night {
+        options,
+        folder: &folder,
+        workers: &workers,
+        progress: &progress,
+        cancel: &cancel,
+    };
     let mut lines = Vec::with_capacity(sweeps.len());
     let mut told = String::new();
     for sweep in &sweeps {
-        let start = Instant::now();
-        let boundaries = workers.sweep(sweep, &progress, &cancel);
-        if boundaries.is_err() {
-            progress.finish();
-        }
-        let boundaries = boundaries?;
-        let circumstances = Circumstances {
-            version: env!("CARGO_PKG_VERSION"),
-            threads: workers.threads(),
-            wall_time: start.elapsed().as_secs_f64(),
-        };
         // Results of one sweep are kept whatever becomes of the next.
-        let files = folder.deposit(&results(sweep, &boundaries, circumstances)?)?;
-        told = summary::sweep(sweep, &boundaries, circumstances, &files);
-        lines.push(overview::Line::of(sweep, &boundaries, circumstances));
+        let done = night.sweep(sweep, shard).inspect_err(|_| {
+            progress.finish();
+        })?;
+        match done {
+            Done::Whole(results) => {
+                told = summary::sweep(sweep, &results.tally, results.circumstances, &results.files);
+                lines.push(overview::Line::of(
+                    sweep,
+                    &results.tally,
+                    results.circumstances,
+                ));
+            }
+            Done::Shard(text) => told += &text,
+        }
     }
     let wall_time = progress.finish();
     if options.quiet {
         return Ok(());
     }
     match lines.as_slice() {
-        [_] => say(&told),
+        [] | [_] => say(&told),
         lines => say(&overview::table(lines, wall_time, &options.out)),
     }
 }
 
-/// The result files of a sweep: tables, record and pictures.
-fn results(
-    sweep: &Sweep<LEGS>,
-    boundaries: &[Boundary],
-    circumstances: Circumstances,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let stem = sweep.stem();
-    let table = results::table(sweep, boundaries).map_err(Failure::running)?;
-    let bands = match sweep.search.extent {
-        Extent::First => None,
-        Extent::All => Some(bands_table::table(sweep, boundaries).map_err(Failure::running)?),
-    };
-    let record = format!("{:#}\n", results::record(sweep, boundaries, circumstances));
-    let pictures = picture::draw(
-        &String::from_utf8_lossy(&table),
-        bands.as_deref().map(String::from_utf8_lossy).as_deref(),
-        Some(&record),
-    )
-    .map_err(Failure::running)?;
+/// What every sweep of a run is run with.
+struct Night<'n> {
+    options: &'n Options,
+    folder: &'n Folder,
+    workers: &'n Workers,
+    progress: &'n Progress,
+    cancel: &'n AtomicBool,
+}
 
-    let mut files = plot::both(&stem, &pictures)?;
-    files.extend(bands.map(|bands| (format!("{stem}-bands.csv"), bands)));
-    files.push((format!("{stem}.json"), record.into_bytes()));
-    // The table comes last: where it stands, the others do too.
-    files.push((format!("{stem}.csv"), table));
-    Ok(files)
+/// What a sweep came to.
+enum Done {
+    Whole(Box<Written>),
+    /// A shard has a journal only; in words.
+    Shard(String),
+}
+
+impl Night<'_> {
+    fn sweep(&self, sweep: &Sweep<LEGS>, shard: Shard) -> Result<Done, Failure> {
+        let start = Instant::now();
+        let path = self.folder.path(&journal_files::name(&sweep.stem(), shard));
+        if self.options.resume && !path.exists() {
+            let complaint = "there is nothing to resume: run without --resume to begin";
+            return Err(InputError::other(complaint).at(Place::file(&path)).into());
+        }
+        let header = Header::new(sweep, env!("CARGO_PKG_VERSION"), shard)
+            .map_err(|fault| Failure::running(format!("the first point: {fault}")))?;
+        let mut opened = Journal::open(&path, &header)?;
+        for warning in &opened.warnings {
+            eprintln!("touchdown: {warning}");
+        }
+        let points = shard.len(sweep.design.count());
+        let earlier = opened.done.len();
+        self.progress.skip(earlier);
+        if earlier > 0 && !self.options.quiet {
+            eprintln!("{earlier} of {points} points are in {}", path.display());
+        }
+        let ran = self
+            .workers
+            .sweep(sweep, shard, &mut opened, self.progress, self.cancel);
+        ran.map_err(|error| match error {
+            RunError::Cancelled => Failure::Interrupted(format!(
+                "what is finished is kept in {}: run again to go on",
+                path.display()
+            )),
+            other => other.into(),
+        })?;
+        if shard != Shard::WHOLE {
+            return Ok(Done::Shard(format!(
+                "{}\n  shard {shard}: {points} points, kept in {}; `touchdown merge` makes results \
+                 of all shards\n",
+                sweep.title,
+                path.display()
+            )));
+        }
+        // Time and threads of a run that went on with another's work say nothing of the whole.
+        let is_one_run = earlier == 0;
+        let circumstances = Circumstances {
+            version: env!("CARGO_PKG_VERSION"),
+            threads: is_one_run.then(|| self.workers.threads()),
+            wall_time: is_one_run.then(|| start.elapsed().as_secs_f64()),
+        };
+        let records = opened.journal.into_records()?;
+        let count = sweep.design.count();
+        let mut results = InOrder::new(vec![records], count, &self.options.out)?;
+        let written = sweep_results::write(
+            sweep,
+            &mut results,
+            self.folder,
+            circumstances,
+            self.options.format,
+        )?;
+        results.remove_journals()?;
+        Ok(Done::Whole(Box::new(written)))
+    }
 }

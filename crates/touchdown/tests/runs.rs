@@ -6,9 +6,8 @@
 mod common;
 
 use std::process::Stdio;
-use std::time::Duration;
 
-use common::{BASELINE, Bench, Done};
+use common::{BASELINE, Bench};
 
 #[test]
 fn help_teaches_units_and_the_sense_of_the_cross_slope() {
@@ -239,37 +238,6 @@ fn cases_are_landed_in_their_order() {
     assert!(rows[1].starts_with("7,stable-"), "{}", rows[1]);
     assert!(rows[2].starts_with("3,unstable-pitch"), "{}", rows[2]);
     assert_eq!(bench.list("new"), ["out.csv"]);
-}
-
-/// A sweep of hundreds of thousands of points, interrupted as Ctrl-C does it.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_sweep_says_so_and_writes_nothing() {
-    let bench = Bench::new();
-    bench.write(
-        "sweep.toml",
-        &common::SWEEP.replace("step = 10", "step = 0.0001"),
-    );
-    let sweep = bench
-        .command(&["sweep", "sweep.toml"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // Results are being computed once the folder for them is there.
-    while !bench.path("results").exists() {
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    std::thread::sleep(Duration::from_millis(300));
-    let kill = std::process::Command::new("kill")
-        .args(["-INT", &sweep.id().to_string()])
-        .status()
-        .unwrap();
-    assert!(kill.success());
-    let done = Done::from(sweep.wait_with_output().unwrap());
-    assert_eq!(done.code, Some(130), "{}", done.err);
-    assert!(done.err.contains("interrupted"), "{}", done.err);
-    assert_eq!(bench.list("results"), Vec::<String>::new());
 }
 
 /// Whoever reads may stop reading, as `head` does.

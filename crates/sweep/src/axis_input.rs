@@ -1,0 +1,190 @@
+//! What varies: the table `[axes]` of a sweep file.
+//!
+//! Keys are names of parameters, dotted ones in quotes or as tables within tables. Values are a
+//! list, or a table: a range by `step` or by `count`, listed `values`, the `spacing` of counted
+//! ones, and the group (`zip`) of axes that move together.
+
+use crate::document::{Entry, Value};
+use crate::found::Found;
+use crate::input_error::InputError;
+use crate::levels::Levels;
+use crate::parameter::Parameter;
+use crate::section::{Layer, Section};
+
+const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
+/// Keys of an axis that is sampled.
+const SAMPLED: [&str; 4] = ["mean", "sd", "file", "column"];
+const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";
+const NEEDED: &str = "a table [axes] with at least one condition that varies";
+
+/// A parameter, and where its values are said.
+#[derive(Debug, Clone)]
+pub(crate) struct AxisEntry<'d> {
+    pub(crate) parameter: Parameter,
+    pub(crate) found: Found<'d>,
+}
+
+/// What varies in `[axes]`, in the order of the file.
+pub(crate) fn entries<'d>(
+    root: &Section<'d>,
+    legs: usize,
+) -> Result<Vec<AxisEntry<'d>>, InputError> {
+    let axes = root.value("axes", NEEDED)?;
+    let mut leaves = Vec::new();
+    descend(&axes, &axes.layer()?, "", &mut leaves);
+    if leaves.is_empty() {
+        return Err(axes.complain(NEEDED));
+    }
+    // Tables within tables may have torn apart what stands together.
+    leaves.sort_by_key(|(_, found)| found.node.line);
+    let mut entries: Vec<AxisEntry> = Vec::with_capacity(leaves.len());
+    for (name, found) in leaves {
+        let Some(parameter) = Parameter::named(&name, legs) else {
+            return Err(found.complain_that(&unknown(&name, legs)));
+        };
+        if entries.iter().any(|other| other.parameter == parameter) {
+            return Err(found.complain_that("varies twice: allowed is one axis for each key"));
+        }
+        entries.push(AxisEntry { parameter, found });
+    }
+    Ok(entries)
+}
+
+/// Collects what is no table of axes, with its dotted name.
+fn descend<'d>(
+    above: &Found<'d>,
+    layer: &Layer<'d>,
+    path: &str,
+    leaves: &mut Vec<(String, Found<'d>)>,
+) {
+    for entry in layer.entries {
+        let name = crate::document::dotted(path, &entry.key);
+        let found = Found {
+            place: above.place.clone(),
+            path: crate::document::dotted(&above.path, &entry.key),
+            node: &entry.node,
+        };
+        match found.layer() {
+            Ok(below) if is_table_of_axes(below.entries) => {
+                descend(&found, &below, &name, leaves);
+            }
+            _ => leaves.push((name, found)),
+        }
+    }
+}
+
+/// Whether a table holds further names, and not the form of an axis.
+fn is_table_of_axes(entries: &[Entry]) -> bool {
+    let says_form = |entry: &Entry| {
+        let key = entry.key.as_str();
+        FORM.contains(&key) || SAMPLED.contains(&key)
+    };
+    !entries.is_empty() && !entries.iter().any(says_form)
+}
+
+fn unknown(name: &str, legs: usize) -> String {
+    let guess = match Parameter::nearest(name, legs).as_slice() {
+        [] => String::new(),
+        names => format!("did you mean {}? ", names.join(" or ")),
+    };
+    format!(
+        "no such parameter; {guess}allowed are keys of the scene, and dotted keys of the vehicle, \
+         the search and the solver, such as vehicle.strut.compression_damping"
+    )
+}
+
+impl AxisEntry<'_> {
+    /// The levels of an axis of a grid, and the group of axes with which it moves.
+    pub(crate) fn levels(&self) -> Result<(Levels, Option<String>), InputError> {
+        let Some(form) = self.found.table(&FORM)? else {
+            return Ok((self.list(&self.found)?, None));
+        };
+        let group = form.optional("zip").map(|found| found.text()).transpose()?;
+        Ok((self.form(&form)?, group.map(str::to_owned)))
+    }
+
+    fn form(&self, form: &Section) -> Result<Levels, InputError> {
+        if let Some(values) = form.optional("values") {
+            only(form, &["values", "zip"])?;
+            return self.list(&values);
+        }
+        if !self.parameter.words().is_empty() {
+            return Err(self.found.complain(&self.allowed_words()));
+        }
+        let [from, to] = [form.number("from")?, form.number("to")?];
+        let counted = form.optional_number("count")?;
+        let levels = match (counted, is_logarithmic(form)?) {
+            (None, true) => return Err(form.missing("count", "how many values, from 2 to 1e7")),
+            (None, false) => Levels::range(from, to, form.number("step")?),
+            (Some(_), _) if form.optional("step").is_some() => {
+                return Err(self
+                    .found
+                    .complain_that("step and count: allowed is either of the two"));
+            }
+            (Some(count), false) => Levels::even(from, to, count),
+            (Some(count), true) => Levels::logarithmic(from, to, count),
+        };
+        levels.map_err(|(key, allowed)| match form.optional(key) {
+            Some(found) => found.complain(&format!("{allowed} (from {from} to {to})")),
+            None => form.missing(key, allowed),
+        })
+    }
+
+    fn list(&self, found: &Found) -> Result<Levels, InputError> {
+        let items = found.items(ALLOWED)?;
+        let values = items.iter().map(|item| self.coordinate(item));
+        Levels::list(values.collect::<Result<_, _>>()?)
+            .ok_or_else(|| found.complain("a list of at least one value"))
+    }
+
+    /// The number of an item of a list, or the place of its word among those of the parameter.
+    fn coordinate(&self, item: &Found) -> Result<f64, InputError> {
+        let words = self.parameter.words();
+        if words.is_empty() {
+            return item.number();
+        }
+        let word = match &item.node.value {
+            Value::Text(text) => words.iter().position(|word| word == text),
+            _ => None,
+        };
+        word.map(|index| index as f64)
+            .ok_or_else(|| item.complain(&self.allowed_words()))
+    }
+
+    fn allowed_words(&self) -> String {
+        let quoted: Vec<String> = self
+            .parameter
+            .words()
+            .iter()
+            .map(|w| format!("{w:?}"))
+            .collect();
+        format!("a list of {}", quoted.join(", "))
+    }
+}
+
+/// Whether the spacing of an axis is logarithmic.
+pub(crate) fn is_logarithmic(form: &Section) -> Result<bool, InputError> {
+    let Some(found) = form.optional("spacing") else {
+        return Ok(false);
+    };
+    match found.text()? {
+        "linear" => Ok(false),
+        "log" => Ok(true),
+        _ => Err(found.complain("\"linear\" or \"log\"")),
+    }
+}
+
+/// Complains about the first key of a form that is not one of the `usable` ones.
+pub(crate) fn only(form: &Section, usable: &[&str]) -> Result<(), InputError> {
+    match form.all_values().find(|(key, _)| !usable.contains(key)) {
+        Some((_, found)) => Err(found.complain_that(&format!(
+            "says nothing here: allowed beside each other are {}",
+            usable.join(", ")
+        ))),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+#[path = "axis_input_tests.rs"]
+mod tests;

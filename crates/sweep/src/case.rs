@@ -1,0 +1,148 @@
+//! The input of one point of a sweep: all of it, with the point's values in place.
+//!
+//! Values are written into the documents as they were read, and what changed is read again: every
+//! check applies to every point.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
+
+use crate::document::{Document, Value};
+use crate::input_error::InputError;
+use crate::parameter::{Home, Parameter};
+use crate::scene_input::{HORIZONTAL_VELOCITY, SceneFault};
+use crate::section::Section;
+use crate::sweep_file::{Job, SWEEP, Sweep};
+use crate::vehicle_file::VehicleFile;
+use crate::{search_input, settings_input};
+
+/// What is landed at one point, how, and where its transition is searched.
+#[derive(Debug, Clone)]
+pub struct Case<'s, const LEGS: usize> {
+    /// The vehicle.
+    pub vehicle: Cow<'s, Vehicle<LEGS>>,
+    /// The scene; where the speed is searched, at the lowest of the search.
+    pub scene: Scene,
+    /// What is asked.
+    pub job: Job,
+    /// How landings are computed.
+    pub settings: Settings,
+}
+
+/// Why a point has no valid input.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CaseFault {
+    /// A condition of the scene is missing or not allowed.
+    Scene(SceneFault),
+    /// Something in another part of the input.
+    Input {
+        /// The part.
+        part: Home,
+        /// What is wrong in it.
+        error: InputError,
+    },
+}
+
+impl fmt::Display for CaseFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scene(fault) => write!(f, "{}: allowed is {}", fault.name, fault.allowed),
+            Self::Input { error, .. } => error.fmt(f),
+        }
+    }
+}
+
+impl<const LEGS: usize> Sweep<LEGS> {
+    /// The input of a point.
+    ///
+    /// # Errors
+    /// When values that are valid one by one are not valid together.
+    pub fn case(&self, point: usize) -> Result<Case<'_, LEGS>, CaseFault> {
+        self.case_at(&self.design.coordinates(point))
+    }
+
+    /// The input at coordinates, one for each axis.
+    ///
+    /// # Errors
+    /// When it is not valid.
+    pub fn case_at(&self, coordinates: &[f64]) -> Result<Case<'_, LEGS>, CaseFault> {
+        let (job, settings) = self.job_and_settings(coordinates)?;
+        let mut conditions = self.fixed;
+        for (axis, value) in self.axes.iter().zip(coordinates) {
+            if axis.home() == Home::Scene {
+                conditions.set(axis.name(), *value);
+            }
+        }
+        if let Job::Boundary(search) = job {
+            conditions.set(HORIZONTAL_VELOCITY, search.from);
+        }
+        Ok(Case {
+            vehicle: self.vehicle_at(coordinates)?,
+            scene: conditions.scene().map_err(CaseFault::Scene)?,
+            job,
+            settings,
+        })
+    }
+
+    fn varies(&self, part: Home) -> bool {
+        self.axes.iter().any(|axis| axis.home() == part)
+    }
+
+    fn vehicle_at(&self, coordinates: &[f64]) -> Result<Cow<'_, Vehicle<LEGS>>, CaseFault> {
+        if !self.varies(Home::Vehicle) {
+            return Ok(Cow::Borrowed(&self.vehicle.vehicle));
+        }
+        let document = written(
+            &self.vehicle.document,
+            &self.axes,
+            Home::Vehicle,
+            coordinates,
+        );
+        VehicleFile::from_document(document)
+            .map(|file| Cow::Owned(file.vehicle))
+            .map_err(in_part(Home::Vehicle))
+    }
+
+    fn job_and_settings(&self, coordinates: &[f64]) -> Result<(Job, Settings), CaseFault> {
+        if !self.varies(Home::Sweep) {
+            return Ok((self.job, self.settings));
+        }
+        let document = written(&self.document, &self.axes, Home::Sweep, coordinates);
+        let read = || {
+            let root = Section::root(&document, &SWEEP)?;
+            let job = match self.job {
+                Job::Boundary(_) => Job::Boundary(search_input::search(&root)?),
+                outcome => outcome,
+            };
+            Ok((job, settings_input::settings(&root)?))
+        };
+        read().map_err(in_part(Home::Sweep))
+    }
+}
+
+fn in_part(part: Home) -> impl Fn(InputError) -> CaseFault {
+    move |error| CaseFault::Input { part, error }
+}
+
+/// A document with those of the coordinates in place that belong to it.
+pub(crate) fn written(
+    document: &Document,
+    axes: &[Parameter],
+    part: Home,
+    coordinates: &[f64],
+) -> Document {
+    let mut document = document.clone();
+    for (axis, coordinate) in axes.iter().zip(coordinates) {
+        if axis.home() != part {
+            continue;
+        }
+        let value = match axis.word(*coordinate) {
+            Some(word) => Value::Text(word.to_owned()),
+            None => Value::Number(*coordinate),
+        };
+        document.write(axis.path(), value);
+    }
+    document
+}

@@ -1,0 +1,46 @@
+//! The points of a sweep: a grid, or a sample.
+
+use crate::grid::Grid;
+use crate::sample::Sample;
+
+/// Where the points of a sweep lie.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Design {
+    /// The outer product of axes.
+    Grid(Grid),
+    /// Drawn from distributions.
+    Sample(Sample),
+}
+
+/// Points of a sample that are looked at before a run.
+const MOST_PROBES: usize = 1000;
+
+impl Design {
+    /// Number of points, at least one.
+    pub fn count(&self) -> usize {
+        match self {
+            Self::Grid(grid) => grid.count(),
+            Self::Sample(sample) => sample.count(),
+        }
+    }
+
+    /// Coordinates of the `index`-th point, from 0, one for each axis.
+    pub fn coordinates(&self, index: usize) -> Vec<f64> {
+        match self {
+            Self::Grid(grid) => grid.coordinates(index),
+            Self::Sample(sample) => sample.coordinates(index),
+        }
+    }
+
+    /// Coordinates that are to be looked at before a run: every value and corner of a grid as far
+    /// as [`Grid::probes`] says, the first points of a sample.
+    pub fn probes(&self) -> Vec<Vec<f64>> {
+        match self {
+            Self::Grid(grid) => grid.probes(),
+            Self::Sample(sample) => {
+                let first = 0..sample.count().min(MOST_PROBES);
+                first.map(|index| sample.coordinates(index)).collect()
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! What a point came to, as the bytes of a journal's record.
+
+use serde::{Deserialize, Serialize};
+use touchdown_dynamics::outcome::Outcome;
+
+use crate::boundary::Boundary;
+use crate::journal;
+use crate::landing_table::Cell;
+
+/// What a point came to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Finding {
+    /// Where landings cease to be stable.
+    Boundary(Boundary),
+    /// How one landing ended.
+    Landing {
+        /// Its outcome.
+        outcome: Outcome,
+        /// All that is told of it, as [`crate::landing_table`] orders it.
+        cells: Vec<Cell>,
+    },
+}
+
+impl Finding {
+    /// Its bytes; numbers keep every bit.
+    pub fn encode(&self) -> Vec<u8> {
+        // Into memory, and of types that have a form: neither can fail.
+        postcard::to_stdvec(self).unwrap_or_default()
+    }
+
+    /// Bytes that it takes in a journal.
+    pub fn record_length(&self) -> usize {
+        journal::record_length(self.encode().len())
+    }
+
+    /// What bytes say; `None` if they say nothing.
+    pub fn decode(bytes: &[u8]) -> Option<Self> {
+        match postcard::take_from_bytes(bytes) {
+            Ok((finding, [])) => Some(finding),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bands::Band;
+    use crate::boundary::Transition;
+    use crate::certainty::Certainty;
+    use touchdown_dynamics::outcome::{Class, Failure};
+
+    #[test]
+    fn every_bit_survives() {
+        let boundary = Finding::Boundary(Boundary {
+            transition: Some(Transition {
+                to: Class::Failure,
+                low: 0.1 + 0.2,
+                high: f64::MIN_POSITIVE,
+                certainty: Certainty::Disputed([1.0, 2.0]),
+            }),
+            bands: vec![Band {
+                from: -0.0,
+                to: 1.0 / 3.0,
+                class: Class::Bottomed,
+                outcome: Outcome::Failure(Failure::PadInclination { leg: 2 }),
+                bracket_width: None,
+                certainty: Certainty::Certain,
+            }],
+            looks: 3,
+            finds: 1,
+            skipped: 5,
+            tests: 9,
+            landings: 1 << 40,
+            evaluations: u64::MAX,
+        });
+        let landing = Finding::Landing {
+            outcome: Outcome::Bottomed { leg: 1 },
+            cells: vec![
+                Cell::Word("ä".to_owned()),
+                Cell::Number(-0.0),
+                Cell::Count(7),
+            ],
+        };
+        for finding in [boundary, landing] {
+            let bytes = finding.encode();
+            assert_eq!(
+                format!("{:?}", Finding::decode(&bytes)),
+                format!("{:?}", Some(finding))
+            );
+            assert_eq!(Finding::decode(&bytes[..bytes.len() - 1]), None);
+            assert_eq!(Finding::decode(&[bytes, vec![0]].concat()), None);
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! What stands at the head of a journal: everything that determines its records, and the input
+//! files, so that results can be written from the journal alone.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use touchdown_dynamics::landing::land;
+use touchdown_dynamics::model_version::MODEL_VERSION;
+
+use crate::case::CaseFault;
+use crate::input_error::InputError;
+use crate::instead::{Given, Instead};
+use crate::library::{Library, Source};
+use crate::shard::Shard;
+use crate::sweep_file::Sweep;
+use crate::vehicle_file::VehicleFile;
+
+/// Version of the journals that this program writes.
+const FORMAT: u32 = 1;
+
+/// The head of a journal.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Header {
+    format: u32,
+    /// Version of the program.
+    pub program: String,
+    model: u32,
+    /// What one landing of the sweep comes to, bit for bit: programs and machines that agree in it
+    /// compute alike.
+    probe: String,
+    /// Number of points of the whole sweep.
+    pub points: usize,
+    shard: [usize; 2],
+    /// All input with defaults filled in.
+    input: Value,
+    origin: Origin,
+}
+
+/// The files that the input was read from.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+struct Origin {
+    sweep: PathBuf,
+    instead: Given,
+    sources: Vec<Source>,
+}
+
+impl Header {
+    /// The head of a shard's journal.
+    ///
+    /// # Errors
+    /// When the first point of the sweep cannot be landed.
+    pub fn new<const LEGS: usize>(
+        sweep: &Sweep<LEGS>,
+        program: &str,
+        shard: Shard,
+    ) -> Result<Self, CaseFault> {
+        Ok(Self {
+            format: FORMAT,
+            program: program.to_owned(),
+            model: MODEL_VERSION,
+            probe: probe(sweep)?,
+            points: sweep.design.count(),
+            shard: [shard.number(), shard.count()],
+            input: sweep.resolved(),
+            origin: Origin {
+                sweep: sweep.path.clone(),
+                instead: sweep.instead.clone(),
+                sources: sweep.sources.clone(),
+            },
+        })
+    }
+
+    /// Which part of the sweep the journal holds.
+    pub fn shard(&self) -> Shard {
+        Shard::new(self.shard[0], self.shard[1]).unwrap_or(Shard::WHOLE)
+    }
+
+    pub(crate) fn to_bytes(&self) -> Vec<u8> {
+        serde_json::json!(self).to_string().into_bytes()
+    }
+
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let header: Self = serde_json::from_slice(bytes).ok()?;
+        Shard::new(header.shard[0], header.shard[1])?;
+        Some(header)
+    }
+
+    /// What determines results and differs between this head and another, the shard aside.
+    pub fn differences(&self, other: &Self) -> Vec<String> {
+        let facts = |header: &Self| {
+            let mut facts = vec![
+                ("journal format".to_owned(), header.format.to_string()),
+                ("program".to_owned(), header.program.clone()),
+                ("model version".to_owned(), header.model.to_string()),
+                ("number of points".to_owned(), header.points.to_string()),
+            ];
+            flatten("", &header.input, &mut facts);
+            // Said only where nothing else explains it.
+            facts.push((
+                "landing computed as a probe".to_owned(),
+                header.probe.clone(),
+            ));
+            facts
+        };
+        let (here, there) = (facts(self), facts(other));
+        let value = |facts: &[(String, String)], name: &str| {
+            let found = facts.iter().find(|(known, _)| known == name);
+            found.map_or("nothing".to_owned(), |(_, value)| value.clone())
+        };
+        let names = here.iter().chain(&there).map(|(name, _)| name.as_str());
+        let mut seen = std::collections::HashSet::new();
+        names
+            .filter(|name| seen.insert(*name))
+            .filter_map(|name| {
+                let (mine, others) = (value(&here, name), value(&there, name));
+                (mine != others).then(|| format!("{name}: {mine} here, {others} there"))
+            })
+            .collect()
+    }
+
+    /// The sweep that the journal belongs to, from the copies of its files.
+    ///
+    /// # Errors
+    /// When the copies are not what they were.
+    pub fn sweep<const LEGS: usize>(&self) -> Result<Sweep<LEGS>, InputError> {
+        let Origin {
+            sweep,
+            instead,
+            sources,
+        } = &self.origin;
+        let library = Library::Copies(sources);
+        let read_vehicle = |path: &PathBuf| VehicleFile::read_from(path, library);
+        let instead = Instead {
+            vehicle: instead.vehicle.as_ref().map(read_vehicle).transpose()?,
+            words: instead.words.clone(),
+        };
+        Sweep::read_from(sweep, library)?.with(&instead)
+    }
+
+    /// The sweep file, as it was named.
+    pub fn sweep_file(&self) -> &Path {
+        &self.origin.sweep
+    }
+}
+
+/// The landing of the first point at the lowest speed, in bits.
+fn probe<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Result<String, CaseFault> {
+    let case = sweep.case(0)?;
+    let landing = land(&case.vehicle, &case.scene, &case.settings);
+    Ok(format!(
+        "{} at {:016x} s, least angle {:016x} rad, {} evaluations",
+        landing.outcome,
+        landing.end_time.to_bits(),
+        landing.min_stability_angle.to_bits(),
+        landing.evaluations
+    ))
+}
+
+/// All leaves of a tree with their dotted names.
+fn flatten(path: &str, value: &Value, leaves: &mut Vec<(String, String)>) {
+    match value {
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                flatten(&crate::document::dotted(path, key), value, leaves);
+            }
+        }
+        leaf => leaves.push((path.to_owned(), leaf.to_string())),
+    }
+}
+
+#[cfg(test)]
+impl Header {
+    /// A short head of a journal for `points` points of a sweep over `friction`.
+    pub(crate) fn example(points: usize, shard: Shard, friction: f64) -> Self {
+        Self {
+            format: FORMAT,
+            program: "0".to_owned(),
+            model: MODEL_VERSION,
+            probe: "stable".to_owned(),
+            points,
+            shard: [shard.number(), shard.count()],
+            input: serde_json::json!({"friction": friction}),
+            origin: Origin {
+                sweep: "s.toml".into(),
+                instead: Given::default(),
+                sources: Vec::new(),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn header(file: &str) -> Header {
+        let path = format!("{}/../../sweeps/{file}.toml", env!("CARGO_MANIFEST_DIR"));
+        let sweep: Sweep<3> = Sweep::read(Path::new(&path)).unwrap();
+        Header::new(&sweep, "1.0", Shard::WHOLE).unwrap()
+    }
+
+    #[test]
+    fn a_header_survives_its_bytes_and_gives_the_sweep_back() {
+        let header = header("figure-4-25");
+        let read = Header::from_bytes(&header.to_bytes()).unwrap();
+        assert_eq!(read, header);
+        assert_eq!(read.differences(&header), Vec::<String>::new());
+        let again = Header::new(&read.sweep::<3>().unwrap(), "1.0", Shard::WHOLE).unwrap();
+        assert_eq!(again, header);
+    }
+
+    #[test]
+    fn what_differs_is_named_with_both_values() {
+        let (one, mut other) = (header("figure-4-24"), header("figure-4-25"));
+        let said = one.differences(&other);
+        assert_eq!(
+            said[0], "scene.cross_slope_deg: 180.0 here, 150.0 there",
+            "{said:?}"
+        );
+        other = one.clone();
+        other.program = "1.1".to_owned();
+        other.probe = String::new();
+        let said = one.differences(&other).join("; ");
+        assert!(said.starts_with("program: 1.0 here, 1.1 there; landing computed as a probe"));
+    }
+
+    #[test]
+    fn whatever_is_no_header_is_none() {
+        for text in ["", "{}", "[1]", "\u{7f}"] {
+            assert_eq!(Header::from_bytes(text.as_bytes()), None);
+        }
+    }
+}

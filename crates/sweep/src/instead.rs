@@ -1,0 +1,116 @@
+//! What holds instead of what a sweep file says, for one study more than it tells.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use crate::case;
+use crate::document::Value;
+use crate::input_error::InputError;
+use crate::key_path::KeyPath;
+use crate::parameter::Home;
+use crate::section::Section;
+use crate::sweep_file::{Job, SWEEP, Sweep};
+use crate::vehicle_file::VehicleFile;
+use crate::{search_input, settings_input};
+
+/// What holds instead of a sweep file's own.
+#[derive(Debug, Clone, Default)]
+pub struct Instead<const LEGS: usize> {
+    /// The vehicle.
+    pub vehicle: Option<VehicleFile<LEGS>>,
+    /// Words of `[search]` and `[solver]`, by their dotted keys.
+    pub words: Vec<(String, String)>,
+}
+
+/// What was given instead, by the names of files and words.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Given {
+    pub(crate) vehicle: Option<PathBuf>,
+    pub(crate) words: Vec<(String, String)>,
+}
+
+impl<const LEGS: usize> Sweep<LEGS> {
+    /// The sweep with something instead of what its file says.
+    ///
+    /// # Errors
+    /// When what varies would be replaced, says nothing in this sweep, or does not fit the vehicle.
+    pub fn with(mut self, instead: &Instead<LEGS>) -> Result<Self, InputError> {
+        for (name, word) in &instead.words {
+            let refuse = |complaint: &str| {
+                let complaint = format!("{name} = {word:?}: {complaint}");
+                InputError::other(complaint).at(self.document.place())
+            };
+            if self.axes.iter().any(|axis| axis.name() == name) {
+                return Err(refuse("varies in this sweep"));
+            }
+            if name.starts_with("search.") && self.search().is_none() {
+                return Err(refuse("says nothing where job = \"outcome\""));
+            }
+            if let Some(path) = KeyPath::parse(name) {
+                self.document.write(&path, Value::Text(word.clone()));
+            }
+        }
+        let first = self.design.coordinates(0);
+        let document = case::written(&self.document, &self.axes, Home::Sweep, &first);
+        let root = Section::root(&document, &SWEEP)?;
+        if let Job::Boundary(search) = &mut self.job {
+            *search = search_input::search(&root)?;
+        }
+        self.settings = settings_input::settings(&root)?;
+        if let Some(vehicle) = &instead.vehicle {
+            self.vehicle = vehicle.clone();
+            self.check_points()?;
+            self.sources.push(vehicle.document.source());
+        }
+        let path = |file: &VehicleFile<LEGS>| file.document.path().to_owned();
+        self.instead = Given {
+            vehicle: instead.vehicle.as_ref().map(path),
+            words: instead.words.clone(),
+        };
+        Ok(self)
+    }
+
+    fn check_points(&self) -> Result<(), InputError> {
+        for coordinates in self.design.probes() {
+            self.case_at(&coordinates).map_err(|fault| {
+                let complaint = format!("with another vehicle: {fault}");
+                InputError::other(complaint).at(self.document.place())
+            })?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+    use touchdown_dynamics::scene::CrushRule;
+
+    use crate::boundary::Extent;
+
+    #[test]
+    fn words_given_instead_hold_and_may_not_vary() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
+        let sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+        let word = |key: &str, word: &str| (key.to_owned(), word.to_owned());
+        let mut instead = Instead {
+            vehicle: None,
+            words: vec![
+                word("solver.crush_rule", "section"),
+                word("search.bands", "first"),
+            ],
+        };
+        let mut changed = sweep.with(&instead).unwrap();
+        assert_eq!(changed.search().unwrap().extent, Extent::First);
+        let settings = changed.case(3).unwrap().settings;
+        assert_eq!(settings.crush_rule(), CrushRule::Section);
+        changed.axes[0] = crate::parameter::Parameter::named("solver.crush_rule", 3).unwrap();
+        let complaint = changed.clone().with(&instead).unwrap_err().to_string();
+        assert!(complaint.contains("varies in this sweep"), "{complaint}");
+        instead.words = vec![word("search.bands", "both")];
+        let complaint = changed.with(&instead).unwrap_err().to_string();
+        assert!(complaint.contains("search.bands = \"both\""), "{complaint}");
+    }
+}

@@ -1,0 +1,76 @@
+//! What is known of a sample while it is computed: whether the landings from the first on, without
+//! a gap, tell enough.
+//!
+//! Points come as they are finished, but count in their order, so that where a run stops does not
+//! depend on threads or interruptions.
+
+use std::collections::BTreeMap;
+
+use crate::findings::Finding;
+use crate::journal::{JournalError, Opened};
+use crate::shard::Shard;
+use crate::sweep_file::{Job, Sweep};
+use crate::tally::Tally;
+
+/// The landings from the first on.
+#[derive(Debug)]
+pub(crate) struct Known {
+    /// Whether a run ends when enough is known; a shard alone cannot tell.
+    ends_early: bool,
+    pub(crate) is_enough: bool,
+    tally: Tally,
+    /// Points after a gap.
+    ahead: BTreeMap<usize, Finding>,
+}
+
+impl Known {
+    /// What the journal of a shard tells so far.
+    pub(crate) fn of<const LEGS: usize>(
+        sweep: &Sweep<LEGS>,
+        shard: Shard,
+        opened: &Opened,
+    ) -> Result<Self, JournalError> {
+        let ends_early =
+            shard == Shard::WHOLE && matches!(sweep.job, Job::Outcome { enough: Some(_) });
+        let mut known = Self {
+            ends_early,
+            is_enough: false,
+            tally: Tally::of(sweep),
+            ahead: BTreeMap::new(),
+        };
+        if ends_early && !opened.done.is_empty() {
+            let mut results = opened.journal.so_far(sweep.design.count())?;
+            let mut point = 0;
+            while !known.is_enough && opened.done.contains(point) {
+                let bytes = results.result(point)?;
+                let Some(finding) = bytes.as_deref().and_then(Finding::decode) else {
+                    break;
+                };
+                known.is_enough_with(sweep, point, finding);
+                point += 1;
+            }
+        }
+        Ok(known)
+    }
+
+    /// Adds a point; whether enough is known now.
+    pub(crate) fn is_enough_with<const LEGS: usize>(
+        &mut self,
+        sweep: &Sweep<LEGS>,
+        point: usize,
+        finding: Finding,
+    ) -> bool {
+        if !self.ends_early || self.is_enough {
+            return self.is_enough;
+        }
+        self.ahead.insert(point, finding);
+        while let Some(finding) = self.ahead.remove(&self.tally.points) {
+            self.tally.add(sweep, self.tally.points, &finding);
+            if self.tally.is_enough(sweep) {
+                self.is_enough = true;
+                self.ahead.clear();
+            }
+        }
+        self.is_enough
+    }
+}

@@ -1,0 +1,229 @@
+//! The values that a quantity goes through, known without being written out.
+
+/// Values of one axis of a grid, in their order.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Levels {
+    /// `from`, `from + step`, …
+    Range {
+        /// The first.
+        from: f64,
+        /// From one to the next; may be negative.
+        step: f64,
+        /// Number of values.
+        count: usize,
+    },
+    /// `count` values from `from` to `to` at equal differences.
+    Even {
+        /// The first.
+        from: f64,
+        /// The last.
+        to: f64,
+        /// Number of values, at least two.
+        count: usize,
+    },
+    /// `count` values from `from` to `to` at equal ratios.
+    Logarithmic {
+        /// The first.
+        from: f64,
+        /// The last.
+        to: f64,
+        /// Number of values, at least two.
+        count: usize,
+    },
+    /// One after the other.
+    List(Vec<f64>),
+}
+
+/// Most values of one axis.
+const MOST_VALUES: f64 = 1e7;
+
+/// The key of a wrong number of an axis, and what is allowed for it.
+pub type Fault = (&'static str, &'static str);
+
+impl Levels {
+    /// `from`, `from + step`, … up (or, with a negative step, down) to and including `to`.
+    ///
+    /// # Errors
+    /// Names the number that is wrong (`from`, `to` or `step`) and what is allowed.
+    pub fn range(from: f64, to: f64, step: f64) -> Result<Self, Fault> {
+        ends_differ(from, to)?;
+        if step == 0.0 || (step > 0.0) != (to > from) {
+            return Err(("step", "a number with the sign of to - from, not 0"));
+        }
+        // A billionth of a step forgives the rounding of decimals such as 0.1.
+        let steps = ((to - from) / step + 1e-9).floor();
+        if steps < 1.0 {
+            return Err(("step", "a number not beyond to - from"));
+        }
+        if steps >= MOST_VALUES {
+            return Err(("step", "so large that the axis has at most 1e7 values"));
+        }
+        let count = steps as usize + 1;
+        Ok(Self::Range { from, step, count })
+    }
+
+    /// `count` values from `from` to and including `to`, at equal differences but for rounding to
+    /// decimals of a billionth of the difference.
+    ///
+    /// # Errors
+    /// As [`Levels::range`].
+    pub fn even(from: f64, to: f64, count: f64) -> Result<Self, Fault> {
+        ends_differ(from, to)?;
+        let count = whole_count(count)?;
+        Ok(Self::Even { from, to, count })
+    }
+
+    /// `count` values from `from` to and including `to`, at equal ratios.
+    ///
+    /// # Errors
+    /// As [`Levels::range`]; both ends must be positive.
+    pub fn logarithmic(from: f64, to: f64, count: f64) -> Result<Self, Fault> {
+        ends_differ(from, to)?;
+        for (key, end) in [("from", from), ("to", to)] {
+            if end <= 0.0 {
+                return Err((key, "a number > 0 where the spacing is \"log\""));
+            }
+        }
+        let count = whole_count(count)?;
+        Ok(Self::Logarithmic { from, to, count })
+    }
+
+    /// The values of a list, in its order; `None` for an empty list.
+    pub fn list(values: Vec<f64>) -> Option<Self> {
+        (!values.is_empty()).then_some(Self::List(values))
+    }
+
+    /// Number of values, at least one.
+    pub fn count(&self) -> usize {
+        match self {
+            Self::Range { count, .. }
+            | Self::Even { count, .. }
+            | Self::Logarithmic { count, .. } => *count,
+            Self::List(values) => values.len(),
+        }
+    }
+
+    /// The `index`-th value, from 0.
+    pub fn value(&self, index: usize) -> f64 {
+        match *self {
+            Self::Range { from, step, .. } => snapped(from + index as f64 * step, step),
+            Self::Even { from, to, count } => {
+                let step = (to - from) / (count - 1) as f64;
+                match index {
+                    0 => from,
+                    last if last + 1 == count => to,
+                    _ => snapped(from + index as f64 * step, step),
+                }
+            }
+            Self::Logarithmic { from, to, count } => match index {
+                0 => from,
+                last if last + 1 == count => to,
+                _ => rounded(from * (to / from).powf(index as f64 / (count - 1) as f64)),
+            },
+            Self::List(ref values) => values[index],
+        }
+    }
+
+    /// All values.
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        (0..self.count()).map(|index| self.value(index))
+    }
+}
+
+fn ends_differ(from: f64, to: f64) -> Result<(), Fault> {
+    if from == to {
+        let allowed = "a number other than to; a list, [x], holds one value";
+        return Err(("from", allowed));
+    }
+    Ok(())
+}
+
+fn whole_count(count: f64) -> Result<usize, Fault> {
+    if count.fract() != 0.0 || !(2.0..=MOST_VALUES).contains(&count) {
+        return Err(("count", "a whole number from 2 to 1e7"));
+    }
+    Ok(count as usize)
+}
+
+/// Nearest decimal to `value` at a resolution far below `step`, so that 0.1 + 2 · 0.1 is 0.3.
+fn snapped(value: f64, step: f64) -> f64 {
+    let digits = (9.0 - step.abs().log10().floor()).clamp(0.0, 300.0) as usize;
+    let decimal = format!("{value:.digits$}").parse().unwrap_or(value);
+    // Takes the sign off a negative zero.
+    decimal + 0.0
+}
+
+/// `value` to twelve digits, which every platform's power function and logarithm agree on.
+pub(crate) fn rounded(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value) + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values(levels: Result<Levels, Fault>) -> Vec<f64> {
+        levels.unwrap().values().collect()
+    }
+
+    #[test]
+    fn ranges_include_their_end_in_spite_of_rounding() {
+        assert_eq!(
+            values(Levels::range(0.1, 0.7, 0.1)),
+            [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]
+        );
+        let rolls = Levels::range(-0.3, 0.35, 0.1).unwrap();
+        let written: Vec<String> = rolls.values().map(|v| v.to_string()).collect();
+        assert_eq!(written, ["-0.3", "-0.2", "-0.1", "0", "0.1", "0.2", "0.3"]);
+        assert_eq!(Levels::range(-60.0, 60.0, 5.0).unwrap().count(), 25);
+        assert_eq!(Levels::range(0.0, 1.0, 1.0 / 3.0).unwrap().count(), 4);
+    }
+
+    #[test]
+    fn ranges_run_down_too() {
+        let down = Levels::range(180.0, 80.0, -10.0).unwrap();
+        assert_eq!(
+            (down.count(), down.value(0), down.value(10)),
+            (11, 180.0, 80.0)
+        );
+    }
+
+    #[test]
+    fn counted_values_reach_both_ends_exactly() {
+        assert_eq!(
+            values(Levels::even(0.1, 0.7, 4.0)),
+            [0.1, 0.3, 0.5, 0.7],
+            "equal differences"
+        );
+        assert_eq!(
+            values(Levels::even(1.0, 0.0, 4.0)),
+            [1.0, 0.6666666667, 0.3333333333, 0.0]
+        );
+        assert_eq!(
+            values(Levels::logarithmic(1e-8, 1e-4, 5.0)),
+            [1e-8, 1e-7, 1e-6, 1e-5, 1e-4],
+            "equal ratios"
+        );
+        assert_eq!(
+            values(Levels::logarithmic(54.0, 216.0, 3.0)),
+            [54.0, 108.0, 216.0]
+        );
+    }
+
+    #[test]
+    fn wrong_numbers_are_named() {
+        let fault = |from, to, step| Levels::range(from, to, step).unwrap_err().0;
+        assert_eq!(fault(1.0, 1.0, 0.1), "from");
+        assert_eq!(fault(2.0, 1.0, 0.1), "step");
+        assert_eq!(fault(0.0, 1.0, -0.1), "step");
+        assert_eq!(fault(0.0, 1.0, 0.0), "step");
+        assert_eq!(fault(0.0, 1.0, 2.0), "step");
+        assert_eq!(fault(0.0, 1.0, 1e-12), "step");
+        assert_eq!(Levels::even(0.0, 1.0, 1.0).unwrap_err().0, "count");
+        assert_eq!(Levels::even(0.0, 1.0, 2.5).unwrap_err().0, "count");
+        assert_eq!(Levels::even(1.0, 1.0, 3.0).unwrap_err().0, "from");
+        assert_eq!(Levels::logarithmic(0.0, 1.0, 3.0).unwrap_err().0, "from");
+        assert_eq!(Levels::logarithmic(1.0, -1.0, 3.0).unwrap_err().0, "to");
+        assert_eq!(Levels::list(vec![]), None);
+    }
+}

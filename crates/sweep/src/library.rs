@@ -1,0 +1,62 @@
+//! Where the text of input files comes from: the disk, or a copy that was kept of it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::document::Document;
+use crate::input_error::{InputError, Place};
+
+/// A file word for word.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Source {
+    /// Its path, as it was given or follows from a file that names it.
+    pub path: PathBuf,
+    /// What it says.
+    pub text: String,
+}
+
+/// Where files are read.
+#[derive(Debug, Clone, Copy)]
+pub enum Library<'l> {
+    /// On this machine.
+    Disk,
+    /// Among copies.
+    Copies(&'l [Source]),
+}
+
+impl Library<'_> {
+    /// Whether there is a file.
+    pub fn has(self, path: &Path) -> bool {
+        match self {
+            Self::Disk => path.is_file(),
+            Self::Copies(sources) => sources.iter().any(|source| source.path == path),
+        }
+    }
+
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// When it cannot be read.
+    pub fn text(self, path: &Path) -> Result<String, InputError> {
+        let refuse = |what: String| {
+            InputError::other(format!("cannot be read: {what}")).at(Place::file(path))
+        };
+        match self {
+            Self::Disk => fs::read_to_string(path).map_err(|error| refuse(error.to_string())),
+            Self::Copies(sources) => match sources.iter().find(|source| source.path == path) {
+                Some(source) => Ok(source.text.clone()),
+                None => Err(refuse("no copy of it was kept".to_owned())),
+            },
+        }
+    }
+
+    /// A file that is TOML.
+    ///
+    /// # Errors
+    /// When it cannot be read, is not TOML, or holds a number that is not finite.
+    pub fn document(self, path: &Path) -> Result<Document, InputError> {
+        Document::parse(path, &self.text(path)?)
+    }
+}

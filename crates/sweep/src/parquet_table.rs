@@ -1,0 +1,208 @@
+//! Result tables as Parquet files, row group by row group.
+//!
+//! The columns are those of the CSV file, with their types; an empty cell is null. The file's
+//! metadata carry the units of the columns and the whole input of the sweep, as JSON.
+
+use std::io;
+use std::sync::Arc;
+
+use parquet::basic::{LogicalType, Repetition, Type as Physical};
+use parquet::column::writer::ColumnWriter;
+use parquet::data_type::ByteArray;
+use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
+use serde_json::{Map, Value, json};
+
+use crate::deposit::Draft;
+use crate::sweep_file::Sweep;
+
+/// Rows of a group: what is in memory at once.
+const GROUP: usize = 1 << 16;
+/// Columns of words and of counts; all others hold numbers.
+const WORDS: [&str; 6] = [
+    "first_transition_to",
+    "outcome",
+    "kind",
+    "failure",
+    "axis",
+    "certainty",
+];
+const COUNTS: [&str; 7] = [
+    "landings",
+    "derivative_evaluations",
+    "band",
+    "steps",
+    "toppled",
+    "bottomed",
+    "looks",
+];
+/// Units by the endings of names; the longer of two that fit comes first.
+const UNITS: [(&str, &str); 14] = [
+    ("_lb_per_ft", "lb/ft"),
+    ("_per_ft", "1/ft"),
+    ("_slug_ft2", "slug ft2"),
+    ("_fps2", "ft/s2"),
+    ("_fps", "ft/s"),
+    ("_ftlb", "ft lb"),
+    ("_ft", "ft"),
+    ("_deg", "deg"),
+    ("_dps", "deg/s"),
+    ("_slug", "slug"),
+    ("_psf", "lb/ft2"),
+    ("_lb", "lb"),
+    ("_s", "s"),
+    ("_damping", "lb s2/ft2"),
+];
+
+/// A table under way.
+pub(crate) struct ParquetTable {
+    writer: SerializedFileWriter<Draft>,
+    kinds: Vec<Physical>,
+    rows: Vec<Vec<String>>,
+}
+
+impl ParquetTable {
+    /// Begins a table with a heading.
+    pub(crate) fn begin<const LEGS: usize>(
+        draft: Draft,
+        sweep: &Sweep<LEGS>,
+        heading: &[String],
+    ) -> io::Result<Self> {
+        let has_words = |name: &str| {
+            let axis = sweep.axes.iter().find(|axis| axis.name() == name);
+            axis.is_some_and(|axis| !axis.words().is_empty())
+        };
+        let kind = |name: &String| match name.as_str() {
+            word if WORDS.contains(&word) || has_words(word) => Physical::BYTE_ARRAY,
+            count if COUNTS.contains(&count) => Physical::INT64,
+            _ => Physical::DOUBLE,
+        };
+        let kinds: Vec<Physical> = heading.iter().map(kind).collect();
+        let columns = heading.iter().zip(&kinds).map(|(name, kind)| {
+            let word = (*kind == Physical::BYTE_ARRAY).then_some(LogicalType::String);
+            Type::primitive_type_builder(name, *kind)
+                .with_repetition(Repetition::OPTIONAL)
+                .with_logical_type(word)
+                .build()
+                .map(Arc::new)
+        });
+        let columns = columns.collect::<Result<Vec<_>, _>>().map_err(failed)?;
+        let schema = Type::group_type_builder("touchdown")
+            .with_fields(columns)
+            .build()
+            .map_err(failed)?;
+        let units: Map<String, Value> = heading
+            .iter()
+            .map(|name| (name.clone(), json!(unit(name))))
+            .collect();
+        let metadata = [
+            ("title", sweep.title.clone()),
+            ("units", json!(units).to_string()),
+            ("input", sweep.resolved().to_string()),
+        ];
+        let metadata = metadata.map(|(key, value)| KeyValue::new(key.to_owned(), value));
+        let properties = WriterProperties::builder()
+            .set_key_value_metadata(Some(metadata.to_vec()))
+            .set_created_by("touchdown".to_owned())
+            .build();
+        let writer = SerializedFileWriter::new(draft, Arc::new(schema), Arc::new(properties));
+        Ok(Self {
+            writer: writer.map_err(failed)?,
+            kinds,
+            rows: Vec::new(),
+        })
+    }
+
+    /// Adds a row.
+    pub(crate) fn add(&mut self, row: &[String]) -> io::Result<()> {
+        self.rows.push(row.to_vec());
+        match self.rows.len() {
+            GROUP => self.write_group().map_err(failed),
+            _ => Ok(()),
+        }
+    }
+
+    /// Ends the table.
+    pub(crate) fn end(mut self) -> io::Result<Draft> {
+        self.write_group().map_err(failed)?;
+        self.writer.into_inner().map_err(failed)
+    }
+
+    fn write_group(&mut self) -> Result<(), ParquetError> {
+        if self.rows.is_empty() {
+            return Ok(());
+        }
+        let mut group = self.writer.next_row_group()?;
+        for column in 0..self.kinds.len() {
+            let cells = || self.rows.iter().map(|row| row[column].as_str());
+            let full = || cells().filter(|cell| !cell.is_empty());
+            let levels: Vec<i16> = cells().map(|cell| i16::from(!cell.is_empty())).collect();
+            let Some(mut writer) = group.next_column()? else {
+                break;
+            };
+            match writer.untyped() {
+                ColumnWriter::DoubleColumnWriter(writer) => {
+                    let values: Vec<f64> = full().map(number).collect::<Result<_, _>>()?;
+                    writer.write_batch(&values, Some(&levels), None)?;
+                }
+                ColumnWriter::Int64ColumnWriter(writer) => {
+                    let values: Vec<i64> = full().map(number).collect::<Result<_, _>>()?;
+                    writer.write_batch(&values, Some(&levels), None)?;
+                }
+                ColumnWriter::ByteArrayColumnWriter(writer) => {
+                    let values: Vec<ByteArray> = full().map(ByteArray::from).collect();
+                    writer.write_batch(&values, Some(&levels), None)?;
+                }
+                _ => {
+                    return Err(ParquetError::General(
+                        "a column of no known kind".to_owned(),
+                    ));
+                }
+            }
+            writer.close()?;
+        }
+        group.close()?;
+        self.rows.clear();
+        Ok(())
+    }
+}
+
+fn number<T: std::str::FromStr>(cell: &str) -> Result<T, ParquetError> {
+    let refuse = |_| ParquetError::General(format!("{cell} is no number"));
+    cell.parse().map_err(refuse)
+}
+
+fn failed(error: ParquetError) -> io::Error {
+    io::Error::other(error)
+}
+
+/// Unit of a column, by the ending of its name; 1 for pure numbers and words.
+fn unit(name: &str) -> &'static str {
+    // Forces and times of one leg carry its number before their unit.
+    let found = UNITS.iter().find(|(ending, _)| name.ends_with(ending));
+    found.map_or("1", |(_, unit)| unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_follow_from_names() {
+        for (name, expected) in [
+            ("roll_deg", "deg"),
+            ("first_transition_fps", "ft/s"),
+            ("vehicle.gravity_fps2", "ft/s2"),
+            ("vehicle.strut.structural_stiffness_lb_per_ft", "lb/ft"),
+            ("vehicle.strut.rebound_damping", "lb s2/ft2"),
+            ("max_strut_force_1_lb", "lb"),
+            ("energy_closure_ftlb", "ft lb"),
+            ("friction", "1"),
+        ] {
+            assert_eq!(unit(name), expected, "{name}");
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! Which points are done: a bit each.
+
+/// A set of the numbers below a count.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PointSet {
+    bits: Vec<u64>,
+    count: usize,
+    members: usize,
+}
+
+impl PointSet {
+    /// None of the numbers below `count`.
+    pub fn none(count: usize) -> Self {
+        Self {
+            bits: vec![0; count.div_ceil(64)],
+            count,
+            members: 0,
+        }
+    }
+
+    /// Adds a number below the count; whether it was new.
+    pub fn insert(&mut self, number: usize) -> bool {
+        let (word, bit) = (number / 64, 1 << (number % 64));
+        let is_new = number < self.count && self.bits[word] & bit == 0;
+        if is_new {
+            self.bits[word] |= bit;
+            self.members += 1;
+        }
+        is_new
+    }
+
+    /// How many numbers are in it.
+    pub fn len(&self) -> usize {
+        self.members
+    }
+
+    /// Whether no number is in it.
+    pub fn is_empty(&self) -> bool {
+        self.members == 0
+    }
+
+    /// Whether a number is in it.
+    pub fn contains(&self, number: usize) -> bool {
+        number < self.count && self.bits[number / 64] >> (number % 64) & 1 == 1
+    }
+
+    /// The numbers below the count that are not in it, upward.
+    pub fn missing(&self) -> impl Iterator<Item = usize> {
+        (0..self.count).filter(|number| !self.contains(*number))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn members_and_what_is_missing_make_up_the_count() {
+        let mut set = PointSet::none(130);
+        assert!(set.insert(0) && set.insert(64) && set.insert(129));
+        assert!(!set.insert(64) && !set.insert(130));
+        assert_eq!(set.len(), 3);
+        let missing: Vec<usize> = set.missing().collect();
+        assert_eq!(missing.len(), 127);
+        assert!(missing.iter().all(|number| !set.contains(*number)));
+        assert_eq!((missing[0], missing[126]), (1, 128));
+    }
+}

@@ -1,0 +1,288 @@
+//! How likely landings are to topple or to bottom a strut, from a sample of them.
+//!
+//! Intervals are Wilson's score intervals at 95 %. They hold for independent landings; those of a
+//! Latin hypercube or a Sobol sequence are at least as certain.
+
+use touchdown_dynamics::outcome::Class;
+
+use crate::design::Design;
+use crate::distribution::Distribution;
+use crate::levels::Levels;
+use crate::sweep_file::Sweep;
+
+/// Normal quantile of 97.5 %.
+const Z: f64 = 1.959_963_984_540_054;
+/// Bins of an axis that has no few values of its own.
+const BINS: usize = 10;
+/// Most values of an axis that each have a bin.
+const MOST_VALUES: usize = 20;
+/// Landings between two questions whether enough is known.
+const PACE: u64 = 100;
+
+/// Columns of the table of probabilities.
+pub const COLUMNS: [&str; 12] = [
+    "axis",
+    "from",
+    "to",
+    "landings",
+    "toppled",
+    "topple_probability",
+    "topple_low_95",
+    "topple_high_95",
+    "bottomed",
+    "bottom_probability",
+    "bottom_low_95",
+    "bottom_high_95",
+];
+
+/// Landings counted by how they ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Count {
+    /// All of them.
+    pub landings: u64,
+    /// Toppled.
+    pub toppled: u64,
+    /// Bottomed a strut.
+    pub bottomed: u64,
+    /// Could not be computed.
+    pub failed: u64,
+}
+
+impl Count {
+    /// Adds a landing.
+    pub fn add(&mut self, class: Class) {
+        self.landings += 1;
+        match class {
+            Class::Stable => {}
+            Class::Unstable => self.toppled += 1,
+            Class::Bottomed => self.bottomed += 1,
+            Class::Failure => self.failed += 1,
+        }
+    }
+
+    /// Whether after so many landings both probabilities are known to intervals of a width.
+    pub fn is_enough(&self, width: f64) -> bool {
+        let narrow = |hits| {
+            let [low, high] = wilson(hits, self.landings);
+            high - low <= width
+        };
+        self.landings > 0
+            && self.landings.is_multiple_of(PACE)
+            && narrow(self.toppled)
+            && narrow(self.bottomed)
+    }
+
+    fn cells(&self) -> [String; 9] {
+        let share = |hits: u64| match self.landings {
+            0 => String::new(),
+            all => (hits as f64 / all as f64).to_string(),
+        };
+        let [toppled, bottomed] = [self.toppled, self.bottomed].map(|hits| {
+            let [low, high] = wilson(hits, self.landings);
+            [
+                hits.to_string(),
+                share(hits),
+                low.to_string(),
+                high.to_string(),
+            ]
+        });
+        let [t0, t1, t2, t3] = toppled;
+        let [b0, b1, b2, b3] = bottomed;
+        [self.landings.to_string(), t0, t1, t2, t3, b0, b1, b2, b3]
+    }
+}
+
+/// Wilson's score interval at 95 % of a probability of which `hits` of `trials` are known.
+pub fn wilson(hits: u64, trials: u64) -> [f64; 2] {
+    if trials == 0 {
+        return [0.0, 1.0];
+    }
+    let (n, p) = (trials as f64, hits as f64 / trials as f64);
+    let middle = p + Z * Z / (2.0 * n);
+    let half = Z * (p * (1.0 - p) / n + Z * Z / (4.0 * n * n)).sqrt();
+    let scale = 1.0 + Z * Z / n;
+    // At no hits and at nothing but hits the ends are 0 and 1 but for rounding.
+    let low = if hits == 0 {
+        0.0
+    } else {
+        (middle - half) / scale
+    };
+    let high = if hits == trials {
+        1.0
+    } else {
+        (middle + half) / scale
+    };
+    [low, high]
+}
+
+/// Landings counted over all, and over bins of each axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Probabilities {
+    /// All landings.
+    pub overall: Count,
+    axes: Vec<Bins>,
+}
+
+/// Counts over bins of one axis.
+#[derive(Debug, Clone, PartialEq)]
+struct Bins {
+    /// Lower and upper ends as a table says them.
+    ends: Vec<[String; 2]>,
+    /// From which value on the next bin counts.
+    edges: Vec<f64>,
+    counts: Vec<Count>,
+}
+
+impl Probabilities {
+    /// No landings yet of a sweep.
+    pub fn none<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Self {
+        let bins = |(index, axis): (usize, &crate::parameter::Parameter)| {
+            let written = |value: f64| axis.written(value);
+            match &sweep.design {
+                Design::Grid(grid) => Bins::of_levels(&grid.axes()[index], written),
+                Design::Sample(sample) => {
+                    Bins::of_distribution(&sample.axes()[index].distribution, written)
+                }
+            }
+        };
+        Self {
+            overall: Count::default(),
+            axes: sweep.axes.iter().enumerate().map(bins).collect(),
+        }
+    }
+
+    /// Adds a landing at coordinates, one for each axis.
+    pub fn add(&mut self, coordinates: &[f64], class: Class) {
+        self.overall.add(class);
+        for (bins, value) in self.axes.iter_mut().zip(coordinates) {
+            let bin = bins.edges.partition_point(|edge| edge <= value);
+            bins.counts[bin].add(class);
+        }
+    }
+
+    /// The rows of a table of them: all landings, then bin by bin of every axis.
+    pub fn rows<const LEGS: usize>(&self, sweep: &Sweep<LEGS>) -> Vec<Vec<String>> {
+        let row = |axis: &str, [from, to]: &[String; 2], count: &Count| {
+            let place = [axis.to_owned(), from.clone(), to.clone()];
+            place.into_iter().chain(count.cells()).collect()
+        };
+        let everywhere = [String::new(), String::new()];
+        let mut rows = vec![row("all", &everywhere, &self.overall)];
+        for (axis, bins) in sweep.axes.iter().zip(&self.axes) {
+            for (ends, count) in bins.ends.iter().zip(&bins.counts) {
+                rows.push(row(axis.name(), ends, count));
+            }
+        }
+        rows
+    }
+}
+
+impl Bins {
+    fn of_levels(levels: &Levels, written: impl Fn(f64) -> String) -> Self {
+        let count = levels.count();
+        if count <= MOST_VALUES {
+            let mut values: Vec<f64> = levels.values().collect();
+            values.sort_by(f64::total_cmp);
+            values.dedup();
+            let ends = values.iter().map(|v| [written(*v), written(*v)]).collect();
+            let edges = values.split_first().map_or(&[][..], |(_, rest)| rest);
+            return Self::with(ends, edges.to_vec());
+        }
+        let (first, last) = (levels.value(0), levels.value(count - 1));
+        Self::between(first.min(last), first.max(last), written)
+    }
+
+    fn of_distribution(distribution: &Distribution, written: impl Fn(f64) -> String) -> Self {
+        if let Distribution::Column(values) = distribution {
+            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            return Self::between(least, most, written);
+        }
+        let edges = (1..BINS).map(|bin| distribution.quantile(bin as f64 / BINS as f64));
+        let outer = match *distribution {
+            Distribution::Uniform { from, to }
+            | Distribution::LogUniform { from, to }
+            | Distribution::Truncated { from, to, .. } => [written(from), written(to)],
+            Distribution::Normal { .. } | Distribution::Column(_) => [String::new(), String::new()],
+        };
+        Self::by_edges(edges.collect(), outer, written)
+    }
+
+    /// Bins of equal width.
+    fn between(from: f64, to: f64, written: impl Fn(f64) -> String) -> Self {
+        let width = (to - from) / BINS as f64;
+        let edges = (1..BINS).map(|bin| from + bin as f64 * width).collect();
+        Self::by_edges(edges, [written(from), written(to)], written)
+    }
+
+    fn by_edges(edges: Vec<f64>, [from, to]: [String; 2], written: impl Fn(f64) -> String) -> Self {
+        let inner: Vec<String> = edges.iter().map(|edge| written(*edge)).collect();
+        let lower = std::iter::once(from).chain(inner.iter().cloned());
+        let upper = inner.iter().cloned().chain([to]);
+        Self::with(lower.zip(upper).map(|(a, b)| [a, b]).collect(), edges)
+    }
+
+    fn with(ends: Vec<[String; 2]>, edges: Vec<f64>) -> Self {
+        let counts = vec![Count::default(); ends.len()];
+        Self {
+            ends,
+            edges,
+            counts,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_are_those_of_the_books() {
+        // Newcombe (1998), table I, method 3.
+        for (hits, trials, expected) in [
+            (81, 263, [0.2553, 0.3662]),
+            (15, 148, [0.0624, 0.1605]),
+            (0, 20, [0.0, 0.1611]),
+            (1, 29, [0.0061, 0.1718]),
+        ] {
+            for (found, expected) in wilson(hits, trials).iter().zip(expected) {
+                assert!((found - expected).abs() < 5e-5, "{hits}/{trials}: {found}");
+            }
+        }
+        assert_eq!(wilson(20, 20)[1], 1.0);
+        assert_eq!(wilson(0, 0), [0.0, 1.0]);
+    }
+
+    #[test]
+    fn enough_is_asked_for_every_hundred_landings() {
+        let mut count = Count::default();
+        let mut landings = 0;
+        while !count.is_enough(0.1) {
+            count.add(if landings % 10 == 0 {
+                Class::Unstable
+            } else {
+                Class::Stable
+            });
+            landings += 1;
+        }
+        assert_eq!(landings, 200);
+    }
+
+    #[test]
+    fn every_value_falls_in_the_bin_that_names_it() {
+        let few = Levels::list(vec![3.0, 1.0, 2.0]).unwrap();
+        let bins = Bins::of_levels(&few, |value| value.to_string());
+        assert_eq!(bins.ends[1], ["2", "2"]);
+        assert_eq!(bins.edges, [2.0, 3.0]);
+        let many = Levels::range(0.0, 100.0, 1.0).unwrap();
+        let bins = Bins::of_levels(&many, |value| value.to_string());
+        assert_eq!(
+            (bins.ends.len(), &bins.ends[9]),
+            (10, &["90".into(), "100".into()])
+        );
+        let normal = Distribution::normal(0.0, 1.0, None).unwrap();
+        let bins = Bins::of_distribution(&normal, |value| value.to_string());
+        assert_eq!(bins.ends[0][0], "");
+        assert_eq!(bins.edges[4], 0.0);
+    }
+}

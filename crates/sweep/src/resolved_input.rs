@@ -1,0 +1,153 @@
+//! All of a sweep's input with defaults filled in, as a tree of names and values.
+
+use serde_json::{Map, Value, json};
+
+use crate::design::Design;
+use crate::distribution::Distribution;
+use crate::document::{Entry, Value as Read};
+use crate::levels::Levels;
+use crate::method_input::method_name;
+use crate::parameter::Parameter;
+use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
+use crate::settings_input::{crush_rule_name, friction_profile_name};
+use crate::sweep_file::{Job, Sweep};
+
+/// Longest axis whose values are told one by one.
+const MOST_VALUES: usize = 1000;
+
+impl<const LEGS: usize> Sweep<LEGS> {
+    /// Everything that determines the results, and nothing else: neither title nor file names.
+    pub fn resolved(&self) -> Value {
+        let scene: Map<String, Value> = self
+            .fixed
+            .resolved()
+            .into_iter()
+            .filter(|(name, _)| self.axes.iter().all(|axis| axis.name() != *name))
+            .map(|(name, value)| (name.to_owned(), json!(value)))
+            .collect();
+        let mut input = json!({
+            "job": match self.job {
+                Job::Boundary(_) => "boundary",
+                Job::Outcome { .. } => "outcome",
+            },
+            "vehicle": tree(self.vehicle.document.root()),
+            "scene": scene,
+            "axes": self.axes_resolved(),
+            "axes_that_move_together": self.together(),
+            "solver": {
+                "tolerance": self.settings.tolerance(),
+                "time_limit_s": self.settings.time_limit(),
+                "crush_rule": crush_rule_name(self.settings.crush_rule()),
+                "friction_profile": friction_profile_name(self.settings.friction_profile()),
+                "method": method_name(&self.settings.method()),
+                // All its numbers, to the last digit.
+                "method_in_full": format!("{:?}", self.settings.method()),
+            },
+        });
+        match self.job {
+            Job::Boundary(search) => {
+                input["search"] = json!({
+                    "from_fps": search.from,
+                    "to_fps": search.to,
+                    "scan_step_fps": search.scan_step,
+                    "tolerance_fps": search.tolerance,
+                    "bands": word(&EXTENTS, search.extent),
+                    "scan": word(&SCANS, search.scan),
+                    "refinement": word(&REFINEMENTS, search.refinement),
+                    "certainty": word(&DOUBTS, search.doubt),
+                });
+            }
+            Job::Outcome { enough } => input["stop_at_interval_width"] = json!(enough),
+        }
+        if let Design::Sample(sample) = &self.design {
+            input["sample"] = json!({
+                "design": sample.spread().name(),
+                "count": sample.count(),
+                "seed": sample.seed(),
+            });
+        }
+        input
+    }
+
+    fn axes_resolved(&self) -> Map<String, Value> {
+        let value = |(index, axis): (usize, &Parameter)| {
+            let value = match &self.design {
+                Design::Grid(grid) => levels_of(axis, &grid.axes()[index]),
+                Design::Sample(sample) => distribution_of(&sample.axes()[index].distribution),
+            };
+            (axis.name().to_owned(), value)
+        };
+        self.axes.iter().enumerate().map(value).collect()
+    }
+
+    /// Names of axes that move together, group by group.
+    fn together(&self) -> Vec<Vec<&str>> {
+        let groups: Vec<Vec<usize>> = match &self.design {
+            Design::Grid(grid) => grid.dimensions().to_vec(),
+            Design::Sample(sample) => {
+                let mut groups = vec![Vec::new(); sample.axes().len()];
+                for (index, axis) in sample.axes().iter().enumerate() {
+                    groups[axis.number].push(index);
+                }
+                groups
+            }
+        };
+        let name = |axis: &usize| self.axes[*axis].name();
+        groups
+            .iter()
+            .filter(|together| together.len() > 1)
+            .map(|together| together.iter().map(name).collect())
+            .collect()
+    }
+}
+
+fn distribution_of(distribution: &Distribution) -> Value {
+    match distribution {
+        Distribution::Uniform { from, to } => json!({"uniform": {"from": from, "to": to}}),
+        Distribution::LogUniform { from, to } => json!({"log-uniform": {"from": from, "to": to}}),
+        Distribution::Normal { mean, deviation } => {
+            json!({"normal": {"mean": mean, "sd": deviation}})
+        }
+        Distribution::Truncated {
+            mean,
+            deviation,
+            from,
+            to,
+        } => json!({"normal": {"mean": mean, "sd": deviation, "from": from, "to": to}}),
+        Distribution::Column(values) => json!({"column": values}),
+    }
+}
+
+/// The values of an axis, words as words; of a long one its first and last, and their number.
+fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
+    let value = |value: f64| match axis.word(value) {
+        Some(word) => json!(word),
+        None => json!(value),
+    };
+    match levels {
+        Levels::List(_) => levels.values().map(value).collect(),
+        short if short.count() <= MOST_VALUES => levels.values().map(value).collect(),
+        Levels::Range { from, step, count } => json!({"from": from, "step": step, "count": count}),
+        Levels::Even { from, to, count } => json!({"from": from, "to": to, "count": count}),
+        Levels::Logarithmic { from, to, count } => {
+            json!({"from": from, "to": to, "count": count, "spacing": "log"})
+        }
+    }
+}
+
+fn tree(entries: &[Entry]) -> Value {
+    let fields = entries
+        .iter()
+        .map(|entry| (entry.key.clone(), value(&entry.node.value)));
+    Value::Object(fields.collect())
+}
+
+fn value(read: &Read) -> Value {
+    match read {
+        Read::Number(number) => json!(number),
+        Read::Text(text) => json!(text),
+        Read::List(nodes) => nodes.iter().map(|node| value(&node.value)).collect(),
+        Read::Table(entries) => tree(entries),
+        Read::Foreign => Value::Null,
+    }
+}

@@ -1,0 +1,195 @@
+//! The result tables of a sweep, written row by row from its journals.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::boundary::Extent;
+use crate::deposit::{DepositError, Draft, Folder};
+use crate::findings::Finding;
+use crate::journal::{InOrder, JournalError};
+use crate::parquet_table::ParquetTable;
+use crate::sweep_file::Sweep;
+use crate::tally::Tally;
+use crate::{bands_table, probabilities, results};
+
+/// Tables that are written but not yet in their places.
+#[derive(Debug)]
+pub struct Tables {
+    /// What each point came to.
+    pub points: Draft,
+    /// Bands, where all were searched, or probabilities of outcomes.
+    pub beside: Option<Draft>,
+    /// The same as Parquet files, where they were asked for.
+    pub parquet: Vec<Draft>,
+    /// Their points in numbers.
+    pub tally: Tally,
+}
+
+/// Why tables could not be written.
+#[derive(Debug)]
+pub enum TablesError {
+    /// A journal cannot be read.
+    Journal(JournalError),
+    /// A table cannot be written.
+    Deposit(DepositError),
+    /// A point is in no journal, or what it came to cannot be understood.
+    Point(usize),
+}
+
+impl fmt::Display for TablesError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Journal(error) => error.fmt(f),
+            Self::Deposit(error) => error.fmt(f),
+            Self::Point(point) => write!(f, "there is no result of point {point}"),
+        }
+    }
+}
+
+impl std::error::Error for TablesError {}
+
+impl From<JournalError> for TablesError {
+    fn from(error: JournalError) -> Self {
+        Self::Journal(error)
+    }
+}
+
+impl From<DepositError> for TablesError {
+    fn from(error: DepositError) -> Self {
+        Self::Deposit(error)
+    }
+}
+
+impl Tables {
+    /// Writes the tables of a sweep beside their places in `folder`, points in grid order.
+    ///
+    /// # Errors
+    /// When a result is missing or something cannot be read or written.
+    pub fn write<const LEGS: usize>(
+        sweep: &Sweep<LEGS>,
+        results: &mut InOrder,
+        folder: &Folder,
+        has_parquet: bool,
+    ) -> Result<Self, TablesError> {
+        let stem = sweep.stem();
+        let begin = |end: &str, heading: &[String]| {
+            Table::begin(
+                folder,
+                &format!("{stem}{end}"),
+                heading,
+                has_parquet.then_some(sweep),
+            )
+        };
+        let mut points = begin("", &results::heading(sweep))?;
+        let has_bands = sweep
+            .search()
+            .is_some_and(|search| search.extent == Extent::All);
+        let mut bands = match has_bands {
+            true => Some(begin("-bands", &bands_table::heading(sweep))?),
+            false => None,
+        };
+        let mut tally = Tally::of(sweep);
+        for point in 0..sweep.design.count() {
+            let bytes = results.result(point)?;
+            let finding = bytes.as_deref().and_then(Finding::decode);
+            let finding = finding.ok_or(TablesError::Point(point))?;
+            points.add(&results::row(sweep, point, &finding))?;
+            if let (Some(bands), Finding::Boundary(boundary)) = (&mut bands, &finding) {
+                for row in bands_table::rows(sweep, point, boundary) {
+                    bands.add(&row)?;
+                }
+            }
+            tally.add(sweep, point, &finding);
+            if tally.is_enough(sweep) {
+                break;
+            }
+        }
+        let beside = match &tally.probabilities {
+            None => bands,
+            Some(probabilities) => {
+                let heading = probabilities::COLUMNS.map(str::to_owned);
+                let mut table = begin("-probabilities", &heading)?;
+                for row in probabilities.rows(sweep) {
+                    table.add(&row)?;
+                }
+                Some(table)
+            }
+        };
+        let (points, mut parquet) = points.end()?;
+        let beside = match beside {
+            None => None,
+            Some(table) => {
+                let (csv, more) = table.end()?;
+                parquet.extend(more);
+                Some(csv)
+            }
+        };
+        Ok(Self {
+            points,
+            beside,
+            parquet,
+            tally,
+        })
+    }
+}
+
+/// A table under way.
+struct Table {
+    writer: csv::Writer<Draft>,
+    path: PathBuf,
+    parquet: Option<(ParquetTable, PathBuf)>,
+}
+
+impl Table {
+    fn begin<const LEGS: usize>(
+        folder: &Folder,
+        stem: &str,
+        heading: &[String],
+        parquet_of: Option<&Sweep<LEGS>>,
+    ) -> Result<Self, DepositError> {
+        let name = |ending: &str| format!("{stem}.{ending}");
+        let parquet = match parquet_of {
+            None => None,
+            Some(sweep) => {
+                let path = folder.path(&name("parquet"));
+                let table = ParquetTable::begin(folder.draft(&name("parquet"))?, sweep, heading);
+                Some((table.map_err(|error| refuse(&path, error))?, path))
+            }
+        };
+        let mut table = Self {
+            writer: csv::Writer::from_writer(folder.draft(&name("csv"))?),
+            path: folder.path(&name("csv")),
+            parquet,
+        };
+        table.write(heading)?;
+        Ok(table)
+    }
+
+    fn add(&mut self, row: &[String]) -> Result<(), DepositError> {
+        if let Some((table, path)) = &mut self.parquet {
+            table.add(row).map_err(|error| refuse(path, error))?;
+        }
+        self.write(row)
+    }
+
+    fn write(&mut self, row: &[String]) -> Result<(), DepositError> {
+        let written = self.writer.write_record(row);
+        written.map_err(|error| refuse(&self.path, error.into()))
+    }
+
+    /// The table as CSV, and as Parquet.
+    fn end(self) -> Result<(Draft, Vec<Draft>), DepositError> {
+        let csv = self.writer.into_inner();
+        let csv = csv.map_err(|error| refuse(&self.path, error.into_error()))?;
+        let parquet = self
+            .parquet
+            .map(|(table, path)| table.end().map_err(|error| refuse(&path, error)));
+        Ok((csv, parquet.transpose()?.into_iter().collect()))
+    }
+}
+
+fn refuse(path: &Path, error: io::Error) -> DepositError {
+    let path = path.to_owned();
+    DepositError { path, error }
+}

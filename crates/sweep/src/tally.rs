@@ -1,0 +1,163 @@
+//! A sweep in numbers, added up point by point.
+
+use touchdown_dynamics::outcome::Class;
+
+use crate::boundary::{Boundary, Transition};
+use crate::findings::Finding;
+use crate::landing_table::Cell;
+use crate::probabilities::Probabilities;
+use crate::sweep_file::{Job, Sweep};
+
+/// Counts over the points of a sweep.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tally {
+    /// Points.
+    pub points: usize,
+    /// Landings computed.
+    pub landings: u64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: u64,
+    /// Bands found.
+    pub bands: usize,
+    /// Intervals looked into for hidden bands.
+    pub looks: u64,
+    /// Hidden bands found.
+    pub finds: u64,
+    /// Landings spared by skipping.
+    pub skipped: u64,
+    /// Landings that put transitions to the test.
+    pub tests: u64,
+    /// The lowest first transition, and its point.
+    pub lowest: Option<(usize, Transition)>,
+    /// Outcomes, where they are asked.
+    pub probabilities: Option<Probabilities>,
+    kinds: [usize; 4],
+}
+
+/// First transitions that are told apart, in the order in which they are told.
+const KINDS: [Option<Class>; 4] = [
+    Some(Class::Unstable),
+    Some(Class::Bottomed),
+    Some(Class::Failure),
+    None,
+];
+
+impl Tally {
+    /// No points yet of a sweep.
+    pub fn of<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Self {
+        let probabilities = match sweep.job {
+            Job::Boundary(_) => None,
+            Job::Outcome { .. } => Some(Probabilities::none(sweep)),
+        };
+        Self {
+            probabilities,
+            ..Self::default()
+        }
+    }
+
+    /// Adds a point; points come in order.
+    pub fn add<const LEGS: usize>(&mut self, sweep: &Sweep<LEGS>, point: usize, found: &Finding) {
+        self.points += 1;
+        match found {
+            Finding::Boundary(boundary) => self.add_boundary(point, boundary),
+            Finding::Landing { outcome, cells } => {
+                self.landings += 1;
+                self.evaluations += evaluations(cells);
+                if let Some(probabilities) = &mut self.probabilities {
+                    probabilities.add(&sweep.design.coordinates(point), outcome.class());
+                }
+            }
+        }
+    }
+
+    /// Whether the points so far tell enough, so that those after them do not count.
+    pub fn is_enough<const LEGS: usize>(&self, sweep: &Sweep<LEGS>) -> bool {
+        match (sweep.job, &self.probabilities) {
+            (
+                Job::Outcome {
+                    enough: Some(width),
+                },
+                Some(known),
+            ) => known.overall.is_enough(width),
+            _ => false,
+        }
+    }
+
+    fn add_boundary(&mut self, point: usize, boundary: &Boundary) {
+        self.landings += boundary.landings;
+        self.evaluations += boundary.evaluations;
+        self.bands += boundary.bands.len();
+        self.looks += boundary.looks;
+        self.finds += boundary.finds;
+        self.skipped += boundary.skipped;
+        self.tests += boundary.tests;
+        let kind = boundary.transition.map(|transition| transition.to);
+        if let Some(index) = KINDS.iter().position(|known| *known == kind) {
+            self.kinds[index] += 1;
+        }
+        let is_lower = |transition: Transition| match self.lowest {
+            Some((_, lowest)) => transition.speed() < lowest.speed(),
+            None => true,
+        };
+        if let Some(transition) = boundary.transition
+            && is_lower(transition)
+        {
+            self.lowest = Some((point, transition));
+        }
+    }
+
+    /// Number of points for each kind of first transition that occurs, `none` last.
+    pub fn kinds(&self) -> Vec<(String, usize)> {
+        let name = |kind: Option<Class>| kind.map_or("none".to_owned(), |class| class.to_string());
+        let counted = KINDS.into_iter().map(name).zip(self.kinds);
+        counted.filter(|(_, count)| *count > 0).collect()
+    }
+}
+
+/// Evaluations that a landing took, by its column.
+fn evaluations(cells: &[Cell]) -> u64 {
+    let counts = cells.iter().rev().filter_map(|cell| match cell {
+        Cell::Count(count) => Some(*count),
+        _ => None,
+    });
+    // The last count of a row, after the steps.
+    counts.take(1).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certainty::Certainty;
+
+    #[test]
+    fn kinds_and_the_first_of_the_lowest_are_kept() {
+        let at = |to, speed| Boundary {
+            transition: Some(Transition {
+                to,
+                low: speed,
+                high: speed,
+                certainty: Certainty::Untested,
+            }),
+            landings: 10,
+            ..Boundary::default()
+        };
+        let mut tally = Tally::default();
+        let boundaries = [
+            Boundary::default(),
+            at(Class::Bottomed, 12.0),
+            at(Class::Unstable, 11.0),
+            at(Class::Unstable, 11.0),
+        ];
+        for (point, boundary) in boundaries.iter().enumerate() {
+            tally.points += 1;
+            tally.add_boundary(point, boundary);
+        }
+        assert_eq!(tally.lowest.map(|(point, _)| point), Some(2));
+        assert_eq!((tally.points, tally.landings), (4, 30));
+        let expected = [("unstable", 2), ("bottomed", 1), ("none", 1)];
+        assert_eq!(
+            tally.kinds(),
+            expected.map(|(kind, n)| (kind.to_owned(), n))
+        );
+    }
+}

@@ -1,0 +1,94 @@
+//! The files that a sweep leaves: tables, record and pictures.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use touchdown_figures::picture;
+use touchdown_sweep::deposit::{Draft, Folder};
+use touchdown_sweep::design::Design;
+use touchdown_sweep::journal::InOrder;
+use touchdown_sweep::results::{self, Circumstances};
+use touchdown_sweep::sweep_file::{Job, Sweep};
+use touchdown_sweep::tables::Tables;
+use touchdown_sweep::tally::Tally;
+
+use crate::failure::Failure;
+use crate::{LEGS, plot};
+
+/// Longest table that is drawn, bytes: beyond it nothing could be made out.
+const LONGEST_DRAWN: u64 = 4 << 20;
+/// Axes that pictures can show.
+const MOST_DRAWN_AXES: usize = 2;
+
+/// Forms of the tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Comma-separated values
+    Csv,
+    /// Parquet, beside the CSV files: with units and the whole input in the files' metadata
+    Parquet,
+}
+
+/// What was written of a sweep.
+pub struct Written {
+    /// Its points in numbers.
+    pub tally: Tally,
+    /// How it was run.
+    pub circumstances: Circumstances<'static>,
+    /// The files.
+    pub files: Vec<PathBuf>,
+}
+
+/// Writes all results of a sweep into a folder.
+pub fn write(
+    sweep: &Sweep<LEGS>,
+    results: &mut InOrder,
+    folder: &Folder,
+    circumstances: Circumstances<'static>,
+    format: Format,
+) -> Result<Written, Failure> {
+    let tables = Tables::write(sweep, results, folder, format == Format::Parquet)?;
+    let record = results::record(sweep, &tables.tally, circumstances);
+    let record = format!("{record:#}\n");
+
+    let mut files = pictures(sweep, &tables, &record)?;
+    files.push((format!("{}.json", sweep.stem()), record.into_bytes()));
+    let mut drafts = files
+        .iter()
+        .map(|(name, bytes)| folder.draft_of(name, bytes))
+        .collect::<Result<Vec<_>, _>>()?;
+    drafts.extend(tables.parquet);
+    drafts.extend(tables.beside);
+    // The table comes last: where it stands, the others do too.
+    drafts.push(tables.points);
+    Ok(Written {
+        tally: tables.tally,
+        circumstances,
+        files: Draft::put_in_place(drafts)?,
+    })
+}
+
+fn pictures(
+    sweep: &Sweep<LEGS>,
+    tables: &Tables,
+    record: &str,
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let has_words = sweep.axes.iter().any(|axis| !axis.words().is_empty());
+    let is_drawn = matches!(
+        (&sweep.job, &sweep.design),
+        (Job::Boundary(_), Design::Grid(_))
+    );
+    if !is_drawn || has_words || sweep.axes.len() > MOST_DRAWN_AXES {
+        return Ok(Vec::new());
+    }
+    let Some(points) = tables.points.text(LONGEST_DRAWN)? else {
+        return Ok(Vec::new());
+    };
+    let bands = match &tables.beside {
+        Some(bands) => bands.text(LONGEST_DRAWN)?,
+        None => None,
+    };
+    let pictures =
+        picture::draw(&points, bands.as_deref(), Some(record)).map_err(Failure::running)?;
+    plot::both(&sweep.stem(), &pictures)
+}

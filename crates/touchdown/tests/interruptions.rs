@@ -1,0 +1,220 @@
+//! Sweeps that are interrupted, killed and gone on with.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+#![cfg(unix)]
+
+#[allow(dead_code, reason = "every test file uses its own part")]
+mod common;
+
+use std::fs;
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+use common::{Bench, Done, SWEEP};
+
+/// Twenty-one points over roll and the strut's damping, all bands, that take a second or so.
+fn sweep() -> String {
+    SWEEP
+        .replace(
+            "roll_deg = { from = -10, to = 10, step = 10 }",
+            "vehicle.strut.compression_damping = [45, 54, 60]\n\
+             roll_deg = { from = -15, to = 15, step = 5 }",
+        )
+        .replace(
+            "tolerance_fps = 0.1",
+            "tolerance_fps = 0.01\nbands = \"all\"",
+        )
+}
+
+const RESULTS: [&str; 2] = ["results/sweep.csv", "results/sweep-bands.csv"];
+
+/// The results of a run from beginning to end.
+fn uninterrupted() -> [String; 2] {
+    let bench = bench();
+    bench.run(&["sweep", "sweep.toml", "--threads", "1"]);
+    RESULTS.map(|name| bench.read(name))
+}
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("sweep.toml", &sweep());
+    bench
+}
+
+fn start(bench: &Bench, arguments: &[&str]) -> Child {
+    bench
+        .command(&[&["sweep", "sweep.toml"], arguments].concat())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+fn signal(child: &Child, name: &str) {
+    let kill = Command::new("kill")
+        .args([name, &child.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(kill.success());
+}
+
+fn journal_length(bench: &Bench) -> u64 {
+    fs::metadata(bench.path("results/sweep.journal")).map_or(0, |file| file.len())
+}
+
+/// Waits until points are in the journal.
+fn wait_for_points(bench: &Bench, child: &mut Child) {
+    let head = loop {
+        assert!(child.try_wait().unwrap().is_none(), "ended at once");
+        match journal_length(bench) {
+            0 => std::thread::sleep(Duration::from_millis(1)),
+            length => break length,
+        }
+    };
+    while journal_length(bench) <= head && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+#[test]
+fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
+    let expected = uninterrupted();
+    for name in ["-INT", "-TERM"] {
+        let bench = bench();
+        let mut sweep = start(&bench, &["--threads", "1"]);
+        wait_for_points(&bench, &mut sweep);
+        signal(&sweep, name);
+        let done = Done::from(sweep.wait_with_output().unwrap());
+        assert_eq!(done.code, Some(130), "{}", done.err);
+        assert!(done.err.contains("run again to go on"), "{}", done.err);
+        assert_eq!(bench.list("results"), ["sweep.journal"]);
+
+        let resumed = bench.run(&["sweep", "sweep.toml", "--resume", "--threads", "2"]);
+        assert_eq!(resumed.code, Some(0), "{}", resumed.err);
+        assert!(
+            resumed.err.contains("of 21 points are in"),
+            "{}",
+            resumed.err
+        );
+        assert_eq!(RESULTS.map(|name| bench.read(name)), expected);
+        assert!(!bench.list("results").contains(&"sweep.journal".to_owned()));
+    }
+}
+
+#[test]
+fn killed_again_and_again_it_loses_nothing_and_changes_nothing() {
+    let expected = uninterrupted();
+    let bench = bench();
+    let mut journaled = 0;
+    let mut kills = 0;
+    // Odd times, so that kills fall anywhere; each round gets a little further.
+    for round in 0u64.. {
+        let mut sweep = start(&bench, &["--threads", ["1", "2", "3"][round as usize % 3]]);
+        std::thread::sleep(Duration::from_micros(20_000 + round * 37_123 % 300_000));
+        if sweep.try_wait().unwrap().is_some() {
+            break;
+        }
+        signal(&sweep, "-KILL");
+        sweep.wait().unwrap();
+        kills += 1;
+        assert!(journal_length(&bench) >= journaled, "points were lost");
+        journaled = journal_length(&bench);
+    }
+    assert!(kills > 0);
+    let last = bench.run(&["sweep", "sweep.toml"]);
+    assert_eq!(last.code, Some(0), "{}", last.err);
+    assert_eq!(RESULTS.map(|name| bench.read(name)), expected);
+}
+
+#[test]
+fn two_processes_cannot_write_one_journal() {
+    let bench = bench();
+    let mut first = start(&bench, &[]);
+    wait_for_points(&bench, &mut first);
+    let second = bench.run(&["sweep", "sweep.toml"]);
+    assert_eq!(second.code, Some(1), "{}", second.err);
+    assert!(second.err.contains("another process"), "{}", second.err);
+    assert_eq!(Done::from(first.wait_with_output().unwrap()).code, Some(0));
+}
+
+#[test]
+fn another_input_is_refused_with_what_differs() {
+    let bench = bench();
+    let mut first = start(&bench, &[]);
+    wait_for_points(&bench, &mut first);
+    first.kill().unwrap();
+    first.wait().unwrap();
+    bench.write(
+        "sweep.toml",
+        &sweep().replace("friction = 1.0", "friction = 0.9"),
+    );
+    bench
+        .run(&["sweep", "sweep.toml"])
+        .refused(&["cannot be resumed", "scene.friction: 0.9 here, 1.0 there"]);
+    // What does not matter may change.
+    bench.write("sweep.toml", &sweep().replace("Roll at", "Rolling at"));
+    assert_eq!(bench.run(&["sweep", "sweep.toml"]).code, Some(0));
+}
+
+/// It would take hours if it were not noticed.
+#[test]
+fn a_folder_removed_while_running_is_told() {
+    let bench = Bench::new();
+    bench.write("sweep.toml", &SWEEP.replace("step = 10", "step = 0.0001"));
+    let mut sweep = start(&bench, &[]);
+    wait_for_points(&bench, &mut sweep);
+    fs::remove_dir_all(bench.path("results")).unwrap();
+    let done = Done::from(sweep.wait_with_output().unwrap());
+    assert_eq!(done.code, Some(1), "{}", done.err);
+    assert!(done.err.contains("moved or removed"), "{}", done.err);
+}
+
+#[test]
+fn shards_computed_anywhere_and_killed_make_the_same_results() {
+    let expected = uninterrupted();
+    let bench = bench();
+    let shard = |number: &str| ["sweep", "sweep.toml", "--shard", number].map(str::to_owned);
+    let run = |number: &str| {
+        let arguments = shard(number);
+        bench.run(&arguments.each_ref().map(String::as_str))
+    };
+    let mut killed = start(&bench, &["--shard", "2/3", "--threads", "1"]);
+    std::thread::sleep(Duration::from_millis(100));
+    killed.kill().unwrap();
+    killed.wait().unwrap();
+    assert_eq!(run("1/3").code, Some(0));
+    assert_eq!(run("3/3").code, Some(0));
+    let early = bench.run(&["merge", "results"]);
+    assert_eq!(early.code, Some(1), "{}", early.out);
+    assert!(early.err.contains("are missing"), "{}", early.err);
+    assert_eq!(run("2/3").code, Some(0));
+    // All that is needed is in the journals.
+    fs::remove_file(bench.path("sweep.toml")).unwrap();
+    fs::remove_file(bench.path("surveyor.toml")).unwrap();
+    let merged = bench.run(&["merge", "results"]);
+    assert_eq!(merged.code, Some(0), "{}", merged.err);
+    assert_eq!(RESULTS.map(|name| bench.read(name)), expected);
+}
+
+#[test]
+fn shards_of_different_sweeps_are_not_merged() {
+    let bench = bench();
+    for (number, friction) in [("1/2", "1.0"), ("2/2", "0.9")] {
+        let text = sweep().replace("friction = 1.0", &format!("friction = {friction}"));
+        bench.write("sweep.toml", &text);
+        let done = bench.run(&["sweep", "sweep.toml", "--shard", number]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    bench.run(&["merge", "results"]).refused(&[
+        "2-of-2.journal: does not belong to",
+        "scene.friction: 1.0 here, 0.9 there",
+    ]);
+    bench.run(&["merge", "nowhere"]).refused(&["nowhere"]);
+}
+
+#[test]
+fn there_must_be_something_to_resume() {
+    let bench = bench();
+    let done = bench.run(&["sweep", "sweep.toml", "--resume"]);
+    done.refused(&["sweep.journal: there is nothing to resume"]);
+}
