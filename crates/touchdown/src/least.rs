@@ -20,10 +20,9 @@ pub fn over(table: &str, axes: &[String]) -> Result<String, String> {
         .iter()
         .map(|axis| column(axis))
         .collect::<Result<Vec<_>, _>>()?;
-    let told = COLUMNS
-        .iter()
-        .map(|name| column(name))
-        .collect::<Result<Vec<_>, _>>()?;
+    // Tables of earlier versions lack some of them.
+    let told = COLUMNS.iter().filter_map(|name| column(name).ok());
+    let told: Vec<usize> = told.collect();
     let speed = column("first_transition_fps")?;
 
     let mut rows: Vec<StringRecord> = Vec::new();
