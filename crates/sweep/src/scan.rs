@@ -6,10 +6,10 @@
 //! change that either scan finds is found in the same step.
 //!
 //! A landing is quiet
-//! * that ended before [`SOON`]: it settled or went over on its first feet. Narrow bands lie among
+//! * that ended before `SOON`: it settled or went over on its first feet. Narrow bands lie among
 //!   landings that bounce and rock for long;
-//! * that stayed upright, σ above [`UPRIGHT`] throughout;
-//! * and, if stable, had [`STROKE_LEFT`] of the stroke of every strut to spare.
+//! * that stayed upright, σ above `UPRIGHT` throughout;
+//! * and, if stable, had `STROKE_LEFT` of the stroke of every strut to spare.
 //!
 //! This is a measured rule and no proof. Of all pairs of landings 0.5, 1, 2 and 4 ft/s apart that end
 //! alike, 47 have something else between them, on 623 points (level, tipped, both crush rules,

@@ -1,7 +1,7 @@
 //! Additive Runge-Kutta steps: the damping implicit, all else explicit.
 //!
 //! C. A. Kennedy, M. H. Carpenter, "Additive Runge-Kutta schemes for convection-diffusion-reaction
-//! equations", Appl. Numer. Math. 44 (2003) 139-181: ARK4(3)6L[2]SA, explicit and L-stable
+//! equations", Appl. Numer. Math. 44 (2003) 139-181: `ARK4(3)6L[2]SA`, explicit and L-stable
 //! diagonally implicit with common weights. The implicit part here is linear, −M⁻¹K v with the
 //! damping matrix K of the start of the step, and the explicit part all that is left; whatever K
 //! is, the order is four, and the better K, the longer the steps that stay stable.
