@@ -99,7 +99,7 @@ def wild(arguments, folder):
     seconds = time.monotonic() - started
     outcomes, failures = Counter(), Counter()
     examples = {}
-    worst, steps = (0.0, None), (0, None)
+    worst, steps = (-1.0, None), (-1, None)
     with open(folder / "wild/wild.csv", newline="", encoding="utf-8") as table:
         for number, row in enumerate(csv.DictReader(table)):
             outcomes[row["outcome"]] += 1
