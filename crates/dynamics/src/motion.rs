@@ -4,18 +4,25 @@
 //! search here and no branch but one: what carries no pressure at all is passed over. Along with
 //! the derivative come the signals whose ranges tell how long those coefficients hold.
 
+mod leg_damping;
+mod signal;
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::crush::PressureLine;
-use crate::damping::{Damping, Inertia};
+use crate::damping::Inertia;
 use crate::friction::FrictionPiece;
 use crate::hinge::HingePiece;
-use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, PlanePoint, PointVelocity, Surface};
+use crate::kinematics::{
+    BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity, Surface,
+};
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, LegState, State, quaternion_rate};
 use crate::strut::{LinkPiece, StrutPiece};
 use crate::vehicle::{Leg, Vehicle};
+
+pub use signal::Signal;
 
 /// Coefficients of the active piece of every law of one leg.
 #[derive(Debug, Clone, Copy)]
@@ -34,74 +41,6 @@ pub struct LegPieces<S> {
     pub link: LinkPiece<S>,
     /// Footpad hinge.
     pub hinge: HingePiece<S>,
-}
-
-/// What is watched on a leg: each signal has a range over which the active pieces hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Signal {
-    /// I of the outboard pad section, ft.
-    OuterInterference,
-    /// I of the inboard pad section, ft.
-    InnerInterference,
-    /// I of the block, ft.
-    BlockInterference,
-    /// dI/dt of the outboard pad section, ft/s.
-    OuterRate,
-    /// dI/dt of the inboard pad section, ft/s.
-    InnerRate,
-    /// dI/dt of the block, ft/s.
-    BlockRate,
-    /// Rate of the pad pivot into the ground, ft/s.
-    PivotRate,
-    /// Rate of the crushed block centre into the ground, ft/s.
-    BlockCentreRate,
-    /// S² of the pad, ft²/s².
-    PadSliding,
-    /// S² of the block, ft²/s².
-    BlockSliding,
-    /// Strut stroke δ, ft.
-    Stroke,
-    /// Link rate γ̇, rad/s.
-    LinkRate,
-    /// Torque of the surface on the link, ft·lb.
-    LinkTorque,
-    /// Pad angle α, rad.
-    PadAngle,
-    /// Pad rate state α̇, rad/s.
-    PadRate,
-    /// Hinge speed before the clip, rad/s.
-    HingeSpeed,
-    /// cos ξ of the pad.
-    PadInclination,
-    /// Strut force F, lb: for the record, without a range.
-    StrutForce,
-}
-
-impl Signal {
-    /// Number of signals of a leg.
-    pub const COUNT: usize = 18;
-
-    /// Every signal, in storage order.
-    pub const ALL: [Self; Self::COUNT] = [
-        Self::OuterInterference,
-        Self::InnerInterference,
-        Self::BlockInterference,
-        Self::OuterRate,
-        Self::InnerRate,
-        Self::BlockRate,
-        Self::PivotRate,
-        Self::BlockCentreRate,
-        Self::PadSliding,
-        Self::BlockSliding,
-        Self::Stroke,
-        Self::LinkRate,
-        Self::LinkTorque,
-        Self::PadAngle,
-        Self::PadRate,
-        Self::HingeSpeed,
-        Self::PadInclination,
-        Self::StrutForce,
-    ];
 }
 
 /// The signals of one leg, indexed by [`Signal`].
@@ -285,21 +224,6 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
         }
     }
 
-    /// Damping matrix at a state.
-    #[inline(never)]
-    pub fn damping(
-        &self,
-        state: &State<S, LEGS>,
-        pieces: &[LegPieces<S>; LEGS],
-    ) -> Damping<S, LEGS> {
-        let frame = self.surface.frame(&state.body());
-        let mut damping = Damping::none();
-        for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
-            leg.add_damping(j, &frame, &state.leg(j), pieces, &mut damping);
-        }
-        damping
-    }
-
     #[inline(always)]
     fn evaluate_into<const SIGNALS: bool>(
         &self,
@@ -389,67 +313,19 @@ impl<S: Real> Touch<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Adds what friction and strut of this leg do to the velocities.
+    /// Normal force (29) on the footpad per unit of relative pressure in both sections, lb.
     #[inline(always)]
-    fn add_damping<const LEGS: usize>(
-        &self,
-        j: usize,
-        body: &BodyFrame<S>,
-        leg: &LegState<S>,
-        pieces: &LegPieces<S>,
-        damping: &mut Damping<S, LEGS>,
-    ) {
-        let frame = self.geometry.frame(body);
-        let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_angle);
-        let link_length = self.geometry.link_length() * pieces.link.free;
-        let mut add = |point: &PlanePoint<S>,
-                       velocity: &PointVelocity<S>,
-                       strength: S,
-                       piece: &FrictionPiece<S>,
-                       swings: S| {
-            let (along, across) = frame.tangents(velocity);
-            let across_rate = piece.per_speed(velocity.sliding_squared);
-            for (direction, rate) in [(along, piece.growth()), (across, across_rate)] {
-                let force = body.rotation * self.geometry.in_vehicle_axes(&direction);
-                let moment = self.geometry.in_vehicle_axes(&point.moment(&direction));
-                let link = swings * pose.link_normal.dot(&direction);
-                damping.add(j, strength * rate, &force, &moment, link);
-            }
-        };
-        let [outer, inner] = pose.pad_interference;
-        if !(pieces.pad[0].is_slack() && pieces.pad[1].is_slack()) {
-            let velocity = frame.pivot_velocity(&pose, self.geometry.link_length() * leg.link_rate);
-            let per_pressure = self.pad_strength * (pose.pad_upright + pose.pad_inclination);
-            let normal = per_pressure * (pieces.pad[0].at(outer) + pieces.pad[1].at(inner));
-            add(
-                &pose.pivot,
-                &velocity,
-                self.pad_friction * normal.max(S::zero()),
-                &pieces.pad_friction,
-                link_length,
-            );
-        }
-        if !pieces.block.is_slack() {
-            let velocity = frame.velocity_at(&pose.block_center);
-            let cos_block = frame.normal.z;
-            let normal = self.block_strength
-                * (S::one() + cos_block * cos_block)
-                * pieces.block.at(pose.block_interference);
-            add(
-                &pose.block_center,
-                &velocity,
-                self.block_friction * normal.max(S::zero()),
-                &pieces.block_friction,
-                S::zero(),
-            );
-        }
-        let strut = pieces
-            .strut
-            .damping(pose.stroke, leg.link_rate, pose.strut_lever);
-        damping.add_to_link(
-            j,
-            (pieces.link.free * strut * pose.strut_lever).max(S::zero()),
-        );
+    fn pad_force_per_pressure(&self, pose: &LegPose<S>) -> S {
+        self.pad_strength * (pose.pad_upright + pose.pad_inclination)
+    }
+
+    /// Normal force (33) on the block, lb.
+    #[inline(always)]
+    fn block_normal(&self, frame: &LegFrame<S>, pose: &LegPose<S>, pieces: &LegPieces<S>) -> S {
+        let cos_block = frame.normal.z;
+        self.block_strength
+            * (S::one() + cos_block * cos_block)
+            * pieces.block.at(pose.block_interference)
     }
 
     /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
@@ -474,7 +350,7 @@ impl<S: Real> LegMotion<S> {
             (Touch::none(), S::zero())
         } else {
             let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
-            let per_pressure = self.pad_strength * (pose.pad_upright + cos_pad);
+            let per_pressure = self.pad_force_per_pressure(&pose);
             let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
             let normal = per_pressure * (pressure[0] + pressure[1]);
             let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
@@ -494,10 +370,7 @@ impl<S: Real> LegMotion<S> {
             Touch::none()
         } else {
             let velocity = frame.velocity_at(&pose.block_center);
-            let cos_block = frame.normal.z;
-            let normal = self.block_strength
-                * (S::one() + cos_block * cos_block)
-                * pieces.block.at(pose.block_interference);
+            let normal = self.block_normal(&frame, &pose, pieces);
             let drag =
                 self.block_friction * pieces.block_friction.per_speed(velocity.sliding_squared);
             Touch::new(&frame, &pose.block_center, velocity, normal, drag)

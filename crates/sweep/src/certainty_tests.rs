@@ -1,25 +1,6 @@
 use super::*;
-use crate::trial::Margins;
 use std::convert::Infallible;
-use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::CrushRule;
-
-fn sample(speed: f64, margin: f64) -> Sample {
-    let class = if margin > 0.0 {
-        Class::Stable
-    } else {
-        Class::Unstable
-    };
-    let margins = Margins {
-        toppling: Some(margin),
-        bottoming: None,
-    };
-    let trial = Trial {
-        margins,
-        ..Trial::example(class, 1)
-    };
-    Sample { speed, trial }
-}
 
 /// Tests the change at 1 ft/s of landings whose transition moves by `shift` at looser tolerance.
 fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
@@ -31,9 +12,12 @@ fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
             _ => 0.0,
         };
         let margin = if speed < 1.0 + moved { jump } else { -jump };
-        Ok::<_, Infallible>(sample(speed, margin).trial)
+        Ok::<_, Infallible>(Sample::example(speed, margin).trial)
     };
-    let (low, high) = (sample(0.9995, jump), sample(1.0005, -jump));
+    let (low, high) = (
+        Sample::example(0.9995, jump),
+        Sample::example(1.0005, -jump),
+    );
     let Ok(certainty) = test(doubt, [&low, &high], 0.25, &mut land);
     (certainty, landings)
 }

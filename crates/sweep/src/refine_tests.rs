@@ -1,26 +1,8 @@
 use super::*;
-use crate::trial::{Margins, Trial};
+use crate::trial::Trial;
 use std::convert::Infallible;
 
 const HALVINGS: usize = 8;
-
-/// A landing that topples where its margin is negative.
-fn at(speed: f64, margin: f64) -> Sample {
-    let class = if margin > 0.0 {
-        Class::Stable
-    } else {
-        Class::Unstable
-    };
-    let margins = Margins {
-        toppling: Some(margin),
-        bottoming: None,
-    };
-    let trial = Trial {
-        margins,
-        ..Trial::example(class, 1)
-    };
-    Sample { speed, trial }
-}
 
 /// Bracket of the change between 0 and 0.25, and the landings that it took.
 fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2], usize) {
@@ -49,7 +31,7 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
 
 /// The same bracket by both ways; landings that interpolation took.
 fn both(margin: impl Fn(f64) -> f64) -> usize {
-    let sample = |speed| at(speed, margin(speed));
+    let sample = |speed| Sample::example(speed, margin(speed));
     let (halved, landings) = bracket(Refinement::Bisection, sample);
     assert_eq!(landings, HALVINGS);
     let (interpolated, landings) = bracket(Refinement::Margin, sample);
@@ -82,8 +64,8 @@ fn bent_margins_take_few_landings_and_jumps_no_more_than_the_slack() {
 #[test]
 fn landings_without_a_margin_are_halved() {
     let sample = |speed: f64| Sample {
-        trial: Trial::example(at(speed, 0.1 - speed).class(), 1),
-        ..at(speed, 0.0)
+        trial: Trial::example(Sample::example(speed, 0.1 - speed).class(), 1),
+        ..Sample::example(speed, 0.0)
     };
     let halved = bracket(Refinement::Bisection, sample);
     assert_eq!(bracket(Refinement::Margin, sample), halved);
@@ -104,8 +86,8 @@ fn an_irregular_interval_is_looked_at_again() {
             tolerance: 0.001,
             to_all: true,
         };
-        let mut land = |speed| Ok::<_, Infallible>(at(speed, margin(speed)));
-        let (low, high) = (at(0.0, 0.2), at(0.25, -0.05));
+        let mut land = |speed| Ok::<_, Infallible>(Sample::example(speed, margin(speed)));
+        let (low, high) = (Sample::example(0.0, 0.2), Sample::example(0.25, -0.05));
         let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
         let mut samples = narrowed.samples;
         samples.extend([low, high]);

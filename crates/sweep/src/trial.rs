@@ -166,3 +166,24 @@ impl Trial {
         }
     }
 }
+
+#[cfg(test)]
+impl Sample {
+    /// A landing with this margin, that topples where it is negative.
+    pub(crate) fn example(speed: f64, margin: f64) -> Self {
+        let class = if margin > 0.0 {
+            Class::Stable
+        } else {
+            Class::Unstable
+        };
+        let margins = Margins {
+            toppling: Some(margin),
+            bottoming: None,
+        };
+        let trial = Trial {
+            margins,
+            ..Trial::example(class, 1)
+        };
+        Self { speed, trial }
+    }
+}

@@ -1,0 +1,69 @@
+//! What is watched on a leg.
+
+/// What is watched on a leg: each signal has a range over which the active pieces hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Signal {
+    /// I of the outboard pad section, ft.
+    OuterInterference,
+    /// I of the inboard pad section, ft.
+    InnerInterference,
+    /// I of the block, ft.
+    BlockInterference,
+    /// dI/dt of the outboard pad section, ft/s.
+    OuterRate,
+    /// dI/dt of the inboard pad section, ft/s.
+    InnerRate,
+    /// dI/dt of the block, ft/s.
+    BlockRate,
+    /// Rate of the pad pivot into the ground, ft/s.
+    PivotRate,
+    /// Rate of the crushed block centre into the ground, ft/s.
+    BlockCentreRate,
+    /// S² of the pad, ft²/s².
+    PadSliding,
+    /// S² of the block, ft²/s².
+    BlockSliding,
+    /// Strut stroke δ, ft.
+    Stroke,
+    /// Link rate γ̇, rad/s.
+    LinkRate,
+    /// Torque of the surface on the link, ft·lb.
+    LinkTorque,
+    /// Pad angle α, rad.
+    PadAngle,
+    /// Pad rate state α̇, rad/s.
+    PadRate,
+    /// Hinge speed before the clip, rad/s.
+    HingeSpeed,
+    /// cos ξ of the pad.
+    PadInclination,
+    /// Strut force F, lb: for the record, without a range.
+    StrutForce,
+}
+
+impl Signal {
+    /// Number of signals of a leg.
+    pub const COUNT: usize = 18;
+
+    /// Every signal, in storage order.
+    pub const ALL: [Self; Self::COUNT] = [
+        Self::OuterInterference,
+        Self::InnerInterference,
+        Self::BlockInterference,
+        Self::OuterRate,
+        Self::InnerRate,
+        Self::BlockRate,
+        Self::PivotRate,
+        Self::BlockCentreRate,
+        Self::PadSliding,
+        Self::BlockSliding,
+        Self::Stroke,
+        Self::LinkRate,
+        Self::LinkTorque,
+        Self::PadAngle,
+        Self::PadRate,
+        Self::HingeSpeed,
+        Self::PadInclination,
+        Self::StrutForce,
+    ];
+}

@@ -1,0 +1,184 @@
+//! The law of one strut (42)-(45), cut into stretches of stroke over which it keeps one piece.
+
+use super::{Kinked, STOP_STROKE, StrutPiece};
+use crate::profile::Profile;
+use crate::vehicle;
+
+/// A stretch of stroke over which tables and spring law keep one piece.
+#[derive(Debug, Clone, Copy)]
+struct StrokeSegment {
+    upper: f64,
+    /// Beyond the elastic limit.
+    is_plastic: bool,
+    /// Whether a step may run over the upper end: the law only bends a little there.
+    is_gentle_above: bool,
+    /// S_K = offset + slope δ.
+    multiplier: [f64; 2],
+    /// Compression damping R_c S_D = offset + slope δ.
+    compression: [f64; 2],
+}
+
+/// What becomes of the gentle kinks of the law: table knots beyond the elastic limit and the ends of
+/// the zone in which resistance fades in. The law is evaluated rightly across them either way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kinks {
+    /// They are located like any event: a step sees a smooth law.
+    Located,
+    /// Steps run over them, and error control sees to it that they do no harm.
+    SteppedOver,
+}
+
+/// The law of one strut.
+#[derive(Debug, Clone)]
+pub struct StrutLaw {
+    kinks: Kinks,
+    segments: Vec<StrokeSegment>,
+    structural_stiffness: f64,
+    preload: f64,
+    spring_constant: f64,
+    elastic_limit: f64,
+    /// Rebound damping R_R (1 + SRL δ) = offset + slope δ.
+    rebound: [f64; 2],
+    friction_fraction: f64,
+    bottoming_stroke: f64,
+}
+
+impl StrutLaw {
+    /// The law of a strut, cut where any of its pieces changes.
+    pub fn new(strut: &vehicle::Strut, kinks: Kinks) -> Self {
+        let elastic_limit = strut.preload / strut.structural_stiffness;
+        let tables = [&strut.spring_profile, &strut.damping_profile];
+        let mut knots: Vec<f64> = tables
+            .iter()
+            .flat_map(|p| p.knots()[1..p.knots().len() - 1].iter().map(|k| k[0]))
+            .chain([0.0, STOP_STROKE, elastic_limit, f64::INFINITY])
+            .collect();
+        knots.sort_by(f64::total_cmp);
+        knots.dedup();
+        let mut lower = f64::NEG_INFINITY;
+        let segments = knots
+            .into_iter()
+            .map(|upper| {
+                let line = |profile: &Profile, factor: f64| {
+                    let s = profile.segment_at(lower);
+                    [factor * s.offset, factor * s.slope]
+                };
+                let segment = StrokeSegment {
+                    upper,
+                    is_plastic: lower >= elastic_limit,
+                    is_gentle_above: kinks == Kinks::SteppedOver
+                        && upper.is_finite()
+                        && (lower >= elastic_limit
+                            || upper == 0.0 && strut.damping_profile.knots()[0][1] == 1.0),
+                    multiplier: line(&strut.spring_profile, 1.0),
+                    compression: if upper <= 0.0 {
+                        [strut.compression_damping, 0.0]
+                    } else {
+                        line(&strut.damping_profile, strut.compression_damping)
+                    },
+                };
+                lower = upper;
+                segment
+            })
+            .collect();
+        Self {
+            kinks,
+            segments,
+            structural_stiffness: strut.structural_stiffness,
+            preload: strut.preload,
+            spring_constant: strut.spring_constant,
+            elastic_limit,
+            rebound: [
+                strut.rebound_damping,
+                strut.rebound_damping * strut.rebound_growth,
+            ],
+            friction_fraction: strut.friction_fraction,
+            bottoming_stroke: strut.extended_length - strut.minimum_length,
+        }
+    }
+
+    /// Stroke at which the strut bottoms, ft.
+    pub fn bottoming_stroke(&self) -> f64 {
+        self.bottoming_stroke
+    }
+
+    pub(super) fn segment_at(&self, stroke: f64) -> usize {
+        let last = self.segments.len() - 1;
+        self.segments
+            .iter()
+            .position(|s| stroke < s.upper)
+            .unwrap_or(last)
+    }
+
+    /// Lower end of a segment.
+    pub(super) fn lower(&self, segment: usize) -> f64 {
+        match segment {
+            0 => f64::NEG_INFINITY,
+            _ => self.segments[segment - 1].upper,
+        }
+    }
+
+    /// Upper end of a segment.
+    pub(super) fn upper(&self, segment: usize) -> f64 {
+        self.segments[segment].upper
+    }
+
+    /// What becomes of the gentle kinks.
+    pub(super) fn kinks(&self) -> Kinks {
+        self.kinks
+    }
+
+    /// Whether a leg that extends in this segment is on its stop.
+    pub(super) fn is_on_stop(&self, segment: usize) -> bool {
+        self.segments[segment].upper <= STOP_STROKE
+    }
+
+    /// Whether a step may run over the lower end of this segment.
+    pub(super) fn is_gentle_below(&self, segment: usize) -> bool {
+        segment > 0 && self.segments[segment - 1].is_gentle_above
+    }
+
+    /// Whether a step may run over the upper end of this segment.
+    pub(super) fn is_gentle_above(&self, segment: usize) -> bool {
+        self.segments[segment].is_gentle_above
+    }
+
+    /// A table over a segment and, across gentle kinks, its neighbours.
+    fn kinked(&self, segment: usize, table: impl Fn(&StrokeSegment) -> [f64; 2]) -> Kinked<f64> {
+        let [offset, slope] = table(&self.segments[segment]);
+        let slope_of = |other: usize| table(&self.segments[other])[1];
+        let below = if self.is_gentle_below(segment) {
+            [self.lower(segment), slope - slope_of(segment - 1)]
+        } else {
+            [0.0; 2]
+        };
+        let above = if self.is_gentle_above(segment) {
+            [self.segments[segment].upper, slope_of(segment + 1) - slope]
+        } else {
+            [0.0; 2]
+        };
+        Kinked {
+            offset,
+            slope,
+            kinks: [below, above],
+        }
+    }
+
+    /// Coefficients over a segment.
+    pub(super) fn piece(&self, segment: usize) -> StrutPiece<f64> {
+        let (base, growth) = if self.segments[segment].is_plastic {
+            ([self.preload, 0.0], self.spring_constant)
+        } else {
+            ([0.0, self.structural_stiffness], 0.0)
+        };
+        StrutPiece {
+            base,
+            growth,
+            multiplier: self.kinked(segment, |s| s.multiplier),
+            elastic_limit: self.elastic_limit,
+            friction_fraction: self.friction_fraction,
+            compression: self.kinked(segment, |s| s.compression),
+            rebound: self.rebound,
+        }
+    }
+}
