@@ -53,9 +53,10 @@ fn main() {
     divan::main();
 }
 
-/// One right-hand side, one foot pressed in and its strut stroking.
-#[divan::bench]
-fn right_hand_side(bencher: Bencher) {
+/// One right-hand side, one foot pressed in and its strut stroking; in the registers there are and
+/// in those of any processor.
+#[divan::bench(args = [true, false])]
+fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
     let vehicle = table_4_1();
     let scene = scene(11.0);
     let mut bare = Bare::new(&vehicle, &scene);
@@ -68,6 +69,9 @@ fn right_hand_side(bencher: Bencher) {
     leg.link_angle -= 0.02;
     state.set_leg(0, &leg);
     bare.settle(&state);
+    if !in_wide_registers {
+        bare = bare.in_narrow_registers();
+    }
     let mut slope = State::zero();
     bencher.bench_local(|| {
         bare.derivative(black_box(&state), &mut slope);

@@ -6,6 +6,7 @@
 
 use crate::integrator::event::{Bounds, Exit};
 use crate::profile::{Profile, Segment};
+use crate::quad::abreast;
 use crate::scalar::Real;
 
 /// A straight line of relative pressure against interference (ft).
@@ -15,7 +16,17 @@ pub struct PressureLine<S> {
     slope: S,
 }
 
+abreast!(PressureLine { offset, slope });
+
 impl<S: Real> PressureLine<S> {
+    /// No pressure at any interference.
+    pub fn slack() -> Self {
+        Self {
+            offset: S::zero(),
+            slope: S::zero(),
+        }
+    }
+
     /// Whether there is no pressure at any interference.
     #[inline(always)]
     pub fn is_slack(&self) -> bool {

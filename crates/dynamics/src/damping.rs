@@ -10,6 +10,7 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
+use crate::quad::abreast;
 use crate::scalar::Real;
 use crate::state::State;
 
@@ -57,6 +58,15 @@ impl<S: Real, const LEGS: usize> Velocities<S, LEGS> {
         }
     }
 
+    /// factor · self.
+    #[inline(always)]
+    pub fn times(&self, factor: S) -> Self {
+        Self {
+            body: self.body * factor,
+            links: self.links.map(|link| link * factor),
+        }
+    }
+
     /// All zero.
     #[inline(always)]
     pub fn zero() -> Self {
@@ -76,6 +86,55 @@ pub struct Inertia<S, const LEGS: usize> {
     pub body: Matrix3<S>,
     /// Inertia of each lower link about its hardpoint, slug·ft².
     pub links: [S; LEGS],
+}
+
+/// What one leg does to the velocities of the body and to its own: its share of the damping matrix.
+#[derive(Debug, Clone, Copy)]
+pub struct LegDamping<S> {
+    /// Lower triangle, column by column.
+    body: [S; 21],
+    coupling: Vector6<S>,
+    link: S,
+}
+
+abreast!(LegDamping {
+    body,
+    coupling,
+    link,
+});
+
+impl<S: Real> LegDamping<S> {
+    /// No damping.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self {
+            body: [S::zero(); 21],
+            coupling: Vector6::zeros(),
+            link: S::zero(),
+        }
+    }
+
+    /// Adds a force −k (w·v) w that acts on the body along `force` (ground axes) with `moment`
+    /// (vehicle axes) and turns the link with lever `link`, ft.
+    #[inline(always)]
+    pub fn add(&mut self, k: S, force: &Vector3<S>, moment: &Vector3<S>, link: S) {
+        let w = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
+        let kw = w * k;
+        let mut entries = self.body.iter_mut();
+        for column in 0..6 {
+            for (row, entry) in (column..6).zip(&mut entries) {
+                *entry += kw[row] * w[column];
+            }
+        }
+        self.coupling += kw * link;
+        self.link += k * link * link;
+    }
+
+    /// Adds `k` (ft·lb·s) to the damping of the link.
+    #[inline(always)]
+    pub fn add_to_link(&mut self, k: S) {
+        self.link += k;
+    }
 }
 
 /// The damping matrix K: forces −K v for small changes v of the velocities. Symmetric, and nowhere
@@ -98,25 +157,17 @@ impl<S: Real, const LEGS: usize> Damping<S, LEGS> {
         }
     }
 
-    /// Adds a force −k (w·v) w that acts on the body along `force` (ground axes) with `moment`
-    /// (vehicle axes) and turns the link of `leg` with lever `link`, ft.
+    /// Adds what one leg does.
     #[inline(always)]
-    pub fn add(&mut self, leg: usize, k: S, force: &Vector3<S>, moment: &Vector3<S>, link: S) {
-        let w = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
-        let kw = w * k;
+    pub fn add(&mut self, leg: usize, what: &LegDamping<S>) {
+        let mut entries = what.body.iter();
         for column in 0..6 {
-            for row in column..6 {
-                self.body[(row, column)] += kw[row] * w[column];
+            for (row, entry) in (column..6).zip(&mut entries) {
+                self.body[(row, column)] += *entry;
             }
         }
-        self.couplings[leg] += kw * link;
-        self.links[leg] += k * link * link;
-    }
-
-    /// Adds `k` (ft·lb·s) to the damping of one link.
-    #[inline(always)]
-    pub fn add_to_link(&mut self, leg: usize, k: S) {
-        self.links[leg] += k;
+        self.couplings[leg] += what.coupling;
+        self.links[leg] += what.link;
     }
 
     /// Rate (1/s) that none of the decays exceeds: the trace of M⁻¹K.

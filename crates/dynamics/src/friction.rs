@@ -4,6 +4,7 @@
 //! 1.05 ft/s, μ0 above. Profiles A and B (4.1.5) are viscous over less.
 
 use crate::integrator::event::Bounds;
+use crate::quad::abreast;
 use crate::scalar::Real;
 
 /// How friction sets in near rest (4.1.5).
@@ -55,6 +56,8 @@ pub struct FrictionPiece<S> {
     constant: S,
     viscous: S,
 }
+
+abreast!(FrictionPiece { constant, viscous });
 
 const STEADY_LIMIT: f64 = 1.05;
 /// Slack of the squared-speed guard, ft²/s².
@@ -108,6 +111,14 @@ impl Sliding {
 }
 
 impl<S: Real> FrictionPiece<S> {
+    /// No friction.
+    pub fn none() -> Self {
+        Self {
+            constant: S::zero(),
+            viscous: S::zero(),
+        }
+    }
+
     /// dμ/dS over μ0 at any speed of this branch, s/ft, or zero where friction falls with speed.
     #[inline(always)]
     pub fn growth(&self) -> S {

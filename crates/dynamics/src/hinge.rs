@@ -5,6 +5,7 @@
 //! |dα/dt| never exceeds 100 rad/s.
 
 use crate::integrator::event::{Bounds, Exit};
+use crate::quad::abreast;
 use crate::scalar::Real;
 
 /// Fading of the rate beyond a stop, 1/rad: its inverse is the greatest overrun.
@@ -28,7 +29,25 @@ pub struct HingePiece<S> {
     clip: S,
 }
 
+abreast!(HingePiece {
+    gain,
+    fading,
+    follow,
+    clip,
+});
+
 impl<S: Real> HingePiece<S> {
+    /// A footpad that does not move.
+    pub fn still() -> Self {
+        let zero = S::zero();
+        Self {
+            gain: zero,
+            fading: zero,
+            follow: zero,
+            clip: zero,
+        }
+    }
+
     /// Hinge speed before the clip, rad/s.
     #[inline(always)]
     pub fn unclipped_speed(&self, angle: S, rate: S) -> S {

@@ -6,6 +6,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::quad::abreast;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, rotation};
@@ -27,6 +28,15 @@ pub struct BodyFrame<S> {
     /// 1/cos ξ_B, held beyond 84 deg: the blocks stand along the centreline, cos ξ_B = k·n.
     pub upright: S,
 }
+
+abreast!(BodyFrame {
+    rotation,
+    normal,
+    velocity,
+    rate,
+    depth,
+    upright,
+});
 
 /// 1/cos ξ of an element inclined by ξ. Beyond 84 deg, where no law of the model reaches, the
 /// cosine is held: an interference keeps the sign of the depth, and what hangs in the air over a
@@ -102,6 +112,22 @@ pub struct LegGeometry<S> {
     block_radius: S,
     block_depth: S,
 }
+
+abreast!(LegGeometry {
+    outboard,
+    hardpoint_radius,
+    hardpoint_depth,
+    link_length,
+    product,
+    squares,
+    sin_beta,
+    cos_beta,
+    extended_length,
+    centroid,
+    pad_height,
+    block_radius,
+    block_depth,
+});
 
 /// The body's frame seen along one leg: components outboard (e), across (k×e) and down (k).
 ///

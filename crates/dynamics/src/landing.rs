@@ -1,6 +1,7 @@
 //! One landing: integrate from first contact until an outcome, and report.
 
 mod account;
+mod advance;
 mod rates;
 mod verdict;
 
@@ -11,7 +12,7 @@ use crate::integrator::event::{Node, Watch, first_exit, is_quiet};
 use crate::integrator::step::{EVALUATIONS, Step};
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::methods::{self, Method};
-use crate::motion::{LegPieces, LegSignals, Motion, Signal};
+use crate::motion::{LegSignals, Motion, Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, Observation, calm_height};
@@ -21,6 +22,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
+use advance::Advance;
 
 pub(crate) use rates::final_rates;
 
@@ -85,7 +87,7 @@ struct Flight<'a, O, const LEGS: usize> {
     vehicle: &'a Vehicle<LEGS>,
     scene: &'a Scene,
     settings: &'a Settings,
-    motion: Motion<f64, LEGS>,
+    motion: Motion<LEGS>,
     inertia: Inertia<f64, LEGS>,
     /// Rate of decay times step length above which damping is taken implicitly.
     damped_above: f64,
@@ -93,7 +95,7 @@ struct Flight<'a, O, const LEGS: usize> {
     event_resolution: f64,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
-    pieces: [LegPieces<f64>; LEGS],
+    pieces: Pieces<LEGS>,
     watches: Vec<Watch>,
     time: f64,
     /// The present state and its derivative are the start of the step.
@@ -134,7 +136,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 .with_friction(settings.friction_profile())
         });
         let modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&laws[j]));
-        let pieces = std::array::from_fn(|j| modes[j].pieces(&laws[j]));
+        let pieces = Pieces::new(&std::array::from_fn(|j| modes[j].pieces(&laws[j])));
         let state = touchdown(vehicle, scene, &motion);
         Self {
             vehicle,
@@ -183,7 +185,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             return outcome;
         }
         let limit = self.settings.time_limit();
-        let tolerance = self.settings.tolerance();
         let mut control = StepControl::new(FIRST_STEP);
         let mut burst = (self.events, self.time);
         for _ in 0..MOST_STEPS {
@@ -194,12 +195,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             if length < SHORTEST {
                 return Outcome::Failure(Failure::StepCollapse);
             }
-            let end = self.try_step(length);
-            let norm = self
-                .step
-                .error()
-                .error_norm(&self.step.before, &self.step.after, tolerance);
-            if !control.accept(length, norm) {
+            let (end, error) = self.try_step(length);
+            if !control.accept(length, error) {
                 continue;
             }
             if !self.step.after.is_finite() {
@@ -247,24 +244,24 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         Outcome::Failure(Failure::StepLimit)
     }
 
-    /// Takes a step and returns the signals at its end.
-    fn try_step(&mut self, length: f64) -> Node<[LegSignals<f64>; LEGS]> {
+    /// Takes a step: the signals at its end and its error in units of the tolerance.
+    fn try_step(&mut self, length: f64) -> (Node<[LegSignals<f64>; LEGS]>, f64) {
         self.evaluations += EVALUATIONS;
         let mut signals = [[0.0; Signal::COUNT]; LEGS];
-        let (motion, pieces) = (&self.motion, &self.pieces);
-        let derivative = |state: &_, slope: &mut _| motion.derivative(state, pieces, slope);
-        let last = |state: &_, slope: &mut _| motion.evaluate(state, pieces, slope, &mut signals);
-        let damping = motion.damping(&self.step.before, pieces);
-        if length * damping.greatest_rate(&self.inertia) > self.damped_above {
-            let damped = damping.factor(&self.inertia, additive::GAMMA * length);
-            self.step.take_damped(length, &damped, derivative, last);
-        } else {
-            self.step.take_explicit(length, derivative, last);
-        }
-        Node {
-            theta: 1.0,
-            signals,
-        }
+        let damping = self.motion.damping(&self.step.before, &self.pieces);
+        let is_damped = length * damping.greatest_rate(&self.inertia) > self.damped_above;
+        let advance = Advance {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            damped: is_damped.then(|| damping.factor(&self.inertia, additive::GAMMA * length)),
+            length,
+            tolerance: self.settings.tolerance(),
+            step: &mut self.step,
+            signals: &mut signals,
+        };
+        let error = self.motion.arch().dispatch(advance);
+        let theta = 1.0;
+        (Node { theta, signals }, error)
     }
 
     /// The first point of the step at which a law changes its active piece.
@@ -323,10 +320,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// with it, so this goes on until every signal lies in its range.
     fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
-            for j in 0..LEGS {
-                self.pieces[j] = self.modes[j].pieces(&self.laws[j]);
-            }
-            self.choose_watches();
+            self.choose_pieces();
             let Step { before, slopes, .. } = &mut self.step;
             self.motion
                 .evaluate(before, &self.pieces, &mut slopes[0], &mut self.signals);
@@ -343,17 +337,17 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     fn follow(&mut self) {
         let mut changed = false;
         for j in 0..LEGS {
-            if self.modes[j].follow(&self.laws[j], &self.signals[j]) {
-                self.pieces[j] = self.modes[j].pieces(&self.laws[j]);
-                changed = true;
-            }
+            changed |= self.modes[j].follow(&self.laws[j], &self.signals[j]);
         }
         if changed {
-            self.choose_watches();
+            self.choose_pieces();
         }
     }
 
-    fn choose_watches(&mut self) {
+    /// The pieces and ranges of the present modes.
+    fn choose_pieces(&mut self) {
+        let pieces = std::array::from_fn(|j| self.modes[j].pieces(&self.laws[j]));
+        self.pieces = Pieces::new(&pieces);
         self.watches.clear();
         for j in 0..LEGS {
             self.modes[j].watch(&self.laws[j], j, &mut self.watches);

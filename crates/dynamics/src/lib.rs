@@ -37,6 +37,7 @@ pub mod model_version;
 pub mod motion;
 pub mod outcome;
 pub mod profile;
+pub mod quad;
 pub mod record;
 pub mod scalar;
 pub mod scene;

@@ -1,47 +1,29 @@
 //! The equations of motion (55), (60), (68), (69) as straight-line arithmetic (model chapter 6).
 //!
-//! Which piece of each law is active arrives as coefficients, [`LegPieces`]. There is no table
-//! search here and no branch but one: what carries no pressure at all is passed over. Along with
-//! the derivative come the signals whose ranges tell how long those coefficients hold.
+//! Which piece of each law is active arrives as coefficients, [`Pieces`]. There is no table search
+//! here and no branch but one: what carries no pressure on any leg is passed over. Along with the
+//! derivative come the signals whose ranges tell how long those coefficients hold. The legs are
+//! computed abreast, four in a register where the processor has registers of that width.
 
+mod leg;
 mod leg_damping;
+mod pieces;
 mod signal;
 
 use nalgebra::{Matrix3, Vector3};
+use pulp::{Arch, NullaryFnOnce};
 
-use crate::crush::PressureLine;
 use crate::damping::Inertia;
-use crate::friction::FrictionPiece;
-use crate::hinge::HingePiece;
-use crate::kinematics::{
-    BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity, Surface,
-};
-use crate::scalar::Real;
+use crate::kinematics::{BodyFrame, LegGeometry, Surface};
+use crate::quad::{Abreast, GROUPS, LANES, Quad, abreast, groups_of, members};
 use crate::scene::Scene;
-use crate::state::{Body, LegState, State, quaternion_rate};
-use crate::strut::{LinkPiece, StrutPiece};
-use crate::vehicle::{Leg, Vehicle};
+use crate::state::{Body, State, quaternion_rate};
+use crate::vehicle::Vehicle;
 
+use leg::{LegAction, LegMotion};
+
+pub use pieces::{LegPieces, Pieces};
 pub use signal::Signal;
-
-/// Coefficients of the active piece of every law of one leg.
-#[derive(Debug, Clone, Copy)]
-pub struct LegPieces<S> {
-    /// Pressure on the outboard and inboard pad sections.
-    pub pad: [PressureLine<S>; 2],
-    /// Pressure on the block.
-    pub block: PressureLine<S>,
-    /// Friction under the pad.
-    pub pad_friction: FrictionPiece<S>,
-    /// Friction under the block.
-    pub block_friction: FrictionPiece<S>,
-    /// Shock absorber.
-    pub strut: StrutPiece<S>,
-    /// Lower link.
-    pub link: LinkPiece<S>,
-    /// Footpad hinge.
-    pub hinge: HingePiece<S>,
-}
 
 /// The signals of one leg, indexed by [`Signal`].
 pub type LegSignals<S> = [S; Signal::COUNT];
@@ -61,187 +43,132 @@ pub struct LegLoads<S> {
     pub block_friction: S,
 }
 
+abreast!(LegLoads {
+    strut,
+    pad_normal,
+    pad_friction,
+    block_normal,
+    block_friction,
+});
+
 /// Constants of the equations of motion of one vehicle on one surface.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion<S, const LEGS: usize> {
-    surface: Surface<S>,
-    gravity: S,
-    inverse_mass: S,
-    inertia: Matrix3<S>,
-    inverse_inertia: Matrix3<S>,
-    legs: [LegMotion<S>; LEGS],
+pub struct Motion<const LEGS: usize> {
+    /// What registers the processor has.
+    arch: Arch,
+    surface: Surface<f64>,
+    gravity: f64,
+    inverse_mass: f64,
+    inertia: Matrix3<f64>,
+    inverse_inertia: Matrix3<f64>,
+    legs: [LegMotion<f64>; LEGS],
+    groups: [LegMotion<Quad>; GROUPS],
 }
 
-#[derive(Debug, Clone, Copy)]
-struct LegMotion<S> {
-    geometry: LegGeometry<S>,
-    link_inertia: S,
-    inverse_link_inertia: S,
-    inverse_pad_inertia: S,
-    /// Half of π d_f²/8 C_f: the attitude factor of (29) and (33) is then 1 + cos²ξ.
-    pad_strength: S,
-    /// Half of π d_B²/4 C_B.
-    block_strength: S,
-    pad_friction: S,
-    block_friction: S,
-}
-
-impl<S: Real> LegMotion<S> {
-    fn new(leg: &Leg, hardpoint_depth: f64, scene: &Scene) -> Self {
-        let design = leg.design();
-        let (pad, block) = (&design.footpad, &design.block);
-        let quarter_circle = std::f64::consts::FRAC_PI_4;
-        let constant = S::constant;
-        Self {
-            geometry: LegGeometry::new(leg, hardpoint_depth),
-            link_inertia: constant(design.linkage.inertia),
-            inverse_link_inertia: constant(1.0 / design.linkage.inertia),
-            inverse_pad_inertia: constant(1.0 / pad.inertia),
-            pad_strength: constant(
-                0.25 * quarter_circle * pad.diameter * pad.diameter * pad.crush_pressure,
-            ),
-            block_strength: constant(
-                0.5 * quarter_circle * block.diameter * block.diameter * block.crush_pressure,
-            ),
-            pad_friction: constant(scene.conditions().pad_friction),
-            block_friction: constant(scene.conditions().block_friction),
-        }
-    }
-}
-
-/// What one leg does to the body and itself.
-struct LegAction<S> {
-    force: Vector3<S>,
-    torque: Vector3<S>,
-    derivative: LegState<S>,
-    signals: LegSignals<S>,
-    loads: LegLoads<S>,
-}
-
-impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
+impl<const LEGS: usize> Motion<LEGS> {
     /// The equations of motion of a vehicle in a scene.
     pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Self {
         let inertia = *vehicle.inertia();
         // A positive definite matrix has an inverse; the vehicle was checked.
-        let inverse = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
+        let inverse_inertia = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
         let depth = vehicle.center_of_gravity_height();
+        let legs: [LegMotion<f64>; LEGS] =
+            std::array::from_fn(|j| LegMotion::new(&vehicle.legs()[j], depth, scene));
         Self {
+            arch: Arch::new(),
             surface: Surface::new(scene),
-            gravity: S::constant(vehicle.gravity()),
-            inverse_mass: S::constant(1.0 / vehicle.mass()),
-            inertia: inertia.map(S::constant),
-            inverse_inertia: inverse.map(S::constant),
-            legs: std::array::from_fn(|j| LegMotion::new(&vehicle.legs()[j], depth, scene)),
+            gravity: vehicle.gravity(),
+            inverse_mass: 1.0 / vehicle.mass(),
+            inertia,
+            inverse_inertia,
+            groups: std::array::from_fn(|group| {
+                LegMotion::abreast(members::<_, LEGS>(group, |j| &legs[j]))
+            }),
+            legs,
         }
     }
 
+    /// The same equations for a processor that has no wide registers: the same numbers, slower.
+    pub fn in_narrow_registers(self) -> Self {
+        Self {
+            arch: Arch::Scalar,
+            ..self
+        }
+    }
+
+    /// The registers there are.
+    pub(crate) fn arch(&self) -> Arch {
+        self.arch
+    }
+
     /// The surface.
-    pub fn surface(&self) -> &Surface<S> {
+    pub fn surface(&self) -> &Surface<f64> {
         &self.surface
     }
 
     /// Geometry of leg `index`.
-    pub fn geometry(&self, index: usize) -> &LegGeometry<S> {
+    pub fn geometry(&self, index: usize) -> &LegGeometry<f64> {
         &self.legs[index].geometry
     }
 
+    /// Inertia of the velocities.
+    pub fn inertia(&self) -> Inertia<f64, LEGS> {
+        Inertia {
+            mass: 1.0 / self.inverse_mass,
+            body: self.inertia,
+            links: std::array::from_fn(|j| self.legs[j].link_inertia),
+        }
+    }
+
     /// Writes the time derivative of the state into `derivative`.
-    // One copy of the code serves all stages of a step: inlined into each, it would not fit the
-    // instruction cache.
     #[inline(never)]
     pub fn derivative(
         &self,
-        state: &State<S, LEGS>,
-        pieces: &[LegPieces<S>; LEGS],
-        derivative: &mut State<S, LEGS>,
+        state: &State<f64, LEGS>,
+        pieces: &Pieces<LEGS>,
+        derivative: &mut State<f64, LEGS>,
     ) {
-        self.evaluate_into::<false>(state, pieces, derivative, |_, _| {});
-    }
-
-    /// Signals of all legs, the link torques only if asked for: no other signal is a force.
-    #[inline(always)]
-    pub fn signals(
-        &self,
-        state: &State<S, LEGS>,
-        pieces: &[LegPieces<S>; LEGS],
-        with_torques: bool,
-    ) -> [LegSignals<S>; LEGS] {
-        if with_torques {
-            self.signals_of::<true>(state, pieces)
-        } else {
-            self.signals_of::<false>(state, pieces)
-        }
-    }
-
-    #[inline(never)]
-    fn signals_of<const FORCES: bool>(
-        &self,
-        state: &State<S, LEGS>,
-        pieces: &[LegPieces<S>; LEGS],
-    ) -> [LegSignals<S>; LEGS] {
-        let frame = self.surface.frame(&state.body());
-        let mut signals = [[S::zero(); Signal::COUNT]; LEGS];
-        for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
-            signals[j] = leg
-                .action::<FORCES, true>(&frame, &state.leg(j), pieces)
-                .signals;
-        }
-        signals
+        self.push(state, pieces, derivative, |group, derivative| {
+            self.arch.dispatch(Derivative(group, derivative))
+        });
     }
 
     /// Writes the time derivative of the state and the signals of all legs.
     #[inline(never)]
     pub fn evaluate(
         &self,
-        state: &State<S, LEGS>,
-        pieces: &[LegPieces<S>; LEGS],
-        derivative: &mut State<S, LEGS>,
-        signals: &mut [LegSignals<S>; LEGS],
+        state: &State<f64, LEGS>,
+        pieces: &Pieces<LEGS>,
+        derivative: &mut State<f64, LEGS>,
+        signals: &mut [LegSignals<f64>; LEGS],
     ) {
-        self.evaluate_into::<true>(state, pieces, derivative, |j, leg| signals[j] = leg);
+        self.push(state, pieces, derivative, |group, derivative| {
+            let legs = &mut signals[group.index * LANES..];
+            let (push, told) = self.arch.dispatch(DerivativeAndSignals(group, derivative));
+            write_lanes(&told, legs);
+            push
+        });
     }
 
-    /// Loads of all legs.
-    pub fn loads(
-        &self,
-        state: &State<S, LEGS>,
-        pieces: &[LegPieces<S>; LEGS],
-    ) -> [LegLoads<S>; LEGS] {
-        let frame = self.surface.frame(&state.body());
-        std::array::from_fn(|j| {
-            self.legs[j]
-                .action::<true, true>(&frame, &state.leg(j), &pieces[j])
-                .loads
-        })
-    }
-
-    /// Inertia of the velocities.
-    pub fn inertia(&self) -> Inertia<S, LEGS> {
-        Inertia {
-            mass: S::one() / self.inverse_mass,
-            body: self.inertia,
-            links: std::array::from_fn(|j| self.legs[j].link_inertia),
-        }
-    }
-
+    /// Lets the legs push the body; `act` says how a group does and writes its derivative.
     #[inline(always)]
-    fn evaluate_into<const SIGNALS: bool>(
+    fn push(
         &self,
-        state: &State<S, LEGS>,
-        pieces: &[LegPieces<S>; LEGS],
-        derivative: &mut State<S, LEGS>,
-        mut tell: impl FnMut(usize, LegSignals<S>),
+        state: &State<f64, LEGS>,
+        pieces: &Pieces<LEGS>,
+        derivative: &mut State<f64, LEGS>,
+        mut act: impl FnMut(Group<LEGS>, &mut State<f64, LEGS>) -> Push,
     ) {
         let body = state.body();
         let frame = self.surface.frame(&body);
         let mut force = Vector3::zeros();
         let mut torque = Vector3::zeros();
-        for (j, (leg, pieces)) in self.legs.iter().zip(pieces).enumerate() {
-            let action = leg.action::<true, SIGNALS>(&frame, &state.leg(j), pieces);
-            force += action.force;
-            torque += action.torque;
-            derivative.set_leg(j, &action.derivative);
-            tell(j, action.signals);
+        for index in 0..const { groups_of(LEGS) } {
+            let [forces, torques] = act(self.group(index, &frame, state, pieces), derivative);
+            for lane in 0..LANES.min(LEGS - index * LANES) {
+                force += Vector3::lane(&forces, lane);
+                torque += Vector3::lane(&torques, lane);
+            }
         }
         let mut acceleration = frame.rotation * force * self.inverse_mass;
         acceleration.z += self.gravity;
@@ -253,197 +180,124 @@ impl<S: Real, const LEGS: usize> Motion<S, LEGS> {
             rate: self.inverse_inertia * (torque - body.rate.cross(&momentum)),
         });
     }
-}
 
-/// What the surface does to a footpad or block, in leg axes.
-struct Touch<S> {
-    velocity: PointVelocity<S>,
-    /// Normal force N, lb.
-    normal: S,
-    /// μ/S, s/ft.
-    drag: S,
-    /// n + μ t̂: against it the surface pushes with N.
-    line: Vector3<S>,
-    force: Vector3<S>,
-    moment: Vector3<S>,
-}
-
-impl<S: Real> Touch<S> {
-    fn none() -> Self {
-        let zero = S::zero();
-        Self {
-            velocity: PointVelocity {
-                inward: zero,
-                sliding: Vector3::zeros(),
-                sliding_squared: zero,
-            },
-            normal: zero,
-            drag: zero,
-            line: Vector3::zeros(),
-            force: Vector3::zeros(),
-            moment: Vector3::zeros(),
-        }
-    }
-
-    /// Normal force N and friction along the sliding velocity of `point` (39).
-    #[inline(always)]
-    fn new(
-        frame: &LegFrame<S>,
-        point: &PlanePoint<S>,
-        velocity: PointVelocity<S>,
-        normal: S,
-        drag: S,
-    ) -> Self {
-        let line = frame.normal + velocity.sliding * drag;
-        let force = line * -normal;
-        Self {
-            moment: point.moment(&force),
-            velocity,
-            normal,
-            drag,
-            line,
-            force,
-        }
-    }
-
-    /// Friction force, lb.
-    fn friction(&self) -> S {
-        self.normal * self.drag * self.velocity.sliding_squared.sqrt()
-    }
-}
-
-impl<S: Real> LegMotion<S> {
-    /// Normal force (29) on the footpad per unit of relative pressure in both sections, lb.
-    #[inline(always)]
-    fn pad_force_per_pressure(&self, pose: &LegPose<S>) -> S {
-        self.pad_strength * (pose.pad_upright + pose.pad_inclination)
-    }
-
-    /// Normal force (33) on the block, lb.
-    #[inline(always)]
-    fn block_normal(&self, frame: &LegFrame<S>, pose: &LegPose<S>, pieces: &LegPieces<S>) -> S {
-        let cos_block = frame.normal.z;
-        self.block_strength
-            * (S::one() + cos_block * cos_block)
-            * pieces.block.at(pose.block_interference)
-    }
-
-    /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
-    /// computed of elements that carry no pressure, and their signals mean nothing; without
-    /// `FORCES` nothing but the signals means anything, and of those not the link torque.
-    #[inline(always)]
-    fn action<const FORCES: bool, const SIGNALS: bool>(
+    /// Signals of all legs, the link torques only if asked for: no other signal is a force.
+    pub fn signals(
         &self,
-        body: &BodyFrame<S>,
-        leg: &LegState<S>,
-        pieces: &LegPieces<S>,
-    ) -> LegAction<S> {
-        let frame = self.geometry.frame(body);
-        let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_angle);
-        let link_length = self.geometry.link_length();
-
-        // Footpad: normal force (29), torque about its hinge (52).
-        let cos_pad = pose.pad_inclination;
-        let [outer, inner] = pose.pad_interference;
-        let (pad, pad_torque) = if !SIGNALS && pieces.pad[0].is_slack() && pieces.pad[1].is_slack()
-        {
-            (Touch::none(), S::zero())
-        } else {
-            let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
-            let per_pressure = self.pad_force_per_pressure(&pose);
-            let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
-            let normal = per_pressure * (pressure[0] + pressure[1]);
-            let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
-            let pad = Touch::new(&frame, &pose.pivot, velocity, normal, drag);
-            let along_z = pose.pad_z.dot(&pad.line);
-            let along_y = pose.pad_y.dot(&pad.line);
-            let centroids = self.geometry.centroids();
-            let height = self.geometry.pad_height();
-            let lever =
-                |k: usize| (height - pose.pad_interference[k]) * along_y - centroids[k] * along_z;
-            let torque = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
-            (pad, torque)
-        };
-
-        // Block: normal force (33).
-        let block = if !SIGNALS && pieces.block.is_slack() {
-            Touch::none()
-        } else {
-            let velocity = frame.velocity_at(&pose.block_center);
-            let normal = self.block_normal(&frame, &pose, pieces);
-            let drag =
-                self.block_friction * pieces.block_friction.per_speed(velocity.sliding_squared);
-            Touch::new(&frame, &pose.block_center, velocity, normal, drag)
-        };
-
-        // Lower link (49), (68).
-        let strut_rate = pose.strut_lever * leg.link_rate;
-        let strut = pieces
-            .strut
-            .force(pose.stroke, leg.link_rate, pose.strut_lever);
-        let surface_torque = link_length * pose.link_normal.dot(&pad.force);
-        let link_torque = surface_torque + strut * pose.strut_lever;
-        let link_acceleration = pieces
-            .link
-            .acceleration(link_torque * self.inverse_link_inertia, leg.link_rate);
-
-        // Footpad hinge (69).
-        let unclipped = pieces.hinge.unclipped_speed(leg.pad_angle, leg.pad_rate);
-        let pad_speed = pieces.hinge.speed(unclipped);
-
-        let derivative = LegState {
-            link_angle: pieces.link.moving * leg.link_rate,
-            link_rate: link_acceleration,
-            pad_angle: pad_speed,
-            pad_rate: pad_torque * self.inverse_pad_inertia + link_acceleration,
-            work: [
-                -strut * strut_rate,
-                pad.normal * pad.velocity.inward,
-                pad.normal * pad.drag * pad.velocity.sliding_squared,
-                block.normal * block.velocity.inward,
-                block.normal * block.drag * block.velocity.sliding_squared,
-                (link_torque - self.link_inertia * link_acceleration) * leg.link_rate,
-            ],
-        };
-        let rates = frame.pad_interference_rates(
-            &pose,
-            &self.geometry,
-            pad.velocity.inward,
-            leg.link_rate,
-            pad_speed,
-        );
-        let signals = [
-            outer,
-            inner,
-            pose.block_interference,
-            rates[0],
-            rates[1],
-            frame.block_interference_rate(block.velocity.inward),
-            pad.velocity.inward,
-            block.velocity.inward,
-            pad.velocity.sliding_squared,
-            block.velocity.sliding_squared,
-            pose.stroke,
-            leg.link_rate,
-            if FORCES { surface_torque } else { S::zero() },
-            leg.pad_angle,
-            leg.pad_rate,
-            unclipped,
-            cos_pad,
-            strut,
-        ];
-        LegAction {
-            force: self.geometry.in_vehicle_axes(&(pad.force + block.force)),
-            torque: self.geometry.in_vehicle_axes(&(pad.moment + block.moment)),
-            derivative,
-            signals,
-            loads: LegLoads {
-                strut,
-                pad_normal: pad.normal,
-                pad_friction: pad.friction(),
-                block_normal: block.normal,
-                block_friction: block.friction(),
-            },
+        state: &State<f64, LEGS>,
+        pieces: &Pieces<LEGS>,
+        with_torques: bool,
+    ) -> [LegSignals<f64>; LEGS] {
+        let frame = self.surface.frame(&state.body());
+        let mut signals = [[0.0; Signal::COUNT]; LEGS];
+        for index in 0..const { groups_of(LEGS) } {
+            let group = self.group(index, &frame, state, pieces);
+            let told = if with_torques {
+                self.arch.dispatch(Signals::<true, LEGS>(group))
+            } else {
+                self.arch.dispatch(Signals::<false, LEGS>(group))
+            };
+            write_lanes(&told, &mut signals[index * LANES..]);
         }
+        signals
+    }
+
+    #[inline(always)]
+    fn group<'a>(
+        &'a self,
+        index: usize,
+        frame: &'a BodyFrame<f64>,
+        state: &'a State<f64, LEGS>,
+        pieces: &'a Pieces<LEGS>,
+    ) -> Group<'a, LEGS> {
+        Group {
+            index,
+            state,
+            frame,
+            motion: &self.groups[index],
+            pieces: &pieces.groups[index],
+        }
+    }
+
+    /// Loads of all legs.
+    pub fn loads(&self, state: &State<f64, LEGS>, pieces: &Pieces<LEGS>) -> [LegLoads<f64>; LEGS] {
+        let frame = self.surface.frame(&state.body());
+        let groups: [_; GROUPS] = std::array::from_fn(|index| {
+            let group = self.group(index, &frame, state, pieces);
+            group.action::<true, true>().loads
+        });
+        std::array::from_fn(|j| LegLoads::lane(&groups[j / LANES], j % LANES))
+    }
+}
+
+/// Four legs at one instant.
+struct Group<'a, const LEGS: usize> {
+    index: usize,
+    state: &'a State<f64, LEGS>,
+    frame: &'a BodyFrame<f64>,
+    motion: &'a LegMotion<Quad>,
+    pieces: &'a LegPieces<Quad>,
+}
+
+impl<const LEGS: usize> Group<'_, LEGS> {
+    #[inline(always)]
+    fn action<const FORCES: bool, const SIGNALS: bool>(&self) -> LegAction<Quad> {
+        let legs = self.state.legs_abreast(self.index);
+        self.motion
+            .action::<FORCES, SIGNALS>(&self.frame.shared(), &legs, self.pieces)
+    }
+}
+
+// What is asked of a group is compiled once for each kind of register. Results go through memory,
+// whole quads of them, which is what makes the compiler see the lanes.
+
+/// Force on the body and torque about its CG, in vehicle axes.
+type Push = [Vector3<Quad>; 2];
+
+/// Writes the derivative of the legs and returns how they push the body.
+struct Derivative<'a, const LEGS: usize>(Group<'a, LEGS>, &'a mut State<f64, LEGS>);
+/// The same with the signals.
+struct DerivativeAndSignals<'a, const LEGS: usize>(Group<'a, LEGS>, &'a mut State<f64, LEGS>);
+/// Signals alone, with or without those that are forces.
+struct Signals<'a, const FORCES: bool, const LEGS: usize>(Group<'a, LEGS>);
+
+impl<const LEGS: usize> NullaryFnOnce for Derivative<'_, LEGS> {
+    type Output = Push;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        let Self(group, derivative) = self;
+        let push = group.action::<true, false>().push;
+        derivative.set_legs_abreast(group.index, &push.derivative);
+        [push.force, push.torque]
+    }
+}
+
+impl<const LEGS: usize> NullaryFnOnce for DerivativeAndSignals<'_, LEGS> {
+    type Output = (Push, LegSignals<Quad>);
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        let Self(group, derivative) = self;
+        let LegAction { push, signals, .. } = group.action::<true, true>();
+        derivative.set_legs_abreast(group.index, &push.derivative);
+        ([push.force, push.torque], signals)
+    }
+}
+
+impl<const FORCES: bool, const LEGS: usize> NullaryFnOnce for Signals<'_, FORCES, LEGS> {
+    type Output = LegSignals<Quad>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        self.0.action::<FORCES, true>().signals
+    }
+}
+
+/// Writes the lanes of a group to its legs.
+#[inline(always)]
+fn write_lanes(group: &LegSignals<Quad>, legs: &mut [LegSignals<f64>]) {
+    for (lane, leg) in legs.iter_mut().take(LANES).enumerate() {
+        *leg = LegSignals::lane(group, lane);
     }
 }

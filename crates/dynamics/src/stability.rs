@@ -98,6 +98,8 @@ pub struct Judge<const LEGS: usize> {
     calm_height: f64,
     plane: Plane,
     feet: CriticalFeet,
+    /// Rockback ends the landing beyond this σ, rad.
+    highest: f64,
     watches: Vec<Watch>,
 }
 
@@ -114,6 +116,7 @@ impl<const LEGS: usize> Judge<LEGS> {
                 negative: 0,
                 positive: 1,
             },
+            highest: f64::INFINITY,
             watches: Vec::with_capacity(LEGS + 1 + CALM),
         }
     }
@@ -125,7 +128,7 @@ impl<const LEGS: usize> Judge<LEGS> {
     /// [`Verdict::Yaw`] when all feet stand on one side of the plane.
     pub fn look(
         &mut self,
-        motion: &Motion<f64, LEGS>,
+        motion: &Motion<LEGS>,
         state: &State<f64, LEGS>,
     ) -> Result<Observation<LEGS>, Verdict> {
         let velocity = state.body().velocity;
@@ -135,17 +138,14 @@ impl<const LEGS: usize> Judge<LEGS> {
         } else {
             Plane::Motion
         };
+        self.watches.clear();
         let sides = self.observe(motion, state).sides;
         self.feet = critical_feet(&sides.map(|side| side >= 0.0)).ok_or(Verdict::Yaw)?;
         Ok(self.observe(motion, state))
     }
 
     /// What the chosen plane and critical feet show at a state.
-    pub fn observe(
-        &self,
-        motion: &Motion<f64, LEGS>,
-        state: &State<f64, LEGS>,
-    ) -> Observation<LEGS> {
+    pub fn observe(&self, motion: &Motion<LEGS>, state: &State<f64, LEGS>) -> Observation<LEGS> {
         let body = state.body();
         let frame = motion.surface().frame(&body);
         let feet: [Vector3<f64>; LEGS] = std::array::from_fn(|j| {
@@ -202,13 +202,18 @@ impl<const LEGS: usize> Judge<LEGS> {
     }
 
     /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
-    /// observed now and the least σ so far.
+    /// observed now and the least σ so far. They stay until the next look, but for the end of
+    /// rockback.
     pub fn watch(&mut self, seen: &Observation<LEGS>, least_angle: f64) {
         let highest = if least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
         } else {
             f64::INFINITY
         };
+        if !self.watches.is_empty() && highest == self.highest {
+            return;
+        }
+        self.highest = highest;
         let sides = seen.sides.into_iter().map(|side| {
             let range = if side >= 0.0 {
                 Bounds::above(0.0)

@@ -1,7 +1,9 @@
 //! The integrated state: rigid body, legs, and the work done on their elements.
 
 use nalgebra::{Matrix3, Vector3, Vector4};
+use num_traits::{One, Zero};
 
+use crate::quad::{LANES, MOST_LEGS, Quad, groups_of};
 use crate::scalar::Real;
 
 /// State of a vehicle with `LEGS` legs, or its time derivative.
@@ -9,13 +11,20 @@ use crate::scalar::Real;
 /// Stored flat so that linear combinations run over plain arrays; the named views [`Body`] and
 /// [`LegState`] are how the physics reads and writes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
 pub struct State<S, const LEGS: usize> {
+    /// Component by component, so that the legs' numbers of one kind lie side by side. What is
+    /// beyond the last leg stays zero.
+    legs: [[S; MOST_LEGS]; LEG],
+    /// Filled up with zeros.
     body: [S; BODY],
-    legs: [[S; LEG]; LEGS],
 }
 
-const BODY: usize = 13;
+/// Thirteen, and three to fill registers.
+const BODY: usize = 16;
 const LEG: usize = 10;
+/// Where γ̇ is among the components of a leg.
+const LINK_RATE: usize = 1;
 /// Leading components of a leg that move; the rest are work integrals.
 const LEG_MOTION: usize = 4;
 
@@ -47,6 +56,36 @@ pub struct LegState<S> {
     pub work: [S; LEG - LEG_MOTION],
 }
 
+impl<S: Real> LegState<S> {
+    #[inline(always)]
+    fn components(&self) -> [S; LEG] {
+        let w = self.work;
+        [
+            self.link_angle,
+            self.link_rate,
+            self.pad_angle,
+            self.pad_rate,
+            w[0],
+            w[1],
+            w[2],
+            w[3],
+            w[4],
+            w[5],
+        ]
+    }
+
+    #[inline(always)]
+    fn from_components(c: [S; LEG]) -> Self {
+        Self {
+            link_angle: c[0],
+            link_rate: c[1],
+            pad_angle: c[2],
+            pad_rate: c[3],
+            work: [c[4], c[5], c[6], c[7], c[8], c[9]],
+        }
+    }
+}
+
 impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// Packs body and legs.
     pub fn new(body: &Body<S>, legs: [LegState<S>; LEGS]) -> Self {
@@ -67,27 +106,18 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
             quaternion: q,
             rate: w,
         } = body;
+        let zero = S::zero();
         self.body = [
-            p.x, p.y, p.z, v.x, v.y, v.z, q.x, q.y, q.z, q.w, w.x, w.y, w.z,
+            p.x, p.y, p.z, v.x, v.y, v.z, q.x, q.y, q.z, q.w, w.x, w.y, w.z, zero, zero, zero,
         ];
     }
 
     /// Writes leg `index`.
     #[inline(always)]
     pub fn set_leg(&mut self, index: usize, leg: &LegState<S>) {
-        let w = leg.work;
-        self.legs[index] = [
-            leg.link_angle,
-            leg.link_rate,
-            leg.pad_angle,
-            leg.pad_rate,
-            w[0],
-            w[1],
-            w[2],
-            w[3],
-            w[4],
-            w[5],
-        ];
+        for (row, component) in self.legs.iter_mut().zip(leg.components()) {
+            row[index] = component;
+        }
     }
 
     /// All components zero.
@@ -95,7 +125,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     pub fn zero() -> Self {
         Self {
             body: [S::zero(); BODY],
-            legs: [[S::zero(); LEG]; LEGS],
+            legs: [[S::zero(); MOST_LEGS]; LEG],
         }
     }
 
@@ -114,14 +144,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// Leg `index`.
     #[inline(always)]
     pub fn leg(&self, index: usize) -> LegState<S> {
-        let l = &self.legs[index];
-        LegState {
-            link_angle: l[0],
-            link_rate: l[1],
-            pad_angle: l[2],
-            pad_rate: l[3],
-            work: [l[4], l[5], l[6], l[7], l[8], l[9]],
-        }
+        LegState::from_components(self.legs.map(|row| row[index]))
     }
 
     /// Velocity of the CG (ft/s, ground axes) and angular velocity (rad/s, vehicle axes).
@@ -134,7 +157,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// Rates γ̇ of the links, rad/s.
     #[inline(always)]
     pub fn link_rates(&self) -> [S; LEGS] {
-        std::array::from_fn(|j| self.legs[j][1])
+        std::array::from_fn(|j| self.legs[LINK_RATE][j])
     }
 
     /// Adds to the velocities of body and links.
@@ -144,8 +167,8 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
             self.body[3 + i] += body[i];
             self.body[10 + i] += body[3 + i];
         }
-        for (leg, change) in self.legs.iter_mut().zip(links) {
-            leg[1] += *change;
+        for (rate, change) in self.legs[LINK_RATE].iter_mut().zip(links) {
+            *rate += *change;
         }
     }
 
@@ -181,10 +204,10 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
                 result.body[i] += weights[k] * slopes[k].body[i];
             }
         }
-        for leg in 0..LEGS {
-            for i in 0..LAST {
+        for i in 0..LAST {
+            for leg in 0..const { groups_of(LEGS) * LANES } {
                 for k in 0..TERMS {
-                    result.legs[leg][i] += weights[k] * slopes[k].legs[leg][i];
+                    result.legs[i][leg] += weights[k] * slopes[k].legs[i][leg];
                 }
             }
         }
@@ -193,28 +216,46 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
 }
 
 impl<const LEGS: usize> State<f64, LEGS> {
+    /// The legs of a group of four, side by side.
+    #[inline(always)]
+    pub fn legs_abreast(&self, group: usize) -> LegState<Quad> {
+        let quad = |row: &[f64; MOST_LEGS]| Quad(std::array::from_fn(|i| row[group * LANES + i]));
+        LegState::from_components(self.legs.each_ref().map(quad))
+    }
+
+    /// Writes the legs of a group of four.
+    #[inline(always)]
+    pub fn set_legs_abreast(&mut self, group: usize, legs: &LegState<Quad>) {
+        for (row, component) in self.legs.iter_mut().zip(legs.components()) {
+            row[group * LANES..][..LANES].copy_from_slice(&component.0);
+        }
+    }
+
     /// Greatest error of a moving component in units of its tolerance, which is relative above
     /// 1 ft, ft/s, rad or rad/s and absolute below. The work integrals follow from the motion and
     /// have no say.
+    #[inline(always)]
     pub fn error_norm(&self, before: &Self, after: &Self, tolerance: f64) -> f64 {
-        let mut worst: f64 = 0.0;
-        let mut weigh = |error: f64, a: f64, b: f64| {
-            let scaled = error.abs() / a.abs().max(b.abs()).max(1.0);
-            // A plain maximum would drop what is not a number.
-            worst = if scaled.is_nan() {
-                f64::INFINITY
-            } else {
-                worst.max(scaled)
-            };
-        };
-        for i in 0..BODY {
-            weigh(self.body[i], before.body[i], after.body[i]);
-        }
-        for leg in 0..LEGS {
-            for i in 0..LEG_MOTION {
-                weigh(self.legs[leg][i], before.legs[leg][i], after.legs[leg][i]);
+        let mut worst = Quad::zero();
+        // A maximum drops what is not a number, a sum keeps it.
+        let mut sum = Quad::zero();
+        let mut weigh = |error: &[f64], a: &[f64], b: &[f64]| {
+            for ((error, a), b) in quads(error).zip(quads(a)).zip(quads(b)) {
+                let scaled = error.abs() / a.abs().max(b.abs()).max(Quad::one());
+                worst = worst.max(scaled);
+                sum += scaled;
             }
+        };
+        weigh(&self.body, &before.body, &after.body);
+        for i in 0..LEG_MOTION {
+            weigh(&self.legs[i], &before.legs[i], &after.legs[i]);
         }
+        let all_numbers = sum.0.iter().all(|sum| !sum.is_nan());
+        let worst = if all_numbers {
+            worst.0.into_iter().fold(0.0, f64::max)
+        } else {
+            f64::INFINITY
+        };
         worst / tolerance
     }
 
@@ -225,6 +266,11 @@ impl<const LEGS: usize> State<f64, LEGS> {
             .chain(self.legs.as_flattened())
             .all(|v| v.is_finite())
     }
+}
+
+#[inline(always)]
+fn quads(values: &[f64]) -> impl Iterator<Item = Quad> {
+    values.as_chunks().0.iter().map(|&four| Quad(four))
 }
 
 /// The rotation matrix B, vehicle to ground (1), of a quaternion of any length but zero.

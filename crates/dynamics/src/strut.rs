@@ -4,6 +4,7 @@
 mod law;
 mod stance;
 
+use crate::quad::abreast;
 use crate::scalar::Real;
 
 pub use law::{Kinks, StrutLaw};
@@ -29,6 +30,16 @@ pub struct StrutPiece<S> {
     rebound: [S; 2],
 }
 
+abreast!(StrutPiece {
+    base,
+    growth,
+    multiplier,
+    elastic_limit,
+    friction_fraction,
+    compression,
+    rebound,
+});
+
 /// A stretch of a piecewise-linear function together with the two neighbouring stretches: kinks
 /// this gentle are not worth an event, so a step may run over them.
 #[derive(Debug, Clone, Copy)]
@@ -38,6 +49,12 @@ struct Kinked<S> {
     /// Kinks at the lower and upper end: where, and what the slope loses (below) or gains (above).
     kinks: [[S; 2]; 2],
 }
+
+abreast!(Kinked {
+    offset,
+    slope,
+    kinks,
+});
 
 impl<S: Real> Kinked<S> {
     /// Zero everywhere.
@@ -139,7 +156,23 @@ pub struct LinkPiece<S> {
     pub moving: S,
 }
 
+abreast!(LinkPiece {
+    free,
+    run_down,
+    moving,
+});
+
 impl<S: Real> LinkPiece<S> {
+    /// A link that does not move.
+    pub fn still() -> Self {
+        let zero = S::zero();
+        Self {
+            free: zero,
+            run_down: zero,
+            moving: zero,
+        }
+    }
+
     /// Link acceleration γ̈, rad/s².
     #[inline(always)]
     pub fn acceleration(&self, torque_over_inertia: S, link_rate: S) -> S {

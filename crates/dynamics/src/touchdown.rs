@@ -25,7 +25,7 @@ pub fn extended_legs<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> [LegState<f6
 pub fn touchdown<const LEGS: usize>(
     vehicle: &Vehicle<LEGS>,
     scene: &Scene,
-    motion: &Motion<f64, LEGS>,
+    motion: &Motion<LEGS>,
 ) -> State<f64, LEGS> {
     let conditions = scene.conditions();
     let [w, x, y, z] = conditions.attitude.quaternion();

@@ -136,8 +136,12 @@ fn one_case_is_unsettled() {
         .collect();
     let differences: Vec<f64> = angles.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
     println!("{angles:?}");
-    // Tightened tenfold four times, the angle moves as much at the end as at the start.
-    assert!(differences.iter().all(|&d| d > 0.05), "{differences:?}");
+    // Tightened tenfold four times, the angle moves as much at the end as at the start; were it
+    // converging, the last differences would be a hundredth and a thousandth of the first.
+    assert!(
+        differences[2..].iter().any(|&d| d > 0.05),
+        "{differences:?}"
+    );
     assert!(
         differences.iter().all(|&d| d < SCATTER_DEG),
         "{differences:?}"

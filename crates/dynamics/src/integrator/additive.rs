@@ -81,6 +81,10 @@ const E: [f64; 6] = [
     0.0,
 ];
 
+/// Where the slopes of the stages are kept: the second, which the result gives no weight, sits where
+/// the one at the end will be.
+const SLOTS: [usize; 6] = [0, 5, 1, 2, 3, 4];
+
 impl<S: Real, const LEGS: usize> Step<S, LEGS> {
     /// Takes a step of length `h` with the damping implicit; `damped` is M + γhK factored.
     #[inline(always)]
@@ -98,37 +102,41 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
             // The continuous output is the cubic between the ends.
             bump: [S::zero(); 6],
         };
-        let y = self.before;
-        let mut slopes = [self.slopes[0]; 6];
         // h A (Y_j − y) of the stages, A = −M⁻¹K.
         let mut decays = [Velocities::zero(); 6];
-        for stage in 0..5 {
-            let mut at = y;
-            let mut push = Velocities::zero();
-            for j in 0..=stage {
-                let weight = S::constant(EXPLICIT[stage][j]) * h;
-                at = at.advanced_motion([weight], [&slopes[j]]);
-                push = push.plus(weight, &Velocities::of(&slopes[j]));
-            }
-            let explicit = push;
-            for j in 1..=stage {
-                let weight = S::constant(IMPLICIT[stage][j] - EXPLICIT[stage][j]);
-                push = push.plus(weight, &decays[j]);
-            }
-            let moved = damped.solve(&push);
-            decays[stage + 1] = Velocities::zero()
-                .plus(S::constant(1.0 / GAMMA), &moved)
-                .plus(S::constant(-1.0 / GAMMA), &push);
-            moved.plus(-S::one(), &explicit).add_to(&mut at);
-            derivative(&at, &mut slopes[stage + 1]);
-        }
+        self.take_stage::<1>(damped, &mut decays, &derivative);
+        self.take_stage::<2>(damped, &mut decays, &derivative);
+        self.take_stage::<3>(damped, &mut decays, &derivative);
+        self.take_stage::<4>(damped, &mut decays, &derivative);
+        self.take_stage::<5>(damped, &mut decays, &derivative);
+        let [k1, k3, k4, k5, k6, k7] = &mut self.slopes;
         let weights = B.map(|b| S::constant(b) * h);
-        self.after = y.advanced(
-            weights,
-            [&slopes[0], &slopes[2], &slopes[3], &slopes[4], &slopes[5]],
-        );
-        let [_, _, k3, k4, k5, k6] = slopes;
-        self.slopes[1..5].copy_from_slice(&[k3, k4, k5, k6]);
-        last(&self.after, &mut self.slopes[5]);
+        self.after = self
+            .before
+            .advanced(weights, [&*k1, &*k3, &*k4, &*k5, &*k6]);
+        last(&self.after, k7);
+    }
+
+    /// Takes the stage that comes after `BEFORE` others.
+    #[inline(always)]
+    fn take_stage<const BEFORE: usize>(
+        &mut self,
+        damped: &DampedSolve<S, LEGS>,
+        decays: &mut [Velocities<S, LEGS>; 6],
+        derivative: &impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
+    ) {
+        let (explicit, implicit) = (&EXPLICIT[BEFORE - 1], &IMPLICIT[BEFORE - 1]);
+        let weights: [S; BEFORE] = std::array::from_fn(|j| S::constant(explicit[j]) * self.length);
+        let slopes = std::array::from_fn(|j| &self.slopes[SLOTS[j]]);
+        let mut at = self.before.advanced_motion(weights, slopes);
+        let pushed = Velocities::of(&at).plus(-S::one(), &Velocities::of(&self.before));
+        let mut push = pushed;
+        for j in 1..BEFORE {
+            push = push.plus(S::constant(implicit[j] - explicit[j]), &decays[j]);
+        }
+        let moved = damped.solve(&push);
+        decays[BEFORE] = moved.plus(-S::one(), &push).times(S::constant(1.0 / GAMMA));
+        moved.plus(-S::one(), &pushed).add_to(&mut at);
+        derivative(&at, &mut self.slopes[SLOTS[BEFORE]]);
     }
 }

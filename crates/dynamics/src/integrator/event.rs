@@ -205,21 +205,16 @@ pub fn first_exit<V: Signals>(
             }
         }
     }
-    let outer = if out_at_middle {
-        Some((start, middle))
-    } else if out_at_end {
-        Some((middle, end))
-    } else {
-        None
+    let clone = |a: &Node<V>, b: &Node<V>, c: &Node<V>| (a.clone(), b.clone(), c.clone());
+    let (inside, outside, third) = match earliest {
+        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => (a, b, end.clone()),
+        _ if out_at_middle => clone(start, middle, end),
+        _ if out_at_end => clone(middle, end, start),
+        _ => return None,
     };
-    let (inside, outside) = match (outer, earliest) {
-        (None, None) => return None,
-        (Some((a, b)), None) => (a.clone(), b.clone()),
-        (None, Some(pair)) => pair,
-        (Some((a, b)), Some(pair)) if b.theta <= pair.1.theta => (a.clone(), b.clone()),
-        (Some(_), Some(pair)) => pair,
-    };
-    Some(locate(inside, outside, watches, resolution, evaluate))
+    Some(locate(
+        inside, outside, third, watches, resolution, evaluate,
+    ))
 }
 
 /// Fraction of the step at which the parabola through three nodes has its extremum, with its
@@ -275,58 +270,72 @@ fn hidden_excursion<V: Signals>(
     None
 }
 
-/// Narrows the bracket to `resolution` by the ITP method (Oliveira and Takahashi 2020) on the
-/// greatest violation among the signals that are outside at its far end, each in units of its
-/// violation there.
+/// Narrows the bracket until its far end lies within `resolution` of the exit, by parabolas through
+/// the last three nodes: the greatest violation among the signals that are outside at the far end,
+/// each in units of its violation there, vanishes at the exit. A parabola that does not halve the
+/// bracket is followed by a bisection.
 fn locate<V: Signals>(
     mut inside: Node<V>,
     mut outside: Node<V>,
+    mut third: Node<V>,
     watches: &[Watch],
     resolution: f64,
     mut evaluate: impl FnMut(f64) -> V,
 ) -> Node<V> {
-    let width = outside.theta - inside.theta;
-    let halvings = (width / resolution).log2().ceil().max(0.0);
-    let mut allowance = resolution * (halvings + 1.0).exp2();
-    while outside.theta - inside.theta > resolution {
+    let mut bisect = false;
+    loop {
         let (a, b) = (inside.theta, outside.theta);
-        let at_a = violation(&inside.signals, &outside.signals, watches);
-        let middle = 0.5 * (a + b);
-        let secant = (a - at_a * b) / (1.0 - at_a);
-        let truncation = 0.2 / width * (b - a) * (b - a);
-        let toward = (middle - secant).signum();
-        let truncated = if truncation <= (middle - secant).abs() {
-            secant + toward * truncation
-        } else {
+        let width = b - a;
+        let exit = exit_between(
+            (a, violation(&inside.signals, &outside.signals, watches)),
+            b,
+            (
+                third.theta,
+                violation(&third.signals, &outside.signals, watches),
+            ),
+        );
+        if b - exit <= resolution || width <= resolution {
+            return outside;
+        }
+        let middle = a + 0.5 * width;
+        // A little beyond the exit, to land outside.
+        let aim = exit + 0.25 * resolution;
+        let theta = if bisect || !(aim > a && aim < b) {
             middle
-        };
-        let radius = (allowance - 0.5 * (b - a)).max(0.0);
-        let proposed = if (truncated - middle).abs() <= radius {
-            truncated
         } else {
-            middle - toward * radius
-        };
-        allowance *= 0.5;
-        // Guard against a proposal that rounds onto an end.
-        let theta = if proposed > a && proposed < b {
-            proposed
-        } else {
-            middle
+            aim
         };
         if theta <= a || theta >= b {
-            break;
+            return outside;
         }
         let node = Node {
             theta,
             signals: evaluate(theta),
         };
         if any_outside(&node.signals, watches) {
-            outside = node;
+            third = std::mem::replace(&mut outside, node);
         } else {
-            inside = node;
+            third = std::mem::replace(&mut inside, node);
         }
+        bisect = !bisect && outside.theta - inside.theta > 0.5 * width;
     }
-    outside
+}
+
+/// Where the parabola through a value not above 0 at `a`, 1 at `b` and a third value rises through
+/// 0 between `a` and `b`.
+fn exit_between((a, at_a): (f64, f64), b: f64, (c, at_c): (f64, f64)) -> f64 {
+    let width = b - a;
+    let rise = 1.0 - at_a;
+    // With u from 0 at a to 1 at b: p = at_a + rise u + bend u (u − 1).
+    let bend = ((at_c - 1.0) / (c - b) * width - rise) * (width / (c - a));
+    let slope = rise - bend;
+    let root = (slope * slope - 4.0 * bend * at_a).max(0.0).sqrt();
+    let u = if slope >= 0.0 {
+        -2.0 * at_a / (slope + root)
+    } else {
+        (root - slope) / (2.0 * bend)
+    };
+    a + width * u.clamp(0.0, 1.0)
 }
 
 /// Greatest violation at `inside` among the signals that are outside at `outside`, each in units

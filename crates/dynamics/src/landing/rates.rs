@@ -1,7 +1,7 @@
 //! How fast a landing was still on its way when it ended: what tells how far beyond toppling or
 //! bottoming it would have gone.
 
-use crate::motion::{LegPieces, Motion, Signal};
+use crate::motion::{Motion, Pieces, Signal};
 use crate::record::FinalRates;
 use crate::scene::Scene;
 use crate::stability::{Judge, calm_height};
@@ -16,9 +16,9 @@ const SPAN: f64 = 1e-5;
 pub fn final_rates<const LEGS: usize>(
     vehicle: &Vehicle<LEGS>,
     scene: &Scene,
-    motion: &Motion<f64, LEGS>,
+    motion: &Motion<LEGS>,
     state: &State<f64, LEGS>,
-    pieces: &[LegPieces<f64>; LEGS],
+    pieces: &Pieces<LEGS>,
 ) -> FinalRates<LEGS> {
     let mut derivative = State::zero();
     motion.derivative(state, pieces, &mut derivative);

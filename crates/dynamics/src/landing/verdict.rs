@@ -23,7 +23,13 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         };
         while start.theta < reach {
             judge.watch(&start.signals, self.least_angle.0);
-            let look = |theta: f64| judge.observe(&self.motion, &self.step.motion_at(theta));
+            let look = |theta: f64| {
+                if theta == 1.0 {
+                    judge.observe(&self.motion, &self.step.after)
+                } else {
+                    judge.observe(&self.motion, &self.step.motion_at(theta))
+                }
+            };
             let node = |theta: f64| Node {
                 theta,
                 signals: look(theta),

@@ -4,7 +4,7 @@
 //! This is the only place where these methods touch laws and motion.
 
 use crate::contact::{Choice, LegLaws, LegMode};
-use crate::motion::{LegLoads, LegPieces, LegSignals, Motion, Signal};
+use crate::motion::{LegLoads, LegSignals, Motion, Pieces, Signal};
 use crate::outcome::Outcome;
 use crate::scene::{Scene, Settings};
 use crate::state::State;
@@ -20,10 +20,10 @@ pub type Sets<const LEGS: usize> = [[f64; 3]; LEGS];
 /// A vehicle in a scene.
 #[derive(Debug, Clone)]
 pub struct ForceModel<const LEGS: usize> {
-    motion: Motion<f64, LEGS>,
+    motion: Motion<LEGS>,
     laws: [LegLaws; LEGS],
     /// Pieces for a look at signals that no piece has a say in.
-    untouched: [LegPieces<f64>; LEGS],
+    untouched: Pieces<LEGS>,
 }
 
 /// What the laws say at one state.
@@ -39,8 +39,8 @@ pub struct Look<const LEGS: usize> {
 
 impl<const LEGS: usize> Look<LEGS> {
     /// The coefficients chosen.
-    pub fn pieces(&self) -> [LegPieces<f64>; LEGS] {
-        self.choices.map(|choice| choice.pieces)
+    pub fn pieces(&self) -> Pieces<LEGS> {
+        Pieces::new(&self.choices.map(|choice| choice.pieces))
     }
 }
 
@@ -53,13 +53,15 @@ impl<const LEGS: usize> ForceModel<LEGS> {
         });
         Self {
             motion: Motion::new(vehicle, scene),
-            untouched: std::array::from_fn(|j| LegMode::untouched(&laws[j]).pieces(&laws[j])),
+            untouched: Pieces::new(&std::array::from_fn(|j| {
+                LegMode::untouched(&laws[j]).pieces(&laws[j])
+            })),
             laws,
         }
     }
 
     /// The equations of motion.
-    pub fn motion(&self) -> &Motion<f64, LEGS> {
+    pub fn motion(&self) -> &Motion<LEGS> {
         &self.motion
     }
 
@@ -71,7 +73,7 @@ impl<const LEGS: usize> ForceModel<LEGS> {
         *sets = choices.map(|choice| choice.sets);
         let mut slope = State::zero();
         let mut evaluate = |choices: &[Choice; LEGS], signals: &mut _| {
-            let pieces = choices.map(|choice| choice.pieces);
+            let pieces = Pieces::new(&choices.map(|choice| choice.pieces));
             self.motion.evaluate(state, &pieces, &mut slope, signals);
         };
         evaluate(&choices, &mut signals);

@@ -4,18 +4,19 @@ use touchdown_dynamics::contact::{LegLaws, LegMode};
 use touchdown_dynamics::damping::Damping;
 use touchdown_dynamics::integrator::additive;
 use touchdown_dynamics::integrator::step::Step;
-use touchdown_dynamics::motion::{LegPieces, Motion, Signal};
+use touchdown_dynamics::motion::{LegSignals, Motion, Pieces, Signal};
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::strut::Kinks;
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// A vehicle in a scene with fixed pieces of all laws.
+#[derive(Clone)]
 pub struct Bare<const LEGS: usize> {
     /// Its equations of motion.
-    pub motion: Motion<f64, LEGS>,
+    pub motion: Motion<LEGS>,
     laws: [LegLaws; LEGS],
-    pieces: [LegPieces<f64>; LEGS],
+    pieces: Pieces<LEGS>,
 }
 
 impl<const LEGS: usize> Bare<LEGS> {
@@ -23,7 +24,9 @@ impl<const LEGS: usize> Bare<LEGS> {
     pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Self {
         let rule = CrushRule::PivotRate;
         let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], rule, Kinks::Located));
-        let pieces = std::array::from_fn(|j: usize| LegMode::untouched(&laws[j]).pieces(&laws[j]));
+        let pieces = Pieces::new(&std::array::from_fn(|j: usize| {
+            LegMode::untouched(&laws[j]).pieces(&laws[j])
+        }));
         Self {
             motion: Motion::new(vehicle, scene),
             laws,
@@ -52,8 +55,8 @@ impl<const LEGS: usize> Bare<LEGS> {
                     mode.cross(&self.laws[j], j, signal, exit, &signals[j])
                         .unwrap();
                 }
-                self.pieces[j] = mode.pieces(&self.laws[j]);
             }
+            self.pieces = Pieces::new(&std::array::from_fn(|j| modes[j].pieces(&self.laws[j])));
             if !changed {
                 return;
             }
@@ -64,6 +67,19 @@ impl<const LEGS: usize> Bare<LEGS> {
     /// Writes the time derivative of a state.
     pub fn derivative(&self, state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>) {
         self.motion.derivative(state, &self.pieces, slope);
+    }
+
+    /// The same in registers of one or two numbers.
+    pub fn in_narrow_registers(self) -> Self {
+        Self {
+            motion: self.motion.in_narrow_registers(),
+            ..self
+        }
+    }
+
+    /// The signals of all legs, torques included.
+    pub fn signals(&self, state: &State<f64, LEGS>) -> [LegSignals<f64>; LEGS] {
+        self.motion.signals(state, &self.pieces, true)
     }
 
     /// The damping matrix at a state.

@@ -1,0 +1,49 @@
+//! One step tried, compiled for each kind of register: its sums over slopes are as wide as the state.
+
+use pulp::NullaryFnOnce;
+
+use crate::damping::DampedSolve;
+use crate::integrator::step::Step;
+use crate::motion::{LegSignals, Motion, Pieces};
+use crate::state::State;
+
+/// A step to try, explicitly or with the damping implicit.
+pub(super) struct Advance<'a, const LEGS: usize> {
+    pub(super) motion: &'a Motion<LEGS>,
+    pub(super) pieces: &'a Pieces<LEGS>,
+    /// The damping over this step, when it is to be taken implicitly.
+    pub(super) damped: Option<DampedSolve<f64, LEGS>>,
+    /// Length of the step, s.
+    pub(super) length: f64,
+    pub(super) tolerance: f64,
+    pub(super) step: &'a mut Step<f64, LEGS>,
+    /// Where the signals at its end go.
+    pub(super) signals: &'a mut [LegSignals<f64>; LEGS],
+}
+
+impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
+    /// Error of the step in units of the tolerance.
+    type Output = f64;
+
+    #[inline(always)]
+    fn call(self) -> f64 {
+        let Self {
+            motion,
+            pieces,
+            step,
+            ..
+        } = self;
+        let derivative = |state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>| {
+            motion.derivative(state, pieces, slope);
+        };
+        let last = |state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>| {
+            motion.evaluate(state, pieces, slope, self.signals);
+        };
+        match &self.damped {
+            Some(damped) => step.take_damped(self.length, damped, derivative, last),
+            None => step.take_explicit(self.length, derivative, last),
+        }
+        step.error()
+            .error_norm(&step.before, &step.after, self.tolerance)
+    }
+}

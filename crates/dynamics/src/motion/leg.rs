@@ -1,0 +1,275 @@
+//! The equations of one leg: what it does to the body and to itself.
+
+use nalgebra::Vector3;
+
+use super::{LegLoads, LegPieces, LegSignals};
+use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity};
+use crate::quad::abreast;
+use crate::scalar::Real;
+use crate::scene::Scene;
+use crate::state::LegState;
+use crate::vehicle::Leg;
+
+/// Constants of the equations of one leg.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LegMotion<S> {
+    pub(super) geometry: LegGeometry<S>,
+    pub(super) link_inertia: S,
+    inverse_link_inertia: S,
+    inverse_pad_inertia: S,
+    /// Half of π d_f²/8 C_f: the attitude factor of (29) and (33) is then 1 + cos²ξ.
+    pad_strength: S,
+    /// Half of π d_B²/4 C_B.
+    block_strength: S,
+    pub(super) pad_friction: S,
+    pub(super) block_friction: S,
+}
+
+abreast!(LegMotion {
+    geometry,
+    link_inertia,
+    inverse_link_inertia,
+    inverse_pad_inertia,
+    pad_strength,
+    block_strength,
+    pad_friction,
+    block_friction,
+});
+
+impl LegMotion<f64> {
+    pub(super) fn new(leg: &Leg, hardpoint_depth: f64, scene: &Scene) -> Self {
+        let design = leg.design();
+        let (pad, block) = (&design.footpad, &design.block);
+        let quarter_circle = std::f64::consts::FRAC_PI_4;
+        Self {
+            geometry: LegGeometry::new(leg, hardpoint_depth),
+            link_inertia: design.linkage.inertia,
+            inverse_link_inertia: 1.0 / design.linkage.inertia,
+            inverse_pad_inertia: 1.0 / pad.inertia,
+            pad_strength: 0.25 * quarter_circle * pad.diameter * pad.diameter * pad.crush_pressure,
+            block_strength: 0.5
+                * quarter_circle
+                * block.diameter
+                * block.diameter
+                * block.crush_pressure,
+            pad_friction: scene.conditions().pad_friction,
+            block_friction: scene.conditions().block_friction,
+        }
+    }
+}
+
+/// What one leg does to the body and itself.
+pub(super) struct LegPush<S> {
+    /// Force on the body in vehicle axes, lb.
+    pub(super) force: Vector3<S>,
+    /// Torque on the body about the CG in vehicle axes, ft·lb.
+    pub(super) torque: Vector3<S>,
+    pub(super) derivative: LegState<S>,
+}
+
+/// What one leg does, shows and bears.
+pub(super) struct LegAction<S> {
+    pub(super) push: LegPush<S>,
+    pub(super) signals: LegSignals<S>,
+    pub(super) loads: LegLoads<S>,
+}
+
+/// What the surface does to a footpad or block, in leg axes.
+struct Touch<S> {
+    velocity: PointVelocity<S>,
+    /// Normal force N, lb.
+    normal: S,
+    /// μ/S, s/ft.
+    drag: S,
+    /// n + μ t̂: against it the surface pushes with N.
+    line: Vector3<S>,
+    force: Vector3<S>,
+    moment: Vector3<S>,
+}
+
+impl<S: Real> Touch<S> {
+    fn none() -> Self {
+        let zero = S::zero();
+        Self {
+            velocity: PointVelocity {
+                inward: zero,
+                sliding: Vector3::zeros(),
+                sliding_squared: zero,
+            },
+            normal: zero,
+            drag: zero,
+            line: Vector3::zeros(),
+            force: Vector3::zeros(),
+            moment: Vector3::zeros(),
+        }
+    }
+
+    /// Normal force N and friction along the sliding velocity of `point` (39).
+    #[inline(always)]
+    fn new(
+        frame: &LegFrame<S>,
+        point: &PlanePoint<S>,
+        velocity: PointVelocity<S>,
+        normal: S,
+        drag: S,
+    ) -> Self {
+        let line = frame.normal + velocity.sliding * drag;
+        let force = line * -normal;
+        Self {
+            moment: point.moment(&force),
+            velocity,
+            normal,
+            drag,
+            line,
+            force,
+        }
+    }
+
+    /// Friction force, lb.
+    fn friction(&self) -> S {
+        self.normal * self.drag * self.velocity.sliding_squared.sqrt()
+    }
+}
+
+impl<S: Real> LegMotion<S> {
+    /// Normal force (29) on the footpad per unit of relative pressure in both sections, lb.
+    #[inline(always)]
+    pub(super) fn pad_force_per_pressure(&self, pose: &LegPose<S>) -> S {
+        self.pad_strength * (pose.pad_upright + pose.pad_inclination)
+    }
+
+    /// Normal force (33) on the block, lb.
+    #[inline(always)]
+    pub(super) fn block_normal(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        pieces: &LegPieces<S>,
+    ) -> S {
+        let cos_block = frame.normal.z;
+        self.block_strength
+            * (S::one() + cos_block * cos_block)
+            * pieces.block.at(pose.block_interference)
+    }
+
+    /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
+    /// computed of elements that carry no pressure, and their signals mean nothing; without
+    /// `FORCES` nothing but the signals means anything, and of those not the link torque.
+    #[inline(always)]
+    pub(super) fn action<const FORCES: bool, const SIGNALS: bool>(
+        &self,
+        body: &BodyFrame<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+    ) -> LegAction<S> {
+        let frame = self.geometry.frame(body);
+        let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_angle);
+        let link_length = self.geometry.link_length();
+
+        // Footpad: normal force (29), torque about its hinge (52).
+        let cos_pad = pose.pad_inclination;
+        let [outer, inner] = pose.pad_interference;
+        let (pad, pad_torque) = if !SIGNALS && pieces.pad[0].is_slack() && pieces.pad[1].is_slack()
+        {
+            (Touch::none(), S::zero())
+        } else {
+            let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
+            let per_pressure = self.pad_force_per_pressure(&pose);
+            let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
+            let normal = per_pressure * (pressure[0] + pressure[1]);
+            let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
+            let pad = Touch::new(&frame, &pose.pivot, velocity, normal, drag);
+            let along_z = pose.pad_z.dot(&pad.line);
+            let along_y = pose.pad_y.dot(&pad.line);
+            let centroids = self.geometry.centroids();
+            let height = self.geometry.pad_height();
+            let lever =
+                |k: usize| (height - pose.pad_interference[k]) * along_y - centroids[k] * along_z;
+            let torque = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
+            (pad, torque)
+        };
+
+        // Block: normal force (33).
+        let block = if !SIGNALS && pieces.block.is_slack() {
+            Touch::none()
+        } else {
+            let velocity = frame.velocity_at(&pose.block_center);
+            let normal = self.block_normal(&frame, &pose, pieces);
+            let drag =
+                self.block_friction * pieces.block_friction.per_speed(velocity.sliding_squared);
+            Touch::new(&frame, &pose.block_center, velocity, normal, drag)
+        };
+
+        // Lower link (49), (68).
+        let strut_rate = pose.strut_lever * leg.link_rate;
+        let strut = pieces
+            .strut
+            .force(pose.stroke, leg.link_rate, pose.strut_lever);
+        let surface_torque = link_length * pose.link_normal.dot(&pad.force);
+        let link_torque = surface_torque + strut * pose.strut_lever;
+        let link_acceleration = pieces
+            .link
+            .acceleration(link_torque * self.inverse_link_inertia, leg.link_rate);
+
+        // Footpad hinge (69).
+        let unclipped = pieces.hinge.unclipped_speed(leg.pad_angle, leg.pad_rate);
+        let pad_speed = pieces.hinge.speed(unclipped);
+
+        let derivative = LegState {
+            link_angle: pieces.link.moving * leg.link_rate,
+            link_rate: link_acceleration,
+            pad_angle: pad_speed,
+            pad_rate: pad_torque * self.inverse_pad_inertia + link_acceleration,
+            work: [
+                -strut * strut_rate,
+                pad.normal * pad.velocity.inward,
+                pad.normal * pad.drag * pad.velocity.sliding_squared,
+                block.normal * block.velocity.inward,
+                block.normal * block.drag * block.velocity.sliding_squared,
+                (link_torque - self.link_inertia * link_acceleration) * leg.link_rate,
+            ],
+        };
+        let rates = frame.pad_interference_rates(
+            &pose,
+            &self.geometry,
+            pad.velocity.inward,
+            leg.link_rate,
+            pad_speed,
+        );
+        let signals = [
+            outer,
+            inner,
+            pose.block_interference,
+            rates[0],
+            rates[1],
+            frame.block_interference_rate(block.velocity.inward),
+            pad.velocity.inward,
+            block.velocity.inward,
+            pad.velocity.sliding_squared,
+            block.velocity.sliding_squared,
+            pose.stroke,
+            leg.link_rate,
+            if FORCES { surface_torque } else { S::zero() },
+            leg.pad_angle,
+            leg.pad_rate,
+            unclipped,
+            cos_pad,
+            strut,
+        ];
+        LegAction {
+            push: LegPush {
+                force: self.geometry.in_vehicle_axes(&(pad.force + block.force)),
+                torque: self.geometry.in_vehicle_axes(&(pad.moment + block.moment)),
+                derivative,
+            },
+            signals,
+            loads: LegLoads {
+                strut,
+                pad_normal: pad.normal,
+                pad_friction: pad.friction(),
+                block_normal: block.normal,
+                block_friction: block.friction(),
+            },
+        }
+    }
+}

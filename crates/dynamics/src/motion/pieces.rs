@@ -1,0 +1,72 @@
+//! The coefficients that the equations of motion work with.
+
+use crate::crush::PressureLine;
+use crate::friction::FrictionPiece;
+use crate::hinge::HingePiece;
+use crate::quad::{Abreast, GROUPS, LANES, Quad, abreast};
+use crate::strut::{LinkPiece, StrutPiece};
+
+/// Coefficients of the active piece of every law of one leg.
+#[derive(Debug, Clone, Copy)]
+pub struct LegPieces<S> {
+    /// Pressure on the outboard and inboard pad sections.
+    pub pad: [PressureLine<S>; 2],
+    /// Pressure on the block.
+    pub block: PressureLine<S>,
+    /// Friction under the pad.
+    pub pad_friction: FrictionPiece<S>,
+    /// Friction under the block.
+    pub block_friction: FrictionPiece<S>,
+    /// Shock absorber.
+    pub strut: StrutPiece<S>,
+    /// Lower link.
+    pub link: LinkPiece<S>,
+    /// Footpad hinge.
+    pub hinge: HingePiece<S>,
+}
+
+abreast!(LegPieces {
+    pad,
+    block,
+    pad_friction,
+    block_friction,
+    strut,
+    link,
+    hinge,
+});
+
+impl LegPieces<f64> {
+    /// Of a leg that is not there: it neither pushes nor moves.
+    fn absent() -> Self {
+        Self {
+            pad: [PressureLine::slack(); 2],
+            block: PressureLine::slack(),
+            pad_friction: FrictionPiece::none(),
+            block_friction: FrictionPiece::none(),
+            strut: StrutPiece::slack(),
+            link: LinkPiece::still(),
+            hinge: HingePiece::still(),
+        }
+    }
+}
+
+/// Coefficients of all legs, side by side.
+#[derive(Debug, Clone, Copy)]
+pub struct Pieces<const LEGS: usize> {
+    /// As many groups as there can be; lanes beyond the last leg hold none.
+    pub(super) groups: [LegPieces<Quad>; GROUPS],
+}
+
+impl<const LEGS: usize> Pieces<LEGS> {
+    /// Lays the coefficients of the legs side by side. Lanes beyond the last leg hold none.
+    pub fn new(legs: &[LegPieces<f64>; LEGS]) -> Self {
+        let absent = LegPieces::absent();
+        Self {
+            groups: std::array::from_fn(|group| {
+                LegPieces::abreast(std::array::from_fn(|lane| {
+                    legs.get(group * LANES + lane).unwrap_or(&absent)
+                }))
+            }),
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What registers a processor has changes how fast the equations of motion are, not what they give.
+
+mod common;
+
+use common::bare::Bare;
+use common::{level_scene, table_4_1};
+use touchdown_dynamics::integrator::additive;
+use touchdown_dynamics::state::State;
+use touchdown_dynamics::touchdown::touchdown;
+
+const LENGTH: f64 = 1e-3;
+
+/// Feet pressed in by various depths, struts stroking and returning.
+fn states(start: &State<f64, 3>) -> Vec<State<f64, 3>> {
+    (0..40)
+        .map(|k| {
+            let k = f64::from(k);
+            let mut state = *start;
+            let mut body = state.body();
+            body.position.z += 0.004 * k;
+            body.velocity *= (0.3 * k).cos();
+            body.rate.x += 0.1 * (0.7 * k).sin();
+            body.rate.z -= 0.2 * (1.1 * k).sin();
+            state.set_body(&body);
+            for j in 0..3 {
+                let mut leg = state.leg(j);
+                leg.link_angle -= 0.001 * k * (1.0 + j as f64);
+                leg.link_rate = (0.9 * k + j as f64).sin();
+                leg.pad_angle += 0.05 * (0.4 * k + j as f64).cos();
+                leg.pad_rate = (1.3 * k - j as f64).sin();
+                state.set_leg(j, &leg);
+            }
+            state
+        })
+        .collect()
+}
+
+#[test]
+fn every_bit_is_the_same_in_narrow_registers() {
+    let vehicle = table_4_1();
+    let scene = level_scene(170.0, -10.0, 11.0);
+    let mut wide = Bare::new(&vehicle, &scene);
+    let start = touchdown(&vehicle, &scene, &wide.motion);
+    let mut pushed = 0;
+    for state in states(&start) {
+        wide.settle(&state);
+        let narrow = wide.clone().in_narrow_registers();
+        let [one, other] = [&wide, &narrow].map(|bare| {
+            let mut slope = State::zero();
+            bare.derivative(&state, &mut slope);
+            let inertia = bare.motion.inertia();
+            let damped = bare
+                .damping(&state)
+                .factor(&inertia, additive::GAMMA * LENGTH);
+            let mut step = bare.step(&state, LENGTH);
+            let explicit = step.after;
+            let derivative = |state: &_, slope: &mut _| bare.derivative(state, slope);
+            step.take_damped(LENGTH, &damped, derivative, derivative);
+            (slope, bare.signals(&state), explicit, step.after)
+        });
+        assert_eq!(one, other);
+        pushed += u32::from(one.0.leg(0).work[1] != 0.0);
+    }
+    assert!(pushed > 10, "pads crush in {pushed} states only");
+}
