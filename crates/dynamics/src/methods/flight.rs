@@ -123,7 +123,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 self.scene,
                 self.model.motion(),
                 &state,
-                &self.model.look(&state, &mut evaluator.memory).pieces(),
+                &self.model.look(&state, &mut evaluator.memory).pieces,
             ),
             pad_contact: extremes.pad_contact,
             block_contact: extremes.block_contact,

@@ -33,15 +33,10 @@ pub struct Look<const LEGS: usize> {
     pub slope: State<f64, LEGS>,
     /// Signals of the legs.
     pub signals: [LegSignals<f64>; LEGS],
-    /// The pieces chosen.
+    /// Coefficients of the pieces chosen.
+    pub pieces: [LegPieces<f64>; LEGS],
+    /// What else was chosen.
     pub choices: [Choice; LEGS],
-}
-
-impl<const LEGS: usize> Look<LEGS> {
-    /// The coefficients chosen.
-    pub fn pieces(&self) -> [LegPieces<f64>; LEGS] {
-        self.choices.map(|choice| choice.pieces)
-    }
 }
 
 impl<const LEGS: usize> ForceModel<LEGS> {
@@ -66,40 +61,52 @@ impl<const LEGS: usize> ForceModel<LEGS> {
     /// Chooses the pieces at a state and evaluates; the sets grow as the laws say.
     pub fn look(&self, state: &State<f64, LEGS>, sets: &mut Sets<LEGS>) -> Look<LEGS> {
         let mut signals = self.motion.signals(state, &self.untouched, false);
-        let mut choices: [Choice; LEGS] =
-            std::array::from_fn(|j| self.laws[j].choose(sets[j], &signals[j]));
-        *sets = choices.map(|choice| choice.sets);
+        let mut pieces = self.untouched;
+        let mut choices = self.choose(&signals, sets, &mut pieces);
         let mut slope = State::zero();
-        let mut evaluate = |choices: &[Choice; LEGS], signals: &mut _| {
-            let pieces = choices.map(|choice| choice.pieces);
-            self.motion.evaluate(state, &pieces, &mut slope, signals);
+        let evaluate = |pieces: &_, slope: &mut _, signals: &mut _| {
+            self.motion.evaluate(state, pieces, slope, signals);
         };
-        evaluate(&choices, &mut signals);
+        evaluate(&pieces, &mut slope, &mut signals);
         let mut pushed = false;
-        for ((choice, laws), signals) in choices.iter_mut().zip(&self.laws).zip(&signals) {
-            if choice.awaits_torque() && signals[Signal::LinkTorque as usize] < 0.0 {
-                choice.push(laws);
+        for (j, choice) in choices.iter_mut().enumerate() {
+            if choice.awaits_torque() && signals[j][Signal::LinkTorque as usize] < 0.0 {
+                choice.push(&self.laws[j], &mut pieces[j]);
                 pushed = true;
             }
         }
         if pushed {
-            evaluate(&choices, &mut signals);
+            evaluate(&pieces, &mut slope, &mut signals);
         }
         Look {
             slope,
             signals,
+            pieces,
             choices,
         }
     }
 
+    fn choose(
+        &self,
+        signals: &[LegSignals<f64>; LEGS],
+        sets: &mut Sets<LEGS>,
+        pieces: &mut [LegPieces<f64>; LEGS],
+    ) -> [Choice; LEGS] {
+        std::array::from_fn(|j| {
+            let choice = self.laws[j].choose(sets[j], &signals[j], &mut pieces[j]);
+            sets[j] = choice.sets;
+            choice
+        })
+    }
+
     /// How the laws end the landing, if they do.
     pub fn end(&self, look: &Look<LEGS>) -> Option<Outcome> {
-        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.choices[j], &look.signals[j]))
+        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.pieces[j], &look.signals[j]))
     }
 
     /// Loads at a state.
     pub fn loads(&self, state: &State<f64, LEGS>, look: &Look<LEGS>) -> [LegLoads<f64>; LEGS] {
-        self.motion.loads(state, &look.pieces())
+        self.motion.loads(state, &look.pieces)
     }
 }
 
@@ -108,7 +115,17 @@ impl<const LEGS: usize> System for ForceModel<LEGS> {
     type Memory = Sets<LEGS>;
 
     fn derivative(&self, state: &Self::State, sets: &mut Sets<LEGS>) -> Self::State {
-        self.look(state, sets).slope
+        let signals = self.motion.signals(state, &self.untouched, false);
+        let mut pieces = self.untouched;
+        let kept = *sets;
+        let choices = self.choose(&signals, sets, &mut pieces);
+        if choices.iter().any(Choice::awaits_torque) {
+            *sets = kept;
+            return self.look(state, sets).slope;
+        }
+        let mut slope = State::zero();
+        self.motion.derivative(state, &pieces, &mut slope);
+        slope
     }
 
     fn hold(&self, start: &Self::State, derivative: &mut Self::State) {
