@@ -7,6 +7,7 @@
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
 //! | do so on every core | [`run`] |
+//! | measure what it costs | [`measured_scenes`] |
 //! | tell | [`findings`], [`tally`], [`probabilities`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
 //! Nothing here prints: progress goes to a [`run::Observer`], complaints are
@@ -39,6 +40,7 @@ pub mod landing_table;
 pub mod lattice;
 pub mod levels;
 pub mod library;
+pub mod measured_scenes;
 pub mod merge;
 pub mod method_input;
 pub mod parameter;

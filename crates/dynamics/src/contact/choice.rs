@@ -12,8 +12,6 @@ use crate::strut::Stance;
 /// What a leg's laws say at one state.
 #[derive(Debug, Clone, Copy)]
 pub struct Choice {
-    /// Coefficients of the active pieces.
-    pub pieces: LegPieces<f64>,
     /// Plastic sets of outboard section, inboard section and block that they leave, ft.
     pub sets: [f64; 3],
     /// Whether a section of the footpad is in contact.
@@ -31,15 +29,21 @@ impl Choice {
     }
 
     /// The torque of the surface pushes the link off its stop.
-    pub fn push(&mut self, laws: &LegLaws) {
+    pub fn push(&mut self, laws: &LegLaws, pieces: &mut LegPieces<f64>) {
         self.stance.cross_torque(Exit::Below);
-        self.pieces.link = self.stance.pieces(&laws.strut).1;
+        pieces.link = self.stance.pieces(&laws.strut).1;
     }
 }
 
 impl LegLaws {
-    /// The pieces that hold where the signals say the leg is, its elements having kept `sets` (ft).
-    pub fn choose(&self, sets: [f64; 3], signals: &LegSignals<f64>) -> Choice {
+    /// Puts into `pieces` those that hold where the signals say the leg is, its elements having kept
+    /// `sets` (ft).
+    pub fn choose(
+        &self,
+        sets: [f64; 3],
+        signals: &LegSignals<f64>,
+        pieces: &mut LegPieces<f64>,
+    ) -> Choice {
         let value = |signal: Signal| signals[signal as usize];
         let driven = |rate: Signal| self.rule == CrushRule::Section || value(rate) >= 0.0;
         let sliding =
@@ -66,16 +70,16 @@ impl LegLaws {
         );
         let hinge = Hinge::at(self.stops, value(Signal::PadAngle), value(Signal::PadRate));
         let (strut, link) = stance.pieces(&self.strut);
+        *pieces = LegPieces {
+            pad: pad.map(|section| section.line),
+            block: block.line,
+            pad_friction: sliding(Signal::PadSliding),
+            block_friction: sliding(Signal::BlockSliding),
+            strut,
+            link,
+            hinge: hinge.piece(self.stops),
+        };
         Choice {
-            pieces: LegPieces {
-                pad: pad.map(|section| section.line),
-                block: block.line,
-                pad_friction: sliding(Signal::PadSliding),
-                block_friction: sliding(Signal::BlockSliding),
-                strut,
-                link,
-                hinge: hinge.piece(self.stops),
-            },
             sets: [pad[0].set, pad[1].set, block.set],
             pad_in_contact,
             block_in_contact: block.in_contact,
@@ -85,11 +89,16 @@ impl LegLaws {
 
     /// How leg `leg` ends the landing, if it does: bottomed, or its loaded footpad inclined beyond
     /// what the model has a law for.
-    pub fn end(&self, leg: usize, choice: &Choice, signals: &LegSignals<f64>) -> Option<Outcome> {
+    pub fn end(
+        &self,
+        leg: usize,
+        pieces: &LegPieces<f64>,
+        signals: &LegSignals<f64>,
+    ) -> Option<Outcome> {
         if signals[Signal::Stroke as usize] > self.strut.bottoming_stroke() {
             return Some(Outcome::Bottomed { leg });
         }
-        let loaded = choice.pieces.pad.iter().any(|line| !line.is_slack());
+        let loaded = pieces.pad.iter().any(|line| !line.is_slack());
         let inclined = signals[Signal::PadInclination as usize] < super::LEAST_PAD_INCLINATION;
         (loaded && inclined).then_some(Outcome::Failure(Failure::PadInclination { leg }))
     }

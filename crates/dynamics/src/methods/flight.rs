@@ -2,7 +2,7 @@
 
 use crate::energy::{kinetic, released};
 use crate::landing::final_rates;
-use crate::motion::Signal;
+use crate::motion::{Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::record::{Energies, Instant, Landing, LegWork};
 use crate::scene::{Scene, Settings};
@@ -123,7 +123,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 self.scene,
                 self.model.motion(),
                 &state,
-                &self.model.look(&state, &mut evaluator.memory).pieces(),
+                &Pieces::new(&self.model.look(&state, &mut evaluator.memory).pieces),
             ),
             pad_contact: extremes.pad_contact,
             block_contact: extremes.block_contact,

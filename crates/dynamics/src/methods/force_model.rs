@@ -4,7 +4,7 @@
 //! This is the only place where these methods touch laws and motion.
 
 use crate::contact::{Choice, LegLaws, LegMode};
-use crate::motion::{LegLoads, LegSignals, Motion, Pieces, Signal};
+use crate::motion::{LegLoads, LegPieces, LegSignals, Motion, Pieces, Signal};
 use crate::outcome::Outcome;
 use crate::scene::{Scene, Settings};
 use crate::state::State;
@@ -24,6 +24,8 @@ pub struct ForceModel<const LEGS: usize> {
     laws: [LegLaws; LEGS],
     /// Pieces for a look at signals that no piece has a say in.
     untouched: Pieces<LEGS>,
+    /// A place to start from for the pieces of each leg.
+    untouched_legs: [LegPieces<f64>; LEGS],
 }
 
 /// What the laws say at one state.
@@ -33,15 +35,10 @@ pub struct Look<const LEGS: usize> {
     pub slope: State<f64, LEGS>,
     /// Signals of the legs.
     pub signals: [LegSignals<f64>; LEGS],
-    /// The pieces chosen.
+    /// Coefficients of the pieces chosen.
+    pub pieces: [LegPieces<f64>; LEGS],
+    /// What else was chosen.
     pub choices: [Choice; LEGS],
-}
-
-impl<const LEGS: usize> Look<LEGS> {
-    /// The coefficients chosen.
-    pub fn pieces(&self) -> Pieces<LEGS> {
-        Pieces::new(&self.choices.map(|choice| choice.pieces))
-    }
 }
 
 impl<const LEGS: usize> ForceModel<LEGS> {
@@ -51,11 +48,11 @@ impl<const LEGS: usize> ForceModel<LEGS> {
             LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), Kinks::Located)
                 .with_friction(settings.friction_profile())
         });
+        let untouched = std::array::from_fn(|j| LegMode::untouched(&laws[j]).pieces(&laws[j]));
         Self {
             motion: Motion::new(vehicle, scene),
-            untouched: Pieces::new(&std::array::from_fn(|j| {
-                LegMode::untouched(&laws[j]).pieces(&laws[j])
-            })),
+            untouched: Pieces::new(&untouched),
+            untouched_legs: untouched,
             laws,
         }
     }
@@ -68,40 +65,53 @@ impl<const LEGS: usize> ForceModel<LEGS> {
     /// Chooses the pieces at a state and evaluates; the sets grow as the laws say.
     pub fn look(&self, state: &State<f64, LEGS>, sets: &mut Sets<LEGS>) -> Look<LEGS> {
         let mut signals = self.motion.signals(state, &self.untouched, false);
-        let mut choices: [Choice; LEGS] =
-            std::array::from_fn(|j| self.laws[j].choose(sets[j], &signals[j]));
-        *sets = choices.map(|choice| choice.sets);
+        let mut pieces = self.untouched_legs;
+        let mut choices = self.choose(&signals, sets, &mut pieces);
         let mut slope = State::zero();
-        let mut evaluate = |choices: &[Choice; LEGS], signals: &mut _| {
-            let pieces = Pieces::new(&choices.map(|choice| choice.pieces));
-            self.motion.evaluate(state, &pieces, &mut slope, signals);
+        let evaluate = |pieces: &_, slope: &mut _, signals: &mut _| {
+            let pieces = Pieces::new(pieces);
+            self.motion.evaluate(state, &pieces, slope, signals);
         };
-        evaluate(&choices, &mut signals);
+        evaluate(&pieces, &mut slope, &mut signals);
         let mut pushed = false;
-        for ((choice, laws), signals) in choices.iter_mut().zip(&self.laws).zip(&signals) {
-            if choice.awaits_torque() && signals[Signal::LinkTorque as usize] < 0.0 {
-                choice.push(laws);
+        for (j, choice) in choices.iter_mut().enumerate() {
+            if choice.awaits_torque() && signals[j][Signal::LinkTorque as usize] < 0.0 {
+                choice.push(&self.laws[j], &mut pieces[j]);
                 pushed = true;
             }
         }
         if pushed {
-            evaluate(&choices, &mut signals);
+            evaluate(&pieces, &mut slope, &mut signals);
         }
         Look {
             slope,
             signals,
+            pieces,
             choices,
         }
     }
 
+    fn choose(
+        &self,
+        signals: &[LegSignals<f64>; LEGS],
+        sets: &mut Sets<LEGS>,
+        pieces: &mut [LegPieces<f64>; LEGS],
+    ) -> [Choice; LEGS] {
+        std::array::from_fn(|j| {
+            let choice = self.laws[j].choose(sets[j], &signals[j], &mut pieces[j]);
+            sets[j] = choice.sets;
+            choice
+        })
+    }
+
     /// How the laws end the landing, if they do.
     pub fn end(&self, look: &Look<LEGS>) -> Option<Outcome> {
-        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.choices[j], &look.signals[j]))
+        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.pieces[j], &look.signals[j]))
     }
 
     /// Loads at a state.
     pub fn loads(&self, state: &State<f64, LEGS>, look: &Look<LEGS>) -> [LegLoads<f64>; LEGS] {
-        self.motion.loads(state, &look.pieces())
+        self.motion.loads(state, &Pieces::new(&look.pieces))
     }
 }
 
@@ -110,7 +120,18 @@ impl<const LEGS: usize> System for ForceModel<LEGS> {
     type Memory = Sets<LEGS>;
 
     fn derivative(&self, state: &Self::State, sets: &mut Sets<LEGS>) -> Self::State {
-        self.look(state, sets).slope
+        let signals = self.motion.signals(state, &self.untouched, false);
+        let mut pieces = self.untouched_legs;
+        let kept = *sets;
+        let choices = self.choose(&signals, sets, &mut pieces);
+        if choices.iter().any(Choice::awaits_torque) {
+            *sets = kept;
+            return self.look(state, sets).slope;
+        }
+        let mut slope = State::zero();
+        self.motion
+            .derivative(state, &Pieces::new(&pieces), &mut slope);
+        slope
     }
 
     fn hold(&self, start: &Self::State, derivative: &mut Self::State) {

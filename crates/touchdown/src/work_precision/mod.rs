@@ -2,7 +2,6 @@
 
 mod landings;
 mod report;
-mod scenes;
 mod transitions;
 
 use std::path::PathBuf;
@@ -11,6 +10,7 @@ use clap::Args;
 use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_figures::picture;
 use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::measured_scenes::{level_grid, near_boundary};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::LEGS;
@@ -63,8 +63,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         &TOLERANCES
     };
     eprintln!("converged landings and transitions");
-    let landings = Landings::converged(&vehicle, scenes::near_boundary(options.quick)?)?;
-    let transitions = Transitions::converged(&vehicle, scenes::level_grid(options.quick)?)?;
+    let landings = near_boundary(options.quick).map_err(Failure::running)?;
+    let landings = Landings::converged(&vehicle, landings)?;
+    let transitions = level_grid(options.quick).map_err(Failure::running)?;
+    let transitions = Transitions::converged(&vehicle, transitions)?;
     let mut rows = Vec::new();
     for (index, &tolerance) in tolerances.iter().enumerate() {
         eprintln!(
