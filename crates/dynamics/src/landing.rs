@@ -6,7 +6,7 @@ mod rates;
 mod verdict;
 
 use crate::contact::{LegLaws, LegMode};
-use crate::damping::Inertia;
+use crate::damping::{DampedSolve, Inertia};
 use crate::integrator::additive;
 use crate::integrator::event::{Node, Watch, first_exit, is_quiet};
 use crate::integrator::step::{EVALUATIONS, Step};
@@ -22,7 +22,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
-use advance::Advance;
+use advance::{Advance, Look};
 
 pub(crate) use rates::final_rates;
 
@@ -34,6 +34,10 @@ const FIRST_STEP: f64 = 1e-4;
 /// 1e-4. At tighter ones accuracy rather than stability limits steps, and the explicit method,
 /// which has the higher order, is left to do more.
 const DAMPED_ABOVE: f64 = 2.5;
+/// Share of that below which so many more steps are taken before looking at the damping again,
+/// unless a law changes.
+const FAR_FROM_STIFF: f64 = 0.25;
+const MILD_STEPS: u32 = 4;
 /// Tolerance up to which gentle kinks of the laws are located.
 const LOCATED_UP_TO: f64 = 1e-6;
 /// Time within which an event is located, s: this times the tolerance, but within these limits.
@@ -91,6 +95,8 @@ struct Flight<'a, O, const LEGS: usize> {
     inertia: Inertia<f64, LEGS>,
     /// Rate of decay times step length above which damping is taken implicitly.
     damped_above: f64,
+    /// Steps to come before the damping is looked at.
+    mild_steps: u32,
     /// Time within which an event is located, s.
     event_resolution: f64,
     laws: [LegLaws; LEGS],
@@ -143,6 +149,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             scene,
             settings,
             inertia: motion.inertia(),
+            mild_steps: 0,
             event_resolution: resolution,
             damped_above: DAMPED_ABOVE * (1e-4 / settings.tolerance()).max(1.0).sqrt().sqrt(),
             motion,
@@ -248,12 +255,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     fn try_step(&mut self, length: f64) -> (Node<[LegSignals<f64>; LEGS]>, f64) {
         self.evaluations += EVALUATIONS;
         let mut signals = [[0.0; Signal::COUNT]; LEGS];
-        let damping = self.motion.damping(&self.step.before, &self.pieces);
-        let is_damped = length * damping.greatest_rate(&self.inertia) > self.damped_above;
+        let damped = self.damping_over(length);
         let advance = Advance {
             motion: &self.motion,
             pieces: &self.pieces,
-            damped: is_damped.then(|| damping.factor(&self.inertia, additive::GAMMA * length)),
+            damped,
             length,
             tolerance: self.settings.tolerance(),
             step: &mut self.step,
@@ -262,6 +268,21 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let error = self.motion.arch().dispatch(advance);
         let theta = 1.0;
         (Node { theta, signals }, error)
+    }
+
+    /// The damping over a step of this length, if it is stiff. Where it was far from that it is not
+    /// looked at for a few steps.
+    fn damping_over(&mut self, length: f64) -> Option<DampedSolve<f64, LEGS>> {
+        if self.mild_steps > 0 {
+            self.mild_steps -= 1;
+            return None;
+        }
+        let damping = self.motion.damping(&self.step.before, &self.pieces);
+        let stiffness = length * damping.greatest_rate(&self.inertia) / self.damped_above;
+        if stiffness < FAR_FROM_STIFF {
+            self.mild_steps = MILD_STEPS;
+        }
+        (stiffness > 1.0).then(|| damping.factor(&self.inertia, additive::GAMMA * length))
     }
 
     /// The first point of the step at which a law changes its active piece.
@@ -284,8 +305,13 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let mut looks = 0;
         let mut look = |theta: f64| {
             looks += 1;
-            self.motion
-                .signals(&self.step.motion_at(theta), &self.pieces, with_torques)
+            self.motion.arch().dispatch(Look {
+                motion: &self.motion,
+                pieces: &self.pieces,
+                step: &self.step,
+                theta,
+                with_torques,
+            })
         };
         let start = Node {
             theta: 0.0,
@@ -348,6 +374,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     fn choose_pieces(&mut self) {
         let pieces = std::array::from_fn(|j| self.modes[j].pieces(&self.laws[j]));
         self.pieces = Pieces::new(&pieces);
+        self.mild_steps = 0;
         self.watches.clear();
         for j in 0..LEGS {
             self.modes[j].watch(&self.laws[j], j, &mut self.watches);

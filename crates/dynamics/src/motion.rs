@@ -121,7 +121,7 @@ impl<const LEGS: usize> Motion<LEGS> {
     }
 
     /// Writes the time derivative of the state into `derivative`.
-    #[inline(never)]
+    #[inline(always)]
     pub fn derivative(
         &self,
         state: &State<f64, LEGS>,
@@ -134,7 +134,7 @@ impl<const LEGS: usize> Motion<LEGS> {
     }
 
     /// Writes the time derivative of the state and the signals of all legs.
-    #[inline(never)]
+    #[inline(always)]
     pub fn evaluate(
         &self,
         state: &State<f64, LEGS>,
@@ -182,6 +182,7 @@ impl<const LEGS: usize> Motion<LEGS> {
     }
 
     /// Signals of all legs, the link torques only if asked for: no other signal is a force.
+    #[inline(always)]
     pub fn signals(
         &self,
         state: &State<f64, LEGS>,

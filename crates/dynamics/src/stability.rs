@@ -194,7 +194,7 @@ impl<const LEGS: usize> Judge<LEGS> {
         let a = from + span * along;
         match self.plane {
             Plane::Motion => {
-                let speed = vx.hypot(vy);
+                let speed = (vx * vx + vy * vy).sqrt();
                 ((a.x * vx + a.y * vy) / speed).atan2(a.z)
             }
             Plane::Slope => a.x.hypot(a.y).atan2(a.z),

@@ -42,11 +42,11 @@ impl StepControl {
     pub fn accept(&mut self, length: f64, norm: f64) -> bool {
         if norm <= 1.0 {
             let error = norm.max(1e-8);
-            let factor = (SAFETY * error.powf(-PROPORTIONAL) * self.last_error.powf(INTEGRAL))
-                .clamp(
-                    LEAST_FACTOR,
-                    if self.rejected { 1.0 } else { GREATEST_FACTOR },
-                );
+            let correction = INTEGRAL * self.last_error.ln() - PROPORTIONAL * error.ln();
+            let factor = (SAFETY * correction.exp()).clamp(
+                LEAST_FACTOR,
+                if self.rejected { 1.0 } else { GREATEST_FACTOR },
+            );
             self.proposed = (length * factor).min(LONGEST);
             self.last_error = error.max(1e-4);
             self.rejected = false;

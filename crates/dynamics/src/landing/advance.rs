@@ -1,4 +1,5 @@
-//! One step tried, compiled for each kind of register: its sums over slopes are as wide as the state.
+//! A step tried and looked into, compiled for each kind of register: sums over slopes are as wide as
+//! the state.
 
 use pulp::NullaryFnOnce;
 
@@ -45,5 +46,25 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
         }
         step.error()
             .error_norm(&step.before, &step.after, self.tolerance)
+    }
+}
+
+/// A look at the signals within a step.
+pub(super) struct Look<'a, const LEGS: usize> {
+    pub(super) motion: &'a Motion<LEGS>,
+    pub(super) pieces: &'a Pieces<LEGS>,
+    pub(super) step: &'a Step<f64, LEGS>,
+    /// Fraction of the step.
+    pub(super) theta: f64,
+    pub(super) with_torques: bool,
+}
+
+impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
+    type Output = [LegSignals<f64>; LEGS];
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        let state = self.step.motion_at(self.theta);
+        self.motion.signals(&state, self.pieces, self.with_torques)
     }
 }
