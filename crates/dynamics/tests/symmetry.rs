@@ -4,8 +4,8 @@ mod common;
 
 use common::random::{crush_rule, fixed_list, usual_conditions};
 use common::scenes::history;
-use common::{sample_deck, surveyor};
-use nalgebra::Vector3;
+use common::{sample_deck, surveyor, table_4_1};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
@@ -154,4 +154,48 @@ fn a_third_of_a_turn_permutes_the_legs() {
     // Motion counts as subsided by body rates component by component, which do not turn along: the
     // end of a landing is no symmetric notion.
     check("motion", deviations.iter().map(|d| d.motion));
+}
+
+/// The turns and mirrors about the centreline, other than none, that carry every leg to another's place.
+fn leg_symmetries() -> [Matrix3<f64>; 5] {
+    let turn = |degrees: f64| {
+        Rotation3::from_axis_angle(&Vector3::z_axis(), degrees.to_radians()).into_inner()
+    };
+    let across_leg_1 = Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, 1.0));
+    let mirror = |azimuth: f64| turn(-azimuth) * across_leg_1 * turn(azimuth);
+    [
+        turn(120.0),
+        turn(240.0),
+        mirror(0.0),
+        mirror(120.0),
+        mirror(240.0),
+    ]
+}
+
+#[test]
+fn inertia_leaves_the_surveyor_no_symmetry_of_its_legs() {
+    let changes = |vehicle: &Vehicle<3>| {
+        let inertia = vehicle.inertia();
+        leg_symmetries().map(|g| (g * inertia * g.transpose() - inertia).amax())
+    };
+    let near = |changes: [f64; 5], expected: [f64; 5]| {
+        let all = changes.iter().zip(expected);
+        assert!(
+            all.clone().all(|(a, b)| (a - b).abs() < 0.005),
+            "{changes:?}"
+        );
+    };
+    near(changes(&table_4_1()), [8.94, 11.87, 13.62, 3.03, 8.94]);
+    let without_products = Inertia {
+        xx: 138.12,
+        yy: 134.29,
+        zz: 145.78,
+        xy: 0.0,
+        xz: 0.0,
+        yz: 0.0,
+    };
+    // Its mirror plane is that of leg 1; unequal moments about x and y still forbid any turn.
+    let without_products = surveyor(1.445, without_products);
+    near(changes(&without_products), [2.87, 2.87, 0.0, 2.87, 2.87]);
+    near(changes(&sample_deck()), [0.0; 5]);
 }
