@@ -7,23 +7,14 @@ use std::f64::consts::PI;
 
 use common::bare::Bare;
 use common::scenes::history;
-use common::{level, level_scene, settings, surveyor, surveyor_leg, table_4_1};
+use common::{PRINCIPAL, level, level_scene, settings, surveyor, surveyor_leg, table_4_1};
 use nalgebra::{Unit, UnitQuaternion, Vector3, Vector4};
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::state::{Body, State, rotation};
 use touchdown_dynamics::touchdown::extended_legs;
-use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
-
-const PRINCIPAL: Inertia = Inertia {
-    xx: 138.12,
-    yy: 134.29,
-    zz: 145.78,
-    xy: 0.0,
-    xz: 0.0,
-    yz: 0.0,
-};
+use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
 /// Touching down with no vertical velocity and sliding off down a slope of 45 deg, a vehicle is in
 /// free flight until the slope's fall has been made up: 2 V_H/g seconds for a point.

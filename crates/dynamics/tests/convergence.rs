@@ -11,23 +11,13 @@ use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 
-/// A vehicle just after first contact: pads pressed in, struts stroking, all turning.
+/// A vehicle just after first contact.
 fn smooth_stretch() -> (Bare<3>, State<f64, 3>) {
     let vehicle = table_4_1();
     let scene = level_scene(170.0, -10.0, 11.0);
     let mut bare = Bare::new(&vehicle, &scene);
-    let mut state = touchdown(&vehicle, &scene, &bare.motion);
-    let mut body = state.body();
-    // Deeper than the links below raise the pads, by less than makes them crush.
-    body.position.z += 0.068;
-    body.rate = Vector3::new(0.4, -0.3, 0.2);
-    state.set_body(&body);
-    for j in 0..3 {
-        let mut leg = state.leg(j);
-        leg.link_rate = -3.0;
-        leg.link_angle -= 0.02;
-        state.set_leg(j, &leg);
-    }
+    let first = touchdown(&vehicle, &scene, &bare.motion);
+    let state = scenes::pressed_in(first, [-3.0; 3], Vector3::new(0.4, -0.3, 0.2));
     bare.settle(&state);
     (bare, state)
 }

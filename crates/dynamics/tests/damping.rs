@@ -3,8 +3,9 @@
 mod common;
 
 use common::bare::Bare;
+use common::scenes::pressed_in;
 use common::{level_scene, table_4_1};
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
 use touchdown_dynamics::damping::Velocities;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -14,19 +15,11 @@ fn stuck() -> (Bare<3>, State<f64, 3>) {
     let vehicle = table_4_1();
     let scene = level_scene(170.0, -10.0, 11.0);
     let mut bare = Bare::new(&vehicle, &scene);
-    let mut state = touchdown(&vehicle, &scene, &bare.motion);
+    let first = touchdown(&vehicle, &scene, &bare.motion);
+    let mut state = pressed_in(first, [-1e-3, -2e-3, -4e-3], Vector3::zeros());
     let mut body = state.body();
-    body.position.z += 0.068;
-    body.velocity *= 0.0;
-    body.velocity.x = 0.01;
-    body.rate *= 0.0;
+    body.velocity = Vector3::new(0.01, 0.0, 0.0);
     state.set_body(&body);
-    for (j, rate) in [-1e-3, -2e-3, -4e-3].into_iter().enumerate() {
-        let mut leg = state.leg(j);
-        leg.link_angle -= 0.02;
-        leg.link_rate = rate;
-        state.set_leg(j, &leg);
-    }
     bare.settle(&state);
     (bare, state)
 }

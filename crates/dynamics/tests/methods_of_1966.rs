@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::scenes::pressed_in;
 use common::{level_scene, settings, table_4_1};
 use nalgebra::Vector3;
 use touchdown_dynamics::methods::{
@@ -94,18 +95,8 @@ fn orders_are_those_of_the_text_books() {
 fn held_pad_acceleration_makes_the_report_first_order() {
     let (vehicle, scene) = (table_4_1(), level_scene(170.0, -10.0, 11.0));
     let model = ForceModel::new(&vehicle, &scene, &settings(1e-6));
-    let mut state = touchdown(&vehicle, &scene, model.motion());
-    let mut body = state.body();
-    // Pads pressed in but not crushing, struts stroking, all turning.
-    body.position.z += 0.068;
-    body.rate = Vector3::new(0.4, -0.3, 0.2);
-    state.set_body(&body);
-    for j in 0..3 {
-        let mut leg = state.leg(j);
-        leg.link_rate = -1.0;
-        leg.link_angle -= 0.02;
-        state.set_leg(j, &leg);
-    }
+    let first = touchdown(&vehicle, &scene, model.motion());
+    let state = pressed_in(first, [-1.0; 3], Vector3::new(0.4, -0.3, 0.2));
     let time = 5e-5;
     let sets = [[0.0; 3]; 3];
     let end = |stepper: &mut dyn FnMut(f64) -> State<f64, 3>, count: u32| {

@@ -2,6 +2,7 @@
 
 use crate::boundary_table::Kind;
 use crate::figure_error::FigureError;
+use crate::table::Table;
 
 /// Columns that follow the axes.
 const COLUMNS: [&str; 4] = ["band", "from_fps", "to_fps", "outcome"];
@@ -30,45 +31,35 @@ impl BandsTable {
     /// # Errors
     /// Names the row and column of what is not as the sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
-        let broken = |error: csv::Error| FigureError::Table(format!("bands: {error}"));
-        let mut reader = csv::Reader::from_reader(csv.as_bytes());
-        let heading = reader.headers().map_err(broken)?.clone();
-        let mut columns = [0; COLUMNS.len()];
-        for (column, name) in columns.iter_mut().zip(COLUMNS) {
-            let position = heading.iter().position(|known| known == name);
-            *column = position
-                .ok_or_else(|| FigureError::Table(format!("bands: column {name} is missing")))?;
-        }
-        let [first, from, to, outcome] = columns;
+        Self::read(csv).map_err(|error| match error {
+            FigureError::Table(complaint) => FigureError::Table(format!("bands: {complaint}")),
+            other => other,
+        })
+    }
+
+    fn read(csv: &str) -> Result<Self, FigureError> {
+        let table = Table::parse(csv)?;
+        let [first, from, to, outcome] = COLUMNS.map(|name| table.column(name));
+        let [first, from, to, outcome] = [first?, from?, to?, outcome?];
         let mut points: Vec<(Vec<f64>, Vec<Band>)> = Vec::new();
-        for (index, record) in reader.records().enumerate() {
-            let record = record.map_err(broken)?;
-            let complain = |column: usize, allowed: &str| {
-                let (row, name, value) = (index + 1, &heading[column], &record[column]);
-                FigureError::Table(format!(
-                    "bands: row {row}: {name} = {value}: allowed is {allowed}"
-                ))
+        for row in table.rows() {
+            let kind = match row.text(outcome) {
+                "stable" => None,
+                name => Some(Kind::from_name(name).ok_or_else(|| {
+                    row.complain(outcome, "stable, unstable, bottomed or failure")
+                })?),
             };
-            let number = |column: usize| match record[column].parse::<f64>() {
-                Ok(number) if number.is_finite() => Ok(number),
-                _ => Err(complain(column, "a finite number")),
-            };
-            let kind =
-                match &record[outcome] {
-                    "stable" => None,
-                    name => Some(Kind::from_name(name).ok_or_else(|| {
-                        complain(outcome, "stable, unstable, bottomed or failure")
-                    })?),
-                };
             let band = Band {
-                from: number(from)?,
-                to: number(to)?,
+                from: row.number(from)?,
+                to: row.number(to)?,
                 kind,
             };
-            let coordinates = (0..first).map(number).collect::<Result<Vec<_>, _>>()?;
+            let coordinates: Vec<f64> = (0..first)
+                .map(|axis| row.number(axis))
+                .collect::<Result<_, _>>()?;
             // A point's first band is number 1, wherever the table stands.
             match points.last_mut() {
-                Some((last, bands)) if *last == coordinates && number(first)? > 1.0 => {
+                Some((last, bands)) if *last == coordinates && row.number(first)? > 1.0 => {
                     bands.push(band);
                 }
                 _ => points.push((coordinates, vec![band])),

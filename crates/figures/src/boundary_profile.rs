@@ -12,6 +12,7 @@ use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::ink;
 use crate::legend::{Mark, draw_legend, draw_mark};
+use crate::mesh::{self, Along};
 use crate::number::label;
 use crate::shading;
 use crate::sheet::{self, Sheet};
@@ -78,21 +79,20 @@ fn draw_body(
         .build_cartesian_2d(AxisRange::of(axis, left, right), low..high)
         .map_err(drawing)?;
     shade(&mut chart, stations, high)?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(ink::GRID)
-        .axis_style(ink::TEXT)
-        .x_labels(13)
-        .y_labels(11)
-        .x_label_formatter(&|x| label(*x))
-        .y_label_formatter(&|y| label(*y))
-        .label_style(ink::text(12, ink::TEXT))
-        .axis_desc_style(ink::text(14, ink::TEXT))
-        .x_desc(axis_title(axis))
-        .y_desc(axis_title("horizontal_velocity_fps"))
-        .draw()
-        .map_err(drawing)?;
+    mesh::draw(
+        &mut chart,
+        ink::GRID,
+        &Along {
+            title: &axis_title(axis),
+            count: 13,
+            label: &|x| label(*x),
+        },
+        &Along {
+            title: &axis_title("horizontal_velocity_fps"),
+            count: 11,
+            label: &|y| label(*y),
+        },
+    )?;
     draw_line(&mut chart, stations)?;
     draw_marks(body, &chart, stations, high)?;
     draw_words(body, &chart, stations, (low, high))

@@ -1,8 +1,7 @@
 //! Result tables of sweeps, read back: axes and the first transition at each point.
 
-use csv::StringRecord;
-
 use crate::figure_error::FigureError;
+use crate::table::{Row, Table};
 
 const KIND: &str = "first_transition_to";
 const SPEED: &str = "first_transition_fps";
@@ -76,81 +75,48 @@ impl BoundaryTable {
     /// # Errors
     /// Names the row and column of what is not as the sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
-        let broken = |error: csv::Error| FigureError::Table(error.to_string());
-        let mut reader = csv::Reader::from_reader(csv.as_bytes());
-        let heading = reader.headers().map_err(broken)?.clone();
-        let column = |name: &str| {
-            heading
-                .iter()
-                .position(|column| column == name)
-                .ok_or_else(|| FigureError::Table(format!("column {name} is missing")))
-        };
-        let kind = column(KIND)?;
-        let speeds = [column(SPEED)?, column(LOW)?, column(HIGH)?];
-        let axes: Vec<String> = heading.iter().take(kind).map(str::to_owned).collect();
+        let table = Table::parse(csv)?;
+        let kind = table.column(KIND)?;
+        let speeds = [
+            table.column(SPEED)?,
+            table.column(LOW)?,
+            table.column(HIGH)?,
+        ];
+        let axes: Vec<String> = table.names()[..kind]
+            .iter()
+            .map(|name| (*name).to_owned())
+            .collect();
         if axes.is_empty() {
             return Err(FigureError::Table(format!("no axis before {KIND}")));
         }
-        let mut points = Vec::new();
-        for (index, record) in reader.records().enumerate() {
-            let record = record.map_err(broken)?;
-            let row = Row {
-                heading: &heading,
-                record: &record,
-                number: index + 1,
-            };
-            let coordinates = (0..axes.len())
-                .map(|column| row.number(column))
-                .collect::<Result<_, _>>()?;
-            points.push(Point {
-                coordinates,
-                transition: row.transition(kind, speeds)?,
-            });
-        }
-        if points.is_empty() {
-            return Err(FigureError::Table("has no rows".to_owned()));
-        }
+        let points = table.some_rows()?.map(|row| {
+            Ok(Point {
+                coordinates: (0..kind)
+                    .map(|axis| row.number(axis))
+                    .collect::<Result<_, _>>()?,
+                transition: transition(row, kind, speeds)?,
+            })
+        });
+        let points = points.collect::<Result<_, FigureError>>()?;
         Ok(Self { axes, points })
     }
 }
 
-struct Row<'r> {
-    heading: &'r StringRecord,
-    record: &'r StringRecord,
-    number: usize,
-}
-
-impl Row<'_> {
-    fn number(&self, column: usize) -> Result<f64, FigureError> {
-        let text = &self.record[column];
-        match text.parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(self.complain(column, "a finite number")),
-        }
-    }
-
-    fn transition(
-        &self,
-        kind: usize,
-        [speed, low, high]: [usize; 3],
-    ) -> Result<Option<Transition>, FigureError> {
-        let kind = match &self.record[kind] {
-            "none" => return Ok(None),
-            name => Kind::from_name(name)
-                .ok_or_else(|| self.complain(kind, "unstable, bottomed, failure or none"))?,
-        };
-        Ok(Some(Transition {
-            kind,
-            speed: self.number(speed)?,
-            bracket: [self.number(low)?, self.number(high)?],
-        }))
-    }
-
-    fn complain(&self, column: usize, allowed: &str) -> FigureError {
-        let (name, value) = (&self.heading[column], &self.record[column]);
-        let row = self.number;
-        FigureError::Table(format!("row {row}: {name} = {value}: allowed is {allowed}"))
-    }
+fn transition(
+    row: Row,
+    kind: usize,
+    [speed, low, high]: [usize; 3],
+) -> Result<Option<Transition>, FigureError> {
+    let kind = match row.text(kind) {
+        "none" => return Ok(None),
+        name => Kind::from_name(name)
+            .ok_or_else(|| row.complain(kind, "unstable, bottomed, failure or none"))?,
+    };
+    Ok(Some(Transition {
+        kind,
+        speed: row.number(speed)?,
+        bracket: [row.number(low)?, row.number(high)?],
+    }))
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ use crate::isolines::{self, Place};
 use crate::legend::{Mark, draw_legend, draw_mark};
 use crate::levels::{self, LEVELS};
 use crate::map_view::View;
+use crate::mesh::{self, Along};
 use crate::number;
 use crate::sheet::{self, Sheet};
 use crate::surface::{Cell, JUMP, Surface};
@@ -60,21 +61,20 @@ fn draw_map(map: &Sheet, surface: &Surface, view: &View) -> Result<(), FigureErr
         .build_cartesian_2d(across, up)
         .map_err(drawing)?;
     fill(&mut chart, surface, view)?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(ink::TEXT.mix(0.12))
-        .axis_style(ink::TEXT)
-        .x_labels(13)
-        .y_labels(11)
-        .x_label_formatter(&|x| view.fast_label(*x))
-        .y_label_formatter(&|y| view.slow_label(*y))
-        .label_style(ink::text(12, ink::TEXT))
-        .axis_desc_style(ink::text(14, ink::TEXT))
-        .x_desc(axis_title(&surface.axes[1]))
-        .y_desc(axis_title(&surface.axes[0]))
-        .draw()
-        .map_err(drawing)?;
+    mesh::draw(
+        &mut chart,
+        ink::TEXT.mix(0.12),
+        &Along {
+            title: &axis_title(&surface.axes[1]),
+            count: 13,
+            label: &|x| view.fast_label(*x),
+        },
+        &Along {
+            title: &axis_title(&surface.axes[0]),
+            count: 11,
+            label: &|y| view.slow_label(*y),
+        },
+    )?;
     draw_jumps(&mut chart, surface, view)?;
     draw_isolines(map, &mut chart, surface, view)?;
     draw_loci(&mut chart, surface, view)?;

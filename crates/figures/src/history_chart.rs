@@ -7,6 +7,7 @@ use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::history_table::{History, HistoryTable};
 use crate::ink;
+use crate::mesh::{self, Along};
 use crate::number::label;
 use crate::sheet::{self, Sheet};
 
@@ -47,21 +48,20 @@ fn draw_panel(panel: &Sheet, table: &HistoryTable, quantity: usize) -> Result<()
         .y_label_area_size(62)
         .build_cartesian_2d(0.0..table.end(), low - margin..high + margin)
         .map_err(drawing)?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(ink::GRID)
-        .axis_style(ink::TEXT)
-        .x_labels(13)
-        .y_labels(8)
-        .x_label_formatter(&|x| label(*x))
-        .y_label_formatter(&|y| label(*y))
-        .label_style(ink::text(12, ink::TEXT))
-        .axis_desc_style(ink::text(14, ink::TEXT))
-        .x_desc("Time after first contact, s")
-        .y_desc(axis_title(&table.quantities[quantity]))
-        .draw()
-        .map_err(drawing)?;
+    mesh::draw(
+        &mut chart,
+        ink::GRID,
+        &Along {
+            title: "Time after first contact, s",
+            count: 13,
+            label: &|x| label(*x),
+        },
+        &Along {
+            title: &axis_title(&table.quantities[quantity]),
+            count: 8,
+            label: &|y| label(*y),
+        },
+    )?;
     for (index, landing) in table.landings.iter().enumerate() {
         for (points, is_free) in stretches(landing, quantity) {
             let stroke = ink::series(index).stroke_width(if is_free { 4 } else { 2 });

@@ -1,6 +1,7 @@
 //! Histories of landings, read back: what changes with time, for one landing or several.
 
 use crate::figure_error::FigureError;
+use crate::table::Table;
 
 /// The column that makes a table one of histories.
 pub const TIME: &str = "t_s";
@@ -55,15 +56,12 @@ impl HistoryTable {
     /// # Errors
     /// Names the row and column of what is no number.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
-        let broken = |error: csv::Error| FigureError::Table(error.to_string());
-        let mut reader = csv::Reader::from_reader(csv.as_bytes());
-        let heading = reader.headers().map_err(broken)?.clone();
-        let column = |name: &str| heading.iter().position(|known| known == name);
-        let time =
-            column(TIME).ok_or_else(|| FigureError::Table(format!("column {TIME} is missing")))?;
-        let (touches, condition) = (column(TOUCHES), (time > 0).then_some(0));
-        let quantities: Vec<usize> = (time + 1..heading.len())
-            .filter(|index| Some(*index) != touches && !heading[*index].contains(PRINTED))
+        let table = Table::parse(csv)?;
+        let names = table.names();
+        let time = table.column(TIME)?;
+        let (touches, condition) = (table.find(TOUCHES), (time > 0).then_some(0));
+        let quantities: Vec<usize> = (time + 1..names.len())
+            .filter(|index| Some(*index) != touches && !names[*index].contains(PRINTED))
             .collect();
         if quantities.is_empty() {
             return Err(FigureError::Table(format!("no quantity after {TIME}")));
@@ -71,21 +69,16 @@ impl HistoryTable {
         let printed: Vec<Option<usize>> = quantities
             .iter()
             .map(|index| {
-                let (name, unit) = heading[*index].rsplit_once('_')?;
-                column(&format!("{name}{PRINTED}_{unit}"))
+                let (name, unit) = names[*index].rsplit_once('_')?;
+                table.find(&format!("{name}{PRINTED}_{unit}"))
             })
             .collect();
         let mut landings: Vec<History> = Vec::new();
-        for (index, record) in reader.records().enumerate() {
-            let record = record.map_err(broken)?;
-            let number = |column: usize| match record[column].parse::<f64>() {
-                Ok(number) if number.is_finite() => Ok(number),
-                _ => Err(FigureError::Table(format!(
-                    "row {}: {} = {}: allowed is a finite number",
-                    index + 1,
-                    &heading[column],
-                    &record[column]
-                ))),
+        for row in table.some_rows()? {
+            let number = |column: usize| row.number(column);
+            let told = |column: &Option<usize>| {
+                let told = column.filter(|column| !row.text(*column).is_empty());
+                told.map(number).transpose()
             };
             let instant = Instant {
                 time: number(time)?,
@@ -94,13 +87,7 @@ impl HistoryTable {
                     .iter()
                     .map(|column| number(*column))
                     .collect::<Result<_, _>>()?,
-                printed: printed
-                    .iter()
-                    .map(|column| {
-                        let told = column.filter(|column| !record[*column].is_empty());
-                        told.map(number).transpose()
-                    })
-                    .collect::<Result<_, _>>()?,
+                printed: printed.iter().map(told).collect::<Result<_, _>>()?,
             };
             let condition = condition.map(number).transpose()?;
             match landings.last_mut() {
@@ -111,15 +98,10 @@ impl HistoryTable {
                 }),
             }
         }
-        if landings.is_empty() {
-            return Err(FigureError::Table("has no rows".to_owned()));
-        }
+        let named = |column: usize| names[column].to_owned();
         Ok(Self {
-            condition: condition.map(|column| heading[column].to_owned()),
-            quantities: quantities
-                .iter()
-                .map(|column| heading[*column].to_owned())
-                .collect(),
+            condition: condition.map(named),
+            quantities: quantities.into_iter().map(named).collect(),
             landings,
         })
     }

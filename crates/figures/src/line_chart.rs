@@ -1,31 +1,23 @@
 //! Curves over a common abscissa, in panels one above the other: histories of a landing, errors
 //! against cost.
 
+mod axis;
+mod legend;
+
 use plotters::prelude::*;
 
 use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::ink;
-use crate::number::label;
-use crate::sheet::{self, Sheet, round_values};
+use crate::mesh::{self, Along};
+use crate::sheet::{self, Sheet};
+
+pub use axis::Axis;
 
 /// Width of the picture and height of its head, foot and panels, pixels.
 const WIDTH: u32 = 900;
 const FRAME: u32 = 130;
 const PANEL: u32 = 330;
-/// Colours of curves, in order of appearance (Okabe and Ito).
-const COLOURS: [RGBColor; 8] = [
-    RGBColor(0, 90, 160),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 130, 100),
-    RGBColor(180, 80, 140),
-    RGBColor(120, 90, 20),
-    RGBColor(60, 60, 60),
-    RGBColor(80, 170, 220),
-    RGBColor(230, 160, 0),
-];
-/// What a curve of two equal values is spread to.
-const LEAST_EXTENT: f64 = 1e-9;
 
 /// Curves over a common abscissa.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,15 +28,6 @@ pub struct LineChart {
     pub abscissa: Axis,
     /// The panels, from above.
     pub panels: Vec<Panel>,
-}
-
-/// An axis.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
-    /// Quantity and unit.
-    pub title: String,
-    /// Whether it is divided by powers of ten; values then are greater than zero.
-    pub is_logarithmic: bool,
 }
 
 /// One panel.
@@ -65,6 +48,8 @@ pub struct Curve {
     pub stroke: Stroke,
     /// Its points.
     pub points: Vec<(f64, f64)>,
+    /// What is written beside each point, if anything.
+    pub remarks: Vec<String>,
 }
 
 /// How a curve is drawn.
@@ -76,66 +61,6 @@ pub enum Stroke {
     Dashes,
     /// A line with its points marked.
     Marks,
-}
-
-impl Axis {
-    /// An evenly divided axis.
-    pub fn linear(title: &str) -> Self {
-        Self {
-            title: title.to_owned(),
-            is_logarithmic: false,
-        }
-    }
-
-    /// An axis divided by powers of ten.
-    pub fn logarithmic(title: &str) -> Self {
-        Self {
-            title: title.to_owned(),
-            is_logarithmic: true,
-        }
-    }
-
-    /// Where a value lies along the axis.
-    fn place(&self, value: f64) -> f64 {
-        if self.is_logarithmic {
-            value.log10()
-        } else {
-            value
-        }
-    }
-
-    fn label(&self, place: f64) -> String {
-        if !self.is_logarithmic {
-            return label(place);
-        }
-        let power = place.round();
-        if (place - power).abs() > 1e-6 {
-            return String::new();
-        }
-        if (-4.0..6.0).contains(&power) {
-            label(10f64.powf(power))
-        } else {
-            format!("1e{}", label(power))
-        }
-    }
-
-    /// Ends of the axis around its values.
-    fn extent(&self, values: impl Iterator<Item = f64>) -> (f64, f64) {
-        let (low, high) = values
-            .map(|value| self.place(value))
-            .filter(|place| place.is_finite())
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
-                (low.min(place), high.max(place))
-            });
-        if low > high {
-            return (0.0, 1.0);
-        }
-        if self.is_logarithmic {
-            return (low.floor(), high.ceil().max(low.floor() + 1.0));
-        }
-        let margin = 0.03 * (high - low).max(LEAST_EXTENT);
-        (low - margin, high + margin)
-    }
 }
 
 /// Draws a chart as SVG.
@@ -155,7 +80,7 @@ pub fn draw(chart: &LineChart) -> Result<String, FigureError> {
 
 fn draw_sheet(area: Sheet, size: (u32, u32), chart: &LineChart) -> Result<(), FigureError> {
     let (body, foot) = sheet::parts(&area, size, &chart.caption)?;
-    let names = names(chart);
+    let names = legend::names(chart);
     let points = |chart: &LineChart| -> Vec<(f64, f64)> {
         let curves = chart.panels.iter().flat_map(|panel| &panel.curves);
         curves.flat_map(|curve| curve.points.clone()).collect()
@@ -166,24 +91,8 @@ fn draw_sheet(area: Sheet, size: (u32, u32), chart: &LineChart) -> Result<(), Fi
         let is_last = index + 1 == chart.panels.len();
         draw_panel(part, &chart.abscissa, across, panel, &names, is_last)?;
     }
-    draw_legend(&foot, chart, &names)?;
+    legend::draw(&foot, chart, &names)?;
     area.present().map_err(drawing)
-}
-
-/// Names of the curves, each once.
-fn names(chart: &LineChart) -> Vec<&str> {
-    let mut names: Vec<&str> = Vec::new();
-    for curve in chart.panels.iter().flat_map(|panel| &panel.curves) {
-        if !names.contains(&curve.name.as_str()) {
-            names.push(&curve.name);
-        }
-    }
-    names
-}
-
-fn colour(names: &[&str], name: &str) -> RGBColor {
-    let index = names.iter().position(|other| *other == name).unwrap_or(0);
-    COLOURS[index % COLOURS.len()]
 }
 
 fn draw_panel(
@@ -205,30 +114,22 @@ fn draw_panel(
         .y_label_area_size(72)
         .build_cartesian_2d(left..right, low..high)
         .map_err(drawing)?;
-    let divisions = |axis: &Axis, from: f64, to: f64| {
-        if axis.is_logarithmic {
-            (to - from).round() as usize + 1
-        } else {
-            round_values(from, to).len() + 1
-        }
-    };
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(ink::GRID)
-        .axis_style(ink::TEXT)
-        .x_labels(divisions(abscissa, left, right))
-        .y_labels(divisions(ordinate, low, high))
-        .x_label_formatter(&|x| abscissa.label(*x))
-        .y_label_formatter(&|y| ordinate.label(*y))
-        .label_style(ink::text(12, ink::TEXT))
-        .axis_desc_style(ink::text(14, ink::TEXT))
-        .x_desc(if is_last { abscissa.title.as_str() } else { "" })
-        .y_desc(ordinate.title.as_str())
-        .draw()
-        .map_err(drawing)?;
+    mesh::draw(
+        &mut chart,
+        ink::GRID,
+        &Along {
+            title: if is_last { &abscissa.title } else { "" },
+            count: abscissa.divisions(left, right),
+            label: &|x| abscissa.label(*x),
+        },
+        &Along {
+            title: &ordinate.title,
+            count: ordinate.divisions(low, high),
+            label: &|y| ordinate.label(*y),
+        },
+    )?;
     for curve in &panel.curves {
-        let colour = colour(names, &curve.name);
+        let colour = legend::colour(names, &curve.name);
         let points: Vec<(f64, f64)> = curve
             .points
             .iter()
@@ -251,45 +152,11 @@ fn draw_panel(
                 .map(|point| Circle::new(*point, ink::SMALL_MARK, colour.filled()));
             chart.draw_series(marks).map_err(drawing)?;
         }
-    }
-    Ok(())
-}
-
-/// Writes the names of the curves in one centred line, each after a piece of its curve.
-fn draw_legend(foot: &Sheet, chart: &LineChart, names: &[&str]) -> Result<(), FigureError> {
-    const GAP: i32 = 24;
-    const SWATCH: i32 = 22;
-    // There is no font to measure texts with.
-    let width = |text: &str| (text.chars().count() as f64 * 6.6) as i32;
-    let used: i32 = names
-        .iter()
-        .map(|name| SWATCH + 6 + width(name))
-        .sum::<i32>()
-        + GAP * (names.len() as i32 - 1);
-    let mut x = (foot.dim_in_pixel().0 as i32 - used) / 2;
-    let curves: Vec<&Curve> = chart.panels.iter().flat_map(|p| &p.curves).collect();
-    for name in names {
-        let style = colour(names, name).stroke_width(2);
-        let is_broken = curves
-            .iter()
-            .any(|curve| curve.name == *name && curve.stroke == Stroke::Dashes);
-        let pieces: &[(i32, i32)] = if is_broken {
-            &[(0, 8), (13, 21)]
-        } else {
-            &[(0, SWATCH)]
-        };
-        for (from, to) in pieces {
-            let piece = PathElement::new(vec![(x + from, 12), (x + to, 12)], style);
-            foot.draw(&piece).map_err(drawing)?;
-        }
-        let place = (x + SWATCH + 6, 7);
-        foot.draw(&Text::new(
-            (*name).to_owned(),
-            place,
-            ink::text(12, ink::TEXT),
-        ))
-        .map_err(drawing)?;
-        x += SWATCH + 6 + width(name) + GAP;
+        let remarks = points.iter().zip(&curve.remarks).map(|(point, remark)| {
+            EmptyElement::at(*point)
+                + Text::new(remark.clone(), (7, -14), ink::text(11, ink::PALE_TEXT))
+        });
+        chart.draw_series(remarks).map_err(drawing)?;
     }
     Ok(())
 }
@@ -303,6 +170,7 @@ mod tests {
             name: name.to_owned(),
             stroke,
             points: points.to_vec(),
+            remarks: Vec::new(),
         };
         LineChart {
             caption: Caption {
@@ -340,17 +208,16 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_placed_does_not_stretch_the_axis() {
-        let axis = Axis::logarithmic("error");
-        assert_eq!(axis.extent([1e-3, 0.5, f64::NAN].into_iter()), (-3.0, 0.0));
-        let (low, high) = Axis::linear("pitch").extent([2.0, 2.0].into_iter());
-        assert!(low < 2.0 && high > 2.0);
-        assert!(
-            draw(&LineChart {
-                panels: Vec::new(),
-                ..chart()
-            })
-            .is_err()
-        );
+    fn a_chart_has_a_panel() {
+        let panels = Vec::new();
+        assert!(draw(&LineChart { panels, ..chart() }).is_err());
+    }
+
+    #[test]
+    fn remarks_stand_beside_their_points() {
+        let mut chart = chart();
+        chart.panels[1].curves[0].remarks = vec!["first".to_owned(), "second".to_owned()];
+        let svg = draw(&chart).unwrap();
+        assert!(svg.contains("\nfirst\n") && svg.contains("\nsecond\n"));
     }
 }

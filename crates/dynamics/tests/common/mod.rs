@@ -89,15 +89,23 @@ pub fn surveyor(center_of_gravity_height: f64, inertia: Inertia) -> Vehicle<3> {
     Vehicle::new(20.0, 5.31, center_of_gravity_height, inertia, legs).unwrap()
 }
 
+/// Inertia of Table 4-1 without its products.
+pub const PRINCIPAL: Inertia = Inertia {
+    xx: 138.12,
+    yy: 134.29,
+    zz: 145.78,
+    xy: 0.0,
+    xz: 0.0,
+    yz: 0.0,
+};
+
 /// The vehicle of Table 4-1.
 pub fn table_4_1() -> Vehicle<3> {
     let inertia = Inertia {
-        xx: 138.12,
-        yy: 134.29,
-        zz: 145.78,
         xy: 6.81,
         xz: -5.87,
         yz: 2.57,
+        ..PRINCIPAL
     };
     surveyor(1.445, inertia)
 }

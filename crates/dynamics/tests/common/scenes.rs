@@ -1,8 +1,10 @@
 //! The touchdowns that the report and the reference follow through time.
 
+use nalgebra::Vector3;
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::landing::{Instant, Landing, land_observed};
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
+use touchdown_dynamics::state::State;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use super::{level, level_scene};
@@ -40,4 +42,25 @@ pub fn history<const LEGS: usize>(
         instants.push(instant.clone());
     });
     (landing, instants)
+}
+
+/// A vehicle just after first contact: all pads pressed in, but not so far that they crush, struts
+/// stroking at these link rates (rad/s), the body turning at `rate` (rad/s).
+pub fn pressed_in(
+    mut state: State<f64, 3>,
+    link_rates: [f64; 3],
+    rate: Vector3<f64>,
+) -> State<f64, 3> {
+    let mut body = state.body();
+    // Deeper than the links below raise the pads.
+    body.position.z += 0.068;
+    body.rate = rate;
+    state.set_body(&body);
+    for (j, link_rate) in link_rates.into_iter().enumerate() {
+        let mut leg = state.leg(j);
+        leg.link_angle -= 0.02;
+        leg.link_rate = link_rate;
+        state.set_leg(j, &leg);
+    }
+    state
 }

@@ -52,5 +52,6 @@ pub fn curve(name: &str, stroke: Stroke, points: Vec<(f64, f64)>) -> Curve {
         name: name.to_owned(),
         stroke,
         points,
+        remarks: Vec::new(),
     }
 }

@@ -1,3 +1,4 @@
+use super::card::number;
 use super::*;
 use crate::vehicle_file::VehicleFile;
 use std::path::Path;

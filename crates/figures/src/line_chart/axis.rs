@@ -1,0 +1,125 @@
+//! An axis of a chart: evenly divided, or by powers.
+
+use crate::number::label;
+use crate::sheet::round_values;
+
+/// What a curve of two equal values is spread to.
+const LEAST_EXTENT: f64 = 1e-9;
+/// Space beyond the values of an axis by doublings, in doublings.
+const DOUBLINGS_BEYOND: f64 = 0.68;
+
+/// An axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Quantity and unit.
+    pub title: String,
+    scale: Scale,
+}
+
+/// How an axis is divided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Scale {
+    Linear,
+    /// By powers of ten, from one to another.
+    Decades,
+    /// By powers of two.
+    Doublings,
+}
+
+impl Axis {
+    fn new(title: &str, scale: Scale) -> Self {
+        Self {
+            title: title.to_owned(),
+            scale,
+        }
+    }
+
+    /// An evenly divided axis.
+    pub fn linear(title: &str) -> Self {
+        Self::new(title, Scale::Linear)
+    }
+
+    /// An axis divided by powers of ten; values then are greater than zero.
+    pub fn logarithmic(title: &str) -> Self {
+        Self::new(title, Scale::Decades)
+    }
+
+    /// An axis divided by powers of two, for values greater than zero within a decade or two.
+    pub fn doublings(title: &str) -> Self {
+        Self::new(title, Scale::Doublings)
+    }
+
+    /// Where a value lies along the axis.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => value,
+            Scale::Decades => value.log10(),
+            Scale::Doublings => value.log2(),
+        }
+    }
+
+    /// What is written at a place.
+    pub(super) fn label(&self, place: f64) -> String {
+        let power = place.round();
+        match self.scale {
+            Scale::Linear => label(place),
+            _ if (place - power).abs() > 1e-6 => String::new(),
+            Scale::Doublings => label(power.exp2()),
+            Scale::Decades if (-4.0..6.0).contains(&power) => label(10f64.powf(power)),
+            Scale::Decades => format!("1e{}", label(power)),
+        }
+    }
+
+    /// Ends of the axis around its values.
+    pub(super) fn extent(&self, values: impl Iterator<Item = f64>) -> (f64, f64) {
+        let (low, high) = values
+            .map(|value| self.place(value))
+            .filter(|place| place.is_finite())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
+                (low.min(place), high.max(place))
+            });
+        if low > high {
+            return (0.0, 1.0);
+        }
+        match self.scale {
+            Scale::Linear => {
+                let margin = 0.03 * (high - low).max(LEAST_EXTENT);
+                (low - margin, high + margin)
+            }
+            Scale::Decades => (low.floor(), high.ceil().max(low.floor() + 1.0)),
+            Scale::Doublings => (low - DOUBLINGS_BEYOND, high + DOUBLINGS_BEYOND),
+        }
+    }
+
+    /// About how many numbers stand between two places.
+    pub(super) fn divisions(&self, from: f64, to: f64) -> usize {
+        match self.scale {
+            Scale::Linear => round_values(from, to).len() + 1,
+            Scale::Decades | Scale::Doublings => (to - from).round() as usize + 1,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_placed_does_not_stretch_the_axis() {
+        let axis = Axis::logarithmic("error");
+        assert_eq!(axis.extent([1e-3, 0.5, f64::NAN].into_iter()), (-3.0, 0.0));
+        let (low, high) = Axis::linear("pitch").extent([2.0, 2.0].into_iter());
+        assert!(low < 2.0 && high > 2.0);
+    }
+
+    #[test]
+    fn doublings_are_numbered_by_powers_of_two() {
+        let axis = Axis::doublings("time, ms");
+        let (low, high) = axis.extent([3.0, 12.0].into_iter());
+        assert!(low < 1.0 && high > 4.0 && high < 5.0);
+        assert_eq!(
+            (axis.label(3.0), axis.label(2.5)),
+            ("8".into(), String::new())
+        );
+    }
+}

@@ -1,0 +1,99 @@
+//! Tables of comma-separated values under a heading, as sweeps and landings write them.
+
+use csv::StringRecord;
+
+use crate::figure_error::FigureError;
+
+/// A table.
+pub struct Table {
+    heading: StringRecord,
+    rows: Vec<StringRecord>,
+}
+
+impl Table {
+    /// Reads a table.
+    ///
+    /// # Errors
+    /// When a row is not as long as the heading.
+    pub fn parse(csv: &str) -> Result<Self, FigureError> {
+        let broken = |error: csv::Error| FigureError::Table(error.to_string());
+        let mut reader = csv::Reader::from_reader(csv.as_bytes());
+        Ok(Self {
+            heading: reader.headers().map_err(broken)?.clone(),
+            rows: reader.records().collect::<Result<_, _>>().map_err(broken)?,
+        })
+    }
+
+    /// Names of the columns.
+    pub fn names(&self) -> Vec<&str> {
+        self.heading.iter().collect()
+    }
+
+    /// The column of a name, if there is one.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.heading.iter().position(|known| known == name)
+    }
+
+    /// The column of a name.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub fn column(&self, name: &str) -> Result<usize, FigureError> {
+        self.find(name)
+            .ok_or_else(|| FigureError::Table(format!("column {name} is missing")))
+    }
+
+    /// The rows.
+    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        let numbered = self.rows.iter().enumerate();
+        numbered.map(|(index, record)| Row {
+            heading: &self.heading,
+            record,
+            number: index + 1,
+        })
+    }
+
+    /// The rows, of which there is at least one.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub fn some_rows(&self) -> Result<impl Iterator<Item = Row<'_>>, FigureError> {
+        if self.rows.is_empty() {
+            return Err(FigureError::Table("has no rows".to_owned()));
+        }
+        Ok(self.rows())
+    }
+}
+
+/// A row.
+#[derive(Clone, Copy)]
+pub struct Row<'t> {
+    heading: &'t StringRecord,
+    record: &'t StringRecord,
+    number: usize,
+}
+
+impl<'t> Row<'t> {
+    /// What stands in a column.
+    pub fn text(&self, column: usize) -> &'t str {
+        &self.record[column]
+    }
+
+    /// The number in a column.
+    ///
+    /// # Errors
+    /// When it is no finite number.
+    pub fn number(&self, column: usize) -> Result<f64, FigureError> {
+        match self.text(column).parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(self.complain(column, "a finite number")),
+        }
+    }
+
+    /// A complaint about what stands in a column.
+    pub fn complain(&self, column: usize, allowed: &str) -> FigureError {
+        let (name, value) = (&self.heading[column], self.text(column));
+        let row = self.number;
+        FigureError::Table(format!("row {row}: {name} = {value}: allowed is {allowed}"))
+    }
+}
