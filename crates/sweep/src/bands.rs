@@ -10,6 +10,7 @@ use touchdown_dynamics::outcome::{Class, Outcome};
 use crate::boundary::{Boundary, Search};
 use crate::certainty::{Certainty, Variation};
 use crate::hidden;
+use crate::loose_scan::Scanned;
 use crate::trial::{Sample, Trial};
 
 /// A range of speeds in which landings end alike.
@@ -40,8 +41,8 @@ impl Search {
         &self,
         mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
+        let Scanned { mut samples, spent } = self.confirmed_scan(false, &mut land)?;
         let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
-        let mut samples = self.scanned(false, &mut sample)?;
         let skipped = self.scan_count() - samples.len() as u64;
 
         let suspects = hidden::suspects(&samples, self.scan_step);
@@ -56,7 +57,7 @@ impl Search {
         insert(&mut samples, found);
 
         let mut between = Vec::new();
-        let mut spent = [0, 0];
+        let mut spent = spent;
         for pair in samples.windows(2) {
             let narrowing = self.narrowing(true);
             let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample)?;

@@ -13,6 +13,7 @@ const SEARCH: Search = Search {
     tolerance: 0.001,
     extent: Extent::All,
     scan: Scan::Full,
+    scan_looseness: 1.0,
     refinement: Refinement::Bisection,
     doubt: Doubt::None,
 };

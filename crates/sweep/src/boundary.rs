@@ -9,6 +9,7 @@ use touchdown_dynamics::outcome::Class;
 
 use crate::bands::Band;
 use crate::certainty::{self, Certainty, Doubt, Variation};
+use crate::loose_scan::Scanned;
 use crate::refine::{Narrowed, Narrowing, Refinement};
 use crate::scan::Scan;
 use crate::trial::{Sample, Trial};
@@ -28,6 +29,8 @@ pub struct Search {
     pub extent: Extent,
     /// How it is scanned.
     pub scan: Scan,
+    /// What the solver's tolerance is multiplied by for the scan.
+    pub scan_looseness: f64,
     /// How brackets are narrowed.
     pub refinement: Refinement,
     /// Which transitions are put to the test.
@@ -127,8 +130,11 @@ impl Search {
         &self,
         mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
+        let Scanned {
+            mut samples,
+            spent: loose,
+        } = self.confirmed_scan(true, &mut land)?;
         let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
-        let mut samples = self.scanned(true, &mut sample)?;
         let change = first_unstable(&samples);
         let full_scan = match change {
             Some(index) => self.steps_to(samples[index].speed) + 1,
@@ -154,8 +160,8 @@ impl Search {
             skipped,
             looks: narrowed.looks,
             finds: narrowed.finds,
-            landings: boundary.landings + narrowed.spent[0],
-            evaluations: boundary.evaluations + narrowed.spent[1],
+            landings: boundary.landings + narrowed.spent[0] + loose[0],
+            evaluations: boundary.evaluations + narrowed.spent[1] + loose[1],
             ..boundary
         })
     }
@@ -220,4 +226,4 @@ pub(crate) fn first_unstable(samples: &[Sample]) -> Option<usize> {
 
 #[cfg(test)]
 #[path = "boundary_tests.rs"]
-mod tests;
+pub(crate) mod tests;

@@ -1,13 +1,14 @@
 use super::*;
 use std::convert::Infallible;
 
-const SEARCH: Search = Search {
+pub(crate) const SEARCH: Search = Search {
     from: 0.0,
     to: 25.0,
     scan_step: 0.25,
     tolerance: 0.001,
     extent: Extent::First,
     scan: Scan::Full,
+    scan_looseness: 1.0,
     refinement: Refinement::Bisection,
     doubt: Doubt::None,
 };

@@ -89,7 +89,9 @@ impl Variation {
             Self::Given => conditions,
             Self::Tolerance(factor) => {
                 let tolerance = (settings.tolerance() * factor).clamp(TOLERANCES[0], TOLERANCES[1]);
-                settings = Settings::new(tolerance, settings.time_limit(), settings.crush_rule())?;
+                settings = Settings::new(tolerance, settings.time_limit(), settings.crush_rule())?
+                    .with_method(settings.method())
+                    .with_friction_profile(settings.friction_profile());
                 conditions
             }
             Self::Tilt(degrees) => {

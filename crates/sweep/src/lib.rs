@@ -40,6 +40,7 @@ pub mod landing_table;
 pub mod lattice;
 pub mod levels;
 pub mod library;
+mod loose_scan;
 pub mod measured_scenes;
 pub mod merge;
 pub mod method_input;

@@ -53,6 +53,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
                     "tolerance_fps": search.tolerance,
                     "bands": word(&EXTENTS, search.extent),
                     "scan": word(&SCANS, search.scan),
+                    "scan_looseness": search.scan_looseness,
                     "refinement": word(&REFINEMENTS, search.refinement),
                     "certainty": word(&DOUBTS, search.doubt),
                 });

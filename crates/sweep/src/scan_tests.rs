@@ -12,6 +12,7 @@ const SEARCH: Search = Search {
     tolerance: 0.001,
     extent: Extent::All,
     scan: Scan::Skipping,
+    scan_looseness: 1.0,
     refinement: Refinement::Margin,
     doubt: Doubt::None,
 };

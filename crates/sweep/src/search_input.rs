@@ -7,13 +7,14 @@ use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::section::Section;
 
-const SEARCH: [&str; 8] = [
+const SEARCH: [&str; 9] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",
     "tolerance_fps",
     "bands",
     "scan",
+    "scan_looseness",
     "refinement",
     "certainty",
 ];
@@ -30,9 +31,17 @@ pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
     ("none", Doubt::None),
 ];
 /// Keys of `[search]` that are numbers.
-pub(crate) const NUMBERS: [&str; 4] = ["from_fps", "to_fps", "scan_step_fps", "tolerance_fps"];
+pub(crate) const NUMBERS: [&str; 5] = [
+    "from_fps",
+    "to_fps",
+    "scan_step_fps",
+    "tolerance_fps",
+    "scan_looseness",
+];
 /// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
 const LEAST_BRACKET: f64 = 1e-9;
+/// Greatest factor on the solver's tolerance in a scan.
+const LOOSEST_SCAN: f64 = 100.0;
 /// Most landings in one scan.
 const LONGEST_SCAN: f64 = 1e6;
 
@@ -46,6 +55,7 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         tolerance: section.number("tolerance_fps")?,
         extent: choice(section, "bands", &EXTENTS)?,
         scan: choice(section, "scan", &SCANS)?,
+        scan_looseness: section.optional_number("scan_looseness")?.unwrap_or(1.0),
         refinement: choice(section, "refinement", &REFINEMENTS)?,
         doubt: choice(section, "certainty", &DOUBTS)?,
     };
@@ -68,6 +78,11 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
             "scan_step_fps",
             width / step <= LONGEST_SCAN,
             format!("at most {LONGEST_SCAN} steps"),
+        ),
+        (
+            "scan_looseness",
+            (1.0..=LOOSEST_SCAN).contains(&search.scan_looseness),
+            format!("1 to {LOOSEST_SCAN}"),
         ),
         (
             "tolerance_fps",
