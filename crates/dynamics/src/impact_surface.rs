@@ -15,6 +15,7 @@ use crate::attitude::{Attitude, Euler};
 use crate::invalid::{Invalid, require};
 use crate::landing::{Landing, land};
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
+use crate::outcome::Outcome;
 use crate::scene::{Conditions, CrushRule, Scene, Settings};
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
@@ -89,10 +90,14 @@ pub enum NoSurface {
     Collinear,
     /// The points of impact span a wall.
     Wall,
-    /// On no surface near the one that the points of impact span does this pad touch in time.
+    /// On the surface that the points of impact span this pad never would touch.
     NeverTouches {
         /// Index of the leg, from 0.
         leg: usize,
+        /// How the landing ends there before.
+        outcome: Outcome,
+        /// When, s after first contact.
+        time: f64,
     },
     /// No slope gives these times: the least residual found, s.
     NotFound {
@@ -113,9 +118,10 @@ impl fmt::Display for NoSurface {
                 f.write_str("the points of impact lie on a line: they span no surface")
             }
             Self::Wall => f.write_str("the points of impact span a wall, steeper than 85 deg"),
-            Self::NeverTouches { leg } => write!(
+            Self::NeverTouches { leg, outcome, time } => write!(
                 f,
-                "footpad {} does not touch in time on the surface that the impact times suggest",
+                "footpad {} never touches the surface that the impact times suggest: the landing ends \
+                 before, {outcome} {time:.3} s after first contact",
                 leg + 1
             ),
             Self::NotFound { residual } => write!(
@@ -303,7 +309,11 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
         let mut residuals = [0.0; LEGS];
         for (leg, residual) in residuals.iter_mut().enumerate() {
             let contact = landing.pad_contact[leg].zip(first);
-            let (contact, first) = contact.ok_or(NoSurface::NeverTouches { leg })?;
+            let (contact, first) = contact.ok_or_else(|| NoSurface::NeverTouches {
+                leg,
+                outcome: landing.outcome.clone(),
+                time: landing.end_time,
+            })?;
             *residual = (contact - first) - (self.times[leg] - self.times[self.first]);
         }
         Ok(Trial { residuals, landing })

@@ -1,6 +1,6 @@
 //! A value found under a key: what it is, and complaints about it.
 
-use crate::document::{Node, Value};
+use crate::document::{Node, Value, dotted};
 use crate::input_error::{InputError, Place};
 use crate::section::{Layer, Section};
 
@@ -13,10 +13,14 @@ pub struct Found<'d> {
 }
 
 impl<'d> Found<'d> {
+    /// Where it stands.
+    pub fn here(&self) -> Place {
+        self.place.line(self.node.line)
+    }
+
     /// The complaint that this value is not what is `allowed`.
     pub fn complain(&self, allowed: &str) -> InputError {
-        InputError::value(&self.path, &self.node.written, allowed)
-            .at(self.place.line(self.node.line))
+        InputError::value(&self.path, &self.node.written, allowed).at(self.here())
     }
 
     /// Any complaint, at the place of this value.
@@ -25,13 +29,12 @@ impl<'d> Found<'d> {
             "{} = {}: {complaint}",
             self.path, self.node.written
         ))
-        .at(self.place.line(self.node.line))
+        .at(self.here())
     }
 
     /// The complaint that this key is unknown.
     pub fn unknown(&self, known: &[&str]) -> InputError {
-        InputError::unknown(&self.path, &self.node.written, known)
-            .at(self.place.line(self.node.line))
+        InputError::unknown(&self.path, &self.node.written, known).at(self.here())
     }
 
     /// The value as a number.
@@ -81,6 +84,31 @@ impl<'d> Found<'d> {
             Ok(layer) => Section::checked(self.place.clone(), vec![layer], known).map(Some),
             Err(_) => Ok(None),
         }
+    }
+
+    /// The values of this table and of the tables within it, by their dotted names below it.
+    ///
+    /// # Errors
+    /// When it is no table.
+    pub fn leaves(&self) -> Result<Vec<(String, Found<'d>)>, InputError> {
+        let mut leaves = Vec::new();
+        for entry in self.layer()?.entries {
+            let found = Found {
+                place: self.place.clone(),
+                path: dotted(&self.path, &entry.key),
+                node: &entry.node,
+            };
+            match &entry.node.value {
+                Value::Table(_) => leaves.extend(
+                    found
+                        .leaves()?
+                        .into_iter()
+                        .map(|(name, leaf)| (dotted(&entry.key, &name), leaf)),
+                ),
+                _ => leaves.push((entry.key.clone(), found)),
+            }
+        }
+        Ok(leaves)
     }
 
     pub(crate) fn layer(&self) -> Result<Layer<'d>, InputError> {

@@ -90,6 +90,14 @@ impl InputError {
         }
     }
 
+    /// The same complaint within a part of the input that has a name of its own.
+    pub fn within(self, part: &str) -> Self {
+        Self {
+            complaint: format!("{part}: {}", self.complaint),
+            ..self
+        }
+    }
+
     /// The same complaint with its place.
     pub fn at(self, place: Place) -> Self {
         Self {

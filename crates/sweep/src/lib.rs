@@ -2,7 +2,7 @@
 //!
 //! | step | modules |
 //! |---|---|
-//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`instead`], [`cases`], [`deck`] |
+//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`scene_file`], [`instead`], [`cases`], [`deck`] |
 //! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
@@ -55,6 +55,7 @@ pub mod run;
 pub mod sample;
 mod sample_input;
 pub mod scan;
+pub mod scene_file;
 pub mod scene_input;
 mod search_input;
 pub mod section;

@@ -66,6 +66,17 @@ impl NamedConditions {
         self.values[Self::position(name)?]
     }
 
+    /// Forgets the attitude if it is about to be given in its other form, by one of `names`.
+    pub fn make_room_for(&mut self, names: &[&str]) {
+        for (form, other) in [(EULER, TIP), (TIP, EULER)] {
+            if form.iter().any(|name| names.contains(name)) {
+                for index in other.into_iter().filter_map(Self::position) {
+                    self.values[index] = None;
+                }
+            }
+        }
+    }
+
     /// The conditions given, and those that follow from them by default, by name.
     pub fn resolved(&self) -> Vec<(&'static str, f64)> {
         NAMES

@@ -19,8 +19,17 @@ pub(crate) const CRUSH_RULES: [&str; 2] = ["pivot-rate", "section"];
 /// Letters of the friction profiles.
 pub(crate) const FRICTION_PROFILES: [&str; 3] = ["A", "B", "C"];
 
-/// Reads `[solver]`; whatever it leaves out has the program's default.
+/// Reads `[solver]` of a sweep; whatever it leaves out has the program's default.
 pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
+    settings_from(root, Settings::BOUNDARY_TOLERANCE)
+}
+
+/// Reads `[solver]` of single landings.
+pub(crate) fn settings_of_landing(root: &Section) -> Result<Settings, InputError> {
+    settings_from(root, Settings::DEFAULT_TOLERANCE)
+}
+
+fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, InputError> {
     let known = [&SOLVER[..], &method_input::KEYS].concat();
     let solver = root.optional_section("solver", &known)?;
     let number = |key| match &solver {
@@ -29,7 +38,7 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
     };
     let tolerance = number("tolerance")?;
     let method = method_input::read(solver.as_ref(), tolerance)?;
-    let tolerance = tolerance.unwrap_or(Settings::BOUNDARY_TOLERANCE);
+    let tolerance = tolerance.unwrap_or(default_tolerance);
     let time_limit = number("time_limit_s")?.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
     let rule = match solver
         .as_ref()

@@ -9,6 +9,7 @@ use crate::boundary::Search;
 use crate::case::CaseFault;
 use crate::design::Design;
 use crate::document::Document;
+use crate::found::Found;
 use crate::grid::{Grid, GridFault};
 use crate::input_error::InputError;
 use crate::instead::Given;
@@ -184,6 +185,15 @@ fn vehicle_document(root: &Section, path: &Path, library: Library) -> Result<Doc
         "vehicle",
         "the path of a vehicle file, relative to this file",
     )?;
+    named_vehicle(&found, path, library)
+}
+
+/// The vehicle file that a value names, which stands in the file `path`.
+pub(crate) fn named_vehicle(
+    found: &Found,
+    path: &Path,
+    library: Library,
+) -> Result<Document, InputError> {
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
     if !library.has(&file) {
         return Err(found.complain_that(&format!(
@@ -294,7 +304,11 @@ fn locate(
     }
 }
 
-fn locate_condition(fault: &SceneFault, scene: &Section, entries: &[AxisEntry]) -> InputError {
+pub(crate) fn locate_condition(
+    fault: &SceneFault,
+    scene: &Section,
+    entries: &[AxisEntry],
+) -> InputError {
     if let Some(found) = scene.optional(fault.name) {
         return found.complain(&fault.allowed);
     }

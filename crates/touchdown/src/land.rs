@@ -1,4 +1,5 @@
-//! `touchdown land`: one landing, or with `--cases` one for each row of a table.
+//! `touchdown land`: one landing, with `--cases` one for each row of a table, or those of a scene
+//! file.
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -17,7 +18,7 @@ use crate::failure::Failure;
 use crate::say::say;
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
-use crate::{LEGS, cases, report};
+use crate::{LEGS, cases, report, scene_cases};
 
 /// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
 const LONGEST_HISTORY: f64 = 1e7;
@@ -37,15 +38,43 @@ Examples:
   One landing for each row of a table with the columns case, vertical_velocity_fps,
   horizontal_velocity_fps, cross_slope_deg, pitch_deg, yaw_deg, roll_deg, slope_deg, friction:
     touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \\
-      --cases cases.csv --out outcomes.csv";
+      --cases cases.csv --out outcomes.csv
+
+  The touchdown of a scene file, and stacked behind it cases that tell only what differs from the
+  one before, each with its history:
+    touchdown land scene.toml --out landings
+  where scene.toml says
+    vehicle = \"vehicles/surveyor-table-4-1.toml\"    # relative to this file
+    [scene]                                          # and [solver], as in a sweep file
+    vertical_velocity_fps = 14
+    horizontal_velocity_fps = 11.25
+    cross_slope_deg = 180
+    slope_deg = 15
+    friction = 1.0
+    [[case]]                                         # the scene itself
+    name = \"baseline\"
+    [[case]]
+    horizontal_velocity_fps = 11.5
+    [[case]]                                         # still at 11.5 ft/s
+    vehicle.strut.preload_lb = 200
+    solver.crush_rule = \"section\"";
 
 /// Options of `land`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Options {
+    /// Scene file (TOML): a touchdown, and [[case]] tables that tell only what differs from the case
+    /// before
+    #[arg(
+        value_name = "SCENE.toml",
+        requires = "out",
+        group = "told",
+        conflicts_with_all = ["TouchdownOptions", "SolverOptions", "vehicle", "cases", "json"]
+    )]
+    scene: Option<PathBuf>,
     /// Vehicle file (TOML)
-    #[arg(long, value_name = "FILE")]
-    pub vehicle: PathBuf,
+    #[arg(long, value_name = "FILE", required_unless_present = "scene")]
+    vehicle: Option<PathBuf>,
     #[command(flatten)]
     touchdown: TouchdownOptions,
     #[command(flatten)]
@@ -55,11 +84,12 @@ pub struct Options {
         long,
         value_name = "FILE",
         conflicts_with = "cases",
+        group = "told",
         help_heading = "Output"
     )]
     history: Option<PathBuf>,
-    /// Time between the rows of the history, s
-    #[arg(long, value_name = "S", default_value_t = 0.01, requires = "history",
+    /// Time between the rows of a history, s
+    #[arg(long, value_name = "S", default_value_t = 0.01, requires = "told",
           value_parser = finite, allow_hyphen_values = true, help_heading = "Output")]
     interval: f64,
     /// Print the result as JSON
@@ -74,13 +104,9 @@ pub struct Options {
         help_heading = "Many landings"
     )]
     pub cases: Option<PathBuf>,
-    /// Write the results of --cases to this CSV file
-    #[arg(
-        long,
-        value_name = "FILE",
-        requires = "cases",
-        help_heading = "Many landings"
-    )]
+    /// Write the results of --cases to this CSV file; of a scene file, results and histories to this
+    /// folder
+    #[arg(long, value_name = "PATH", help_heading = "Many landings")]
     pub out: Option<PathBuf>,
     /// Threads for --cases [default: one for each core]
     #[arg(
@@ -97,10 +123,20 @@ pub struct Options {
 
 /// Runs `land`.
 pub fn run(options: &Options) -> Result<(), Failure> {
+    if let (Some(scene), Some(out)) = (&options.scene, &options.out) {
+        return scene_cases::run(scene, out, options.interval);
+    }
     let settings = options.solver.settings()?;
-    let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?;
+    let Some(vehicle) = &options.vehicle else {
+        return Err(InputError::missing("--vehicle", "a vehicle file").into());
+    };
+    let vehicle = VehicleFile::<LEGS>::read(vehicle)?;
     match (&options.cases, &options.out) {
         (Some(cases), Some(out)) => cases::run(options, &vehicle, &settings, cases, out),
+        (None, Some(_)) => {
+            let complaint = "--out says nothing without --cases or a scene file";
+            Err(InputError::other(complaint).into())
+        }
         _ => land_once(options, &vehicle, &settings),
     }
 }
@@ -111,7 +147,11 @@ fn land_once(
     settings: &Settings,
 ) -> Result<(), Failure> {
     let scene = options.touchdown.scene()?;
-    let interval = interval(options, settings.time_limit())?;
+    // No observations are needed without a history.
+    let interval = match options.history {
+        Some(_) => interval(options.interval, settings.time_limit())?,
+        None => f64::INFINITY,
+    };
     let history_place = options.history.as_deref().map(place_of).transpose()?;
 
     let mut history = History::default();
@@ -147,17 +187,14 @@ fn land_once(
     }
 }
 
-/// Time between observations, s: none are needed without a history.
-fn interval(options: &Options, time_limit: f64) -> Result<f64, InputError> {
-    if options.history.is_none() {
-        return Ok(f64::INFINITY);
-    }
+/// Checks the time between the rows of a history, s.
+pub fn interval(seconds: f64, time_limit: f64) -> Result<f64, InputError> {
     let least = time_limit / LONGEST_HISTORY;
-    if options.interval >= least && options.interval > 0.0 {
-        Ok(options.interval)
+    if seconds >= least && seconds > 0.0 {
+        Ok(seconds)
     } else {
         let allowed = format!("a time from {least:e} s, a ten-millionth of the time limit, up");
-        Err(InputError::value("--interval", options.interval, &allowed))
+        Err(InputError::value("--interval", seconds, &allowed))
     }
 }
 

@@ -19,6 +19,7 @@ mod plot;
 mod progress;
 mod report;
 mod say;
+mod scene_cases;
 mod solver_options;
 mod study;
 mod summary;
@@ -51,7 +52,7 @@ Exit codes: 0 done, 1 failed while running, 2 input that cannot be used, 130 int
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Compute one landing, or one landing for each row of a table
+    /// Compute one landing, those of a scene file, or one for each row of a table
     Land(Box<land::Options>),
     /// Search the horizontal velocity at which landings cease to be stable, over a grid
     Sweep(sweep::Options),
@@ -61,7 +62,7 @@ enum Command {
     Plot(plot::Options),
     /// Find slope and cross-slope from the times at which the footpads struck the surface
     Surface(surface::Options),
-    /// Convert a card deck of the 1966 program to a vehicle file and a table of cases
+    /// Convert a card deck of the 1966 program to vehicle files, a scene file and tables of cases
     ImportDeck(import_deck::Options),
     /// Compare results with what the report of 1966 says
     Study(study::Options),

@@ -190,7 +190,8 @@ fn moments(values: &[f64]) -> Option<(f64, f64)> {
 
 fn text(vehicle: &str, found: &ImpactSurface<LEGS>, uncertainty: Option<&Uncertainty>) -> String {
     let degrees = |angle: Option<f64>, why: &str| match angle {
-        Some(angle) => format!("{:.6} deg", angle.to_degrees()),
+        // Without the sign of what is zero but for rounding.
+        Some(angle) => format!("{:.6} deg", (1e6 * angle.to_degrees()).round() / 1e6 + 0.0),
         None => why.to_owned(),
     };
     let mut lines = vec![

@@ -262,7 +262,8 @@ fn a_card_deck_lands_as_its_sample_run() {
     );
     let done = bench.run(&["import-deck", "sample.txt", "--out", "deck"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
-    assert_eq!(bench.list("deck"), ["sample-cases.csv", "sample.toml"]);
+    let files = ["sample-cases.csv", "sample-scene.toml", "sample.toml"];
+    assert_eq!(bench.list("deck"), files);
     let done = bench.run(&[
         "land",
         "--vehicle",
@@ -284,4 +285,11 @@ fn a_card_deck_lands_as_its_sample_run() {
         rows[1]
     );
     assert!(rows[2].starts_with("5,"), "{}", rows[2]);
+    // The stack as a scene file tells of the second run only what changes, and lands the same.
+    let scene = bench.read("deck/sample-scene.toml");
+    let second = scene.rsplit("[[case]]").next().unwrap();
+    assert!(second.contains("horizontal_velocity_fps = 9.5") && !second.contains("friction"));
+    let done = bench.run(&["land", "deck/sample-scene.toml", "--out", "landings"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.read("landings/sample-scene.csv"), outcomes);
 }

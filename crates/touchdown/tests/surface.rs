@@ -107,7 +107,46 @@ fn what_cannot_be_is_refused() {
     surface(&bench, &upward).refused(&["--velocity = -12"]);
     let sigma = [&velocity[..], &["0,0.1,0.2", "--timing-sigma", "0"]].concat();
     surface(&bench, &sigma).refused(&["--timing-sigma = 0: allowed is value > 0"]);
-    let wall = surface(&bench, &[&velocity[..], &["0,0.1,50"]].concat());
-    assert_eq!(wall.code, Some(1), "{}", wall.out);
-    assert!(!wall.err.is_empty());
+}
+
+/// Options, exit code, and what is said.
+#[rustfmt::skip]
+const ANSWERS: [(&[&str], i32, &[&str]); 6] = [
+    (&["--velocity", "0,3,12", "--impact-times", "0,0,0"], 0, &[
+        "ground slope                 0.000000 deg",
+        "cross-slope                  none: level ground or no horizontal motion",
+        "rotation to ground axes      none: on level ground any axes serve",
+        "pitch                        0.000000 deg",
+    ]),
+    (&["--velocity", "0,0,12", "--impact-times", "0,0.1,0.1"], 0, &[
+        "cross-slope                  none: level ground or no horizontal motion",
+        "horizontal velocity          0.000000 ft/s",
+    ]),
+    (&["--velocity", "0,3,12", "--impact-times", "0,0.1,50"], 1, &["wall, steeper than 85 deg"]),
+    (&["--velocity", "0,3,12", "--pitch", "90", "--impact-times", "0,0,0"], 1, &["wall"]),
+    (&["--velocity", "0,3,14", "--impact-times", "0,1,1"], 1, &[
+        "footpad 2 never touches the surface that the impact times suggest",
+        "s after first contact",
+    ]),
+    (&["--velocity", "0,0,0", "--impact-times", "0,0,0"], 1, &["stable-subsided 0.000 s after first contact"]),
+];
+
+#[test]
+fn what_has_no_direction_or_no_surface_is_told_clearly() {
+    let bench = Bench::new();
+    for (options, code, fragments) in ANSWERS {
+        let done = surface(&bench, options);
+        assert_eq!(
+            done.code,
+            Some(code),
+            "{options:?}: {}{}",
+            done.out,
+            done.err
+        );
+        let told = if code == 0 { &done.out } else { &done.err };
+        for fragment in fragments {
+            assert!(told.contains(fragment), "{fragment} is not in: {told}");
+        }
+        assert_eq!(done.out.is_empty(), code != 0, "{}", done.out);
+    }
 }

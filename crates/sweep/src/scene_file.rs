@@ -1,0 +1,254 @@
+//! Scene files: a touchdown, and stacked behind it cases that tell only what differs from the one
+//! before, as the report's decks did.
+//!
+//! A case may change any touchdown condition, `vehicle.…` and `solver.…` by dotted keys, and the
+//! vehicle file. Giving the attitude in its other form replaces all of it.
+
+use std::path::{Path, PathBuf};
+
+use touchdown_dynamics::scene::{Scene, Settings};
+
+use crate::document::{Document, Value};
+use crate::found::Found;
+use crate::input_error::{InputError, Place};
+use crate::library::Library;
+use crate::parameter::{Home, Parameter};
+use crate::scene_input::{NAMES, NamedConditions, SceneFault};
+use crate::section::Section;
+use crate::settings_input;
+use crate::sweep_file::{locate_condition, named_vehicle};
+use crate::vehicle_file::VehicleFile;
+
+const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver", "case"];
+const VEHICLE: &str = "the path of a vehicle file, relative to this file";
+const CASES: &str = "tables [[case]]";
+const NAME: &str = "letters, digits, - and _ in quotes, other than those of the cases before";
+
+/// One landing of a scene file.
+#[derive(Debug, Clone)]
+pub struct SceneCase<const LEGS: usize> {
+    /// Its name, which files are named after: that in the file, or its number.
+    pub name: String,
+    /// What lands.
+    pub vehicle: VehicleFile<LEGS>,
+    /// How it touches down.
+    pub scene: Scene,
+    /// How that is computed.
+    pub settings: Settings,
+}
+
+/// Reads a scene file and the vehicle files that it names: its cases in their order, or the one
+/// touchdown of a file without any.
+///
+/// # Errors
+/// Names file, line, case, key and value of the first thing wrong, and what is allowed.
+pub fn read<const LEGS: usize>(path: &Path) -> Result<Vec<SceneCase<LEGS>>, InputError> {
+    let document = Library::Disk.document(path)?;
+    let root = Section::root(&document, &SCENE_FILE)?;
+    if let Some(title) = root.optional("title") {
+        title.text()?;
+    }
+    let scene = root.section("scene", &NAMES)?;
+    let mut stack = Stack::<LEGS>::of(path, &document, &root, &scene)?;
+    let Some(found) = root.optional("case") else {
+        return Ok(vec![stack.case("1".to_owned(), None, &scene)?]);
+    };
+    let entries = found.items(CASES)?;
+    if entries.is_empty() {
+        return Err(found.complain(CASES));
+    }
+    let mut cases: Vec<SceneCase<LEGS>> = Vec::new();
+    for (index, entry) in entries.iter().enumerate() {
+        let changes = Changes::of::<LEGS>(entry, index + 1)?;
+        let name = match &changes.name {
+            None => (index + 1).to_string(),
+            Some(found) => {
+                let name = found.text()?;
+                let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+                let is_fit = !name.is_empty() && name.chars().all(is_plain);
+                if !is_fit || cases.iter().any(|case| case.name == name) {
+                    return Err(found.complain(NAME));
+                }
+                name.to_owned()
+            }
+        };
+        stack.change(&changes)?;
+        cases.push(stack.case(name, Some(&changes), &scene)?);
+    }
+    Ok(cases)
+}
+
+/// What a case changes.
+struct Changes<'d> {
+    number: usize,
+    place: Place,
+    name: Option<Found<'d>>,
+    vehicle: Option<Found<'d>>,
+    parameters: Vec<(Parameter, Found<'d>)>,
+}
+
+impl<'d> Changes<'d> {
+    fn of<const LEGS: usize>(entry: &Found<'d>, number: usize) -> Result<Self, InputError> {
+        let mut changes = Self {
+            number,
+            place: entry.here(),
+            name: None,
+            vehicle: None,
+            parameters: Vec::new(),
+        };
+        for (name, found) in entry.leaves()? {
+            match (name.as_str(), &found.node.value) {
+                ("name", _) => changes.name = Some(found),
+                ("vehicle", Value::Text(_)) => changes.vehicle = Some(found),
+                _ => {
+                    let parameter = Parameter::named(&name, LEGS)
+                        .filter(|known| !known.name().starts_with("search."));
+                    let Some(parameter) = parameter else {
+                        return Err(found.complain_that(&unknown(&name, LEGS)));
+                    };
+                    changes.parameters.push((parameter, found));
+                }
+            }
+        }
+        Ok(changes)
+    }
+
+    /// Where the case says the first of what belongs to a part of the input, if it says any.
+    fn first_of(&self, part: Home) -> Option<&Found<'d>> {
+        let vehicle = self.vehicle.as_ref().filter(|_| part == Home::Vehicle);
+        let own = || self.parameters.iter().find(|(p, _)| p.home() == part);
+        vehicle.or_else(|| own().map(|(_, found)| found))
+    }
+
+    /// A complaint about a part of the input that arose with this case.
+    fn blame(&self, part: Home, error: InputError) -> InputError {
+        self.complain(error, self.first_of(part))
+    }
+
+    /// A complaint about the scene that arose with this case.
+    fn blame_condition(&self, fault: &SceneFault) -> InputError {
+        let said = self.parameters.iter().find(|(p, _)| p.name() == fault.name);
+        let said = said.map(|(_, found)| found);
+        let error = match (fault.value, said) {
+            (Some(_), Some(found)) => {
+                InputError::value(fault.name, &found.node.written, &fault.allowed)
+            }
+            (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
+            (None, _) => InputError::missing(fault.name, &fault.allowed),
+        };
+        self.complain(error, said)
+    }
+
+    fn complain(&self, error: InputError, found: Option<&Found>) -> InputError {
+        let place = found.map_or_else(|| self.place.clone(), Found::here);
+        error.within(&format!("case {}", self.number)).at(place)
+    }
+}
+
+fn unknown(name: &str, legs: usize) -> String {
+    let guess = match Parameter::nearest(name, legs).as_slice() {
+        [] => String::new(),
+        names => format!("did you mean {}? ", names.join(" or ")),
+    };
+    format!(
+        "no such key of a case; {guess}allowed are name, keys of the scene, a vehicle file, and \
+         dotted keys of the vehicle and the solver, such as vehicle.strut.compression_damping"
+    )
+}
+
+/// The input as it stands at a case.
+struct Stack<const LEGS: usize> {
+    path: PathBuf,
+    /// The scene file, of which the solver is read.
+    document: Document,
+    vehicle: Document,
+    conditions: NamedConditions,
+}
+
+impl<const LEGS: usize> Stack<LEGS> {
+    fn of(
+        path: &Path,
+        document: &Document,
+        root: &Section,
+        scene: &Section,
+    ) -> Result<Self, InputError> {
+        let vehicle = named_vehicle(&root.value("vehicle", VEHICLE)?, path, Library::Disk)?;
+        let mut conditions = NamedConditions::default();
+        for (name, found) in scene.all_values() {
+            conditions.set(name, found.number()?);
+        }
+        // What is wrong in these files themselves is told of them, and not of the first case.
+        settings_input::settings_of_landing(root)?;
+        VehicleFile::<LEGS>::from_document(vehicle.clone())?;
+        Ok(Self {
+            path: path.to_owned(),
+            document: document.clone(),
+            vehicle,
+            conditions,
+        })
+    }
+
+    fn change(&mut self, changes: &Changes) -> Result<(), InputError> {
+        if let Some(found) = &changes.vehicle {
+            self.vehicle = named_vehicle(found, &self.path, Library::Disk)?;
+        }
+        let scene = changes
+            .parameters
+            .iter()
+            .filter(|(p, _)| p.home() == Home::Scene);
+        let names: Vec<&str> = scene.map(|(parameter, _)| parameter.name()).collect();
+        self.conditions.make_room_for(&names);
+        for (parameter, found) in &changes.parameters {
+            let value = match parameter.words() {
+                [] => Value::Number(found.number()?),
+                words => match found.text() {
+                    Ok(word) if words.contains(&word) => Value::Text(word.to_owned()),
+                    _ => return Err(found.complain(&format!("one of {words:?}"))),
+                },
+            };
+            match (parameter.home(), &value) {
+                (Home::Scene, Value::Number(number)) => {
+                    self.conditions.set(parameter.name(), *number);
+                }
+                (Home::Vehicle, _) => {
+                    self.vehicle.write(parameter.path(), value);
+                }
+                _ => {
+                    self.document.write(parameter.path(), value);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn case(
+        &self,
+        name: String,
+        changes: Option<&Changes>,
+        scene: &Section,
+    ) -> Result<SceneCase<LEGS>, InputError> {
+        let blame = |part: Home| {
+            move |error: InputError| match changes {
+                Some(changes) => changes.blame(part, error),
+                None => error,
+            }
+        };
+        let touchdown = self.conditions.scene().map_err(|fault| match changes {
+            Some(changes) => changes.blame_condition(&fault),
+            None => locate_condition(&fault, scene, &[]),
+        })?;
+        let vehicle = VehicleFile::from_document(self.vehicle.clone());
+        let settings = Section::root(&self.document, &SCENE_FILE)
+            .and_then(|root| settings_input::settings_of_landing(&root));
+        Ok(SceneCase {
+            name,
+            vehicle: vehicle.map_err(blame(Home::Vehicle))?,
+            scene: touchdown,
+            settings: settings.map_err(blame(Home::Sweep))?,
+        })
+    }
+}
+
+#[cfg(test)]
+#[path = "scene_file_tests.rs"]
+mod tests;

@@ -1,0 +1,96 @@
+//! `touchdown land SCENE.toml`: the cases of a scene file, each with its history.
+
+use std::path::Path;
+
+use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::methods::land_observed;
+use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::history::History;
+use touchdown_sweep::scene_file::{self, SceneCase};
+use touchdown_sweep::{cases, method_input::method_words};
+
+use crate::LEGS;
+use crate::failure::Failure;
+use crate::land::interval;
+use crate::say::say;
+use crate::summary;
+
+/// Lands all cases and writes their histories, every `seconds`, and their results to a folder.
+pub fn run(scene: &Path, out: &Path, seconds: f64) -> Result<(), Failure> {
+    let cases = scene_file::read::<LEGS>(scene)?;
+    for case in &cases {
+        interval(seconds, case.settings.time_limit())?;
+    }
+    let folder = Folder::open(out)?;
+    let stem = scene.file_stem().unwrap_or_default().to_string_lossy();
+
+    let mut files = Vec::new();
+    let mut landings = Vec::new();
+    for case in &cases {
+        let (landing, history) = land(case, seconds)?;
+        files.push((format!("{stem}-{}.csv", case.name), history));
+        landings.push(landing);
+    }
+    let names: Vec<String> = cases.iter().map(|case| case.name.clone()).collect();
+    let results = cases::table(&names, &landings).map_err(Failure::running)?;
+    files.push((format!("{stem}.csv"), results));
+    let written = folder.deposit(&files)?;
+    say(&text(&cases, &landings))?;
+    say(&summary::written(&written))?;
+    Ok(())
+}
+
+fn land(case: &SceneCase<LEGS>, seconds: f64) -> Result<(Landing<LEGS>, Vec<u8>), Failure> {
+    let mut history = History::default();
+    let mut written = Ok(());
+    let (vehicle, scene) = (&case.vehicle.vehicle, &case.scene);
+    let (landing, _) = land_observed(vehicle, scene, &case.settings, seconds, |instant| {
+        if written.is_ok() {
+            written = history.add(instant);
+        }
+    });
+    written.map_err(Failure::running)?;
+    Ok((landing, history.table().map_err(Failure::running)?))
+}
+
+/// The results in columns.
+fn text(cases: &[SceneCase<LEGS>], landings: &[Landing<LEGS>]) -> String {
+    let heading = [
+        "case",
+        "outcome",
+        "end, s",
+        "least angle, deg",
+        "clearance, ft",
+        "strut force, lb",
+        "computed by",
+    ];
+    let mut lines = vec![heading.map(str::to_owned)];
+    for (case, landing) in cases.iter().zip(landings) {
+        let force = landing
+            .max_strut_force
+            .iter()
+            .fold(0.0f64, |a, b| a.max(*b));
+        lines.push([
+            case.name.clone(),
+            landing.outcome.to_string(),
+            format!("{:.4}", landing.end_time),
+            format!("{:.3}", landing.min_stability_angle.to_degrees()),
+            format!("{:.4}", landing.min_clearance),
+            format!("{force:.1}"),
+            method_words(&case.settings.method(), case.settings.tolerance()),
+        ]);
+    }
+    let width = |column: usize| {
+        let cells = lines.iter().map(|line| line[column].chars().count());
+        cells.max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..heading.len()).map(width).collect();
+    let line = |cells: &[String; 7]| {
+        let padded = cells
+            .iter()
+            .zip(&widths)
+            .map(|(cell, width)| format!("{cell:<width$}"));
+        format!("{}\n", padded.collect::<Vec<_>>().join("  ").trim_end())
+    };
+    lines.iter().map(line).collect()
+}
