@@ -10,7 +10,9 @@ use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
 use crate::map_view::View;
 use crate::perspective;
+use crate::sensitivity_table::{self, SensitivityTable};
 use crate::surface::Surface;
+use crate::tornado_chart;
 use crate::work_precision;
 
 /// A picture and what is appended to the table's name to name it.
@@ -23,7 +25,8 @@ pub struct Picture {
 }
 
 /// Draws all pictures of a result table: a profile for one axis, a contour map and a perspective
-/// view for a grid of two, none for anything else; for a table of histories, one of these.
+/// view for a grid of two, none for anything else; for a table of histories, one of these, for one of
+/// sensitivities a tornado chart.
 ///
 /// # Errors
 /// When a table is not one that a sweep writes, or a record is not JSON.
@@ -46,6 +49,12 @@ pub fn draw(
         return Ok(vec![Picture {
             suffix: "",
             svg: history_chart::draw(&HistoryTable::parse(table)?, &caption)?,
+        }]);
+    }
+    if sensitivity_table::is_one(table) {
+        return Ok(vec![Picture {
+            suffix: "",
+            svg: tornado_chart::draw(&SensitivityTable::parse(table)?, &caption)?,
         }]);
     }
     let table = BoundaryTable::parse(table)?;

@@ -22,7 +22,6 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::boundary::Boundary;
-use touchdown_sweep::findings::Finding;
 use touchdown_sweep::measured_scenes::level_grid;
 use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::sweep_file::Sweep;
@@ -143,13 +142,10 @@ fn level_vehicle_grid(bencher: Bencher, threads: &str) {
             .zip(&found)
             .filter_map(|(&point, finding)| {
                 let coordinates = sweep.design.coordinates(point);
-                match finding {
-                    Finding::Boundary(boundary) => Some(Point {
-                        place: [coordinates[0], coordinates[1]],
-                        boundary,
-                    }),
-                    Finding::Landing { .. } => None,
-                }
+                Some(Point {
+                    place: [coordinates[0], coordinates[1]],
+                    boundary: finding.boundary()?,
+                })
             })
             .collect();
         grid_errors(&points)

@@ -40,7 +40,7 @@ pub(crate) fn entries<'d>(
     let mut entries: Vec<AxisEntry> = Vec::with_capacity(leaves.len());
     for (name, found) in leaves {
         let Some(parameter) = Parameter::named(&name, legs) else {
-            return Err(found.complain_that(&unknown(&name, legs)));
+            return Err(found.complain_that(&Parameter::unknown(&name, legs)));
         };
         if entries.iter().any(|other| other.parameter == parameter) {
             return Err(found.complain_that("varies twice: allowed is one axis for each key"));
@@ -80,17 +80,6 @@ fn is_table_of_axes(entries: &[Entry]) -> bool {
         FORM.contains(&key) || SAMPLED.contains(&key)
     };
     !entries.is_empty() && !entries.iter().any(says_form)
-}
-
-fn unknown(name: &str, legs: usize) -> String {
-    let guess = match Parameter::nearest(name, legs).as_slice() {
-        [] => String::new(),
-        names => format!("did you mean {}? ", names.join(" or ")),
-    };
-    format!(
-        "no such parameter; {guess}allowed are keys of the scene, and dotted keys of the vehicle, \
-         the search and the solver, such as vehicle.strut.compression_damping"
-    )
 }
 
 impl AxisEntry<'_> {

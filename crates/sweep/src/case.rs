@@ -12,11 +12,11 @@ use touchdown_dynamics::vehicle::Vehicle;
 use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
-use crate::scene_input::{HORIZONTAL_VELOCITY, SceneFault};
+use crate::scene_input::{HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
 use crate::section::Section;
 use crate::sweep_file::{Job, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
-use crate::{search_input, settings_input};
+use crate::{search_input, settings_input, vehicle_file};
 
 /// What is landed at one point, how, and where its transition is searched.
 #[derive(Debug, Clone)]
@@ -68,48 +68,100 @@ impl<const LEGS: usize> Sweep<LEGS> {
     /// # Errors
     /// When it is not valid.
     pub fn case_at(&self, coordinates: &[f64]) -> Result<Case<'_, LEGS>, CaseFault> {
-        let (job, settings) = self.job_and_settings(coordinates)?;
-        let mut conditions = self.fixed;
-        for (axis, value) in self.axes.iter().zip(coordinates) {
-            if axis.home() == Home::Scene {
-                conditions.set(axis.name(), *value);
+        self.case_of(&self.axes, coordinates)
+    }
+
+    /// The input of a point, but for one parameter that has another value.
+    ///
+    /// # Errors
+    /// When it is not valid.
+    pub fn case_with(
+        &self,
+        point: usize,
+        parameter: &Parameter,
+        value: f64,
+    ) -> Result<Case<'_, LEGS>, CaseFault> {
+        let mut axes = self.axes.clone();
+        let mut coordinates = self.design.coordinates(point);
+        match axes.iter().position(|axis| axis == parameter) {
+            Some(axis) => coordinates[axis] = value,
+            None => {
+                axes.push(parameter.clone());
+                coordinates.push(value);
             }
         }
+        self.case_of(&axes, &coordinates)
+    }
+
+    /// The value that a number of scene or vehicle has at a point, if it has one.
+    pub fn value(&self, point: usize, parameter: &Parameter) -> Option<f64> {
+        let coordinates = self.design.coordinates(point);
+        match parameter.home() {
+            Home::Scene => {
+                let conditions = self.conditions(&self.axes, &coordinates).resolved();
+                let mut named = conditions.into_iter();
+                named.find_map(|(name, value)| (name == parameter.name()).then_some(value))
+            }
+            Home::Vehicle => {
+                let document = &self.vehicle.document;
+                let document = written(document, &self.axes, Home::Vehicle, &coordinates);
+                vehicle_file::number(&document, parameter.path())
+            }
+            Home::Sweep => None,
+        }
+    }
+
+    fn case_of(
+        &self,
+        axes: &[Parameter],
+        coordinates: &[f64],
+    ) -> Result<Case<'_, LEGS>, CaseFault> {
+        let (job, settings) = self.job_and_settings(axes, coordinates)?;
+        let mut conditions = self.conditions(axes, coordinates);
         if let Job::Boundary(search) = job {
             conditions.set(HORIZONTAL_VELOCITY, search.from);
         }
         Ok(Case {
-            vehicle: self.vehicle_at(coordinates)?,
+            vehicle: self.vehicle_at(axes, coordinates)?,
             scene: conditions.scene().map_err(CaseFault::Scene)?,
             job,
             settings,
         })
     }
 
-    fn varies(&self, part: Home) -> bool {
-        self.axes.iter().any(|axis| axis.home() == part)
+    fn conditions(&self, axes: &[Parameter], coordinates: &[f64]) -> NamedConditions {
+        let mut conditions = self.fixed;
+        for (axis, value) in axes.iter().zip(coordinates) {
+            if axis.home() == Home::Scene {
+                conditions.set(axis.name(), *value);
+            }
+        }
+        conditions
     }
 
-    fn vehicle_at(&self, coordinates: &[f64]) -> Result<Cow<'_, Vehicle<LEGS>>, CaseFault> {
-        if !self.varies(Home::Vehicle) {
+    fn vehicle_at(
+        &self,
+        axes: &[Parameter],
+        coordinates: &[f64],
+    ) -> Result<Cow<'_, Vehicle<LEGS>>, CaseFault> {
+        if !varies(axes, Home::Vehicle) {
             return Ok(Cow::Borrowed(&self.vehicle.vehicle));
         }
-        let document = written(
-            &self.vehicle.document,
-            &self.axes,
-            Home::Vehicle,
-            coordinates,
-        );
+        let document = written(&self.vehicle.document, axes, Home::Vehicle, coordinates);
         VehicleFile::from_document(document)
             .map(|file| Cow::Owned(file.vehicle))
             .map_err(in_part(Home::Vehicle))
     }
 
-    fn job_and_settings(&self, coordinates: &[f64]) -> Result<(Job, Settings), CaseFault> {
-        if !self.varies(Home::Sweep) {
+    fn job_and_settings(
+        &self,
+        axes: &[Parameter],
+        coordinates: &[f64],
+    ) -> Result<(Job, Settings), CaseFault> {
+        if !varies(axes, Home::Sweep) {
             return Ok((self.job, self.settings));
         }
-        let document = written(&self.document, &self.axes, Home::Sweep, coordinates);
+        let document = written(&self.document, axes, Home::Sweep, coordinates);
         let read = || {
             let root = Section::root(&document, &SWEEP)?;
             let job = match self.job {
@@ -120,6 +172,10 @@ impl<const LEGS: usize> Sweep<LEGS> {
         };
         read().map_err(in_part(Home::Sweep))
     }
+}
+
+fn varies(axes: &[Parameter], part: Home) -> bool {
+    axes.iter().any(|axis| axis.home() == part)
 }
 
 fn in_part(part: Home) -> impl Fn(InputError) -> CaseFault {

@@ -98,6 +98,31 @@ impl Document {
         &self.root
     }
 
+    /// The number at `path`, if there is one.
+    pub fn number(&self, path: &KeyPath) -> Option<f64> {
+        let (last, tables) = path.steps.split_last()?;
+        let mut entries = &self.root;
+        let find =
+            |entries: &'_ Vec<Entry>, key: &str| entries.iter().position(|entry| entry.key == key);
+        for step in tables {
+            let mut node = &entries[find(entries, &step.key)?].node;
+            if let Some(index) = step.entry {
+                let Value::List(nodes) = &node.value else {
+                    return None;
+                };
+                node = nodes.get(index)?;
+            }
+            let Value::Table(below) = &node.value else {
+                return None;
+            };
+            entries = below;
+        }
+        match entries[find(entries, &last.key)?].node.value {
+            Value::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+
     /// Puts a value in the place of the one at `path`, or adds it there. Tables on the way are
     /// made when they are missing, entries of arrays are not: whether there was a place for it.
     pub fn write(&mut self, path: &KeyPath, value: Value) -> bool {

@@ -6,6 +6,7 @@ use touchdown_dynamics::outcome::Outcome;
 use crate::boundary::Boundary;
 use crate::journal;
 use crate::landing_table::Cell;
+use crate::sensitivity::Sensitivity;
 
 /// What a point came to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,9 +20,36 @@ pub enum Finding {
         /// All that is told of it, as [`crate::landing_table`] orders it.
         cells: Vec<Cell>,
     },
+    /// Where landings cease to be stable, and what that depends on.
+    Sensitive {
+        /// Where.
+        boundary: Boundary,
+        /// What on.
+        sensitivity: Sensitivity,
+    },
 }
 
 impl Finding {
+    /// Where landings cease to be stable, if that was asked.
+    pub fn boundary(&self) -> Option<&Boundary> {
+        match self {
+            Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => Some(boundary),
+            Self::Landing { .. } => None,
+        }
+    }
+
+    /// Landings computed for it.
+    pub fn landings(&self) -> u64 {
+        match self {
+            Self::Boundary(boundary) => boundary.landings,
+            Self::Sensitive {
+                boundary,
+                sensitivity,
+            } => boundary.landings + sensitivity.landings,
+            Self::Landing { .. } => 1,
+        }
+    }
+
     /// Its bytes; numbers keep every bit.
     pub fn encode(&self) -> Vec<u8> {
         // Into memory, and of types that have a form: neither can fail.

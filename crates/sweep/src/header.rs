@@ -134,6 +134,7 @@ impl Header {
         let instead = Instead {
             vehicle: instead.vehicle.as_ref().map(read_vehicle).transpose()?,
             words: instead.words.clone(),
+            sensitivity: instead.sensitivity.clone(),
         };
         Sweep::read_from(sweep, library)?.with(&instead)
     }

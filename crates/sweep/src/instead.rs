@@ -10,6 +10,7 @@ use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::parameter::Home;
 use crate::section::Section;
+use crate::sensitivity::input;
 use crate::sweep_file::{Job, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
@@ -21,6 +22,8 @@ pub struct Instead<const LEGS: usize> {
     pub vehicle: Option<VehicleFile<LEGS>>,
     /// Words of `[search]` and `[solver]`, by their dotted keys.
     pub words: Vec<(String, String)>,
+    /// Parameters on which the transition's dependence is asked; the file's where there are none.
+    pub sensitivity: Vec<String>,
 }
 
 /// What was given instead, by the names of files and words.
@@ -28,6 +31,8 @@ pub struct Instead<const LEGS: usize> {
 pub(crate) struct Given {
     pub(crate) vehicle: Option<PathBuf>,
     pub(crate) words: Vec<(String, String)>,
+    #[serde(default)]
+    pub(crate) sensitivity: Vec<String>,
 }
 
 impl<const LEGS: usize> Sweep<LEGS> {
@@ -63,10 +68,15 @@ impl<const LEGS: usize> Sweep<LEGS> {
             self.check_points()?;
             self.sources.push(vehicle.document.source());
         }
+        if !instead.sensitivity.is_empty() {
+            self.sensitivity = input::named(&instead.sensitivity, LEGS)?;
+        }
+        self.check_sensitivity()?;
         let path = |file: &VehicleFile<LEGS>| file.document.path().to_owned();
         self.instead = Given {
             vehicle: instead.vehicle.as_ref().map(path),
             words: instead.words.clone(),
+            sensitivity: instead.sensitivity.clone(),
         };
         Ok(self)
     }
@@ -97,6 +107,7 @@ mod tests {
         let word = |key: &str, word: &str| (key.to_owned(), word.to_owned());
         let mut instead = Instead {
             vehicle: None,
+            sensitivity: Vec::new(),
             words: vec![
                 word("solver.crush_rule", "section"),
                 word("search.bands", "first"),

@@ -20,6 +20,14 @@ impl KeyPath {
         let steps = dotted.split('.').map(step).collect::<Option<_>>()?;
         Some(Self { steps })
     }
+
+    /// The same key of all legs, if it is one leg's own.
+    pub(crate) fn of_all_legs(&self) -> Option<Self> {
+        let (first, rest) = self.steps.split_first()?;
+        (first.key == "legs" && first.entry.is_some()).then(|| Self {
+            steps: rest.to_vec(),
+        })
+    }
 }
 
 fn step(text: &str) -> Option<Step> {

@@ -5,6 +5,7 @@
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`scene_file`], [`instead`], [`cases`], [`deck`] |
 //! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
+//! | how much its place depends on the input | [`sensitivity`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
 //! | do so on every core | [`run`] |
 //! | measure what it costs | [`measured_scenes`] |
@@ -59,10 +60,12 @@ pub mod scene_file;
 pub mod scene_input;
 mod search_input;
 pub mod section;
+pub mod sensitivity;
 pub mod settings_input;
 pub mod shard;
 pub mod sweep_file;
 pub mod tables;
 pub mod tally;
 pub mod trial;
+pub mod unit;
 pub mod vehicle_file;

@@ -86,6 +86,18 @@ impl Parameter {
         alike.into_iter().map(|(_, known)| known).collect()
     }
 
+    /// The complaint that no parameter has a name.
+    pub(crate) fn unknown(name: &str, legs: usize) -> String {
+        let guess = match Self::nearest(name, legs).as_slice() {
+            [] => String::new(),
+            names => format!("did you mean {}? ", names.join(" or ")),
+        };
+        format!(
+            "no such parameter; {guess}allowed are keys of the scene, and dotted keys of the vehicle, \
+             the search and the solver, such as vehicle.strut.compression_damping"
+        )
+    }
+
     /// Its name, which heads its column in results.
     pub fn name(&self) -> &str {
         &self.name
@@ -99,6 +111,13 @@ impl Parameter {
     /// Its key within that part.
     pub fn path(&self) -> &KeyPath {
         &self.path
+    }
+
+    /// Whether it is an angle or a rate of turn.
+    pub fn is_angular(&self) -> bool {
+        ["_deg", "_dps"]
+            .iter()
+            .any(|unit| self.name.ends_with(unit))
     }
 
     /// The words that it can be; none for a number.

@@ -18,17 +18,21 @@ use serde_json::{Map, Value, json};
 
 use crate::deposit::Draft;
 use crate::sweep_file::Sweep;
+use crate::unit::unit;
 
 /// Rows of a group: what is in memory at once.
 const GROUP: usize = 1 << 16;
 /// Columns of words and of counts; all others hold numbers.
-const WORDS: [&str; 6] = [
+const WORDS: [&str; 9] = [
     "first_transition_to",
     "outcome",
     "kind",
     "failure",
     "axis",
     "certainty",
+    "parameter",
+    "unit",
+    "dependence",
 ];
 const COUNTS: [&str; 7] = [
     "landings",
@@ -39,24 +43,6 @@ const COUNTS: [&str; 7] = [
     "bottomed",
     "looks",
 ];
-/// Units by the endings of names; the longer of two that fit comes first.
-const UNITS: [(&str, &str); 14] = [
-    ("_lb_per_ft", "lb/ft"),
-    ("_per_ft", "1/ft"),
-    ("_slug_ft2", "slug ft2"),
-    ("_fps2", "ft/s2"),
-    ("_fps", "ft/s"),
-    ("_ftlb", "ft lb"),
-    ("_ft", "ft"),
-    ("_deg", "deg"),
-    ("_dps", "deg/s"),
-    ("_slug", "slug"),
-    ("_psf", "lb/ft2"),
-    ("_lb", "lb"),
-    ("_s", "s"),
-    ("_damping", "lb s2/ft2"),
-];
-
 /// A table under way.
 pub(crate) struct ParquetTable {
     writer: SerializedFileWriter<Draft>,
@@ -177,32 +163,4 @@ fn number<T: std::str::FromStr>(cell: &str) -> Result<T, ParquetError> {
 
 fn failed(error: ParquetError) -> io::Error {
     io::Error::other(error)
-}
-
-/// Unit of a column, by the ending of its name; 1 for pure numbers and words.
-fn unit(name: &str) -> &'static str {
-    // Forces and times of one leg carry its number before their unit.
-    let found = UNITS.iter().find(|(ending, _)| name.ends_with(ending));
-    found.map_or("1", |(_, unit)| unit)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn units_follow_from_names() {
-        for (name, expected) in [
-            ("roll_deg", "deg"),
-            ("first_transition_fps", "ft/s"),
-            ("vehicle.gravity_fps2", "ft/s2"),
-            ("vehicle.strut.structural_stiffness_lb_per_ft", "lb/ft"),
-            ("vehicle.strut.rebound_damping", "lb s2/ft2"),
-            ("max_strut_force_1_lb", "lb"),
-            ("energy_closure_ftlb", "ft lb"),
-            ("friction", "1"),
-        ] {
-            assert_eq!(unit(name), expected, "{name}");
-        }
-    }
 }

@@ -60,6 +60,10 @@ impl<const LEGS: usize> Sweep<LEGS> {
             }
             Job::Outcome { enough } => input["stop_at_interval_width"] = json!(enough),
         }
+        if !self.sensitivity.is_empty() {
+            let names = self.sensitivity.iter().map(Parameter::name);
+            input["sensitivity"] = names.collect();
+        }
         if let Design::Sample(sample) = &self.design {
             input["sample"] = json!({
                 "design": sample.spread().name(),

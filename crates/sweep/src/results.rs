@@ -58,7 +58,9 @@ pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
 pub fn row<const LEGS: usize>(sweep: &Sweep<LEGS>, point: usize, finding: &Finding) -> Vec<String> {
     let mut row = sweep.coordinates_written(point);
     match finding {
-        Finding::Boundary(boundary) => row.extend(boundary_cells(boundary)),
+        Finding::Boundary(boundary) | Finding::Sensitive { boundary, .. } => {
+            row.extend(boundary_cells(boundary));
+        }
         Finding::Landing { cells, .. } => row.extend(cells.iter().map(Cell::to_string)),
     }
     row
@@ -109,6 +111,7 @@ pub fn record<const LEGS: usize>(
                 .collect::<Map<String, Value>>(),
             "scan_speeds_skipped": tally.skipped,
             "certainty_landings": tally.tests,
+            "sensitivity_landings": tally.sensitivity_landings,
             "landings": tally.landings,
             "derivative_evaluations": tally.evaluations,
             "bands": tally.bands,

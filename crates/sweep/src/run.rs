@@ -16,12 +16,14 @@ use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::case::CaseFault;
+use crate::case::{Case, CaseFault};
+use crate::certainty::Variation;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::known::Known;
 use crate::landing_table;
 use crate::scene_input::SceneFault;
+use crate::sensitivity;
 use crate::shard::Shard;
 use crate::sweep_file::{Job, Sweep};
 use crate::trial::{Scales, Trial};
@@ -275,14 +277,14 @@ fn find<const LEGS: usize>(
         fault,
     };
     let case = sweep.case(point).map_err(invalid)?;
-    let landed = |scene: &Scene, settings: &Settings| {
+    let landed = |vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings| {
         stop.go_on()?;
-        let landing = land(&case.vehicle, scene, settings);
+        let landing = land(vehicle, scene, settings);
         observer.landing();
         Ok(landing)
     };
     let Job::Boundary(search) = case.job else {
-        let landing = landed(&case.scene, &case.settings)?;
+        let landing = landed(&case.vehicle, &case.scene, &case.settings)?;
         let cells = landing_table::columns(&landing)
             .into_iter()
             .map(|(_, cell)| cell);
@@ -291,8 +293,7 @@ fn find<const LEGS: usize>(
             outcome: landing.outcome,
         });
     };
-    let scales = Scales::of(&case.vehicle);
-    let boundary = search.boundary(|speed, variation| {
+    let mut trial = |case: &Case<LEGS>, speed, variation: Variation| {
         let varied = case
             .scene
             .with_horizontal_velocity(speed)
@@ -304,9 +305,18 @@ fn find<const LEGS: usize>(
                 allowed: fault.allowed,
             }))
         })?;
-        Ok(Trial::of(landed(&varied, &settings)?, &scales))
-    });
-    boundary.map(Finding::Boundary)
+        let landing = landed(&case.vehicle, &varied, &settings)?;
+        Ok(Trial::of(landing, &Scales::of(&case.vehicle)))
+    };
+    let boundary = search.boundary(|speed, variation| trial(&case, speed, variation))?;
+    if sweep.sensitivity.is_empty() {
+        return Ok(Finding::Boundary(boundary));
+    }
+    let sensitivity = sensitivity::of_point(sweep, point, (&case, &search), &boundary, &mut trial)?;
+    Ok(Finding::Sensitive {
+        boundary,
+        sensitivity,
+    })
 }
 
 #[cfg(test)]

@@ -17,11 +17,12 @@ use crate::library::{Library, Source};
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
+use crate::sensitivity::input;
 use crate::vehicle_file::VehicleFile;
 use crate::{case, sample_input, search_input, settings_input};
 
 /// Keys of a sweep file.
-pub(crate) const SWEEP: [&str; 9] = [
+pub(crate) const SWEEP: [&str; 10] = [
     "title",
     "statement",
     "job",
@@ -30,6 +31,7 @@ pub(crate) const SWEEP: [&str; 9] = [
     "axes",
     "sample",
     "search",
+    "sensitivity",
     "solver",
 ];
 
@@ -66,6 +68,8 @@ pub struct Sweep<const LEGS: usize> {
     pub job: Job,
     /// How landings are computed; what varies of it has its first value.
     pub settings: Settings,
+    /// Parameters on which the first transition's dependence is asked.
+    pub sensitivity: Vec<Parameter>,
     /// The files that were read.
     pub(crate) sources: Vec<Source>,
     pub(crate) instead: Given,
@@ -136,6 +140,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
             design,
             job,
             settings,
+            sensitivity: input::parameters(&root, LEGS)?,
             sources,
             instead: Given::default(),
             document: document.clone(),
@@ -145,6 +150,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
                 return Err(locate(&fault, &coordinates, &scene, &entries));
             }
         }
+        sweep.check_sensitivity()?;
         Ok(sweep)
     }
 
@@ -152,6 +158,24 @@ impl<const LEGS: usize> Sweep<LEGS> {
     pub fn stem(&self) -> String {
         let stem = self.path.file_stem().unwrap_or(self.path.as_os_str());
         stem.to_string_lossy().into_owned()
+    }
+
+    /// Whether the sensitivities that are asked for can be.
+    pub(crate) fn check_sensitivity(&self) -> Result<(), InputError> {
+        let refuse =
+            |complaint: String| Err(InputError::other(complaint).at(self.document.place()));
+        if !self.sensitivity.is_empty() && self.search().is_none() {
+            return refuse("sensitivity: says nothing where job = \"outcome\"".to_owned());
+        }
+        let valueless = |parameter: &&Parameter| self.value(0, parameter).is_none();
+        match self.sensitivity.iter().find(valueless) {
+            Some(parameter) => refuse(format!(
+                "sensitivity to {}: it has no value here: allowed are numbers that the sweep or the \
+                 vehicle file gives",
+                parameter.name()
+            )),
+            None => Ok(()),
+        }
     }
 
     /// Where to search, if that is what the sweep asks.

@@ -9,6 +9,7 @@ use crate::deposit::{DepositError, Draft, Folder};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::parquet_table::ParquetTable;
+use crate::sensitivity::table;
 use crate::sweep_file::Sweep;
 use crate::tally::Tally;
 use crate::{bands_table, probabilities, results};
@@ -20,6 +21,8 @@ pub struct Tables {
     pub points: Draft,
     /// Bands, where all were searched, or probabilities of outcomes.
     pub beside: Option<Draft>,
+    /// What transitions depend on, where that was asked.
+    pub sensitivity: Option<Draft>,
     /// The same as Parquet files, where they were asked for.
     pub parquet: Vec<Draft>,
     /// Their points in numbers.
@@ -89,15 +92,31 @@ impl Tables {
             true => Some(begin("-bands", &bands_table::heading(sweep))?),
             false => None,
         };
+        let mut sensitivities = match sweep.sensitivity.is_empty() {
+            false => Some(begin("-sensitivity", &table::heading(sweep))?),
+            true => None,
+        };
         let mut tally = Tally::of(sweep);
         for point in 0..sweep.design.count() {
             let bytes = results.result(point)?;
             let finding = bytes.as_deref().and_then(Finding::decode);
             let finding = finding.ok_or(TablesError::Point(point))?;
             points.add(&results::row(sweep, point, &finding))?;
-            if let (Some(bands), Finding::Boundary(boundary)) = (&mut bands, &finding) {
+            if let (Some(bands), Some(boundary)) = (&mut bands, finding.boundary()) {
                 for row in bands_table::rows(sweep, point, boundary) {
                     bands.add(&row)?;
+                }
+            }
+            if let (
+                Some(table),
+                Finding::Sensitive {
+                    boundary,
+                    sensitivity,
+                },
+            ) = (&mut sensitivities, &finding)
+            {
+                for row in table::rows(sweep, point, boundary, sensitivity) {
+                    table.add(&row)?;
                 }
             }
             tally.add(sweep, point, &finding);
@@ -117,17 +136,19 @@ impl Tables {
             }
         };
         let (points, mut parquet) = points.end()?;
-        let beside = match beside {
-            None => None,
-            Some(table) => {
-                let (csv, more) = table.end()?;
-                parquet.extend(more);
-                Some(csv)
-            }
+        let mut end = |table: Option<Table>| -> Result<Option<Draft>, DepositError> {
+            let Some(table) = table else {
+                return Ok(None);
+            };
+            let (csv, more) = table.end()?;
+            parquet.extend(more);
+            Ok(Some(csv))
         };
+        let (beside, sensitivity) = (end(beside)?, end(sensitivities)?);
         Ok(Self {
             points,
             beside,
+            sensitivity,
             parquet,
             tally,
         })

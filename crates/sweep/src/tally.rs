@@ -6,6 +6,7 @@ use crate::boundary::{Boundary, Transition};
 use crate::findings::Finding;
 use crate::landing_table::Cell;
 use crate::probabilities::Probabilities;
+use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::sweep_file::{Job, Sweep};
 
 /// Counts over the points of a sweep.
@@ -27,6 +28,10 @@ pub struct Tally {
     pub skipped: u64,
     /// Landings that put transitions to the test.
     pub tests: u64,
+    /// Landings for sensitivities.
+    pub sensitivity_landings: u64,
+    /// Sensitivities asked for, over all points, and how many of them are smooth.
+    pub slopes: [usize; 2],
     /// The lowest first transition, and its point.
     pub lowest: Option<(usize, Transition)>,
     /// Outcomes, where they are asked.
@@ -60,6 +65,13 @@ impl Tally {
         self.points += 1;
         match found {
             Finding::Boundary(boundary) => self.add_boundary(point, boundary),
+            Finding::Sensitive {
+                boundary,
+                sensitivity,
+            } => {
+                self.add_boundary(point, boundary);
+                self.add_sensitivity(sensitivity);
+            }
             Finding::Landing { outcome, cells } => {
                 self.landings += 1;
                 self.evaluations += evaluations(cells);
@@ -104,6 +116,15 @@ impl Tally {
         {
             self.lowest = Some((point, transition));
         }
+    }
+
+    fn add_sensitivity(&mut self, found: &Sensitivity) {
+        self.sensitivity_landings += found.landings;
+        self.landings += found.landings;
+        self.evaluations += found.evaluations;
+        let is_smooth = |slope: &&Slope| matches!(slope.dependence, Dependence::Smooth { .. });
+        self.slopes[0] += found.slopes.len();
+        self.slopes[1] += found.slopes.iter().filter(is_smooth).count();
     }
 
     /// Number of points for each kind of first transition that occurs, `none` last.

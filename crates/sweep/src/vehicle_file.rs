@@ -9,6 +9,7 @@ use touchdown_dynamics::vehicle::{
 
 use crate::document::Document;
 use crate::input_error::InputError;
+use crate::key_path::KeyPath;
 use crate::library::Library;
 use crate::section::Section;
 
@@ -97,6 +98,15 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
         .chain(of_a_leg.iter().cloned())
         .chain(own)
         .collect()
+}
+
+/// The number of a vehicle file under a dotted key: a leg's own or else that of all legs; the scale
+/// of a table is 1 when it is left out.
+pub(crate) fn number(document: &Document, path: &KeyPath) -> Option<f64> {
+    let of_all = || document.number(&path.of_all_legs()?);
+    let is_scale = path.steps.last().is_some_and(|step| step.key == SCALE);
+    let found = document.number(path).or_else(of_all);
+    found.or_else(|| is_scale.then_some(1.0))
 }
 
 /// A vehicle with the file that describes it.

@@ -39,7 +39,7 @@ fn search(sweep: &Sweep<3>, extent: Extent, scan: Scan, refinement: Refinement) 
     let points: Vec<usize> = (0..sweep.design.count()).collect();
     let boundary = |found| match found {
         Finding::Boundary(boundary) => boundary,
-        Finding::Landing { .. } => panic!("a boundary was asked"),
+        _ => panic!("a boundary was asked"),
     };
     let found = workers.points(&sweep, &points).unwrap();
     found.into_iter().map(boundary).collect()

@@ -49,7 +49,7 @@ pub fn tell(sweep: &Sweep<LEGS>, shard: Shard, workers: &Workers) -> Result<Stri
     }
     let seconds = start.elapsed().as_secs_f64();
     let each = points as f64 / findings.len().max(1) as f64;
-    let landings: u64 = findings.iter().map(landings).sum();
+    let landings: u64 = findings.iter().map(Finding::landings).sum();
     let journal: usize = findings.iter().map(Finding::record_length).sum();
     let rows = sample.iter().zip(&findings);
     let table: usize = rows
@@ -73,13 +73,6 @@ pub fn tell(sweep: &Sweep<LEGS>, shard: Shard, workers: &Workers) -> Result<Stri
 fn axes(sweep: &Sweep<LEGS>) -> String {
     let names: Vec<&str> = sweep.axes.iter().map(|axis| axis.name()).collect();
     names.join(", ")
-}
-
-fn landings(finding: &Finding) -> u64 {
-    match finding {
-        Finding::Boundary(boundary) => boundary.landings,
-        Finding::Landing { .. } => 1,
-    }
 }
 
 /// `most` of the numbers below `count`, or all, evenly spread.

@@ -32,6 +32,10 @@ pub struct Overrides {
     /// Narrow brackets by interpolating margins, or by halving
     #[arg(long, value_name = "HOW")]
     refinement: Option<RefinementName>,
+    /// Parameters by their dotted names (commas between them) on which the dependence of the first
+    /// transition is told: dV_H/dp at every point, and a tornado chart
+    #[arg(long, value_name = "PARAMETERS", value_delimiter = ',')]
+    sensitivity: Vec<String>,
 }
 
 /// Extents of a search by name.
@@ -79,6 +83,7 @@ impl Overrides {
         let instead = Instead {
             vehicle,
             words: words.into_iter().filter_map(given).collect(),
+            sensitivity: self.sensitivity.clone(),
         };
         sweeps
             .into_iter()

@@ -24,6 +24,9 @@ Examples:
   touchdown plot results/trade.csv --least-over friction,roll_deg --out map.png
     draws the worst of everything else over two of many axes
 
+  touchdown plot results/sensitivity/critical-touchdown-sensitivity.csv
+    draws the tornado chart
+
 The table of bands (figure-4-09-bands.csv) and the record (figure-4-09.json) are read where they
 stand beside the table: without the one only first transitions are drawn, without the other there
 is no title.";
@@ -123,7 +126,11 @@ fn draw(table: &Path, least_over: &[String]) -> Result<Vec<Picture>, InputError>
         let name = format!("{}{ending}", stem(table));
         fs::read_to_string(table.with_file_name(name)).ok()
     };
-    let record = beside(".json");
+    // Tables of sensitivities have no record of their own.
+    let of_sweep = stem(table).strip_suffix("-sensitivity").map(str::to_owned);
+    let of_sweep = of_sweep
+        .and_then(|stem| fs::read_to_string(table.with_file_name(format!("{stem}.json"))).ok());
+    let record = beside(".json").or(of_sweep);
     let (text, bands) = match least_over {
         [] => (text, beside("-bands.csv")),
         axes => (least::over(&text, axes).map_err(refuse)?, None),

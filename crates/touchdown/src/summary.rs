@@ -77,6 +77,10 @@ pub fn sweep<const LEGS: usize>(
         } = tally;
         text += &format!("  {bands} bands; {looks} looks for hidden ones found {finds}\n");
     }
+    let [asked, smooth] = tally.slopes;
+    if asked > 0 {
+        text += &format!("  sensitivities: {smooth} of {asked} have a derivative\n");
+    }
     text += &format!(
         "  {}",
         cost(tally.landings, tally.evaluations, wall_time, threads)

@@ -45,6 +45,8 @@ Example:
     scan_step_fps = 0.25                               # upward scan to the first change,
     tolerance_fps = 0.001                              # then halving to this width
     bands = \"first\"                                    # or \"all\": every change up to to_fps
+    [sensitivity]                                      # if wanted: dV_H/dp, and a tornado chart
+    parameters = [\"friction\", \"vehicle.strut.preload_lb\"]
     [solver]
     tolerance = 3e-5
     crush_rule = \"pivot-rate\"                          # or \"section\"";

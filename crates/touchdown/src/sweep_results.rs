@@ -52,6 +52,7 @@ pub fn write(
     let record = format!("{record:#}\n");
 
     let mut files = pictures(sweep, &tables, &record)?;
+    files.extend(tornado_chart(sweep, &tables, &record)?);
     files.push((format!("{}.json", sweep.stem()), record.into_bytes()));
     let mut drafts = files
         .iter()
@@ -59,6 +60,7 @@ pub fn write(
         .collect::<Result<Vec<_>, _>>()?;
     drafts.extend(tables.parquet);
     drafts.extend(tables.beside);
+    drafts.extend(tables.sensitivity);
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     Ok(Written {
@@ -66,6 +68,24 @@ pub fn write(
         circumstances,
         files: Draft::put_in_place(drafts)?,
     })
+}
+
+/// What transitions depend on, where anything has a derivative.
+fn tornado_chart(
+    sweep: &Sweep<LEGS>,
+    tables: &Tables,
+    record: &str,
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let [_, smooth] = tables.tally.slopes;
+    let text = match &tables.sensitivity {
+        Some(table) if smooth > 0 => table.text(LONGEST_DRAWN)?,
+        _ => None,
+    };
+    let Some(text) = text else {
+        return Ok(Vec::new());
+    };
+    let pictures = picture::draw(&text, None, Some(record)).map_err(Failure::running)?;
+    plot::both(&format!("{}-sensitivity", sweep.stem()), &pictures)
 }
 
 fn pictures(

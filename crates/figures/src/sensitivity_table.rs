@@ -1,0 +1,208 @@
+//! Tables of sensitivities, read back: how the transition velocity changes with each parameter, point
+//! by point.
+
+use crate::figure_error::FigureError;
+use crate::table::{Row, Table};
+
+/// The column that makes a table one of sensitivities.
+const DERIVATIVE: &str = "dvh_dp_fps_per_unit";
+const PARAMETER: &str = "parameter";
+
+/// Sensitivities at one or more points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SensitivityTable {
+    /// The points, in the order of the table.
+    pub points: Vec<Point>,
+}
+
+/// The sensitivities of a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Names and coordinates of the point, as written.
+    pub place: Vec<(String, String)>,
+    /// First transition, ft/s, if there is one.
+    pub speed: Option<f64>,
+    /// One for each parameter, in the same order at every point.
+    pub slopes: Vec<Slope>,
+}
+
+/// The dependence on one parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slope {
+    /// Its dotted name.
+    pub parameter: String,
+    /// Its unit; 1 for pure numbers.
+    pub unit: String,
+    /// Its value, if it has one.
+    pub value: Option<f64>,
+    /// Step within which the dependence was looked at, in the unit of the parameter.
+    pub step: Option<f64>,
+    /// How the transition goes with it, in a word.
+    pub dependence: String,
+    /// What a change makes, where the dependence is smooth.
+    pub change: Option<Change>,
+}
+
+/// A change of the transition velocity with one of a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// Change of the parameter, in its unit.
+    pub span: f64,
+    /// Change of the transition velocity, ft/s.
+    pub speed: f64,
+    /// Its estimated error, ft/s.
+    pub error: f64,
+}
+
+/// Whether the heading of a table is one of sensitivities.
+pub fn is_one(csv: &str) -> bool {
+    let heading = csv.lines().next().unwrap_or_default();
+    heading.split(',').any(|column| column == DERIVATIVE)
+}
+
+impl SensitivityTable {
+    /// Reads a table of sensitivities.
+    ///
+    /// # Errors
+    /// Names the row and column of what is not as a sweep writes it.
+    pub fn parse(csv: &str) -> Result<Self, FigureError> {
+        let table = Table::parse(csv)?;
+        let axes = table.column(PARAMETER)?;
+        let speed = table.column("first_transition_fps")?;
+        let columns = Columns::of(&table)?;
+        let mut points: Vec<Point> = Vec::new();
+        for row in table.some_rows()? {
+            let slope = columns.slope(row)?;
+            let names = table.names().into_iter().take(axes).enumerate();
+            let place: Vec<(String, String)> = names
+                .map(|(axis, name)| (name.to_owned(), row.text(axis).to_owned()))
+                .collect();
+            match points.last_mut().filter(|point| point.place == place) {
+                Some(point) => point.slopes.push(slope),
+                None => points.push(Point {
+                    place,
+                    speed: number(row, speed)?,
+                    slopes: vec![slope],
+                }),
+            }
+        }
+        let names = |point: &Point| -> Vec<String> {
+            let slopes = point.slopes.iter();
+            slopes.map(|slope| slope.parameter.clone()).collect()
+        };
+        match points
+            .iter()
+            .find(|point| names(point) != names(&points[0]))
+        {
+            Some(_) => Err(FigureError::Table(
+                "points differ in their parameters".to_owned(),
+            )),
+            None => Ok(Self { points }),
+        }
+    }
+
+    /// Index of the point with the lowest transition, the first of those that have a derivative.
+    pub fn lowest(&self) -> Option<usize> {
+        let has_change = |point: &Point| point.slopes.iter().any(|slope| slope.change.is_some());
+        let known = self.points.iter().enumerate();
+        known
+            .filter(|(_, point)| has_change(point))
+            .filter_map(|(index, point)| Some((index, point.speed?)))
+            .min_by(|(_, a), (_, b)| a.total_cmp(b))
+            .map(|(index, _)| index)
+    }
+}
+
+/// Where the columns of a slope stand.
+struct Columns {
+    parameter: usize,
+    unit: usize,
+    value: usize,
+    step: usize,
+    dependence: usize,
+    changes: [usize; 3],
+}
+
+impl Columns {
+    fn of(table: &Table) -> Result<Self, FigureError> {
+        Ok(Self {
+            parameter: table.column(PARAMETER)?,
+            unit: table.column("unit")?,
+            value: table.column("value")?,
+            step: table.column("step")?,
+            dependence: table.column("dependence")?,
+            changes: [
+                table.column("span")?,
+                table.column("vh_change_fps")?,
+                table.column("vh_change_error_fps")?,
+            ],
+        })
+    }
+
+    fn slope(&self, row: Row) -> Result<Slope, FigureError> {
+        let [span, speed, error] = self.changes.map(|column| number(row, column));
+        Ok(Slope {
+            parameter: row.text(self.parameter).to_owned(),
+            unit: row.text(self.unit).to_owned(),
+            value: number(row, self.value)?,
+            step: number(row, self.step)?,
+            dependence: row.text(self.dependence).to_owned(),
+            change: match (span?, speed?, error?) {
+                (Some(span), Some(speed), Some(error)) => Some(Change { span, speed, error }),
+                _ => None,
+            },
+        })
+    }
+}
+
+/// The number in a column; an empty cell has none.
+fn number(row: Row, column: usize) -> Result<Option<f64>, FigureError> {
+    match row.text(column) {
+        "" => Ok(None),
+        _ => row.number(column).map(Some),
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// Two points over roll, three parameters; the second point has the lower transition.
+    pub const TABLE: &str = "\
+roll_deg,parameter,unit,value,first_transition_to,first_transition_fps,dependence,step,dvh_dp_fps_per_unit,\
+dvh_dp_error_fps_per_unit,span,vh_change_fps,vh_change_error_fps
+0,friction,1,1,unstable,12.5,smooth,0.03,4,0.1,0.1,0.4,0.01
+0,vehicle.strut.preload_lb,lb,185,unstable,12.5,smooth,6,-0.01,0.001,18.5,-0.185,0.0185
+0,slope_deg,deg,15,unstable,12.5,smooth,1,-0.3,0.001,1,-0.3,0.001
+5,friction,1,1,unstable,11.25,smooth,0.03,2,0.2,0.1,0.2,0.02
+5,vehicle.strut.preload_lb,lb,185,unstable,11.25,jumps,6,,,,,
+5,slope_deg,deg,15,unstable,11.25,smooth,1,-0.5,0.001,1,-0.5,0.001
+";
+
+    #[test]
+    fn points_are_told_apart_and_words_have_no_number() {
+        assert!(is_one(TABLE));
+        let table = SensitivityTable::parse(TABLE).unwrap();
+        assert_eq!((table.points.len(), table.lowest()), (2, Some(1)));
+        let point = &table.points[1];
+        assert_eq!(point.place, [("roll_deg".to_owned(), "5".to_owned())]);
+        assert_eq!(point.slopes[1].change, None);
+        assert_eq!(point.slopes[1].dependence, "jumps");
+        let change = point.slopes[2].change.unwrap();
+        assert_eq!(
+            (change.span, change.speed, change.error),
+            (1.0, -0.5, 0.001)
+        );
+    }
+
+    #[test]
+    fn complaints_name_row_and_column() {
+        let complaint = |text: &str| SensitivityTable::parse(text).unwrap_err().to_string();
+        let wrong = complaint(&TABLE.replace("0.4,0.01", "NaN,0.01"));
+        assert!(wrong.contains("row 1: vh_change_fps = NaN"), "{wrong}");
+        let wrong = complaint(&TABLE.replace("5,slope_deg", "5,pitch_deg"));
+        assert!(wrong.contains("points differ"), "{wrong}");
+        let heading = TABLE.lines().next().unwrap();
+        assert!(complaint(heading).contains("no rows"));
+    }
+}

@@ -1,0 +1,65 @@
+//! What a tornado chart says of its rows and its axis.
+
+use crate::number::label;
+use crate::parameter_words::{parameter_words, printed_unit};
+use crate::sensitivity_table::{Point, Slope};
+
+/// Name, value and change of a parameter.
+pub fn name(slope: &Slope) -> String {
+    let mut name = parameter_words(&slope.parameter);
+    let unit = printed_unit(&slope.unit);
+    if let Some(value) = slope.value {
+        name += &format!("  {} {unit}", label(value));
+    }
+    match slope.change {
+        // Angles change by their unit, all else by a tenth.
+        Some(change) if slope.unit.starts_with("deg") => {
+            format!("{} ± {} {unit}", name.trim_end(), label(change.span))
+        }
+        Some(_) => format!("{} ± 10 %", name.trim_end()),
+        None => name,
+    }
+}
+
+/// Why a parameter has no bar.
+pub fn said(slope: &Slope) -> String {
+    let within = |words: &str| match slope.step {
+        Some(step) => {
+            let digits = 10f64.powf(2.0 - step.abs().log10().ceil());
+            let step = label((step * digits).round() / digits);
+            format!("{words} within ± {step} {}", printed_unit(&slope.unit))
+        }
+        None => words.to_owned(),
+    };
+    match slope.dependence.as_str() {
+        "jumps" => within("V_H jumps"),
+        "kinked" => within("V_H has a kink"),
+        "vanishes" => within("no transition any more"),
+        "not-allowed" => within("not allowed"),
+        "no-step" => "0: no step follows".to_owned(),
+        other => other.to_owned(),
+    }
+}
+
+/// What the axis shows: a change from the transition of a point.
+pub fn title(lowest: &Point) -> String {
+    let place = lowest.place.iter();
+    let place = place.map(|(name, value)| {
+        let unit = ["_deg", "_fps", "_ft"]
+            .into_iter()
+            .find(|unit| name.ends_with(unit));
+        let unit = match unit {
+            Some("_deg") => " deg",
+            Some("_fps") => " ft/s",
+            Some(_) => " ft",
+            None => "",
+        };
+        let value = value.replace('-', "\u{2212}");
+        format!("{} {value}{unit}", parameter_words(name))
+    });
+    let place = place.collect::<Vec<_>>().join(", ");
+    let speed = lowest
+        .speed
+        .map_or(0.0, |speed| (speed * 1e3).round() / 1e3);
+    format!("Change of V_H, ft/s, from {} ft/s at {place}", label(speed))
+}

@@ -1,0 +1,128 @@
+//! The transition of a slightly different input, near one that is known.
+
+use touchdown_dynamics::outcome::Class;
+
+use crate::boundary::first_unstable;
+use crate::refine::{Narrowing, Refinement};
+use crate::trial::Sample;
+
+/// Where a transition is looked for; speeds in ft/s.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Near {
+    /// Where it is expected.
+    pub(crate) around: f64,
+    /// How far from there it is looked for first.
+    pub(crate) within: f64,
+    /// How far from there it is looked for at all.
+    pub(crate) reach: f64,
+    /// What begins there.
+    pub(crate) to: Class,
+    /// Width of the bracket.
+    pub(crate) width: f64,
+}
+
+impl Near {
+    /// Middle of the bracket between a landing that is stable and one that ends as it should, both
+    /// landed at; `None` where there is no such change within reach.
+    pub(crate) fn follow<Stop>(
+        &self,
+        sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
+    ) -> Result<Option<f64>, Stop> {
+        let lowest = (self.around - self.reach).max(0.0);
+        let highest = self.around + self.reach;
+        let below = (self.around - self.within).clamp(lowest, highest);
+        let above = (self.around + self.within).clamp(lowest, highest);
+        let mut low = sample(below)?;
+        let mut beyond = None;
+        let mut stride = 2.0 * self.within;
+        while low.class() != Class::Stable {
+            if low.speed <= lowest {
+                return Ok(None);
+            }
+            let next = sample((low.speed - stride).max(lowest))?;
+            beyond = Some(std::mem::replace(&mut low, next));
+            stride *= 2.0;
+        }
+        let mut high = match beyond {
+            Some(sample) => sample,
+            None => sample(above)?,
+        };
+        stride = 2.0 * self.within;
+        while high.class() == Class::Stable {
+            if high.speed >= highest {
+                return Ok(None);
+            }
+            let next = sample((high.speed + stride).min(highest))?;
+            low = std::mem::replace(&mut high, next);
+            stride *= 2.0;
+        }
+        let narrowing = Narrowing {
+            refinement: Refinement::Margin,
+            tolerance: self.width,
+            to_all: false,
+        };
+        let mut samples = narrowing.between(&low, &high, sample)?.samples;
+        samples.extend([low, high]);
+        samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let change = first_unstable(&samples).filter(|index| *index > 0);
+        Ok(change
+            .filter(|index| samples[*index].class() == self.to)
+            .map(|index| 0.5 * (samples[index - 1].speed + samples[index].speed)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trial::Trial;
+    use std::convert::Infallible;
+
+    /// Toppling from 11.4 ft/s, with a margin that runs through zero there, and bottoming from 12.5.
+    fn land(speed: f64) -> Sample {
+        match speed {
+            speed if speed < 12.5 => Sample::example(speed, 0.3 * (11.4 - speed)),
+            speed => Sample {
+                speed,
+                trial: Trial::example(Class::Bottomed, 1),
+            },
+        }
+    }
+
+    fn follow(around: f64, within: f64, to: Class) -> (Option<f64>, usize) {
+        let mut landings = 0;
+        let near = Near {
+            around,
+            within,
+            reach: 1.0,
+            to,
+            width: 1e-4,
+        };
+        let mut sample = |speed| {
+            landings += 1;
+            Ok::<_, Infallible>(land(speed))
+        };
+        let Ok(found) = near.follow(&mut sample);
+        (found, landings)
+    }
+
+    #[test]
+    fn a_transition_is_found_on_either_side_of_where_it_is_expected() {
+        for around in [10.45, 11.0, 11.39, 11.4, 11.5, 12.3] {
+            let (found, landings) = follow(around, 0.01, Class::Unstable);
+            assert!(
+                (found.unwrap() - 11.4).abs() <= 0.5e-4,
+                "{around}: {found:?}"
+            );
+            assert!(landings < 20, "{landings} landings around {around}");
+        }
+    }
+
+    #[test]
+    fn what_is_too_far_away_or_ends_otherwise_is_not_taken_for_it() {
+        assert_eq!(follow(10.0, 0.01, Class::Unstable).0, None);
+        assert_eq!(follow(13.0, 0.01, Class::Unstable).0, None);
+        assert_eq!(follow(11.4, 0.01, Class::Bottomed).0, None);
+        // Speeds are never negative.
+        assert_eq!(follow(0.5, 0.4, Class::Unstable).0, None);
+    }
+}

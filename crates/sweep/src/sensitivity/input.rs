@@ -1,0 +1,57 @@
+//! Which sensitivities a sweep asks for: the table `[sensitivity]`, or names given instead.
+
+use crate::input_error::InputError;
+use crate::parameter::{Home, Parameter};
+use crate::scene_input::HORIZONTAL_VELOCITY;
+use crate::section::Section;
+
+const SENSITIVITY: [&str; 1] = ["parameters"];
+const ALLOWED: &str = "a list of dotted names, such as \"vehicle.strut.compression_damping\"";
+
+/// Reads `[sensitivity]`; nothing is asked for without it.
+pub(crate) fn parameters(root: &Section, legs: usize) -> Result<Vec<Parameter>, InputError> {
+    let Some(section) = root.optional_section("sensitivity", &SENSITIVITY)? else {
+        return Ok(Vec::new());
+    };
+    let list = section.value("parameters", ALLOWED)?;
+    let mut parameters = Vec::new();
+    for item in list.items(ALLOWED)? {
+        add(&mut parameters, item.text()?, legs).map_err(|said| item.complain_that(&said))?;
+    }
+    match parameters.is_empty() {
+        true => Err(list.complain("a list of at least one name")),
+        false => Ok(parameters),
+    }
+}
+
+/// The parameters of names that were given instead.
+///
+/// # Errors
+/// Names the first that cannot be used.
+pub(crate) fn named(names: &[String], legs: usize) -> Result<Vec<Parameter>, InputError> {
+    let mut parameters = Vec::new();
+    for name in names {
+        add(&mut parameters, name, legs)
+            .map_err(|said| InputError::other(format!("--sensitivity {name}: {said}")))?;
+    }
+    Ok(parameters)
+}
+
+fn add(parameters: &mut Vec<Parameter>, name: &str, legs: usize) -> Result<(), String> {
+    let Some(parameter) = Parameter::named(name, legs) else {
+        return Err(Parameter::unknown(name, legs));
+    };
+    if parameter.name() == HORIZONTAL_VELOCITY {
+        return Err("is what the search varies: allowed are other conditions".to_owned());
+    }
+    if parameter.home() == Home::Sweep {
+        let complaint = "is no property of the lander or the landing: allowed are keys of the scene \
+                         and dotted keys of the vehicle";
+        return Err(complaint.to_owned());
+    }
+    if parameters.contains(&parameter) {
+        return Err("is there twice: allowed is once".to_owned());
+    }
+    parameters.push(parameter);
+    Ok(())
+}

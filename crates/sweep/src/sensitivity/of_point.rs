@@ -1,0 +1,195 @@
+//! The sensitivities of one point, from perturbed inputs and their transitions.
+
+use touchdown_dynamics::outcome::Class;
+
+use super::follow::Near;
+use super::{Dependence, Sensitivity, Slope, difference};
+use crate::boundary::{Boundary, Extent, Search};
+use crate::case::Case;
+use crate::certainty::{Certainty, Doubt, Variation};
+use crate::parameter::Parameter;
+use crate::sweep_file::Sweep;
+use crate::trial::{Sample, Trial};
+
+/// Part of the search's bracket to which transitions are narrowed down here.
+const FINER: f64 = 0.1;
+/// Longest step, in scales of the parameter.
+const LONGEST_STEP: f64 = 0.1;
+/// Steepest transition that is followed: by so many times V_H over a scale. Beyond it is a jump.
+const STEEPEST: f64 = 4.0;
+/// How far away the transition of the first step is expected, in parts of the steepest change.
+const EXPECTED: f64 = 1.0 / 16.0;
+/// Scale of angles and of rates of turn, deg and deg/s.
+const ANGULAR_SCALE: f64 = 30.0;
+
+/// Lands a case at a horizontal speed (ft/s) with a variation.
+type Land<'l, const LEGS: usize, Stop> =
+    dyn FnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop> + 'l;
+
+/// The sensitivities that a sweep asks for at a point, whose `case` was searched and has a `boundary`.
+pub(crate) fn of_point<const LEGS: usize, Stop>(
+    sweep: &Sweep<LEGS>,
+    point: usize,
+    (case, search): (&Case<LEGS>, &Search),
+    boundary: &Boundary,
+    land: &mut Land<LEGS, Stop>,
+) -> Result<Sensitivity, Stop> {
+    let nowhere = |speed, dependence| {
+        let step = None;
+        let slopes = vec![Slope { step, dependence }; sweep.sensitivity.len()];
+        Sensitivity {
+            speed,
+            slopes,
+            ..Sensitivity::default()
+        }
+    };
+    let Some(transition) = boundary.transition.filter(|found| found.low < found.high) else {
+        return Ok(nowhere(None, Dependence::NoTransition));
+    };
+    if let Certainty::Disputed(_) = transition.certainty {
+        return Ok(nowhere(None, Dependence::Disputed));
+    }
+    let [mut landings, mut evaluations] = [0, 0];
+    let mut counted = |case: &Case<LEGS>, speed, variation| {
+        let trial = land(case, speed, variation)?;
+        landings += 1;
+        evaluations += trial.evaluations;
+        Ok(trial)
+    };
+    let width = FINER * search.tolerance;
+    let near = Near {
+        around: transition.speed(),
+        within: 0.5 * (transition.high - transition.low),
+        reach: search.scan_step,
+        to: transition.to,
+        width,
+    };
+    let found = match near.follow(&mut |speed| sample(case, speed, &mut counted))? {
+        // Landing at its ends once more gave something else.
+        None => nowhere(None, Dependence::Disputed),
+        Some(speed) => {
+            let known = Known {
+                speed,
+                to: transition.to,
+                width,
+                resolution: width + case.settings.tolerance() * speed,
+            };
+            let slope = |parameter| known.slope(sweep, point, search, parameter, &mut counted);
+            let slopes = sweep.sensitivity.iter().map(slope);
+            Sensitivity {
+                speed: Some(speed),
+                slopes: slopes.collect::<Result<_, _>>()?,
+                ..Sensitivity::default()
+            }
+        }
+    };
+    Ok(Sensitivity {
+        landings,
+        evaluations,
+        ..found
+    })
+}
+
+fn sample<const LEGS: usize, Stop>(
+    case: &Case<LEGS>,
+    speed: f64,
+    land: &mut Land<LEGS, Stop>,
+) -> Result<Sample, Stop> {
+    land(case, speed, Variation::Given).map(|trial| Sample { speed, trial })
+}
+
+/// The transition of a point.
+struct Known {
+    /// Where it is, ft/s.
+    speed: f64,
+    /// What begins there.
+    to: Class,
+    /// Width of brackets, ft/s.
+    width: f64,
+    /// How well transitions are known, ft/s.
+    resolution: f64,
+}
+
+impl Known {
+    /// How the transition depends on a parameter.
+    fn slope<const LEGS: usize, Stop>(
+        &self,
+        sweep: &Sweep<LEGS>,
+        point: usize,
+        search: &Search,
+        parameter: &Parameter,
+        land: &mut Land<LEGS, Stop>,
+    ) -> Result<Slope, Stop> {
+        let scaled = |value| Some((value, scale(parameter, value)?));
+        let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
+            return Ok(Slope {
+                step: None,
+                dependence: Dependence::NoStep,
+            });
+        };
+        let part = (self.resolution / self.speed).cbrt().min(LONGEST_STEP);
+        let step = part * scale;
+        let reach = STEEPEST * part * self.speed;
+        let found = |dependence| Slope {
+            step: Some(step),
+            dependence,
+        };
+        let mut speeds = [self.speed; 5];
+        let mut within = EXPECTED * reach;
+        // As far from one that is known as that is from another, on the other side.
+        let places = [
+            (3, 0.5, [2, 2]),
+            (1, -0.5, [2, 3]),
+            (4, 1.0, [3, 2]),
+            (0, -1.0, [1, 2]),
+        ];
+        for (place, steps, [near, other]) in places {
+            let Ok(case) = sweep.case_with(point, parameter, value + steps * step) else {
+                return Ok(found(Dependence::NotAllowed));
+            };
+            let near = Near {
+                around: 2.0 * speeds[near] - speeds[other],
+                within: within.max(2.0 * self.width),
+                reach,
+                to: self.to,
+                width: self.width,
+            };
+            match near.follow(&mut |speed| sample(&case, speed, land))? {
+                Some(speed) => speeds[place] = speed,
+                None => return gone(&case, search, land).map(found),
+            }
+            within = 0.25 * (speeds[3] - speeds[2]).abs();
+        }
+        Ok(found(difference::judged(speeds, step, self.resolution)))
+    }
+}
+
+/// Scale over which a parameter makes a difference, in its unit; `None` for 0.
+fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
+    if parameter.is_angular() {
+        return Some(ANGULAR_SCALE);
+    }
+    (value != 0.0).then(|| value.abs())
+}
+
+/// What became of a transition that is no longer near: an ordinary search tells.
+fn gone<const LEGS: usize, Stop>(
+    case: &Case<LEGS>,
+    search: &Search,
+    land: &mut Land<LEGS, Stop>,
+) -> Result<Dependence, Stop> {
+    let search = Search {
+        extent: Extent::First,
+        doubt: Doubt::None,
+        ..*search
+    };
+    let boundary = search.boundary(|speed, variation| land(case, speed, variation))?;
+    Ok(match boundary.transition {
+        Some(_) => Dependence::Jumps,
+        None => Dependence::Vanishes,
+    })
+}
+
+#[cfg(test)]
+#[path = "of_point_tests.rs"]
+mod tests;

@@ -1,0 +1,108 @@
+use std::convert::Infallible;
+use std::path::Path;
+
+use super::*;
+use crate::boundary::Transition;
+use crate::sweep_file::Job;
+
+#[test]
+fn scales_are_magnitudes_but_of_angles() {
+    let scale = |name: &str, value| scale(&Parameter::named(name, 3).unwrap(), value);
+    assert_eq!(scale("friction", 0.8), Some(0.8));
+    assert_eq!(scale("friction", 0.0), None);
+    assert_eq!(scale("roll_deg", 0.0), Some(30.0));
+    assert_eq!(scale("angular_velocity_x_dps", 2.0), Some(30.0));
+    assert_eq!(scale("vehicle.inertia_slug_ft2.xz", -5.87), Some(5.87));
+    assert_eq!(scale("vehicle.legs[2].azimuth_deg", 120.0), Some(30.0));
+}
+
+/// What landings at friction μ and a speed come to.
+type Landed = fn(f64, f64) -> Class;
+
+/// The dependence on friction, where it is 1, of a boundary at which landings end so.
+fn dependence_on_friction(landed: Landed, certainty: Certainty) -> Slope {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
+    let mut sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+    sweep.sensitivity = vec![Parameter::named("friction", 3).unwrap()];
+    let case = sweep.case(0).unwrap();
+    let Job::Boundary(search) = case.job else {
+        panic!("the sweep searches boundaries");
+    };
+    let land = |case: &Case<3>, speed, _: Variation| {
+        let friction = case.scene.conditions().pad_friction;
+        Ok::<_, Infallible>(Trial::example(landed(friction, speed), 1))
+    };
+    let Ok(mut boundary) = search.boundary(|speed, variation| land(&case, speed, variation));
+    if let Some(found) = &mut boundary.transition {
+        *found = Transition {
+            certainty,
+            ..*found
+        };
+    }
+    let mut land = land;
+    let Ok(found) = of_point(&sweep, 0, (&case, &search), &boundary, &mut land);
+    found.slopes[0]
+}
+
+fn topples(is_over: bool) -> Class {
+    match is_over {
+        true => Class::Unstable,
+        false => Class::Stable,
+    }
+}
+
+#[test]
+fn a_known_boundary_has_its_derivative_within_the_error() {
+    let topple: Landed = |friction, speed| {
+        let more = friction - 1.0;
+        topples(speed > 11.0 + 2.0 * more + 3.0 * more * more)
+    };
+    let slope = dependence_on_friction(topple, Certainty::Certain);
+    let Dependence::Smooth { derivative, error } = slope.dependence else {
+        panic!("{slope:?}");
+    };
+    assert!((derivative - 2.0).abs() <= error, "{derivative} ± {error}");
+    assert!(error < 0.05, "{error}");
+    // The rule: (1e-4 ft/s of bracket, and 3e-5 of the speed) / speed, cube root.
+    let rule = ((1e-4 + 3e-5 * 11.0) / 11.0_f64).cbrt();
+    assert!((slope.step.unwrap() / rule - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn where_there_is_no_derivative_a_word_says_why() {
+    let cases: [(Landed, Dependence); 6] = [
+        (|_, _| Class::Stable, Dependence::NoTransition),
+        (|_, _| Class::Unstable, Dependence::NoTransition),
+        // A step of half a foot per second, and one that is farther than anything is followed.
+        (
+            |f, v| topples(v > 11.0 + 0.5 * f64::from(f > 1.01)),
+            Dependence::Jumps,
+        ),
+        (
+            |f, v| topples(v > 11.0 - 8.0 * f64::from(f < 0.99)),
+            Dependence::Jumps,
+        ),
+        (|f, v| topples(v > 11.0 && f < 1.01), Dependence::Vanishes),
+        (
+            |f, v| topples(v > 11.0 + 5.0 * (f - 1.0).abs()),
+            Dependence::Kinked,
+        ),
+    ];
+    for (index, (landed, expected)) in cases.into_iter().enumerate() {
+        let slope = dependence_on_friction(landed, Certainty::Certain);
+        assert_eq!(slope.dependence, expected, "{index}");
+    }
+    let disputed = Certainty::Disputed([10.0, 12.0]);
+    let slope = dependence_on_friction(|_, v| topples(v > 11.0), disputed);
+    assert_eq!(slope.dependence, Dependence::Disputed);
+}
+
+#[test]
+fn another_kind_of_transition_is_a_jump() {
+    let landed: Landed = |friction, speed| match speed > 11.0 {
+        true if friction > 1.01 => Class::Bottomed,
+        over => topples(over),
+    };
+    let slope = dependence_on_friction(landed, Certainty::Certain);
+    assert_eq!(slope.dependence, Dependence::Jumps);
+}

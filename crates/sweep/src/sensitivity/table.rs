@@ -1,0 +1,123 @@
+//! Sensitivities as a table: one row for each point and parameter.
+//!
+//! `vh_change_fps` is what the derivative makes of a change by `span`: 10 % of the parameter, or 1 deg
+//! (deg/s) of an angle (rate of turn). The numbers of a dependence that is not `smooth` are empty.
+
+use super::{Dependence, Sensitivity, Slope};
+use crate::boundary::Boundary;
+use crate::parameter::Parameter;
+use crate::results::transition_name;
+use crate::sweep_file::Sweep;
+use crate::unit::unit;
+
+/// Columns of the table after those of the axes.
+pub const COLUMNS: [&str; 12] = [
+    "parameter",
+    "unit",
+    "value",
+    "first_transition_to",
+    "first_transition_fps",
+    "dependence",
+    "step",
+    "dvh_dp_fps_per_unit",
+    "dvh_dp_error_fps_per_unit",
+    "span",
+    "vh_change_fps",
+    "vh_change_error_fps",
+];
+
+/// Change for which the change of V_H is told, as a part of the parameter.
+const SPAN: f64 = 0.1;
+/// The same for angles and rates of turn, deg and deg/s.
+const ANGULAR_SPAN: f64 = 1.0;
+
+/// Heading of the table.
+pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
+    let axes = sweep.axes.iter().map(|axis| axis.name());
+    axes.chain(COLUMNS).map(str::to_owned).collect()
+}
+
+/// Rows of a point, one for each parameter, in the order in which they were asked for.
+pub fn rows<const LEGS: usize>(
+    sweep: &Sweep<LEGS>,
+    point: usize,
+    boundary: &Boundary,
+    found: &Sensitivity,
+) -> Vec<Vec<String>> {
+    let coordinates = sweep.coordinates_written(point);
+    let asked = sweep.sensitivity.iter().zip(&found.slopes);
+    let row = |(parameter, slope): (&Parameter, &Slope)| {
+        let value = sweep.value(point, parameter);
+        let cells = [
+            parameter.name().to_owned(),
+            unit(parameter.name()).to_owned(),
+            number(value),
+            transition_name(boundary),
+            number(found.speed),
+            slope.dependence.word().to_owned(),
+            number(slope.step),
+        ];
+        let numbers = match (slope.dependence, value.map(|value| span(parameter, value))) {
+            (Dependence::Smooth { derivative, error }, Some(span)) => {
+                let numbers = [derivative, error, span, derivative * span, error * span];
+                numbers.map(|number| number.to_string())
+            }
+            _ => std::array::from_fn(|_| String::new()),
+        };
+        let cells = cells.into_iter().chain(numbers);
+        coordinates.iter().cloned().chain(cells).collect()
+    };
+    asked.map(row).collect()
+}
+
+fn span(parameter: &Parameter, value: f64) -> f64 {
+    match parameter.is_angular() {
+        true => ANGULAR_SPAN,
+        false => SPAN * value.abs(),
+    }
+}
+
+fn number(number: Option<f64>) -> String {
+    number.map_or(String::new(), |number| number.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn numbers_stand_where_there_is_a_derivative_and_words_elsewhere() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
+        let mut sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+        let named = |name| Parameter::named(name, 3).unwrap();
+        sweep.sensitivity = vec![
+            named("vehicle.legs[2].strut.preload_lb"),
+            named("roll_deg"),
+            named("friction"),
+        ];
+        let slope = |step, dependence| Slope { step, dependence };
+        let smooth = |derivative, error| Dependence::Smooth { derivative, error };
+        let found = Sensitivity {
+            speed: Some(11.25),
+            slopes: vec![
+                slope(Some(6.5), smooth(-0.5, 0.25)),
+                slope(Some(1.0), smooth(0.125, 0.0)),
+                slope(None, Dependence::Jumps),
+            ],
+            ..Sensitivity::default()
+        };
+        let rows = rows(&sweep, 3, &Boundary::default(), &found);
+        assert!(rows.iter().all(|row| row.len() == heading(&sweep).len()));
+        let rows: Vec<String> = rows.iter().map(|row| row.join(",")).collect();
+        assert_eq!(
+            rows,
+            [
+                "-45,vehicle.legs[2].strut.preload_lb,lb,185,none,11.25,smooth,6.5,-0.5,0.25,\
+                 18.5,-9.25,4.625",
+                "-45,roll_deg,deg,-45,none,11.25,smooth,1,0.125,0,1,0.125,0",
+                "-45,friction,1,1,none,11.25,jumps,,,,,,",
+            ]
+        );
+    }
+}
