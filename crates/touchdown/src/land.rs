@@ -63,7 +63,7 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Options {
-    /// Scene file (TOML): a touchdown, and [[case]] tables that tell only what differs from the case
+    /// Scene file (TOML): a touchdown, and `[[case]]` tables that tell only what differs from the case
     /// before
     #[arg(
         value_name = "SCENE.toml",
