@@ -129,9 +129,9 @@ Forty level landings of Table 4-1's vehicle around its toppling boundary (slope 
 run to its outcome; errors a second after first contact against `touchdown` at a tolerance of 1e-11.
 
 The peers integrate 25 variables with a compiled right-hand side of the same equations. They are plain
-adaptive methods: every evaluation chooses the active piece of each law from the state, which takes half as
-long again as one whose pieces are known; what the crushable elements keep changes after accepted steps,
-and the verdict falls there. `touchdown` locates both in time. Evaluations include the look after each
+adaptive methods: every evaluation chooses the active piece of each law from the state, which takes
+longer than where they are known; what the crushable elements keep changes after accepted steps, and the
+verdict falls there. `touchdown` locates both in time. Evaluations include the look after each
 accepted step, and for `touchdown` those of signals alone. For SciPy the time includes the call from
 Python at every evaluation, as its users have it. Times of compiled integrators are the least of five; the
 last column counts outcomes (stable, unstable, bottomed) unlike the converged ones."""

@@ -86,7 +86,7 @@ impl Case {
     #[pyo3(signature = (time=None))]
     fn plain_landing(&self, time: Option<f64>) -> PyResult<PlainCase> {
         let until = time.map_or(Until::Outcome, Until::Time);
-        Ok(PlainCase(self.plain(until)?))
+        Ok(PlainCase(Box::new(self.plain(until)?)))
     }
 }
 
@@ -103,8 +103,9 @@ impl Case {
 }
 
 /// A landing whose right-hand side an integrator of Python takes.
+// Python aligns its objects to 16 bytes; a landing has registers of more in it.
 #[pyclass(unsendable)]
-pub struct PlainCase(PlainLanding);
+pub struct PlainCase(Box<PlainLanding>);
 
 #[pymethods]
 impl PlainCase {
