@@ -24,6 +24,9 @@ pub const SIZE: (u32, u32) = (900, 560);
 /// More points than this would touch each other at the common size of marks.
 const CROWD: usize = 70;
 
+/// What may happen above a transition.
+const KINDS: [Kind; 3] = [Kind::Unstable, Kind::Bottomed, Kind::Failure];
+
 type Frame = Cartesian2d<AxisRange, RangedCoordf64>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Frame>;
 
@@ -165,7 +168,7 @@ fn draw_words(
         body.draw(&Text::new(word.to_owned(), place, style))
             .map_err(drawing)
     };
-    for kind in [Kind::Unstable, Kind::Bottomed, Kind::Failure] {
+    for kind in KINDS {
         if let Some((x, speed)) = stations::broadest(stations, kind, high) {
             write(ink::word(kind), x, speed, ink::mark(kind))?;
         }
@@ -193,6 +196,14 @@ fn legend(stations: &[Station], searched_to: Option<f64>) -> Vec<(Mark, String)>
         })
         .map(|(kind, meaning)| (Mark::Transition(kind), meaning.to_owned()))
         .collect();
+    let high = stations::vertical_range(stations, searched_to).1;
+    let regions = shading::regions(stations, high);
+    // Regions too narrow for their word.
+    let wordless = KINDS.into_iter().filter(|kind| {
+        regions.iter().any(|region| region.kind == *kind)
+            && stations::broadest(stations, *kind, high).is_none()
+    });
+    entries.extend(wordless.map(|kind| (Mark::Region(kind), ink::word(kind).to_owned())));
     if stations.iter().any(|station| station.transition.is_none()) {
         let meaning = match searched_to {
             Some(speed) => format!("stable up to {speed} ft/s"),

@@ -72,6 +72,19 @@ fn regions_come_from_the_bands_where_they_are_known() {
 }
 
 #[test]
+fn a_region_too_narrow_for_its_word_is_in_the_legend() {
+    let bands = "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps\n\
+                 20,1,0,20,stable,0.001\n20,2,20,25,BAND,\n";
+    let table = BoundaryTable::parse(TABLE).unwrap();
+    let words = |band: &str| {
+        let bands = BandsTable::parse(&bands.replace("BAND", band)).unwrap();
+        let svg = super::draw(&table, Some(&bands), &caption()).unwrap();
+        svg.matches("not computed").count()
+    };
+    assert_eq!((words("failure"), words("stable")), (1, 0));
+}
+
+#[test]
 fn same_table_same_picture() {
     assert_eq!(draw(TABLE, &caption()), draw(TABLE, &caption()));
 }

@@ -12,6 +12,8 @@ use crate::ink;
 pub enum Mark {
     /// A transition: a disc for toppling, a square for bottoming, a cross for failures.
     Transition(Kind),
+    /// Region of this colour: a rectangle.
+    Region(Kind),
     /// No transition: an open triangle.
     NoTransition,
     /// Lowest transition of a row of a map: a disc.
@@ -43,6 +45,10 @@ pub fn draw_mark(
                 }
                 Kind::Failure => area.draw(&Cross::new(centre, side - 1, colour.stroke_width(2))),
             }
+        }
+        Mark::Region(kind) => {
+            let corners = [(x - side - 2, y - side), (x + side + 2, y + side)];
+            area.draw(&Rectangle::new(corners, ink::region(kind).filled()))
         }
         Mark::NoTransition => {
             let corners = [
