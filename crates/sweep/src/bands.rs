@@ -10,7 +10,9 @@ use touchdown_dynamics::outcome::{Class, Outcome};
 use crate::boundary::{Boundary, Search};
 use crate::certainty::{Certainty, Variation};
 use crate::hidden;
+use crate::looks::Looks;
 use crate::loose_scan::Scanned;
+use crate::spared::Spared;
 use crate::trial::{Sample, Trial};
 
 /// A range of speeds in which landings end alike.
@@ -41,17 +43,28 @@ impl Search {
         &self,
         mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let Scanned { mut samples, spent } = self.confirmed_scan(false, &mut land)?;
+        let Scanned {
+            mut samples,
+            spent,
+            loose,
+        } = self.confirmed_scan(false, &mut land)?;
         let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
-        let skipped = self.scan_count() - samples.len() as u64;
+        let mut looks = Looks::default();
+        let mut spared = Spared {
+            left_out: self.left_out(false, &samples),
+            loose,
+            replaced: spent[0],
+            ..Spared::default()
+        };
 
-        let suspects = hidden::suspects(&samples, self.scan_step);
         let mut found = Vec::new();
-        let mut looks = suspects.len() as u64;
-        let mut finds = 0;
-        for &index in &suspects {
-            let look = hidden::look(&samples[index], &samples[index + 1], &mut sample)?;
-            finds += u64::from(look.iter().any(|s| s.class() != samples[index].class()));
+        for suspect in hidden::suspects(&samples, self.scan_step) {
+            let ends = [&samples[suspect.index], &samples[suspect.index + 1]];
+            let look = hidden::look(ends, suspect.otherwise, &mut sample)?;
+            let has_found = look.iter().any(|s| s.class() != ends[0].class());
+            looks
+                .of(ends[0].class(), suspect.otherwise)
+                .count(has_found);
             found.extend(look);
         }
         insert(&mut samples, found);
@@ -62,8 +75,8 @@ impl Search {
             let narrowing = self.narrowing(true);
             let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample)?;
             between.append(&mut narrowed.samples);
-            looks += narrowed.looks;
-            finds += narrowed.finds;
+            looks.gaps += narrowed.looks;
+            spared.interpolated += narrowed.interpolated;
             spent = [spent[0] + narrowed.spent[0], spent[1] + narrowed.spent[1]];
         }
         insert(&mut samples, between);
@@ -71,8 +84,7 @@ impl Search {
         let mut boundary = Boundary {
             bands: bands(&samples),
             looks,
-            finds,
-            skipped,
+            spared,
             ..Boundary::of(&samples)
         };
         boundary.landings += spent[0];

@@ -3,6 +3,7 @@ use crate::boundary::Extent;
 use crate::certainty::Doubt;
 use crate::refine::Refinement;
 use crate::scan::Scan;
+use crate::trial::Margins;
 use std::convert::Infallible;
 use touchdown_dynamics::outcome::Class;
 
@@ -54,7 +55,10 @@ fn bands_cover_the_range_without_gaps() {
     }
     assert_eq!(found.bands[3].bracket_width, None);
     assert_eq!(found.bands[1].outcome, Outcome::UnstablePitch);
-    assert_eq!((found.landings, found.looks), (101 + 3 * (8 + 2), 3));
+    assert_eq!(
+        (found.landings, found.looks.gaps.looks),
+        (101 + 3 * (8 + 2), 3)
+    );
 }
 
 #[test]
@@ -92,13 +96,19 @@ fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
         } else {
             Class::Unstable
         };
+        let least_angle = angle(speed).max(0.0);
+        let margins = Margins {
+            toppling: Some(least_angle * least_angle),
+            bottoming: None,
+        };
         Ok::<_, Infallible>(Trial {
-            least_angle: angle(speed).max(0.0),
+            least_angle,
+            margins,
             ..Trial::example(class, 1)
         })
     });
-    assert_eq!(found.finds, 1);
-    assert!(found.looks <= 5, "{}", found.looks);
+    assert_eq!(found.looks.toppling.finds, 1);
+    assert!(found.looks.all().looks <= 5, "{:?}", found.looks);
     let band = &found.bands[1];
     assert!((band.from - 13.08).abs() <= 0.0005 && (band.to - 13.12).abs() <= 0.0005);
     assert!((found.transition.unwrap().speed() - 13.08).abs() <= 0.0005);

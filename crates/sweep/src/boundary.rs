@@ -9,10 +9,12 @@ use touchdown_dynamics::outcome::Class;
 
 use crate::bands::Band;
 use crate::certainty::{self, Certainty, Doubt, Variation};
+use crate::looks::Looks;
 use crate::loose_scan::Scanned;
 use crate::refine::{Narrowed, Narrowing, Refinement};
 use crate::scan::Scan;
-use crate::trial::{Sample, Trial};
+use crate::spared::Spared;
+use crate::trial::{Sample, Trial, margin_jumps};
 
 /// Where to search, ft/s, and how closely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,11 +78,9 @@ pub struct Boundary {
     /// All bands of the range from below; none when only the first transition was asked for.
     pub bands: Vec<Band>,
     /// Intervals between like outcomes that were looked into for a hidden band.
-    pub looks: u64,
-    /// How many of them held one.
-    pub finds: u64,
-    /// Landings of a full scan that were spared by skipping.
-    pub skipped: u64,
+    pub looks: Looks,
+    /// What skips spared.
+    pub spared: Spared,
     /// Landings that put transitions to the test.
     pub tests: u64,
     /// Landings computed, tests included.
@@ -132,17 +132,13 @@ impl Search {
     ) -> Result<Boundary, Stop> {
         let Scanned {
             mut samples,
-            spent: loose,
+            spent: replaced,
+            loose,
         } = self.confirmed_scan(true, &mut land)?;
         let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
-        let change = first_unstable(&samples);
-        let full_scan = match change {
-            Some(index) => self.steps_to(samples[index].speed) + 1,
-            None => self.scan_count(),
-        };
-        let skipped = full_scan.saturating_sub(samples.len() as u64);
+        let left_out = self.left_out(true, &samples);
         let mut narrowed = Narrowed::default();
-        if let Some(index) = change.filter(|index| *index > 0) {
+        if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
             let (low, high) = (&samples[index - 1], &samples[index]);
             narrowed = self.narrowing(false).between(low, high, &mut sample)?;
             samples.append(&mut narrowed.samples);
@@ -156,14 +152,17 @@ impl Search {
                 found.certainty = certainty;
             }
         }
-        Ok(Boundary {
-            skipped,
-            looks: narrowed.looks,
-            finds: narrowed.finds,
-            landings: boundary.landings + narrowed.spent[0] + loose[0],
-            evaluations: boundary.evaluations + narrowed.spent[1] + loose[1],
-            ..boundary
-        })
+        boundary.looks.gaps = narrowed.looks;
+        boundary.spared += Spared {
+            left_out,
+            loose,
+            replaced: replaced[0],
+            interpolated: narrowed.interpolated,
+            untested: 0,
+        };
+        boundary.landings += narrowed.spent[0] + replaced[0];
+        boundary.evaluations += narrowed.spent[1] + replaced[1];
+        Ok(boundary)
     }
 
     /// Puts a change to the test and counts the landings that this took.
@@ -173,6 +172,9 @@ impl Search {
         boundary: &mut Boundary,
         land: &mut impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Certainty, Stop> {
+        if self.doubt == Doubt::Doubtful && !margin_jumps(ends[0], ends[1]) {
+            boundary.spared.untested += 1;
+        }
         let mut counted = |speed, variation| {
             let trial = land(speed, variation)?;
             boundary.landings += 1;
@@ -192,7 +194,7 @@ impl Search {
     }
 
     /// Number of steps of the scan below a speed of it.
-    fn steps_to(&self, speed: f64) -> u64 {
+    pub(crate) fn steps_to(&self, speed: f64) -> u64 {
         ((speed - self.from) / self.scan_step - 1e-9)
             .ceil()
             .max(0.0) as u64

@@ -1,4 +1,5 @@
 use super::*;
+use crate::certainty::LEAST_LANDINGS;
 use std::convert::Infallible;
 
 pub(crate) const SEARCH: Search = Search {
@@ -34,7 +35,10 @@ fn single_boundary_is_bracketed_within_tolerance() {
     assert_eq!(found.to, Class::Unstable);
     assert!(found.low < 11.4 && 11.4 <= found.high);
     assert!(found.high - found.low <= 0.001);
-    assert_eq!((boundary.landings, boundary.looks), (47 + 8 + 2, 1));
+    assert_eq!(
+        (boundary.landings, boundary.looks.all().looks),
+        (47 + 8 + 2, 1)
+    );
     assert_eq!(boundary.evaluations, 570);
     assert!(boundary.landings <= SEARCH.most_landings());
 }
@@ -102,4 +106,19 @@ fn stops_when_told_to() {
         }
     });
     assert_eq!((stopped, landings), (Err("stop"), 4));
+}
+
+#[test]
+fn a_transition_that_margins_make_certain_is_counted_as_untested() {
+    let find = |doubt| {
+        let search = Search { doubt, ..SEARCH };
+        let land = |speed, _| Ok::<_, Infallible>(Sample::example(speed, 1.4 - 0.1 * speed).trial);
+        let Ok(found) = search.boundary(land);
+        found
+    };
+    let [all, doubtful] = [Doubt::All, Doubt::Doubtful].map(find);
+    assert_eq!(all.transition, doubtful.transition);
+    assert_eq!((all.tests, doubtful.tests), (12, 0));
+    assert_eq!((all.spared.untested, doubtful.spared.untested), (0, 1));
+    assert_eq!(all.landings - doubtful.landings, LEAST_LANDINGS);
 }

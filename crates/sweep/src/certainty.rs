@@ -74,6 +74,9 @@ const VARIATIONS: [Variation; 6] = [
     Variation::Speed(-1e-6),
 ];
 
+/// Landings that a test takes at least: all changes at both ends.
+pub const LEAST_LANDINGS: u64 = 2 * VARIATIONS.len() as u64;
+
 /// Range of tolerances of the solver.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-2];
 

@@ -76,6 +76,8 @@ mod tests {
     use crate::bands::Band;
     use crate::boundary::Transition;
     use crate::certainty::Certainty;
+    use crate::looks::{Looks, Tried};
+    use crate::spared::Spared;
     use touchdown_dynamics::outcome::{Class, Failure};
 
     #[test]
@@ -95,9 +97,15 @@ mod tests {
                 bracket_width: None,
                 certainty: Certainty::Certain,
             }],
-            looks: 3,
-            finds: 1,
-            skipped: 5,
+            looks: Looks {
+                stroke: Tried { looks: 3, finds: 1 },
+                ..Looks::default()
+            },
+            spared: Spared {
+                left_out: -1,
+                interpolated: i64::MIN,
+                ..Spared::default()
+            },
             tests: 9,
             landings: 1 << 40,
             evaluations: u64::MAX,

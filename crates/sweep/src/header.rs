@@ -17,7 +17,7 @@ use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 
 /// Version of the journals that this program writes.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// The head of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

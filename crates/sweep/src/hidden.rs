@@ -1,60 +1,87 @@
-//! Where a band narrower than the scan step may hide between two stable landings.
+//! Where a band narrower than the scan step may hide between two landings that end alike.
 //!
 //! A vehicle that topples in a narrow band of speeds comes close to toppling on both sides of it:
 //! the least stability angle σ falls toward the band from below and from above. The vehicle turns
 //! back where its energy is spent, and near the tipping point that energy falls short of toppling by
-//! an amount proportional to σ²: it is σ² that runs straight to zero where toppling begins. Where
-//! lines twice as steep as those through the landings on either side of an interval meet at or below
-//! zero in it, the interval is searched for the least angle itself. Twice, because a new contact
-//! bends the course of σ² within a scan step.
+//! an amount proportional to σ²: it is σ² that runs straight to zero where toppling begins. So does
+//! the stroke that a strut has left where it begins to bottom, and so do, from the other side, what
+//! toppled and bottomed landings have in excess ([`crate::trial::Margins`]). Where lines twice as steep
+//! as those through the landings on either side of an interval meet at or below zero in it, the
+//! interval is searched for the least margin itself. Twice, because a new contact bends the course of
+//! a margin within a scan step.
 //!
-//! Measured on the level-vehicle grid (143 points, `scripts/missed-bands.sh`): of the 293 bands that a
-//! scan by 0.02 ft/s finds (`results/fine-bands.csv`), `scripts/level-grid.toml` misses 6, all narrower than
-//! the step of 0.25: one of a single failed landing, one of a single stable one, a stable one of 0.2
-//! ft/s and three toppling ones of 0.08 ft/s between bouncing landings. Of these neither σ nor strut
-//! travel tells: both run on smoothly from one side of the band to the other.
+//! What such looks find is in `docs/skips.md`, with the bands that are missed: those of which no margin
+//! tells, because all of them run on smoothly from one side of the band to the other.
 
 use touchdown_dynamics::outcome::Class;
 
 use crate::trial::Sample;
 
-/// How much steeper than around it the course of σ² may be inside an interval.
+/// How much steeper than around it the course of a margin may be inside an interval.
 const STEEPER: f64 = 2.0;
-/// Landings spent on one look: they narrow the place of the least angle to 1/29 of the interval.
+/// Landings spent on one look: they narrow the place of the least margin to 1/29 of the interval.
 const LANDINGS: usize = 8;
 
-/// Indices of the samples above which an interval between stable landings may hide a band. Where
-/// the scan skipped steps it saw no dip.
-pub(crate) fn suspects(samples: &[Sample], scan_step: f64) -> Vec<usize> {
+/// An interval that may hide a band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Suspect {
+    /// Index of the sample at its lower end.
+    pub(crate) index: usize,
+    /// How landings in the band would end.
+    pub(crate) otherwise: Class,
+}
+
+/// Intervals between landings of a scan that may hide a band; there are none where the scan skipped
+/// steps.
+pub(crate) fn suspects(samples: &[Sample], scan_step: f64) -> Vec<Suspect> {
     let is_step = |pair: &[Sample]| pair[1].speed - pair[0].speed < 1.5 * scan_step;
-    let hides = |around: &[Sample]| match around {
-        [before, low, high, after] => {
-            around.iter().all(|sample| sample.class() == Class::Stable)
-                && around.windows(2).all(is_step)
-                && predicted_least(
-                    [before, low].map(coordinates),
-                    [high, after].map(coordinates),
-                )
-                .is_some_and(|angle| angle <= 0.0)
+    let mut suspects = Vec::new();
+    for (index, around) in samples.windows(4).enumerate() {
+        let class = around[0].class();
+        let is_alike = around.iter().all(|sample| sample.class() == class);
+        if !is_alike || !around.windows(2).all(is_step) {
+            continue;
         }
-        _ => false,
+        let hides = |otherwise| {
+            dips(around, |sample| coordinates(sample, otherwise)).is_some_and(|least| least <= 0.0)
+        };
+        let hidden = others(class).iter().filter(|otherwise| hides(**otherwise));
+        suspects.extend(hidden.map(|&otherwise| Suspect {
+            index: index + 1,
+            otherwise,
+        }));
+    }
+    suspects
+}
+
+/// How bands among landings of a class may end that these tell of.
+fn others(class: Class) -> &'static [Class] {
+    match class {
+        Class::Stable => &[Class::Unstable, Class::Bottomed],
+        Class::Unstable => &[Class::Stable, Class::Bottomed],
+        Class::Bottomed => &[Class::Stable],
+        Class::Failure => &[],
+    }
+}
+
+/// Speed and the margin against ending `otherwise`, where there is one.
+fn coordinates(sample: &Sample, otherwise: Class) -> Option<[f64; 2]> {
+    let margin = match otherwise {
+        // What such a landing has in excess.
+        Class::Stable => -sample.trial.margin([Class::Stable, sample.class()])?,
+        _ => sample.trial.margin([Class::Stable, otherwise])?,
     };
-    samples
-        .windows(4)
-        .enumerate()
-        .filter(|(_, around)| hides(around))
-        .map(|(index, _)| index + 1)
-        .collect()
+    Some([sample.speed, margin])
 }
 
-fn coordinates(sample: &Sample) -> [f64; 2] {
-    let angle = sample.trial.least_angle;
-    [sample.speed, angle * angle]
-}
-
-/// Squared angle at which lines [`STEEPER`] than those through the two landings below an interval and
-/// through the two above it meet; `None` unless the angle falls from below and rises to above.
-fn predicted_least([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Option<f64> {
+/// Margin at which lines [`STEEPER`] than those through the two landings below an interval and
+/// through the two above it meet; `None` unless it falls from below and rises to above.
+fn dips(around: &[Sample], coordinates: impl Fn(&Sample) -> Option<[f64; 2]>) -> Option<f64> {
+    let [before, low, high, after] = around else {
+        return None;
+    };
+    let [a, b] = [coordinates(before)?, coordinates(low)?];
+    let [c, d] = [coordinates(high)?, coordinates(after)?];
     let slope = |[x, y]: [f64; 2], [u, v]: [f64; 2]| STEEPER * (v - y) / (u - x);
     let (fall, rise) = (slope(a, b), slope(c, d));
     if !(fall < 0.0 && rise > 0.0) {
@@ -65,11 +92,11 @@ fn predicted_least([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Option<f64> 
     (b[0]..=c[0]).contains(&x).then(|| b[1] + fall * (x - b[0]))
 }
 
-/// Searches the least angle between two stable landings by golden section, until a landing is no
-/// longer stable or the landings are spent; returns them all.
+/// Searches the least margin against ending `otherwise` between two landings that end alike, by golden
+/// section, until a landing ends in another class or the landings are spent; returns them all.
 pub(crate) fn look<Stop>(
-    low: &Sample,
-    high: &Sample,
+    [low, high]: [&Sample; 2],
+    otherwise: Class,
     sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
 ) -> Result<Vec<Sample>, Stop> {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
@@ -93,10 +120,10 @@ pub(crate) fn look<Stop>(
             }
         };
         let landing = sample(speed)?;
-        inner[index] = Some(coordinates(&landing));
-        let over = landing.class() != Class::Stable;
+        inner[index] = coordinates(&landing, otherwise);
+        let is_over = landing.class() != low.class() || inner[index].is_none();
         landings.push(landing);
-        if over {
+        if is_over {
             break;
         }
     }
@@ -115,32 +142,69 @@ mod tests {
         } else {
             Class::Unstable
         };
-        let trial = Trial {
-            least_angle: least_angle.max(0.0),
+        let least_angle = least_angle.max(0.0);
+        let mut trial = Trial {
+            least_angle,
             ..Trial::example(class, 1)
         };
+        trial.margins.toppling = Some(least_angle * least_angle);
         Sample { speed, trial }
+    }
+
+    /// A landing that leaves so much stroke, or else bottoms a strut, and ends in `class` if it does not.
+    fn leaving(class: Class, speed: f64, stroke: f64) -> Sample {
+        let class = if stroke > 0.0 { class } else { Class::Bottomed };
+        let mut trial = Trial::example(class, 1);
+        trial.margins.bottoming = Some(stroke);
+        Sample { speed, trial }
+    }
+
+    fn suspected(samples: impl Fn(f64) -> Sample) -> Vec<(usize, Class)> {
+        let samples: Vec<Sample> = (0..8).map(|i| samples(f64::from(i))).collect();
+        let suspects = suspects(&samples, 1.0).into_iter();
+        suspects.map(|s| (s.index, s.otherwise)).collect()
     }
 
     #[test]
     fn dips_toward_zero_are_suspected_and_others_are_not() {
-        let scan = |angle: fn(f64) -> f64| -> Vec<usize> {
-            let samples: Vec<Sample> = (0..8)
-                .map(|i| at(f64::from(i), angle(f64::from(i))))
-                .collect();
-            suspects(&samples, 1.0)
-        };
-        assert_eq!(scan(|v| (v - 3.5).abs() - 0.2), [3]);
-        assert_eq!(scan(|v| (v - 3.5).abs() + 2.0), [] as [usize; 0]);
-        assert_eq!(scan(|v| 9.0 - v), [] as [usize; 0]);
+        let scan = |angle: fn(f64) -> f64| suspected(|v| at(v, angle(v)));
+        assert_eq!(scan(|v| (v - 3.5).abs() - 0.2), [(3, Class::Unstable)]);
+        assert_eq!(scan(|v| (v - 3.5).abs() + 2.0), []);
+        assert_eq!(scan(|v| 9.0 - v), []);
+    }
+
+    #[test]
+    fn struts_near_their_stops_are_suspected_whether_a_vehicle_topples_or_not() {
+        let stroke = |v: f64| 0.1 * (v - 3.5).abs() - 0.02;
+        for class in [Class::Stable, Class::Unstable] {
+            let found = suspected(|v| leaving(class, v, stroke(v)));
+            assert_eq!(found, [(3, Class::Bottomed)]);
+        }
+        let far = suspected(|v| leaving(Class::Stable, v, stroke(v) + 0.3));
+        assert_eq!(far, []);
+    }
+
+    #[test]
+    fn landings_that_hardly_topple_or_bottom_are_suspected_of_a_stable_band() {
+        let excess = |v: f64| 0.1 * (v - 3.5).abs() + 0.01;
+        let topples = suspected(|v| Sample::example(v, -excess(v)));
+        assert_eq!(topples, [(3, Class::Stable)]);
+        let bottoms = suspected(|v| leaving(Class::Stable, v, -excess(v)));
+        assert_eq!(bottoms, [(3, Class::Stable)]);
+        assert_eq!(suspected(|v| Sample::example(v, -excess(v) - 0.3)), []);
     }
 
     #[test]
     fn a_look_finds_a_band_much_narrower_than_the_step() {
-        let land = |speed: f64| at(speed, (speed - 0.3).abs() - 0.01);
-        let mut sample = |speed| Ok::<_, Infallible>(land(speed));
-        let Ok(landings) = look(&land(0.0), &land(1.0), &mut sample);
-        assert!(landings.iter().any(|l| l.class() == Class::Unstable));
-        assert!(landings.len() <= LANDINGS);
+        let topples = |speed: f64| at(speed, (speed - 0.3).abs() - 0.01);
+        let bottoms = |speed: f64| leaving(Class::Stable, speed, (speed - 0.3).abs() - 0.01);
+        let find = |land: &dyn Fn(f64) -> Sample, class| {
+            let mut sample = |speed| Ok::<_, Infallible>(land(speed));
+            let Ok(landings) = look([&land(0.0), &land(1.0)], class, &mut sample);
+            assert!(landings.iter().any(|l| l.class() == class));
+            assert!(landings.len() <= LANDINGS);
+        };
+        find(&topples, Class::Unstable);
+        find(&bottoms, Class::Bottomed);
     }
 }

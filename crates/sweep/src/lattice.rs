@@ -25,6 +25,11 @@ impl Lattice {
         }
     }
 
+    /// Number of halvings from the whole interval to its parts.
+    pub fn halvings(&self) -> u64 {
+        u64::from(self.halvings)
+    }
+
     /// Number of parts.
     pub fn parts(&self) -> u64 {
         1 << self.halvings

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`scene_file`], [`instead`], [`cases`], [`deck`] |
 //! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
-//! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`certainty`] |
+//! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`looks`], [`certainty`], [`spared`] |
 //! | how much its place depends on the input | [`sensitivity`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
 //! | do so on every core | [`run`] |
@@ -41,6 +41,7 @@ pub mod landing_table;
 pub mod lattice;
 pub mod levels;
 pub mod library;
+pub mod looks;
 mod loose_scan;
 pub mod measured_scenes;
 pub mod merge;
@@ -63,6 +64,7 @@ pub mod section;
 pub mod sensitivity;
 pub mod settings_input;
 pub mod shard;
+pub mod spared;
 pub mod sweep_file;
 pub mod tables;
 pub mod tally;

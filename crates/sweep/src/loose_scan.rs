@@ -17,6 +17,8 @@ pub(crate) struct Scanned {
     pub samples: Vec<Sample>,
     /// Landings, and evaluations, whose results were replaced by tighter ones.
     pub spent: [u64; 2],
+    /// Landings at a looser tolerance, replaced ones among them.
+    pub loose: u64,
 }
 
 impl Search {
@@ -31,18 +33,22 @@ impl Search {
             self.scanned(to_first, &mut sample)
         };
         if self.scan_looseness == 1.0 {
-            let (samples, spent) = (scan(Variation::Given)?, [0; 2]);
-            return Ok(Scanned { samples, spent });
+            return Ok(Scanned {
+                samples: scan(Variation::Given)?,
+                spent: [0; 2],
+                loose: 0,
+            });
         }
         let mut samples = scan(Variation::Tolerance(self.scan_looseness))?;
+        let loose = samples.len() as u64;
         let mut spent = [0; 2];
         let mut is_confirmed = true;
         for index in ends_of_changes(&samples) {
             let speed = samples[index].speed;
             let trial = land(speed, Variation::Given)?;
             is_confirmed &= trial.outcome.class() == samples[index].class();
-            let loose = std::mem::replace(&mut samples[index], Sample { speed, trial });
-            count(&mut spent, &loose);
+            let replaced = std::mem::replace(&mut samples[index], Sample { speed, trial });
+            count(&mut spent, &replaced);
         }
         if !is_confirmed {
             samples.iter().for_each(|sample| count(&mut spent, sample));
@@ -50,7 +56,11 @@ impl Search {
                 |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
             samples = self.scanned(to_first, &mut sample)?;
         }
-        Ok(Scanned { samples, spent })
+        Ok(Scanned {
+            samples,
+            spent,
+            loose,
+        })
     }
 }
 
@@ -138,5 +148,11 @@ mod tests {
             found.evaluations,
             tight.evaluations - 9 * LOOSE.scan_count() + 10 * 2
         );
+        assert_eq!(
+            (found.spared.loose, found.spared.replaced),
+            (LOOSE.scan_count(), 2)
+        );
+        let again = find(LOOSE, 11.4, 9.0).spared;
+        assert_eq!(again.replaced, again.loose + 2);
     }
 }

@@ -24,6 +24,7 @@
 use touchdown_dynamics::outcome::Class;
 
 use crate::lattice::Lattice;
+use crate::looks::Tried;
 use crate::trial::{Sample, margin_jumps};
 
 /// How brackets are narrowed.
@@ -58,11 +59,12 @@ pub(crate) struct Narrowing {
 pub(crate) struct Narrowed {
     /// Landings in between, in no order.
     pub(crate) samples: Vec<Sample>,
-    /// Gaps between like landings that were looked into, and those that held another change.
-    pub(crate) looks: u64,
-    pub(crate) finds: u64,
+    /// Gaps between like landings that were looked into for another change.
+    pub(crate) looks: Tried,
     /// Landings that are not among the samples, and evaluations in them.
     pub(crate) spent: [u64; 2],
+    /// Landings that halving takes more than interpolating did.
+    pub(crate) interpolated: i64,
 }
 
 impl Narrowing {
@@ -94,7 +96,12 @@ impl Narrowing {
         let [from, to] = ends.clone();
         self.narrow(from, to, &mut land)?;
         let mut narrowed = Narrowed::default();
-        if !is_regular(&ends, &nodes) {
+        let is_regular = is_regular(&ends, &nodes);
+        if self.refinement == Refinement::Margin {
+            let halvings = if is_regular { lattice.halvings() } else { 0 };
+            narrowed.interpolated = halvings as i64 - nodes.len() as i64;
+        }
+        if !is_regular {
             if self.refinement == Refinement::Margin {
                 // The margins led astray, or to one of several changes: only halving counts.
                 let evaluations = nodes.iter().map(|node| node.sample.trial.evaluations);
@@ -114,10 +121,9 @@ impl Narrowing {
                     Ok(node)
                 })?;
             }
-            (narrowed.looks, narrowed.finds) =
-                self.look_again(&ends, &mut nodes, &mut |index| {
-                    sample(lattice.speed(index)).map(|sample| Node { index, sample })
-                })?;
+            narrowed.looks = self.look_again(&ends, &mut nodes, &mut |index| {
+                sample(lattice.speed(index)).map(|sample| Node { index, sample })
+            })?;
         }
         narrowed.samples = nodes.into_iter().map(|node| node.sample).collect();
         Ok(narrowed)
@@ -131,7 +137,7 @@ impl Narrowing {
         ends: &[Node; 2],
         found: &mut Vec<Node>,
         land: &mut impl FnMut(u64) -> Result<Node, Stop>,
-    ) -> Result<(u64, u64), Stop> {
+    ) -> Result<Tried, Stop> {
         let mut nodes: Vec<Node> = ends.iter().chain(found.iter()).cloned().collect();
         nodes.sort_by_key(|node| node.index);
         let wide = ends[1].index / WIDE_GAP;
@@ -141,7 +147,7 @@ impl Narrowing {
             .filter(|pair| {
                 pair[0].class() == pair[1].class() && pair[1].index - pair[0].index > wide.max(2)
             });
-        let (mut looks, mut finds) = (0, 0);
+        let mut looks = Tried::default();
         for gap in gaps {
             let [below, above] = [&gap[0], &gap[1]];
             let width = above.index - below.index;
@@ -154,14 +160,13 @@ impl Narrowing {
                 kept(below.index + width / 3)?,
                 kept(above.index - width / 3)?,
             ];
-            looks += 1;
-            finds += u64::from(thirds.iter().any(|node| node.class() != below.class()));
+            looks.count(thirds.iter().any(|node| node.class() != below.class()));
             let [first, second] = &thirds;
             for [low, high] in [[below, first], [first, second], [second, above]] {
                 self.narrow(low.clone(), high.clone(), &mut kept)?;
             }
         }
-        Ok((looks, finds))
+        Ok(looks)
     }
 
     fn narrow<Stop>(

@@ -16,9 +16,15 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
     let mut samples = narrowed.samples;
     let landings = match narrowed.spent[0] {
-        0 => samples.len() - 2 * narrowed.looks as usize,
+        0 => samples.len() - 2 * narrowed.looks.looks as usize,
         spent => spent as usize,
     };
+    let interpolated = match (refinement, narrowed.spent[0]) {
+        (Refinement::Bisection, _) => 0,
+        (Refinement::Margin, 0) => HALVINGS as i64 - landings as i64,
+        (Refinement::Margin, spent) => -(spent as i64),
+    };
+    assert_eq!(narrowed.interpolated, interpolated);
     samples.extend([low, high]);
     samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
     let mut changes = samples

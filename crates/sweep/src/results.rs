@@ -109,14 +109,14 @@ pub fn record<const LEGS: usize>(
                 .into_iter()
                 .map(|(kind, count)| (kind, json!(count)))
                 .collect::<Map<String, Value>>(),
-            "scan_speeds_skipped": tally.skipped,
+            "scan_speeds_skipped": tally.spared.left_out,
             "certainty_landings": tally.tests,
             "sensitivity_landings": tally.sensitivity_landings,
             "landings": tally.landings,
             "derivative_evaluations": tally.evaluations,
             "bands": tally.bands,
-            "looks_for_hidden_bands": tally.looks,
-            "hidden_bands_found": tally.finds,
+            "looks_for_hidden_bands": tally.looks.all().looks,
+            "hidden_bands_found": tally.looks.all().finds,
             "outcomes": outcomes(tally),
         },
         "threads": circumstances.threads,

@@ -21,7 +21,7 @@
 
 use touchdown_dynamics::outcome::Class;
 
-use crate::boundary::Search;
+use crate::boundary::{Search, first_unstable};
 use crate::trial::Sample;
 
 /// How the range is scanned.
@@ -67,6 +67,17 @@ impl Search {
         let mut samples = walk.samples;
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         Ok(samples)
+    }
+
+    /// Landings that a full scan takes more than these of a scan, in order; up to the first change where
+    /// that is all that is sought.
+    pub(crate) fn left_out(&self, to_first: bool, samples: &[Sample]) -> i64 {
+        let end = first_unstable(samples).filter(|_| to_first);
+        let full = match end {
+            Some(index) => self.steps_to(samples[index].speed) + 1,
+            None => self.scan_count(),
+        };
+        full as i64 - samples.len() as i64
     }
 
     /// Steps from one landing to the next, before any between them is looked at.

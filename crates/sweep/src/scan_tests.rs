@@ -17,8 +17,8 @@ const SEARCH: Search = Search {
     doubt: Doubt::None,
 };
 
-/// Scans landings that last so long and end in such a class at a speed; returns the speeds.
-fn scan(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<f64> {
+/// Scans landings that last so long and end in such a class at a speed; returns them.
+fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<Sample> {
     let mut sample = |speed| {
         let (duration, class) = land(speed);
         let mut trial = Trial {
@@ -29,7 +29,13 @@ fn scan(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> V
         Ok::<_, Infallible>(Sample { speed, trial })
     };
     let Ok(samples) = search.scanned(to_first, &mut sample);
-    samples.into_iter().map(|sample| sample.speed).collect()
+    samples
+}
+
+/// Speeds of such a scan.
+fn scan(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<f64> {
+    let samples = samples(search, to_first, land).into_iter();
+    samples.map(|sample| sample.speed).collect()
 }
 
 #[test]
@@ -75,4 +81,23 @@ fn long_landings_are_never_passed_over() {
     let odd = Search { to: 1.1, ..SEARCH };
     assert_eq!(scan(odd, false, |_| (2.0, Class::Stable)).len(), 6);
     assert_eq!(scan(odd, false, |_| (1.0, Class::Stable)), [0.0, 1.1]);
+}
+
+#[test]
+fn what_is_left_out_is_what_a_full_scan_takes_more() {
+    let land = |v: f64| match v {
+        v if v < 8.0 => (0.5, Class::Stable),
+        v if v < 9.6 => (2.0, Class::Stable),
+        _ => (1.0, Class::Unstable),
+    };
+    for to in [25.0, 24.9, 10.0, 7.0] {
+        for to_first in [false, true] {
+            let skipping = Search { to, ..SEARCH };
+            let scan = Scan::Full;
+            let full = samples(Search { scan, ..skipping }, to_first, land).len();
+            let samples = samples(skipping, to_first, land);
+            let left_out = full as i64 - samples.len() as i64;
+            assert_eq!(skipping.left_out(to_first, &samples), left_out);
+        }
+    }
 }

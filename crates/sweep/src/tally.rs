@@ -5,8 +5,10 @@ use touchdown_dynamics::outcome::Class;
 use crate::boundary::{Boundary, Transition};
 use crate::findings::Finding;
 use crate::landing_table::Cell;
+use crate::looks::Looks;
 use crate::probabilities::Probabilities;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
+use crate::spared::Spared;
 use crate::sweep_file::{Job, Sweep};
 
 /// Counts over the points of a sweep.
@@ -21,11 +23,9 @@ pub struct Tally {
     /// Bands found.
     pub bands: usize,
     /// Intervals looked into for hidden bands.
-    pub looks: u64,
-    /// Hidden bands found.
-    pub finds: u64,
-    /// Landings spared by skipping.
-    pub skipped: u64,
+    pub looks: Looks,
+    /// What skips spared.
+    pub spared: Spared,
     /// Landings that put transitions to the test.
     pub tests: u64,
     /// Landings for sensitivities.
@@ -100,8 +100,7 @@ impl Tally {
         self.evaluations += boundary.evaluations;
         self.bands += boundary.bands.len();
         self.looks += boundary.looks;
-        self.finds += boundary.finds;
-        self.skipped += boundary.skipped;
+        self.spared += boundary.spared;
         self.tests += boundary.tests;
         let kind = boundary.transition.map(|transition| transition.to);
         if let Some(index) = KINDS.iter().position(|known| *known == kind) {

@@ -35,6 +35,7 @@ impl Line {
             }
             None => "-".to_owned(),
         };
+        let looks = tally.looks.all();
         Self {
             cells: [
                 sweep.stem(),
@@ -42,7 +43,7 @@ impl Line {
                 summary::counted(&tally.kinds()),
                 lowest,
                 tally.landings.to_string(),
-                format!("{}/{}", tally.finds, tally.looks),
+                format!("{}/{}", looks.finds, looks.looks),
                 match circumstances.wall_time {
                     Some(seconds) => format!("{seconds:.1}"),
                     None => "-".to_owned(),

@@ -5,8 +5,11 @@ use std::time::Duration;
 
 use touchdown_dynamics::landing::Landing;
 use touchdown_sweep::boundary::Extent;
+use touchdown_sweep::certainty::LEAST_LANDINGS;
+use touchdown_sweep::looks::Looks;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
+use touchdown_sweep::spared::Spared;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tally::Tally;
 
@@ -69,24 +72,68 @@ pub fn sweep<const LEGS: usize>(
         .search()
         .is_some_and(|search| search.extent == Extent::All)
     {
-        let Tally {
-            bands,
-            looks,
-            finds,
-            ..
-        } = tally;
-        text += &format!("  {bands} bands; {looks} looks for hidden ones found {finds}\n");
+        text += &bands(tally);
     }
     let [asked, smooth] = tally.slopes;
     if asked > 0 {
         text += &format!("  sensitivities: {smooth} of {asked} have a derivative\n");
     }
+    text += &spared(&tally.spared);
     text += &format!(
         "  {}",
         cost(tally.landings, tally.evaluations, wall_time, threads)
     );
     text += &format!("  {}", written(files));
     text
+}
+
+/// Bands, and looks for hidden ones by what led to them.
+fn bands(tally: &Tally) -> String {
+    let Looks {
+        toppling,
+        righting,
+        stroke,
+        gaps,
+    } = tally.looks;
+    let all = tally.looks.all();
+    format!(
+        "  {} bands; {} looks for hidden ones found {}: {toppling} near toppling, {righting} near \
+         staying upright, {stroke} near a strut's stop, {gaps} at irregular changes\n",
+        tally.bands, all.looks, all.finds
+    )
+}
+
+/// What each skip came to that did anything.
+fn spared(spared: &Spared) -> String {
+    let Spared {
+        left_out,
+        loose,
+        replaced,
+        interpolated,
+        untested,
+    } = *spared;
+    let mut parts = Vec::new();
+    if left_out != 0 {
+        parts.push(format!("{left_out} landings left out of scans"));
+    }
+    if loose > 0 {
+        parts.push(format!(
+            "{loose} at a looser tolerance, for {replaced} more"
+        ));
+    }
+    if interpolated != 0 {
+        parts.push(format!("{interpolated} fewer than by halving"));
+    }
+    if untested > 0 {
+        let least = untested * LEAST_LANDINGS;
+        parts.push(format!(
+            "{untested} transitions not tested, as margins tell that they are certain ({least} landings or more)"
+        ));
+    }
+    match parts.as_slice() {
+        [] => String::new(),
+        parts => format!("  spared: {}\n", parts.join("; ")),
+    }
 }
 
 /// How landings ended, with intervals at 95 %.

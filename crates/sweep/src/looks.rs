@@ -1,0 +1,78 @@
+//! Counts of looks for bands narrower than the scan step, by what led to them.
+
+use std::fmt;
+use std::ops::AddAssign;
+
+use serde::{Deserialize, Serialize};
+use touchdown_dynamics::outcome::Class;
+
+/// Intervals that were looked into, and how many of them held another outcome.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Tried {
+    /// Intervals looked into.
+    pub looks: u64,
+    /// Those that held something.
+    pub finds: u64,
+}
+
+impl Tried {
+    pub(crate) fn count(&mut self, has_found: bool) {
+        self.looks += 1;
+        self.finds += u64::from(has_found);
+    }
+}
+
+impl AddAssign for Tried {
+    fn add_assign(&mut self, more: Self) {
+        self.looks += more.looks;
+        self.finds += more.finds;
+    }
+}
+
+impl fmt::Display for Tried {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {}", self.finds, self.looks)
+    }
+}
+
+/// Looks for hidden bands, by the sign that there may be one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Looks {
+    /// The stability angle of stable landings falls toward zero.
+    pub toppling: Tried,
+    /// Landings that topple have ever less in excess.
+    pub righting: Tried,
+    /// The stroke that a strut has left, or lacks, falls toward zero.
+    pub stroke: Tried,
+    /// Margins are irregular where an outcome changes ([`crate::refine`]).
+    pub gaps: Tried,
+}
+
+impl Looks {
+    /// All of them.
+    pub fn all(&self) -> Tried {
+        let mut all = self.toppling;
+        for tried in [self.righting, self.stroke, self.gaps] {
+            all += tried;
+        }
+        all
+    }
+
+    /// Those among landings of a class for a band that ends otherwise, by the margin between the two.
+    pub(crate) fn of(&mut self, class: Class, otherwise: Class) -> &mut Tried {
+        match (class, otherwise) {
+            (Class::Bottomed, _) | (_, Class::Bottomed) => &mut self.stroke,
+            (Class::Unstable, _) => &mut self.righting,
+            _ => &mut self.toppling,
+        }
+    }
+}
+
+impl AddAssign for Looks {
+    fn add_assign(&mut self, more: Self) {
+        self.toppling += more.toppling;
+        self.righting += more.righting;
+        self.stroke += more.stroke;
+        self.gaps += more.gaps;
+    }
+}
