@@ -1,7 +1,8 @@
 #!/bin/sh
-# How many bands the search misses: the level-vehicle grid scanned by 0.02 ft/s (178,893 landings, about
-# ten minutes on two cores) to results/fine-bands.csv, against the sweep scripts/level-grid.toml.
-# With --kept the fine scan is not computed again.
+# How many bands the search misses: the level-vehicle grid scanned by 0.02 ft/s (178,893 landings, eight
+# minutes of one core) to results/fine-bands.csv, against the sweep scripts/level-grid.toml; and
+# Figures 4-5 to 4-8, where struts bottom (87,570 landings, three minutes), against their sweeps.
+# With --kept the fine scan of the level-vehicle grid is not computed again.
 set -eu
 cd "$(dirname "$0")/.."
 cargo build --release --quiet
@@ -21,3 +22,13 @@ if [ "${1:-}" != --kept ]; then
 fi
 target/release/touchdown sweep scripts/level-grid.toml --out "$work"
 awk -f scripts/missed-bands.awk "$work/level-grid-bands.csv" results/fine-bands.csv
+
+for figure in 05 06 07 08; do
+    sweep=sweeps/figure-4-$figure.toml
+    sed -e "s|\"vehicles/|\"$PWD/sweeps/vehicles/|; s/^scan_step_fps.*/scan_step_fps = 0.02/" \
+        -e 's/^tolerance_fps.*/tolerance_fps = 0.02/; s/^scan = .*/scan = "full"\ncertainty = "none"/' \
+        "$sweep" > "$work/fine-$figure.toml"
+    target/release/touchdown sweep "$sweep" "$work/fine-$figure.toml" --out "$work" --quiet
+    echo "$sweep"
+    awk -f scripts/missed-bands.awk "$work/figure-4-$figure-bands.csv" "$work/fine-$figure-bands.csv"
+done
