@@ -22,6 +22,11 @@ pub use choice::Choice;
 /// cos 65 deg: a loaded pad inclined further has no law in the model.
 const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
 
+/// Distance from its resting place on a stop at which a pad counts as arrived, rad: at least this,
+/// and at least this share of the tolerance.
+const PAD_ARRIVAL: f64 = 1e-12;
+const PAD_ARRIVAL_SHARE: f64 = 0.01;
+
 /// The laws of one leg.
 #[derive(Debug, Clone)]
 pub struct LegLaws {
@@ -44,6 +49,7 @@ impl LegLaws {
             stops: Stops {
                 inner: design.footpad.minimum_angle,
                 outer: design.footpad.maximum_angle,
+                arrival: PAD_ARRIVAL,
             },
             rule,
             friction: FrictionProfile::default(),
@@ -53,6 +59,21 @@ impl LegLaws {
     /// The same laws with another friction profile.
     pub fn with_friction(self, friction: FrictionProfile) -> Self {
         Self { friction, ..self }
+    }
+
+    /// The same laws with their changes no more exact than landings at this tolerance need.
+    pub fn within(self, tolerance: f64) -> Self {
+        let arrival = PAD_ARRIVAL.max(PAD_ARRIVAL_SHARE * tolerance);
+        let Stops { inner, outer, .. } = self.stops;
+        Self {
+            stops: Stops {
+                inner,
+                outer,
+                arrival,
+            },
+            strut: self.strut.within(tolerance),
+            ..self
+        }
     }
 }
 
@@ -80,6 +101,11 @@ impl LegMode {
         }
     }
 
+    /// The longest step that the laws allow whatever the error, s.
+    pub fn longest_step(&self, signals: &LegSignals<f64>) -> f64 {
+        self.hinge.longest_step(signals[Signal::PadRate as usize])
+    }
+
     /// Whether either pad section is in contact.
     pub fn pad_in_contact(&self) -> bool {
         self.pad.iter().any(Crush::in_contact)
@@ -93,6 +119,29 @@ impl LegMode {
     /// Whether the leg is on the surface.
     fn on_surface(&self) -> bool {
         self.pad_in_contact() || self.block_in_contact()
+    }
+
+    /// Whether it matters at once when an element that carries no pressure gains or loses contact:
+    /// its first contact is noted, and an extended leg hangs or rests on its stop by it, unless
+    /// another element presses on the surface anyway.
+    fn is_contact_watched(&self, element: &Crush) -> bool {
+        let is_pressed = self.pad_loaded() || self.block.is_loaded();
+        element.is_whole() || self.stance.is_extended() && !is_pressed
+    }
+
+    /// Finds out about contacts that were not watched.
+    fn update_contact(&mut self, signals: &LegSignals<f64>) {
+        let mode = *self;
+        let [outer, inner] = &mut self.pad;
+        for (element, signal) in [
+            (outer, Signal::OuterInterference),
+            (inner, Signal::InnerInterference),
+            (&mut self.block, Signal::BlockInterference),
+        ] {
+            if !mode.is_contact_watched(element) {
+                element.update_contact(signals[signal as usize]);
+            }
+        }
     }
 
     fn pad_loaded(&self) -> bool {
@@ -148,9 +197,15 @@ impl LegMode {
     fn range(&self, laws: &LegLaws, signal: Signal) -> Bounds {
         let by_pivot = laws.rule == CrushRule::PivotRate;
         match signal {
-            Signal::OuterInterference => self.pad[0].interference_bounds(&laws.pad),
-            Signal::InnerInterference => self.pad[1].interference_bounds(&laws.pad),
-            Signal::BlockInterference => self.block.interference_bounds(&laws.block),
+            Signal::OuterInterference => {
+                self.pad[0].interference_bounds(&laws.pad, self.is_contact_watched(&self.pad[0]))
+            }
+            Signal::InnerInterference => {
+                self.pad[1].interference_bounds(&laws.pad, self.is_contact_watched(&self.pad[1]))
+            }
+            Signal::BlockInterference => self
+                .block
+                .interference_bounds(&laws.block, self.is_contact_watched(&self.block)),
             Signal::OuterRate => self.pad[0].rate_bounds(),
             Signal::InnerRate => self.pad[1].rate_bounds(),
             Signal::BlockRate => self.block.rate_bounds(),
@@ -190,6 +245,7 @@ impl LegMode {
         exit: Exit,
         signals: &LegSignals<f64>,
     ) -> Result<(), Outcome> {
+        self.update_contact(signals);
         let before = *self;
         let value = |signal: Signal| signals[signal as usize];
         let driven = |rate: Signal| laws.rule == CrushRule::Section || value(rate) >= 0.0;

@@ -164,9 +164,26 @@ impl Crush {
         }
     }
 
-    /// Whether the element is in contact: I − P > 1e-6 ft.
+    /// Whether the element is in contact: I − P > 1e-6 ft. Where contact is not watched this is as
+    /// of the last [`Self::update_contact`].
     pub fn in_contact(&self) -> bool {
         self.stage != Stage::Clear
+    }
+
+    /// Whether nothing has crushed the element yet.
+    pub fn is_whole(&self) -> bool {
+        self.set == 0.0
+    }
+
+    /// Finds out about contact at an interference, if the element carries no pressure.
+    pub fn update_contact(&mut self, interference: f64) {
+        if !self.is_loaded() {
+            self.stage = if interference - self.set > CONTACT_THRESHOLD {
+                Stage::Touching
+            } else {
+                Stage::Clear
+            };
+        }
     }
 
     /// Whether the element carries pressure.
@@ -213,9 +230,13 @@ impl Crush {
         }
     }
 
-    /// Range of the interference over which the active line holds.
-    pub fn interference_bounds(&self, law: &CrushLaw) -> Bounds {
+    /// Range of the interference over which the active line holds and, where contact without
+    /// pressure is watched, over which contact stays gained or lost.
+    pub fn interference_bounds(&self, law: &CrushLaw, is_contact_watched: bool) -> Bounds {
         match self.stage {
+            Stage::Clear | Stage::Touching if !is_contact_watched => {
+                Bounds::below(self.set + law.pressure_threshold)
+            }
             Stage::Clear => Bounds::below(self.set + CONTACT_THRESHOLD),
             Stage::Touching => Bounds::between(
                 self.set + CONTACT_THRESHOLD,
@@ -247,7 +268,7 @@ impl Crush {
     ) {
         let touching_is_empty = law.pressure_threshold <= CONTACT_THRESHOLD;
         self.stage = match (self.stage, exit) {
-            (Stage::Clear, _) if touching_is_empty => Stage::Elastic,
+            (Stage::Clear, _) if interference - self.set > law.pressure_threshold => Stage::Elastic,
             (Stage::Clear, _) => Stage::Touching,
             (Stage::Touching, Exit::Above) => Stage::Elastic,
             (Stage::Touching, Exit::Below) => Stage::Clear,

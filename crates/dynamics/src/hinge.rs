@@ -12,8 +12,8 @@ use crate::scalar::Real;
 const FADING: f64 = 1000.0;
 /// Greatest |dα/dt|, rad/s.
 const FASTEST: f64 = 100.0;
-/// Distance from the resting place at which the pad counts as arrived, rad.
-const ARRIVED: f64 = 1e-12;
+/// E-foldings of the distance from the resting place that one step takes at most.
+const E_FOLDINGS: f64 = 2.0;
 /// Slacks of the guards on angle (rad), rate state (rad/s) and hinge speed (rad/s).
 const ANGLE_SLACK: f64 = 1e-14;
 const RATE_SLACK: f64 = 1e-10;
@@ -68,6 +68,8 @@ pub struct Stops {
     pub inner: f64,
     /// Greatest angle.
     pub outer: f64,
+    /// Distance from the resting place beyond a stop at which the pad counts as arrived.
+    pub arrival: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -158,7 +160,7 @@ impl Hinge {
 
     /// Range of α over which the active piece holds.
     pub fn angle_bounds(&self, stops: Stops) -> Bounds {
-        let resting = 1.0 / FADING - ARRIVED;
+        let resting = 1.0 / FADING - stops.arrival;
         match self.zone {
             Zone::Free => Bounds::between(stops.inner, stops.outer),
             Zone::Pressing(Side::Outer) => Bounds::below(stops.outer + resting),
@@ -198,6 +200,15 @@ impl Hinge {
             Bounds::between(-FASTEST, FASTEST)
         }
         .widened(SPEED_SLACK)
+    }
+
+    /// The longest step that follows the pad into a stop, s: beyond it α would overshoot its resting
+    /// place by less than the tolerance, yet far enough to seem fast again, and switch to and fro.
+    pub fn longest_step(&self, rate: f64) -> f64 {
+        match self.zone {
+            Zone::Pressing(_) if self.clip == 0.0 => E_FOLDINGS / (FADING * rate.abs()),
+            _ => f64::INFINITY,
+        }
     }
 
     /// The angle left its range.

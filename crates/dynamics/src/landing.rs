@@ -41,8 +41,8 @@ const MILD_STEPS: u32 = 4;
 /// Tolerance up to which gentle kinks of the laws are located.
 const LOCATED_UP_TO: f64 = 1e-6;
 /// Time within which an event is located, s: this times the tolerance, but within these limits.
-const EVENT_RESOLUTION: f64 = 1e-5;
-const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-9];
+const EVENT_RESOLUTION: f64 = 1e-3;
+const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
 /// So many events within so short a time (s) are chattering too: the laws switch to and fro while
@@ -140,6 +140,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let laws = std::array::from_fn(|j| {
             LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks)
                 .with_friction(settings.friction_profile())
+                .within(settings.tolerance())
         });
         let modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&laws[j]));
         let pieces = Pieces::new(&std::array::from_fn(|j| modes[j].pieces(&laws[j])));
@@ -198,7 +199,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             if self.time > limit - SHORTEST {
                 return Outcome::TimeExpired;
             }
-            let length = control.proposed().min(limit - self.time);
+            let length = control
+                .proposed()
+                .min(self.longest_step())
+                .min(limit - self.time);
             if length < SHORTEST {
                 return Outcome::Failure(Failure::StepCollapse);
             }
@@ -249,6 +253,13 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             self.note_struts();
         }
         Outcome::Failure(Failure::StepLimit)
+    }
+
+    /// The longest step that the laws allow whatever the error, s.
+    fn longest_step(&self) -> f64 {
+        let legs = self.modes.iter().zip(&self.signals);
+        legs.map(|(mode, signals)| mode.longest_step(signals))
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Takes a step: the signals at its end and its error in units of the tolerance.

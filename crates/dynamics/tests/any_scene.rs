@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::random::{crush_rule, fixed_list, wild_scene, wild_vehicle};
+use common::random::{crush_rule, drawn, fixed_list, wild_scene, wild_vehicle};
 use proptest::prelude::*;
 use rayon::prelude::*;
 use touchdown_dynamics::landing::{Instant, Landing, land_observed};
@@ -147,6 +147,19 @@ proptest! {
         vehicle in wild_vehicle::<4>(), scene in wild_scene(), settings in wild_settings()
     ) {
         prop_assert_eq!(complaint(&vehicle, &scene, &settings).1, None);
+    }
+}
+
+/// Pads that heavy vehicles wind up to thousands of rad/s against their stops: steps longer than the
+/// last of their way there made them switch to and fro a million times.
+#[test]
+fn wound_up_pads_come_to_rest_on_their_stops() {
+    let strategy = (wild_vehicle::<3>(), wild_scene(), wild_settings());
+    for (seed, nth) in [(1012, 60), (1048, 96)] {
+        let (vehicle, scene, settings) = drawn(&strategy, seed, nth);
+        let (landing, wrong) = complaint(&vehicle, &scene, &settings);
+        assert_eq!(wrong, None);
+        assert!(landing.steps < 10_000, "{} steps", landing.steps);
     }
 }
 

@@ -148,15 +148,15 @@ fn near(value: f64, expected: f64) {
 fn pressed(law: &CrushLaw) -> Crush {
     let mut crush = Crush::untouched(law);
     assert!(!crush.in_contact() && !crush.is_loaded());
-    near(crush.interference_bounds(law).upper, 1e-6);
+    near(crush.interference_bounds(law, true).upper, 1e-6);
     crush.cross_interference(law, Exit::Above, 1e-6, true);
     assert!(crush.in_contact() && !crush.is_loaded());
     assert!(crush.line(law).is_slack());
-    near(crush.interference_bounds(law).upper, 1e-5);
+    near(crush.interference_bounds(law, true).upper, 1e-5);
     crush.cross_interference(law, Exit::Above, 1e-5, true);
     assert!(crush.is_loaded());
     near(crush.line(law).at(0.06), 0.6);
-    near(crush.interference_bounds(law).upper, 0.1);
+    near(crush.interference_bounds(law, true).upper, 0.1);
     crush
 }
 
@@ -168,7 +168,7 @@ fn crushing_along_a_path() {
     crush.cross_interference(&law, Exit::Above, 0.1, true);
     near(crush.line(&law).at(0.3), 1.1);
     near(crush.set_at(&law, 0.3), 0.3 - 0.11);
-    near(crush.interference_bounds(&law).upper, 0.5);
+    near(crush.interference_bounds(&law, true).upper, 0.5);
     crush.cross_interference(&law, Exit::Above, 0.5, true);
     near(crush.line(&law).at(0.7), 2.0);
     // Back: p(0.7)/E = 0.2 ft of it are elastic.
@@ -176,7 +176,7 @@ fn crushing_along_a_path() {
     near(crush.set_at(&law, 0.6), 0.5);
     near(crush.line(&law).at(0.6), 1.0);
     near(crush.line(&law).at(0.7), 2.0);
-    let range = crush.interference_bounds(&law);
+    let range = crush.interference_bounds(&law, true);
     near(range.lower, 0.5 + 1e-5);
     near(range.upper, 0.7);
     // Clear of the surface, down to the set of 0.5 ft: contact is lost there, not at zero.

@@ -41,7 +41,15 @@ pub struct StrutLaw {
     rebound: [f64; 2],
     friction_fraction: f64,
     bottoming_stroke: f64,
+    /// Rate past standstill up to which the piece of the other direction is not put in place, rad/s.
+    turning_slack: f64,
 }
+
+/// Turning slack: at least this (rad/s), and this times the tolerance. Where the link turns round,
+/// force and damping are continuous and only curvature jumps: a link that trembles about standstill
+/// by less is none of an event's business.
+const TURNING_SLACK: f64 = 1e-11;
+const TURNING_SLACK_PER_TOLERANCE: f64 = 10.0;
 
 impl StrutLaw {
     /// The law of a strut, cut where any of its pieces changes.
@@ -94,7 +102,21 @@ impl StrutLaw {
             ],
             friction_fraction: strut.friction_fraction,
             bottoming_stroke: strut.extended_length - strut.minimum_length,
+            turning_slack: TURNING_SLACK,
         }
+    }
+
+    /// The same law with turns of the link no more exact than landings at this tolerance need.
+    pub fn within(self, tolerance: f64) -> Self {
+        Self {
+            turning_slack: TURNING_SLACK.max(TURNING_SLACK_PER_TOLERANCE * tolerance),
+            ..self
+        }
+    }
+
+    /// Rate past standstill up to which the piece of the other direction is not put in place, rad/s.
+    pub(super) fn turning_slack(&self) -> f64 {
+        self.turning_slack
     }
 
     /// Stroke at which the strut bottoms, ft.

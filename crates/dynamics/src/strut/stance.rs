@@ -33,11 +33,12 @@ impl Travel {
         }
     }
 
-    fn bounds(self) -> Bounds {
+    /// Range of the link rate, up to `slack` past standstill.
+    fn bounds(self, slack: f64) -> Bounds {
         match self {
             Self::FastStroke => Bounds::below(-SMOOTHING_RATE),
-            Self::SlowStroke => Bounds::between(-SMOOTHING_RATE, 0.0),
-            Self::SlowRebound => Bounds::between(0.0, SMOOTHING_RATE),
+            Self::SlowStroke => Bounds::between(-SMOOTHING_RATE, slack),
+            Self::SlowRebound => Bounds::between(-slack, SMOOTHING_RATE),
             Self::FastRebound => Bounds::above(SMOOTHING_RATE),
         }
     }
@@ -155,7 +156,7 @@ impl Stance {
             Self::Stopped { .. } => Bounds::above(0.0).widened(RATE_SLACK),
             Self::Working(Working { segment, travel }) => match law.kinks() {
                 _ if law.is_on_stop(segment) => Bounds::below(0.0).widened(RATE_SLACK),
-                Kinks::Located => travel.bounds().widened(RATE_SLACK),
+                Kinks::Located => travel.bounds(law.turning_slack()).widened(RATE_SLACK),
                 Kinks::SteppedOver => Bounds::FREE,
             },
         }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
-use proptest::test_runner::TestRunner;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene};
 use touchdown_dynamics::vehicle::{Inertia, Leg, LegDesign, Vehicle};
@@ -17,6 +17,19 @@ pub fn fixed_list<S: Strategy>(strategy: &S, count: usize) -> Vec<S::Value> {
     (0..count)
         .map(|_| strategy.new_tree(&mut runner).unwrap().current())
         .collect()
+}
+
+/// The value that a strategy draws as its `nth` (from 0) with a seed.
+pub fn drawn<S: Strategy>(strategy: &S, seed: u64, nth: usize) -> S::Value {
+    let mut bytes = [0; 32];
+    bytes[..8].copy_from_slice(&seed.to_le_bytes());
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    let mut draw = || strategy.new_tree(&mut runner).unwrap().current();
+    for _ in 0..nth {
+        draw();
+    }
+    draw()
 }
 
 /// Either crush rule.
