@@ -204,13 +204,13 @@ impl Workers {
         })
     }
 
-    /// Computes one landing for every scene, in their order.
+    /// Computes one landing for every scene, in their order, of the vehicle that belongs to its index.
     ///
     /// # Errors
     /// When `cancel` became true; it is looked at before every landing.
-    pub fn cases<const LEGS: usize>(
+    pub fn cases<'v, const LEGS: usize>(
         &self,
-        vehicle: &Vehicle<LEGS>,
+        vehicle: impl Fn(usize) -> &'v Vehicle<LEGS> + Sync + Send,
         scenes: &[Scene],
         settings: &Settings,
         observer: &impl Observer,
@@ -219,7 +219,7 @@ impl Workers {
         let stop = Stop::on(cancel);
         self.each(scenes.len(), |case| {
             stop.go_on()?;
-            let landing = land(vehicle, &scenes[case], settings);
+            let landing = land(vehicle(case), &scenes[case], settings);
             observer.landing();
             observer.point();
             Ok(landing)
