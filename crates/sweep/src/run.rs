@@ -30,9 +30,11 @@ use crate::trial::{Scales, Trial};
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
+    /// A point of the grid, by its number, is about to be computed by this thread.
+    fn begin(&self, _point: usize) {}
     /// A landing has been computed.
     fn landing(&self) {}
-    /// A point of the grid, or a case, is done.
+    /// A point of the grid, or a case, is done by this thread.
     fn point(&self) {}
 }
 
@@ -118,6 +120,7 @@ impl Workers {
             return Ok(());
         }
         let work = |point| {
+            observer.begin(point);
             let finding = find(sweep, point, observer, &stop)?;
             observer.point();
             Ok(finding)
