@@ -84,7 +84,7 @@ fn land(
     let limit = Settings::DEFAULT_TIME_LIMIT;
     let settings = Settings::new(tolerance, limit, CrushRule::default())?;
     let never = AtomicBool::new(false);
-    Ok(workers.cases(vehicle, scenes, &settings, &(), &never)?)
+    Ok(workers.cases(|_| vehicle, scenes, &settings, &(), &never)?)
 }
 
 /// A thousand level landings at the tolerance of boundary searches.

@@ -1,14 +1,18 @@
-//! Tables of cases: one landing per row.
+//! Tables of cases: one landing per row, of one vehicle or of one that differs from row to row.
 
 use std::path::Path;
 
 use csv::StringRecord;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::Scene;
+use touchdown_dynamics::vehicle::Vehicle;
 
+use crate::document::Value;
 use crate::input_error::{InputError, Place};
 use crate::landing_table;
+use crate::parameter::Parameter;
 use crate::scene_input::{NAMES, NamedConditions};
+use crate::vehicle_file::VehicleFile;
 
 /// Columns that every table of cases must have.
 const REQUIRED: [&str; 6] = [
@@ -23,27 +27,44 @@ const REQUIRED: [&str; 6] = [
 const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
 
 /// The cases of a table, in its order.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Cases {
+#[derive(Debug, Clone)]
+pub struct Cases<const LEGS: usize> {
     /// Their names, from the column `case`.
     pub names: Vec<String>,
     /// Their scenes.
     pub scenes: Vec<Scene>,
+    /// Their vehicles: one for all, or one for each.
+    vehicles: Vec<Vehicle<LEGS>>,
 }
 
-/// Reads and checks a whole table; columns that are no touchdown condition are ignored, and an
-/// empty cell leaves its condition to the default.
+impl<const LEGS: usize> Cases<LEGS> {
+    /// The vehicle of a case.
+    pub fn vehicle(&self, case: usize) -> &Vehicle<LEGS> {
+        &self.vehicles[if self.vehicles.len() == 1 { 0 } else { case }]
+    }
+}
+
+/// Reads and checks a whole table. Columns named `vehicle.` and a key of the vehicle file hold instead
+/// of what it says; other columns that are no touchdown condition are ignored. An empty cell leaves
+/// its condition to the default, and a number of the vehicle to its file.
 ///
 /// # Errors
 /// Names file, line, row, column and value of the first thing wrong, and what is allowed.
-pub fn read(path: &Path) -> Result<Cases, InputError> {
+pub fn read<const LEGS: usize>(
+    path: &Path,
+    vehicle: &VehicleFile<LEGS>,
+) -> Result<Cases<LEGS>, InputError> {
     let place = Place::file(path);
     let text = std::fs::read_to_string(path)
         .map_err(|error| InputError::other(format!("cannot be read: {error}")).at(place.clone()))?;
-    parse(&place, &text)
+    parse(&place, &text, vehicle)
 }
 
-fn parse(place: &Place, text: &str) -> Result<Cases, InputError> {
+fn parse<const LEGS: usize>(
+    place: &Place,
+    text: &str,
+    vehicle: &VehicleFile<LEGS>,
+) -> Result<Cases<LEGS>, InputError> {
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
@@ -55,15 +76,27 @@ fn parse(place: &Place, text: &str) -> Result<Cases, InputError> {
         InputError::other(format!("not a table of comma-separated values: {error}")).at(place)
     };
     let heading = reader.headers().map_err(broken)?.clone();
-    check_heading(&heading).map_err(|error| error.at(place.line(1)))?;
+    let on_heading = |error: InputError| error.at(place.line(1));
+    check_heading(&heading).map_err(on_heading)?;
+    let varied = vehicle_columns(&heading, LEGS).map_err(on_heading)?;
 
-    let mut cases = Cases::default();
+    let mut cases = Cases {
+        names: Vec::new(),
+        scenes: Vec::new(),
+        vehicles: Vec::new(),
+    };
     for (index, record) in reader.records().enumerate() {
         let record = record.map_err(broken)?;
         let line = record.position().map_or(0, |position| position.line());
         let place = place.line(line as usize).row(index + 1);
-        let scene = scene(&heading, &record).map_err(|error| error.at(place))?;
+        let scene = scene(&heading, &record).map_err(|error| error.at(place.clone()))?;
         cases.scenes.push(scene);
+        if !varied.is_empty() {
+            let vehicle = vehicle_of(vehicle, &varied, &record);
+            cases
+                .vehicles
+                .push(vehicle.map_err(|error| error.at(place))?);
+        }
         cases.names.push(cell(&heading, &record, "case").to_owned());
     }
     if cases.names.is_empty() {
@@ -71,7 +104,58 @@ fn parse(place: &Place, text: &str) -> Result<Cases, InputError> {
             InputError::other("has no rows: required is at least one case").at(place.clone()),
         );
     }
+    if varied.is_empty() {
+        cases.vehicles.push(vehicle.vehicle.clone());
+    }
     Ok(cases)
+}
+
+/// Columns that hold numbers of the vehicle.
+fn vehicle_columns(
+    heading: &StringRecord,
+    legs: usize,
+) -> Result<Vec<(usize, Parameter)>, InputError> {
+    let mut varied: Vec<(usize, Parameter)> = Vec::new();
+    for (index, name) in heading.iter().enumerate() {
+        if !name.starts_with("vehicle.") {
+            continue;
+        }
+        let refuse = |said: &str| Err(InputError::other(format!("column {name}: {said}")));
+        let Some(parameter) = Parameter::named(name, legs) else {
+            return refuse(&Parameter::unknown(name, legs));
+        };
+        if varied.iter().any(|(_, known)| *known == parameter) {
+            return refuse("is there twice: allowed is once");
+        }
+        varied.push((index, parameter));
+    }
+    Ok(varied)
+}
+
+/// The vehicle of a row: that of the file with what the row says instead.
+fn vehicle_of<const LEGS: usize>(
+    file: &VehicleFile<LEGS>,
+    varied: &[(usize, Parameter)],
+    record: &StringRecord,
+) -> Result<Vehicle<LEGS>, InputError> {
+    let mut document = file.document.clone();
+    let mut said = Vec::new();
+    for (index, parameter) in varied {
+        let text = record.get(*index).unwrap_or("");
+        if text.is_empty() {
+            continue;
+        }
+        match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => {
+                document.write(parameter.path(), Value::Number(value));
+            }
+            _ => return Err(InputError::value(parameter.name(), text, "a finite number")),
+        }
+        said.push(format!("{} = {text}", parameter.name()));
+    }
+    VehicleFile::from_document(document)
+        .map(|file| file.vehicle)
+        .map_err(|error| InputError::other(format!("at {}: {error}", said.join(", "))))
 }
 
 fn check_heading(heading: &StringRecord) -> Result<(), InputError> {

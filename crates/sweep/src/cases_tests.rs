@@ -3,8 +3,13 @@ use super::*;
 const HEADING: &str = "case,colour,vertical_velocity_fps,horizontal_velocity_fps,\
     cross_slope_deg,pitch_deg,yaw_deg,roll_deg,slope_deg,friction";
 
-fn read_text(text: &str) -> Result<Cases, InputError> {
-    parse(&Place::file(Path::new("c.csv")), text)
+fn read_text(text: &str) -> Result<Cases<3>, InputError> {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../sweeps/vehicles/surveyor-table-4-1.toml"
+    );
+    let surveyor = VehicleFile::read(Path::new(path)).unwrap();
+    parse(&Place::file(Path::new("c.csv")), text, &surveyor)
 }
 
 fn complaint(text: &str) -> String {
@@ -32,6 +37,35 @@ fn tip_form_needs_no_euler_columns() {
         .attitude
         .tip();
     assert!((tip.tip.to_degrees() - 9.0).abs() < 1e-12);
+}
+
+#[test]
+fn rows_may_differ_in_numbers_of_the_vehicle() {
+    let text = format!(
+        "{HEADING},vehicle.mass_slug,vehicle.legs[2].strut.preload_lb\n1,,14,11,180,0,0,0,15,1,25,\n\
+         2,,14,11,180,0,0,0,15,1,,200\n"
+    );
+    let cases = read_text(&text).unwrap();
+    let of = |case: usize| {
+        let vehicle = cases.vehicle(case);
+        let preload = vehicle.legs()[1].design().strut.preload;
+        (vehicle.mass(), preload)
+    };
+    assert_eq!((of(0), of(1)), ((25.0, 185.0), (20.0, 200.0)));
+    let wrong = complaint(&text.replace(",25,", ",-25,"));
+    let expected = "c.csv:2: row 1: at vehicle.mass_slug = -25:";
+    assert!(
+        wrong.starts_with(expected) && wrong.contains("> 0"),
+        "{wrong}"
+    );
+    let wrong = complaint(&text.replace("mass_slug", "mas_slug"));
+    assert!(
+        wrong.contains(
+            "c.csv:1: column vehicle.mas_slug: no such parameter; did you mean vehicle.mass_slug"
+        ),
+        "{wrong}"
+    );
+    assert!(complaint(&text.replace(",25,", ",x,")).contains("vehicle.mass_slug = x"));
 }
 
 #[test]

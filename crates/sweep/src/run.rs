@@ -30,9 +30,11 @@ use crate::trial::{Scales, Trial};
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
+    /// A point of the grid, by its number, is about to be computed by this thread.
+    fn begin(&self, _point: usize) {}
     /// A landing has been computed.
     fn landing(&self) {}
-    /// A point of the grid, or a case, is done.
+    /// A point of the grid, or a case, is done by this thread.
     fn point(&self) {}
 }
 
@@ -118,6 +120,7 @@ impl Workers {
             return Ok(());
         }
         let work = |point| {
+            observer.begin(point);
             let finding = find(sweep, point, observer, &stop)?;
             observer.point();
             Ok(finding)
@@ -204,13 +207,13 @@ impl Workers {
         })
     }
 
-    /// Computes one landing for every scene, in their order.
+    /// Computes one landing for every scene, in their order, of the vehicle that belongs to its index.
     ///
     /// # Errors
     /// When `cancel` became true; it is looked at before every landing.
-    pub fn cases<const LEGS: usize>(
+    pub fn cases<'v, const LEGS: usize>(
         &self,
-        vehicle: &Vehicle<LEGS>,
+        vehicle: impl Fn(usize) -> &'v Vehicle<LEGS> + Sync + Send,
         scenes: &[Scene],
         settings: &Settings,
         observer: &impl Observer,
@@ -219,7 +222,7 @@ impl Workers {
         let stop = Stop::on(cancel);
         self.each(scenes.len(), |case| {
             stop.go_on()?;
-            let landing = land(vehicle, &scenes[case], settings);
+            let landing = land(vehicle(case), &scenes[case], settings);
             observer.landing();
             observer.point();
             Ok(landing)

@@ -23,8 +23,8 @@ const SWEEPS: [&str; 3] = [
 ];
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const CASES: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,\
-                     pitch_deg,yaw_deg,roll_deg,slope_deg,friction\n\
-                     1,14,2,180,0,0,0,15,1\n2,14,13,180,0,0,0,15,1\n";
+                     pitch_deg,yaw_deg,roll_deg,slope_deg,friction,vehicle.mass_slug\n\
+                     1,14,2,180,0,0,0,15,1,20\n2,14,13,180,0,0,0,15,1,30\n";
 /// What is put into files: things that mean something there, at the wrong place.
 #[rustfmt::skip]
 const WORDS: [&str; 24] = [
@@ -87,8 +87,11 @@ proptest! {
         let folder = tempfile::tempdir()?;
         let path = folder.path().join("cases.csv");
         fs::write(&path, changed(CASES, &changes))?;
-        if let Ok(cases) = cases::read(&path) {
+        let surveyor = Document::parse(Path::new("v.toml"), SURVEYOR).unwrap();
+        let surveyor = VehicleFile::<3>::from_document(surveyor).unwrap();
+        if let Ok(cases) = cases::read(&path, &surveyor) {
             prop_assert_eq!(cases.names.len(), cases.scenes.len());
+            prop_assert!(cases.vehicle(cases.names.len() - 1).mass() > 0.0);
         }
     }
 

@@ -21,14 +21,14 @@ pub fn run(
     table: &Path,
     out: &Path,
 ) -> Result<(), Failure> {
-    let cases = cases::read(table)?;
+    let cases = cases::read(table, vehicle)?;
     let (folder, name) = place_of(out)?;
     let cancel = interrupt::flag()?;
     let workers = Workers::start(options.threads)?;
 
     let progress = Progress::start("cases", cases.scenes.len(), options.quiet);
     let landings = workers.cases(
-        &vehicle.vehicle,
+        |case| cases.vehicle(case),
         &cases.scenes,
         settings,
         &progress,

@@ -36,7 +36,8 @@ Examples:
       --slope 15 --pitch 5 --friction 0.8
 
   One landing for each row of a table with the columns case, vertical_velocity_fps,
-  horizontal_velocity_fps, cross_slope_deg, pitch_deg, yaw_deg, roll_deg, slope_deg, friction:
+  horizontal_velocity_fps, cross_slope_deg, pitch_deg, yaw_deg, roll_deg, slope_deg, friction, and
+  if wanted columns such as vehicle.strut.preload_lb that hold instead of the vehicle file:
     touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \\
       --cases cases.csv --out outcomes.csv
 

@@ -21,6 +21,7 @@ mod report;
 mod say;
 mod scene_cases;
 mod solver_options;
+mod stress;
 mod study;
 mod summary;
 mod surface;
@@ -68,6 +69,8 @@ enum Command {
     Study(study::Options),
     /// Measure what a tolerance costs and what it buys
     WorkPrecision(work_precision::Options),
+    /// Test this program on this machine: sweeps killed again and again, and wild landings
+    Stress(stress::Options),
 }
 
 fn main() -> ExitCode {
@@ -80,6 +83,7 @@ fn main() -> ExitCode {
         Command::ImportDeck(options) => import_deck::run(&options),
         Command::Study(options) => study::run(&options),
         Command::WorkPrecision(options) => work_precision::run(&options),
+        Command::Stress(options) => stress::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

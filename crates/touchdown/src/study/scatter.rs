@@ -119,7 +119,7 @@ pub fn table(
     for first in first_intervals(RUNS) {
         let control = control(ErrorLimits::default(), first, LEAST_INTERVAL)?;
         let settings = settings(Method::Report(control))?;
-        let landings = workers.cases(vehicle, &scenes, &settings, &(), &cancel)?;
+        let landings = workers.cases(|_| vehicle, &scenes, &settings, &(), &cancel)?;
         for (row, landing) in rows.iter_mut().zip(landings) {
             row.2 += usize::from(landing.outcome.class() == Class::Unstable);
         }

@@ -1,0 +1,203 @@
+//! What wild landings came to, and which of them are worth landing again.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use touchdown_dynamics::outcome::{Failure, Outcome};
+use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::landing_table::Cell;
+
+use super::case_table::Reasons;
+use super::sense::Sense;
+
+/// Landings kept of every kind of failure, and of those that make no sense.
+const KEPT: usize = 10_000;
+/// Landings kept where the model has no law, as examples.
+const EXAMPLES: usize = 10;
+/// Complaints that are told one by one.
+const TOLD: usize = 20;
+/// Landings of which one may end without a result, and how many may in a run however short.
+const FAILS_ONE_OF: u64 = 100;
+const FAIL_AT_LEAST: u64 = 3;
+
+/// Wild landings, added up one by one.
+#[derive(Debug)]
+pub struct Account {
+    sense: Sense,
+    landings: u64,
+    evaluations: u64,
+    kinds: BTreeMap<String, Kind>,
+    /// Greatest open part of the energy in play, and its landing.
+    open: Option<(f64, usize)>,
+    /// Most steps, and their landing.
+    steps: Option<(u64, usize)>,
+    senseless: u64,
+    /// The first landings that make no sense, and what is wrong with them.
+    complaints: Vec<(usize, String)>,
+}
+
+/// Landings that ended alike.
+#[derive(Debug, Default)]
+struct Kind {
+    count: u64,
+    end: End,
+    /// The first of them.
+    first: Vec<usize>,
+}
+
+/// Ends with and without a result.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum End {
+    #[default]
+    Result,
+    /// Where the model has no law.
+    BeyondModel,
+    /// Where it has one, and the computation failed.
+    Failed,
+}
+
+impl Account {
+    /// Of no landings yet, computed with these settings.
+    pub fn of(settings: &Settings) -> Self {
+        Self {
+            sense: Sense::of(settings),
+            landings: 0,
+            evaluations: 0,
+            kinds: BTreeMap::new(),
+            open: None,
+            steps: None,
+            senseless: 0,
+            complaints: Vec::new(),
+        }
+    }
+
+    /// Adds a landing by its number.
+    pub fn add(&mut self, number: usize, outcome: &Outcome, cells: &[Cell]) {
+        self.landings += 1;
+        self.evaluations += self.sense.count(cells, "derivative_evaluations");
+        let (end, name) = kind(outcome);
+        let kind = self.kinds.entry(name).or_default();
+        kind.count += 1;
+        kind.end = end;
+        let kept = match end {
+            End::Result => 0,
+            End::BeyondModel => EXAMPLES,
+            End::Failed => KEPT,
+        };
+        if kind.first.len() < kept {
+            kind.first.push(number);
+        }
+        let steps = self.sense.count(cells, "steps");
+        if self.steps.is_none_or(|(most, _)| steps > most) {
+            self.steps = Some((steps, number));
+        }
+        if let Some(open) = self.sense.open(outcome, cells)
+            && self.open.is_none_or(|(most, _)| open > most)
+        {
+            self.open = Some((open, number));
+        }
+        if let Some(complaint) = self.sense.complaint(outcome, cells) {
+            self.senseless += 1;
+            if self.complaints.len() < KEPT {
+                self.complaints.push((number, complaint));
+            }
+        }
+    }
+
+    /// What is wrong with them all, if anything is.
+    pub fn verdict(&self) -> Option<String> {
+        let failed = self.failed();
+        let most = FAIL_AT_LEAST.max(self.landings / FAILS_ONE_OF);
+        match self.senseless {
+            0 if failed <= most => None,
+            0 => Some(format!(
+                "{failed} wild landings ended without a result, allowed are {most}"
+            )),
+            count => Some(format!("{count} wild landings make no sense")),
+        }
+    }
+
+    fn failed(&self) -> u64 {
+        let failed = self.kinds.values().filter(|kind| kind.end == End::Failed);
+        failed.map(|kind| kind.count).sum()
+    }
+
+    /// All of it in words.
+    pub fn told(&self) -> String {
+        let landings = self.landings.max(1) as f64;
+        let mut text = String::new();
+        let mut kinds: Vec<(&String, &Kind)> = self.kinds.iter().collect();
+        kinds.sort_by_key(|(_, kind)| (kind.end, std::cmp::Reverse(kind.count)));
+        // Writing to a text cannot fail.
+        for (name, kind) in kinds {
+            let percent = 100.0 * kind.count as f64 / landings;
+            let _ = writeln!(text, "  {percent:8.4} %  {name} ({})", kind.count);
+        }
+        if let Some((open, number)) = self.open {
+            let _ = writeln!(
+                text,
+                "  account of energy open by at most {open:.1e} of the energy in play (landing {number})"
+            );
+        }
+        if let Some((steps, number)) = self.steps {
+            let _ = writeln!(text, "  at most {steps} steps (landing {number})");
+        }
+        let mean = self.evaluations as f64 / landings;
+        let _ = writeln!(
+            text,
+            "  {mean:.0} evaluations of the equations of motion on average"
+        );
+        match self.senseless {
+            0 => text += "  every number is one, every account of energy closes\n",
+            count => {
+                let _ = writeln!(text, "  {count} make no sense:");
+                for (number, complaint) in self.complaints.iter().take(TOLD) {
+                    let _ = writeln!(text, "    landing {number}: {complaint}");
+                }
+            }
+        }
+        text
+    }
+
+    /// The landings worth landing again: those that make no sense or failed, some beyond the model, and
+    /// the extremes.
+    pub fn reasons(&self) -> Reasons {
+        let mut reasons = Reasons::new();
+        let mut keep = |number, why: &str| {
+            let whys: &mut Vec<String> = reasons.entry(number).or_default();
+            whys.push(why.to_owned());
+        };
+        for (name, kind) in &self.kinds {
+            for number in &kind.first {
+                keep(*number, name);
+            }
+        }
+        for (number, complaint) in &self.complaints {
+            keep(*number, complaint);
+        }
+        if let Some((_, number)) = self.open {
+            keep(number, "account of energy most open");
+        }
+        if let Some((_, number)) = self.steps {
+            keep(number, "most steps");
+        }
+        reasons
+    }
+}
+
+/// How a landing ended, whichever leg it was.
+fn kind(outcome: &Outcome) -> (End, String) {
+    match outcome {
+        Outcome::Bottomed { .. } => (End::Result, "bottomed".to_owned()),
+        Outcome::Failure(Failure::PadInclination { .. }) => (
+            End::BeyondModel,
+            "no law: loaded footpad inclined more than 65 deg".to_owned(),
+        ),
+        Outcome::Failure(failure) => (End::Failed, format!("failure: {failure}")),
+        other => (End::Result, other.to_string()),
+    }
+}
+
+#[cfg(test)]
+#[path = "account_tests.rs"]
+mod tests;

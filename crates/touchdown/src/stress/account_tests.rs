@@ -1,0 +1,65 @@
+use super::super::sense::tests::{landed, settings};
+use super::*;
+
+const CHATTERING: Outcome = Outcome::Failure(Failure::Chattering);
+
+#[test]
+fn kinds_are_counted_and_the_extremes_are_kept() {
+    let mut account = Account::of(&settings());
+    let inclined = |leg| Outcome::Failure(Failure::PadInclination { leg });
+    let open = |energy| landed(&[("energy_closure_ftlb", Cell::Number(energy))]);
+    let long = landed(&[("steps", Cell::Count(30))]);
+    account.add(0, &Outcome::Bottomed { leg: 0 }, &open(-2e-3));
+    account.add(1, &Outcome::Bottomed { leg: 2 }, &long);
+    account.add(2, &inclined(0), &open(50.0));
+    account.add(3, &CHATTERING, &open(0.0));
+    assert_eq!(account.verdict(), None);
+    let told = account.told();
+    for line in [
+        "50.0000 %  bottomed (2)",
+        "25.0000 %  no law: loaded footpad inclined more than 65 deg (1)",
+        "25.0000 %  failure: contact laws chatter without advancing in time (1)",
+        "account of energy open by at most 2.0e-5 of the energy in play (landing 0)",
+        "at most 30 steps (landing 1)",
+        "20 evaluations of the equations of motion on average",
+    ] {
+        assert!(told.contains(line), "{line}: {told}");
+    }
+    let kept: Vec<usize> = account.reasons().into_keys().collect();
+    assert_eq!(kept, [0, 1, 2, 3]);
+}
+
+#[test]
+fn a_landing_that_makes_no_sense_is_one_too_many() {
+    let mut account = Account::of(&settings());
+    let nowhere = landed(&[("min_clearance_ft", Cell::Number(f64::NAN))]);
+    account.add(4, &Outcome::UnstableYaw, &nowhere);
+    let verdict = account.verdict().unwrap();
+    assert_eq!(verdict, "1 wild landings make no sense");
+    let told = account.told();
+    assert!(
+        told.contains("landing 4: min_clearance_ft is NaN"),
+        "{told}"
+    );
+    assert_eq!(account.reasons()[&4][0], "min_clearance_ft is NaN");
+}
+
+#[test]
+fn failures_have_to_stay_rare() {
+    let mut account = Account::of(&settings());
+    for number in 0..500 {
+        let outcome = match number % 100 {
+            0 => CHATTERING,
+            _ => Outcome::StableSubsided,
+        };
+        account.add(number, &outcome, &landed(&[]));
+    }
+    assert_eq!(account.verdict(), None);
+    account.add(500, &CHATTERING, &landed(&[]));
+    let verdict = account.verdict().unwrap();
+    assert!(
+        verdict.starts_with("6 wild landings ended without a result"),
+        "{verdict}"
+    );
+    assert!(verdict.ends_with("allowed are 5"), "{verdict}");
+}

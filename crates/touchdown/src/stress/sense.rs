@@ -1,0 +1,153 @@
+//! Whether what a landing came to makes sense.
+
+use touchdown_dynamics::outcome::{Failure, Outcome};
+use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::landing_table::{self, Cell};
+
+use crate::LEGS;
+
+/// Largest part of the energy in play by which its account may stay open, in units of the tolerance, for
+/// each so many seconds begun.
+const OPEN: f64 = 4.0;
+const OPEN_IN: f64 = 3.0;
+/// Added to the energy in play, ft·lb: what is left of it where hardly anything moves.
+const LITTLE_ENERGY: f64 = 1.0;
+
+/// What landings are held against.
+#[derive(Debug)]
+pub struct Sense {
+    names: Vec<String>,
+    time_limit: f64,
+    tolerance: f64,
+}
+
+impl Sense {
+    /// Of landings computed with these settings.
+    pub fn of(settings: &Settings) -> Self {
+        Self {
+            names: landing_table::names(LEGS),
+            time_limit: settings.time_limit(),
+            tolerance: settings.tolerance(),
+        }
+    }
+
+    /// The part of the energy in play by which its account stays open; none of landings that ended
+    /// without a result, as what broke them may show in the last step.
+    pub fn open(&self, outcome: &Outcome, cells: &[Cell]) -> Option<f64> {
+        let in_play = self.number(cells, "initial_kinetic_energy_ftlb")
+            + self.number(cells, "potential_energy_change_ftlb").abs()
+            + LITTLE_ENERGY;
+        let open = self.number(cells, "energy_closure_ftlb").abs() / in_play;
+        (!matches!(outcome, Outcome::Failure(_))).then_some(open)
+    }
+
+    /// A count among the results.
+    pub fn count(&self, cells: &[Cell], name: &str) -> u64 {
+        match self.cell(cells, name) {
+            Some(Cell::Count(count)) => *count,
+            _ => 0,
+        }
+    }
+
+    /// What makes no sense, if anything does.
+    pub fn complaint(&self, outcome: &Outcome, cells: &[Cell]) -> Option<String> {
+        if *outcome == Outcome::Failure(Failure::NonFinite) {
+            return Some(Failure::NonFinite.to_string());
+        }
+        let end = self.number(cells, "end_time_s");
+        for (name, cell) in self.names.iter().zip(cells) {
+            let Cell::Number(number) = cell else {
+                continue;
+            };
+            let is_contact = name.starts_with("pad_contact") || name.starts_with("block_contact");
+            // −1 is never.
+            let is_outside = is_contact && *number != -1.0 && !(0.0..=end).contains(number);
+            if !number.is_finite() || is_outside {
+                return Some(format!("{name} is {number}"));
+            }
+        }
+        if !(0.0..=self.time_limit).contains(&end) {
+            return Some(format!("end_time_s is {end}"));
+        }
+        let open = self.open(outcome, cells)?;
+        let most = OPEN * self.tolerance * (end / OPEN_IN).ceil().max(1.0);
+        (open > most).then(|| format!("{open:.1e} of the energy is not accounted for"))
+    }
+
+    fn cell<'c>(&self, cells: &'c [Cell], name: &str) -> Option<&'c Cell> {
+        let place = self.names.iter().position(|known| known == name)?;
+        cells.get(place)
+    }
+
+    fn number(&self, cells: &[Cell], name: &str) -> f64 {
+        match self.cell(cells, name) {
+            Some(Cell::Number(number)) => *number,
+            _ => f64::NAN,
+        }
+    }
+}
+
+#[cfg(test)]
+pub mod tests {
+    use touchdown_dynamics::scene::CrushRule;
+
+    use super::*;
+
+    pub fn settings() -> Settings {
+        Settings::new(3e-5, 40.0, CrushRule::default()).unwrap()
+    }
+
+    /// A landing made up, with some of its results changed.
+    pub fn landed(changes: &[(&str, Cell)]) -> Vec<Cell> {
+        let customary = |name: &str| match name {
+            "outcome" | "failure" => Cell::Word(String::new()),
+            "initial_kinetic_energy_ftlb" => Cell::Number(99.0),
+            "end_time_s" => Cell::Number(2.0),
+            "steps" | "derivative_evaluations" => Cell::Count(20),
+            _ => Cell::Number(0.0),
+        };
+        let cell = |name: String| {
+            let change = changes.iter().find(|(changed, _)| *changed == name);
+            change.map_or_else(|| customary(&name), |(_, cell)| cell.clone())
+        };
+        landing_table::names(LEGS).into_iter().map(cell).collect()
+    }
+
+    #[test]
+    fn only_what_makes_no_sense_is_complained_of() {
+        let sense = Sense::of(&settings());
+        let complaint = |name, number| {
+            let cells = landed(&[(name, Cell::Number(number))]);
+            sense.complaint(&Outcome::UnstablePitch, &cells)
+        };
+        // Energy in play is 100 ft·lb, of which 4 × 3e-5 may be missing.
+        assert_eq!(complaint("energy_closure_ftlb", -0.011), None);
+        let open = complaint("energy_closure_ftlb", -0.013).unwrap();
+        assert_eq!(open, "1.3e-4 of the energy is not accounted for");
+        let long = [("energy_closure_ftlb", 0.023), ("end_time_s", 3.5)];
+        let long = long.map(|(name, number)| (name, Cell::Number(number)));
+        assert_eq!(sense.complaint(&Outcome::TimeExpired, &landed(&long)), None);
+        assert_eq!(complaint("pad_contact_2_s", -1.0), None);
+        for (name, number) in [
+            ("pad_contact_2_s", 2.5),
+            ("block_contact_1_s", -0.5),
+            ("end_time_s", 40.5),
+            ("end_time_s", -0.5),
+            ("max_strut_force_3_lb", f64::NAN),
+            ("min_clearance_ft", f64::INFINITY),
+        ] {
+            let said = complaint(name, number).unwrap();
+            assert!(said.contains(" is "), "{said}");
+        }
+    }
+
+    #[test]
+    fn energy_is_not_asked_of_landings_without_a_result() {
+        let sense = Sense::of(&settings());
+        let cells = landed(&[("energy_closure_ftlb", Cell::Number(50.0))]);
+        let chattering = Outcome::Failure(Failure::Chattering);
+        assert_eq!(sense.complaint(&chattering, &cells), None);
+        let broken = Outcome::Failure(Failure::NonFinite);
+        assert!(sense.complaint(&broken, &cells).is_some());
+    }
+}
