@@ -7,6 +7,7 @@ mod verdict;
 
 use crate::contact::{LegLaws, LegMode};
 use crate::damping::{DampedSolve, Inertia};
+use crate::energy::kinetic;
 use crate::integrator::additive;
 use crate::integrator::event::{Node, Watch, first_exit, is_quiet};
 use crate::integrator::step::{EVALUATIONS, Step};
@@ -99,6 +100,9 @@ struct Flight<'a, O, const LEGS: usize> {
     mild_steps: u32,
     /// Time within which an event is located, s.
     event_resolution: f64,
+    /// Kinetic energy at touchdown and the work of raising the vehicle by the height of its CG, ft·lb:
+    /// what the account of energies is exact to, times the tolerance.
+    energy: f64,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
@@ -152,6 +156,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             inertia: motion.inertia(),
             mild_steps: 0,
             event_resolution: resolution,
+            energy: kinetic(vehicle, &state)
+                + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height(),
             damped_above: DAMPED_ABOVE * (1e-4 / settings.tolerance()).max(1.0).sqrt().sqrt(),
             motion,
             laws,
@@ -273,6 +279,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             damped,
             length,
             tolerance: self.settings.tolerance(),
+            greatest_work_error: self.settings.tolerance() * self.energy,
             step: &mut self.step,
             signals: &mut signals,
         };

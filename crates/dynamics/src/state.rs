@@ -233,7 +233,7 @@ impl<const LEGS: usize> State<f64, LEGS> {
 
     /// Greatest error of a moving component in units of its tolerance, which is relative above
     /// 1 ft, ft/s, rad or rad/s and absolute below. The work integrals follow from the motion and
-    /// have no say.
+    /// have no say here.
     #[inline(always)]
     pub fn error_norm(&self, before: &Self, after: &Self, tolerance: f64) -> f64 {
         let mut worst = Quad::zero();
@@ -257,6 +257,18 @@ impl<const LEGS: usize> State<f64, LEGS> {
             f64::INFINITY
         };
         worst / tolerance
+    }
+
+    /// Greatest work among the work integrals whatever its sign, ft·lb.
+    #[inline(always)]
+    pub fn greatest_work(&self) -> f64 {
+        let mut greatest = Quad::zero();
+        for row in &self.legs[LEG_MOTION..] {
+            for work in quads(row) {
+                greatest = greatest.max(work.abs());
+            }
+        }
+        greatest.0.into_iter().fold(0.0, f64::max)
     }
 
     /// Whether every component is a finite number.

@@ -54,6 +54,6 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
     #[inline(always)]
     pub fn error(&self) -> State<S, LEGS> {
         let weights = self.weights.error.map(|w| w * self.length);
-        State::zero().advanced_motion(weights, self.slopes.each_ref())
+        State::zero().advanced(weights, self.slopes.each_ref())
     }
 }

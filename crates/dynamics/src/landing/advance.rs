@@ -17,6 +17,8 @@ pub(super) struct Advance<'a, const LEGS: usize> {
     /// Length of the step, s.
     pub(super) length: f64,
     pub(super) tolerance: f64,
+    /// Error allowed to a work integral, ft·lb.
+    pub(super) greatest_work_error: f64,
     pub(super) step: &'a mut Step<f64, LEGS>,
     /// Where the signals at its end go.
     pub(super) signals: &'a mut [LegSignals<f64>; LEGS],
@@ -50,7 +52,8 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
             let raw = Velocities::of(&error);
             damped.solve(&raw).plus(-1.0, &raw).add_to(&mut error);
         }
-        error.error_norm(&step.before, &step.after, self.tolerance)
+        let motion = error.error_norm(&step.before, &step.after, self.tolerance);
+        motion.max(error.greatest_work() / self.greatest_work_error)
     }
 }
 
