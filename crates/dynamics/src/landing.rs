@@ -41,6 +41,9 @@ const FAR_FROM_STIFF: f64 = 0.25;
 const MILD_STEPS: u32 = 4;
 /// Tolerance up to which gentle kinks of the laws are located.
 const LOCATED_UP_TO: f64 = 1e-6;
+/// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
+/// steps still closes to the tolerance.
+const WORK_SHARE: f64 = 0.01;
 /// Time within which an event is located, s: this times the tolerance, but within these limits.
 const EVENT_RESOLUTION: f64 = 1e-3;
 const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
@@ -101,7 +104,7 @@ struct Flight<'a, O, const LEGS: usize> {
     /// Time within which an event is located, s.
     event_resolution: f64,
     /// Kinetic energy at touchdown and the work of raising the vehicle by the height of its CG, ft·lb:
-    /// what the account of energies is exact to, times the tolerance.
+    /// what the account of energies closes to, times the tolerance.
     energy: f64,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
@@ -279,7 +282,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             damped,
             length,
             tolerance: self.settings.tolerance(),
-            greatest_work_error: self.settings.tolerance() * self.energy,
+            greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
             step: &mut self.step,
             signals: &mut signals,
         };
