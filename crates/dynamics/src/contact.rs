@@ -64,12 +64,10 @@ impl LegLaws {
     /// The same laws with their changes no more exact than landings at this tolerance need.
     pub fn within(self, tolerance: f64) -> Self {
         let arrival = PAD_ARRIVAL.max(PAD_ARRIVAL_SHARE * tolerance);
-        let Stops { inner, outer, .. } = self.stops;
         Self {
             stops: Stops {
-                inner,
-                outer,
                 arrival,
+                ..self.stops
             },
             strut: self.strut.within(tolerance),
             ..self
