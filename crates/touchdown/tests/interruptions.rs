@@ -62,16 +62,18 @@ fn journal_length(bench: &Bench) -> u64 {
     fs::metadata(bench.path("results/sweep.journal")).map_or(0, |file| file.len())
 }
 
+/// Bytes of the journal's head, as its first bytes announce them: the file grows while it is written.
+fn head_length(bench: &Bench) -> Option<u64> {
+    const OVERHEAD: u64 = 12;
+    let journal = fs::read(bench.path("results/sweep.journal")).ok()?;
+    let announced = journal.get(4..8)?.try_into().ok()?;
+    Some(OVERHEAD + u64::from(u32::from_le_bytes(announced)))
+}
+
 /// Waits until points are in the journal.
 fn wait_for_points(bench: &Bench, child: &mut Child) {
-    let head = loop {
+    while head_length(bench).is_none_or(|head| journal_length(bench) <= head) {
         assert!(child.try_wait().unwrap().is_none(), "ended at once");
-        match journal_length(bench) {
-            0 => std::thread::sleep(Duration::from_millis(1)),
-            length => break length,
-        }
-    };
-    while journal_length(bench) <= head && child.try_wait().unwrap().is_none() {
         std::thread::sleep(Duration::from_millis(1));
     }
 }
