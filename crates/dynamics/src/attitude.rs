@@ -3,7 +3,8 @@
 //! The rotation B takes vehicle axes to ground axes: B = Rx(pitch Ψ)·Ry(yaw Φ)·Rz(roll Ξ), the
 //! report's matrix (1). Euler angles fail at cos Φ = 0; the quaternion does not.
 
-use nalgebra::{Matrix3, Rotation3, Unit, UnitQuaternion, Vector3};
+use libm::{atan2, hypot, sincos};
+use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 
 /// Orientation of the vehicle: takes vehicle axes to ground axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,28 +38,23 @@ const GIMBAL_LOCK: f64 = 2e-9;
 impl Attitude {
     /// The attitude with the given Euler angles.
     pub fn from_euler(euler: Euler) -> Self {
-        let about = UnitQuaternion::from_axis_angle;
         Self(
-            about(&Vector3::x_axis(), euler.pitch)
-                * about(&Vector3::y_axis(), euler.yaw)
-                * about(&Vector3::z_axis(), euler.roll),
+            turn(&Vector3::x_axis(), euler.pitch)
+                * turn(&Vector3::y_axis(), euler.yaw)
+                * turn(&Vector3::z_axis(), euler.roll),
         )
     }
 
     /// The attitude of a tipped vehicle: B = Rot((cos Γ, sin Γ, 0), ν)·Rz(K).
     pub fn from_tip(tip: Tip) -> Self {
-        let axis = Unit::new_unchecked(Vector3::new(tip.azimuth.cos(), tip.azimuth.sin(), 0.0));
-        Self(
-            UnitQuaternion::from_axis_angle(&axis, tip.tip)
-                * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), tip.nominal_roll),
-        )
+        let (sine, cosine) = sincos(tip.azimuth);
+        let axis = Unit::new_unchecked(Vector3::new(cosine, sine, 0.0));
+        Self(turn(&axis, tip.tip) * turn(&Vector3::z_axis(), tip.nominal_roll))
     }
 
     /// The attitude with the given quaternion (w, x, y, z), of any length but zero.
     pub fn from_quaternion([w, x, y, z]: [f64; 4]) -> Self {
-        Self(UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(
-            w, x, y, z,
-        )))
+        Self(UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)))
     }
 
     /// This rotation, in ground axes, after another.
@@ -86,19 +82,19 @@ impl Attitude {
     /// sum or difference of pitch and roll is determined; there roll is given as zero.
     pub fn euler(&self) -> Euler {
         let b = self.matrix();
-        let cos_yaw = b[(0, 0)].hypot(b[(0, 1)]);
-        let yaw = b[(0, 2)].atan2(cos_yaw);
+        let cos_yaw = hypot(b[(0, 0)], b[(0, 1)]);
+        let yaw = atan2(b[(0, 2)], cos_yaw);
         if cos_yaw < GIMBAL_LOCK {
             return Euler {
-                pitch: b[(2, 1)].atan2(b[(1, 1)]),
+                pitch: atan2(b[(2, 1)], b[(1, 1)]),
                 yaw,
                 roll: 0.0,
             };
         }
         Euler {
-            pitch: (-b[(1, 2)]).atan2(b[(2, 2)]),
+            pitch: atan2(-b[(1, 2)], b[(2, 2)]),
             yaw,
-            roll: (-b[(0, 1)]).atan2(b[(0, 0)]),
+            roll: atan2(-b[(0, 1)], b[(0, 0)]),
         }
     }
 
@@ -107,12 +103,12 @@ impl Attitude {
         let b = self.matrix();
         // The centreline in ground axes is (sin Γ sin ν, −cos Γ sin ν, cos ν).
         let (east, north) = (b[(0, 2)], -b[(1, 2)]);
-        let sine = east.hypot(north);
-        let tip = sine.atan2(b[(2, 2)]);
+        let sine = hypot(east, north);
+        let tip = atan2(sine, b[(2, 2)]);
         let azimuth = if sine < GIMBAL_LOCK {
             0.0
         } else {
-            east.atan2(north)
+            atan2(east, north)
         };
         let upright = Self::from_tip(Tip {
             tip,
@@ -123,29 +119,35 @@ impl Attitude {
         Tip {
             tip,
             azimuth,
-            nominal_roll: roll[(1, 0)].atan2(roll[(0, 0)]),
+            nominal_roll: atan2(roll[(1, 0)], roll[(0, 0)]),
         }
     }
+}
+
+/// The rotation by an angle (rad) about an axis.
+fn turn(axis: &Unit<Vector3<f64>>, angle: f64) -> UnitQuaternion<f64> {
+    let (sine, cosine) = sincos(0.5 * angle);
+    UnitQuaternion::new_unchecked(Quaternion::from_parts(cosine, axis.as_ref() * sine))
 }
 
 impl Euler {
     /// Rates (Ψ̇, Φ̇, Ξ̇) that belong to the angular velocity ω in vehicle axes, rad/s, or `None`
     /// where cos Φ vanishes and no finite rates exist.
     pub fn rates(&self, omega: [f64; 3]) -> Option<[f64; 3]> {
-        let cos_yaw = self.yaw.cos();
+        let (sin_yaw, cos_yaw) = sincos(self.yaw);
         if cos_yaw.abs() < GIMBAL_LOCK {
             return None;
         }
-        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        let (sin_roll, cos_roll) = sincos(self.roll);
         let pitch = (omega[0] * cos_roll - omega[1] * sin_roll) / cos_yaw;
         let yaw = omega[0] * sin_roll + omega[1] * cos_roll;
-        Some([pitch, yaw, omega[2] - pitch * self.yaw.sin()])
+        Some([pitch, yaw, omega[2] - pitch * sin_yaw])
     }
 
     /// Angular velocity in vehicle axes, rad/s, that belongs to the rates (Ψ̇, Φ̇, Ξ̇).
     pub fn angular_velocity(&self, [pitch, yaw, roll]: [f64; 3]) -> [f64; 3] {
-        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
-        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        let (sin_yaw, cos_yaw) = sincos(self.yaw);
+        let (sin_roll, cos_roll) = sincos(self.roll);
         [
             cos_yaw * cos_roll * pitch + sin_roll * yaw,
             -cos_yaw * sin_roll * pitch + cos_roll * yaw,

@@ -9,6 +9,7 @@ mod pads;
 
 use std::fmt;
 
+use libm::{atan, atan2, hypot, sincos};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::attitude::{Attitude, Euler};
@@ -189,7 +190,7 @@ impl<const LEGS: usize> Trial<LEGS> {
 
 /// Rotation about Z by ζ: from the customary axes to the given ones.
 fn about_z(angle: f64) -> Matrix3<f64> {
-    let (sine, cosine) = angle.sin_cos();
+    let (sine, cosine) = sincos(angle);
     Matrix3::new(cosine, -sine, 0.0, sine, cosine, 0.0, 0.0, 0.0, 1.0)
 }
 
@@ -198,7 +199,7 @@ fn rotation(tangent: &Vector2<f64>) -> f64 {
     if tangent.norm() < LEVEL {
         0.0
     } else {
-        (-tangent.x).atan2(tangent.y)
+        atan2(-tangent.x, tangent.y)
     }
 }
 
@@ -229,11 +230,11 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
         let attitude = Attitude::from_matrix(&(turn * approach.attitude.matrix()));
         Scene::new(Conditions {
             vertical_velocity: velocity.z,
-            horizontal_velocity: velocity.x.hypot(velocity.y),
-            cross_slope: (-velocity.x).atan2(velocity.y),
+            horizontal_velocity: hypot(velocity.x, velocity.y),
+            cross_slope: atan2(-velocity.x, velocity.y),
             attitude,
             angular_velocity: approach.angular_velocity,
-            slope: tangent.norm().atan(),
+            slope: atan(tangent.norm()),
             pad_friction: approach.friction,
             block_friction: approach.friction,
         })

@@ -4,6 +4,7 @@
 //! The inward surface normal and the velocities are turned into the vehicle once, and then into
 //! the plane of each leg, where its geometry lies.
 
+use libm::sincos;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::quad::abreast;
@@ -59,7 +60,7 @@ pub struct Surface<S> {
 impl<S: Real> Surface<S> {
     /// The surface of a scene.
     pub fn new(scene: &Scene) -> Self {
-        let (sine, cosine) = scene.conditions().slope.sin_cos();
+        let (sine, cosine) = sincos(scene.conditions().slope);
         Self {
             sine: S::constant(sine),
             cosine: S::constant(cosine),
@@ -216,18 +217,17 @@ impl<S: Real> LegGeometry<S> {
         let (linkage, footpad, block) = (&design.linkage, &design.footpad, &design.block);
         let (a, l) = (linkage.hardpoint_distance, linkage.lower_link_length);
         let constant = S::constant;
+        let (sin_azimuth, cos_azimuth) = sincos(design.azimuth);
+        let (sin_beta, cos_beta) = sincos(linkage.hardpoint_angle);
         Self {
-            outboard: [
-                constant(design.azimuth.sin()),
-                constant(design.azimuth.cos()),
-            ],
+            outboard: [constant(sin_azimuth), constant(cos_azimuth)],
             hardpoint_radius: constant(linkage.lower_hardpoint_radius),
             hardpoint_depth: constant(hardpoint_depth),
             link_length: constant(l),
             product: constant(a * l),
             squares: constant(a * a + l * l),
-            sin_beta: constant(linkage.hardpoint_angle.sin()),
-            cos_beta: constant(linkage.hardpoint_angle.cos()),
+            sin_beta: constant(sin_beta),
+            cos_beta: constant(cos_beta),
             extended_length: constant(design.strut.extended_length),
             centroid: constant(2.0 * footpad.diameter / (3.0 * std::f64::consts::PI)),
             pad_height: constant(footpad.height),

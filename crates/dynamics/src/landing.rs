@@ -37,8 +37,8 @@ const FIRST_STEP: f64 = 1e-4;
 const DAMPED_ABOVE: f64 = 2.5;
 /// Share of that below which so many more steps are taken before looking at the damping again,
 /// unless a law changes.
-const FAR_FROM_STIFF: f64 = 0.25;
-const MILD_STEPS: u32 = 4;
+const FAR_FROM_STIFF: f64 = 0.5;
+const MILD_STEPS: u32 = 8;
 /// Tolerance up to which gentle kinks of the laws are located.
 const LOCATED_UP_TO: f64 = 1e-6;
 /// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of

@@ -6,7 +6,9 @@
 //! MM-66-19 (1966); numbers in parentheses in the documentation are its equations.
 //!
 //! Units are foot, slug, pound, second and radian throughout. Nothing here reads or writes files,
-//! starts threads, or looks at a clock.
+//! starts threads, or looks at a clock. A landing is plain IEEE arithmetic in a fixed order, its
+//! elementary functions included, so that it comes out the same, bit for bit, on every machine; those
+//! of the standard library come from the machine's own and are not allowed here (`clippy.toml`).
 //!
 //! | idea | module |
 //! |---|---|
@@ -18,6 +20,8 @@
 //! | the surface from impact times | [`impact_surface`] |
 //! | how it is integrated | [`integrator`], [`model_version`] |
 //! | how it was integrated in 1966, and what that was compared with | [`methods`] |
+
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod attitude;
 pub mod contact;

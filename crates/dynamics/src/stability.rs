@@ -1,5 +1,6 @@
 //! Stability angle, critical feet and the quantities outcomes are judged by (2.7, model chapter 7).
 
+use libm::{atan2, hypot, sin};
 use nalgebra::Vector3;
 
 use crate::critical_feet::{CriticalFeet, critical_feet};
@@ -34,7 +35,7 @@ const CALM_SLACK: f64 = 1e-11;
 pub fn calm_height<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> f64 {
     let legs = vehicle.legs().iter().map(|leg| {
         let design = leg.design();
-        design.linkage.lower_link_length * leg.extended_angle().sin() + design.footpad.height
+        design.linkage.lower_link_length * sin(leg.extended_angle()) + design.footpad.height
     });
     let extended = legs.fold(f64::NEG_INFINITY, f64::max);
     vehicle.center_of_gravity_height() + extended + CALM_MARGIN
@@ -195,9 +196,9 @@ impl<const LEGS: usize> Judge<LEGS> {
         match self.plane {
             Plane::Motion => {
                 let speed = (vx * vx + vy * vy).sqrt();
-                ((a.x * vx + a.y * vy) / speed).atan2(a.z)
+                atan2((a.x * vx + a.y * vy) / speed, a.z)
             }
-            Plane::Slope => a.x.hypot(a.y).atan2(a.z),
+            Plane::Slope => atan2(hypot(a.x, a.y), a.z),
         }
     }
 

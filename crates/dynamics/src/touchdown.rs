@@ -1,5 +1,6 @@
 //! First contact: where everything is when a landing begins.
 
+use libm::{cos, sincos};
 use nalgebra::{Vector3, Vector4};
 
 use crate::motion::Motion;
@@ -29,7 +30,7 @@ pub fn touchdown<const LEGS: usize>(
 ) -> State<f64, LEGS> {
     let conditions = scene.conditions();
     let [w, x, y, z] = conditions.attitude.quaternion();
-    let (sin_cross, cos_cross) = conditions.cross_slope.sin_cos();
+    let (sin_cross, cos_cross) = sincos(conditions.cross_slope);
     let speed = conditions.horizontal_velocity;
     let legs = extended_legs(vehicle);
     let mut body = Body {
@@ -52,6 +53,6 @@ pub fn touchdown<const LEGS: usize>(
         })
         .fold(f64::NEG_INFINITY, f64::max);
     // A rise of the CG by h along the vertical lifts every point off the surface by h cos θs.
-    body.position.z = -deepest / conditions.slope.cos();
+    body.position.z = -deepest / cos(conditions.slope);
     State::new(&body, legs)
 }

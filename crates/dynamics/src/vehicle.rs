@@ -4,6 +4,7 @@
 //! parts) are what an input file says; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
 //! that every law of the model can use without asking again.
 
+use libm::{asin, sin};
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use crate::invalid::{Invalid, non_negative, positive, require};
@@ -270,7 +271,7 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
         "a length that the hardpoints and the lower link can span",
         |_| sine.abs() < 1.0,
     )?;
-    let angle = sine.asin() + linkage.hardpoint_angle;
+    let angle = asin(sine) + linkage.hardpoint_angle;
     require(
         "strut.extended_length_ft",
         strut.extended_length,
@@ -332,7 +333,7 @@ impl<const LEGS: usize> Vehicle<LEGS> {
         for (index, leg) in legs.iter().enumerate() {
             let linkage = &leg.design.linkage;
             let above_ground = center_of_gravity_height
-                + linkage.lower_link_length * leg.extended_angle.sin()
+                + linkage.lower_link_length * sin(leg.extended_angle)
                 + leg.design.footpad.height;
             require(
                 &format!("center_of_gravity_height_ft (over footpad {})", index + 1),

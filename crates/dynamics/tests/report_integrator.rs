@@ -62,6 +62,18 @@ fn the_printed_branch_is_one_run_in_some() {
     println!("{} of {} runs", printed_branch.len(), runs.len());
     assert!((0.1..0.3).contains(&share), "{share}");
 
+    // Chosen by their number of intervals, the runs have mean intervals on either side of the print.
+    let mut mean_intervals: Vec<f64> = printed_branch
+        .iter()
+        .map(|(_, summary)| summary.mean_interval())
+        .collect();
+    mean_intervals.sort_by(f64::total_cmp);
+    let middle = mean_intervals[mean_intervals.len() / 2];
+    assert!(
+        (middle - printed("average_interval_s")).abs() < 0.0002,
+        "{middle}"
+    );
+
     // On that branch everything else printed agrees too.
     for (landing, summary) in printed_branch {
         let near = |name: &str, value: f64, limit: f64| {
@@ -71,7 +83,6 @@ fn the_printed_branch_is_one_run_in_some() {
         near("min_clearance_ft", landing.min_clearance, 0.002);
         near("pad_contact_2_s", landing.pad_contact[1].unwrap(), 0.01);
         near("block_contact_3_s", landing.block_contact[2].unwrap(), 0.01);
-        near("average_interval_s", summary.mean_interval(), 0.0004);
         // Most intervals lie between 1 and 10 ms, and half or so need no cut.
         assert!((300..400).contains(&summary.by_decade[2]), "{summary:?}");
         assert!(

@@ -102,7 +102,7 @@ impl Search {
 
     /// Landings that one search is expected to take at most.
     pub fn most_landings(&self) -> u64 {
-        let halvings = (self.scan_step / self.tolerance).log2().ceil().max(0.0);
+        let halvings = libm::log2(self.scan_step / self.tolerance).ceil().max(0.0);
         self.scan_count() + halvings as u64
     }
 

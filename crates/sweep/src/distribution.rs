@@ -96,7 +96,9 @@ impl Distribution {
     pub fn quantile(&self, u: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => rounded(from + u * (to - from)).clamp(from, to),
-            Self::LogUniform { from, to } => rounded(from * (to / from).powf(u)).clamp(from, to),
+            Self::LogUniform { from, to } => {
+                rounded(from * libm::pow(to / from, u)).clamp(from, to)
+            }
             Self::Normal { mean, deviation } => {
                 rounded(mean + deviation * standard().inverse_cdf(u))
             }

@@ -118,7 +118,7 @@ impl Levels {
             Self::Logarithmic { from, to, count } => match index {
                 0 => from,
                 last if last + 1 == count => to,
-                _ => rounded(from * (to / from).powf(index as f64 / (count - 1) as f64)),
+                _ => rounded(from * libm::pow(to / from, index as f64 / (count - 1) as f64)),
             },
             Self::List(ref values) => values[index],
         }
@@ -147,7 +147,7 @@ fn whole_count(count: f64) -> Result<usize, Fault> {
 
 /// Nearest decimal to `value` at a resolution far below `step`, so that 0.1 + 2 · 0.1 is 0.3.
 fn snapped(value: f64, step: f64) -> f64 {
-    let digits = (9.0 - step.abs().log10().floor()).clamp(0.0, 300.0) as usize;
+    let digits = (9.0 - libm::log10(step.abs()).floor()).clamp(0.0, 300.0) as usize;
     let decimal = format!("{value:.digits$}").parse().unwrap_or(value);
     // Takes the sign off a negative zero.
     decimal + 0.0

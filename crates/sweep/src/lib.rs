@@ -14,6 +14,8 @@
 //! Nothing here prints: progress goes to a [`run::Observer`], complaints are
 //! [`input_error::InputError`]s.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod axis_input;
 pub mod bands;
 pub mod bands_table;

@@ -127,7 +127,7 @@ pub fn method_words(method: &Method, tolerance: f64) -> String {
 
 /// Without what a change of units leaves in the last digits.
 fn rounded(value: f64) -> f64 {
-    let scale = 10f64.powi(12 - value.abs().log10().floor() as i32);
+    let scale = libm::exp10(12.0 - libm::log10(value.abs()).floor());
     (value * scale).round() / scale
 }
 

@@ -175,7 +175,7 @@ impl Narrowing {
         mut high: Node,
         land: &mut impl FnMut(u64) -> Result<Node, Stop>,
     ) -> Result<(), Stop> {
-        let most = ((high.index - low.index) as f64).log2().ceil() as i32 + SLACK;
+        let most = libm::log2((high.index - low.index) as f64).ceil() as i32 + SLACK;
         let mut landings = 0;
         let mut outside: Option<Node> = None;
         while low.class() != high.class() && high.index - low.index > 1 {
@@ -185,7 +185,7 @@ impl Narrowing {
             };
             landings += 1;
             // What is left must be within reach of halving.
-            let widest = 2f64.powi(most - landings);
+            let widest = libm::ldexp(1.0, most - landings);
             let node = land(place(aim, low.index, high.index, widest))?;
             if node.class() == low.class() {
                 outside = Some(std::mem::replace(&mut low, node));

@@ -84,7 +84,7 @@ impl Search {
     fn stride(&self) -> u64 {
         match self.scan {
             Scan::Full => 1,
-            Scan::Skipping => 1 << (STRIDE / self.scan_step).log2().max(0.0) as u32,
+            Scan::Skipping => 1 << libm::log2(STRIDE / self.scan_step).max(0.0) as u32,
         }
     }
 }

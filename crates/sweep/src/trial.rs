@@ -49,7 +49,8 @@ impl<const LEGS: usize> Scales<LEGS> {
     pub fn of(vehicle: &Vehicle<LEGS>) -> Self {
         let stance = vehicle.legs().iter().map(|leg| {
             let design = leg.design();
-            design.linkage.lower_link_length * leg.extended_angle().sin() + design.footpad.height
+            design.linkage.lower_link_length * libm::sin(leg.extended_angle())
+                + design.footpad.height
         });
         let height = vehicle.center_of_gravity_height() + stance.fold(f64::NEG_INFINITY, f64::max);
         Self {

@@ -1,5 +1,6 @@
 //! Where the footpads' sections are.
 
+use libm::sincos;
 use nalgebra::Vector3;
 
 use crate::invalid::Invalid;
@@ -17,15 +18,15 @@ pub(super) fn centroids<const LEGS: usize>(
 ) -> [Vector3<f64>; 2] {
     let design = vehicle.legs()[leg].design();
     let (linkage, footpad) = (&design.linkage, &design.footpad);
-    let (sine, cosine) = design.azimuth.sin_cos();
+    let (sine, cosine) = sincos(design.azimuth);
     let in_plane =
         |outboard: f64, down: f64| Vector3::new(outboard * sine, outboard * cosine, down);
-    let (sin_link, cos_link) = link_angle.sin_cos();
+    let (sin_link, cos_link) = sincos(link_angle);
     let pivot = in_plane(
         linkage.lower_hardpoint_radius + linkage.lower_link_length * cos_link,
         vehicle.center_of_gravity_height() + linkage.lower_link_length * sin_link,
     );
-    let (sin_pad, cos_pad) = (link_angle - pad_angle).sin_cos();
+    let (sin_pad, cos_pad) = sincos(link_angle - pad_angle);
     let offset = 2.0 * footpad.diameter / (3.0 * std::f64::consts::PI);
     let middle = pivot + in_plane(-sin_pad, cos_pad) * footpad.height;
     let aside = in_plane(cos_pad, sin_pad) * offset;
@@ -53,7 +54,7 @@ pub(super) fn at_contact<const LEGS: usize>(
     let angles = &last.legs[leg];
     let sections = centroids(vehicle, leg, angles.link_angle, angles.pad_angle);
     let matrix = last.attitude.matrix();
-    let (sine, cosine) = scene.conditions().slope.sin_cos();
+    let (sine, cosine) = sincos(scene.conditions().slope);
     let depth = |point: &Vector3<f64>| sine * point.y + cosine * point.z;
     let [outboard, inboard] = sections.map(|section| last.position + matrix * section);
     let deeper = if depth(&outboard) >= depth(&inboard) {

@@ -4,11 +4,15 @@
 //! methods", ACM Trans. Math. Softw. 17 (1991) 533-554; constants as in Hairer, Nørsett and
 //! Wanner's DOPRI5.
 
+use libm::{exp, log, pow};
+
 const SAFETY: f64 = 0.9;
 const INTEGRAL: f64 = 0.04;
 const PROPORTIONAL: f64 = 0.2 - 0.75 * INTEGRAL;
 const LEAST_FACTOR: f64 = 0.2;
 const GREATEST_FACTOR: f64 = 5.0;
+/// Natural logarithm of 1e-4: no smaller error of a step is remembered.
+const SMALL_ERROR: f64 = -9.210_340_371_976_182;
 /// No step is longer than this, s: a step cannot outgrow what its three looks at the signals see.
 pub const LONGEST: f64 = 0.02;
 /// Below this the time no longer advances, s.
@@ -18,6 +22,7 @@ pub const SHORTEST: f64 = 1e-14;
 #[derive(Debug, Clone, Copy)]
 pub struct StepControl {
     proposed: f64,
+    /// Natural logarithm of the last good step's error in units of the tolerance.
     last_error: f64,
     rejected: bool,
 }
@@ -27,7 +32,7 @@ impl StepControl {
     pub fn new(first: f64) -> Self {
         Self {
             proposed: first.min(LONGEST),
-            last_error: 1e-4,
+            last_error: SMALL_ERROR,
             rejected: false,
         }
     }
@@ -41,19 +46,19 @@ impl StepControl {
     /// is good enough.
     pub fn accept(&mut self, length: f64, norm: f64) -> bool {
         if norm <= 1.0 {
-            let error = norm.max(1e-8);
-            let correction = INTEGRAL * self.last_error.ln() - PROPORTIONAL * error.ln();
-            let factor = (SAFETY * correction.exp()).clamp(
+            let error = log(norm.max(1e-8));
+            let correction = INTEGRAL * self.last_error - PROPORTIONAL * error;
+            let factor = (SAFETY * exp(correction)).clamp(
                 LEAST_FACTOR,
                 if self.rejected { 1.0 } else { GREATEST_FACTOR },
             );
             self.proposed = (length * factor).min(LONGEST);
-            self.last_error = error.max(1e-4);
+            self.last_error = error.max(SMALL_ERROR);
             self.rejected = false;
             true
         } else {
             // A norm that is not a number shrinks the step as far as it goes.
-            let factor = SAFETY * norm.powf(-PROPORTIONAL);
+            let factor = SAFETY * pow(norm, -PROPORTIONAL);
             let factor = if factor > LEAST_FACTOR {
                 factor
             } else {
@@ -67,7 +72,7 @@ impl StepControl {
 
     /// Takes note of an event after which the motion goes on under other laws.
     pub fn restart(&mut self) {
-        self.last_error = 1e-4;
+        self.last_error = SMALL_ERROR;
         self.rejected = false;
     }
 }

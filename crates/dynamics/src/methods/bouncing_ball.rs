@@ -3,6 +3,8 @@
 
 use std::f64::consts::PI;
 
+use libm::atan;
+
 use super::system::{System, Vector};
 
 /// A ball over a surface that pushes back in proportion to its penetration.
@@ -30,7 +32,7 @@ impl BouncingBall {
         let impact = (2.0 * self.gravity * height).sqrt();
         let frequency = self.stiffness.sqrt();
         // In contact the ball swings about its weight's own penetration.
-        let beyond_half = (self.gravity / (frequency * impact)).atan();
+        let beyond_half = atan(self.gravity / (frequency * impact));
         2.0 * impact / self.gravity + (PI + 2.0 * beyond_half) / frequency
     }
 }

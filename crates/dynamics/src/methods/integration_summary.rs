@@ -1,5 +1,7 @@
 //! The account of an integration that the program of 1966 printed at the end of a run (3.4.4.3).
 
+use libm::log10;
+
 /// Classes of the distributions.
 pub const CLASSES: usize = 8;
 
@@ -34,7 +36,7 @@ impl IntegrationSummary {
     pub fn enter(&mut self, length: f64, cuts: usize) {
         self.intervals += 1;
         self.time += length;
-        let decade = (-length.log10()).ceil().max(1.0) as usize;
+        let decade = (-log10(length)).ceil().max(1.0) as usize;
         self.by_decade[decade.min(CLASSES) - 1] += 1;
         self.by_cuts[cuts.min(CLASSES - 1)] += 1;
     }

@@ -26,7 +26,7 @@ impl Run {
                 let turned = |row: usize| b[(row, 0)] * x + b[(row, 1)] * y + b[(row, 2)] * z;
                 [x, y, z] = [turned(0), turned(1), turned(2)];
             }
-            (z, x.hypot(y), (-x).atan2(y).to_degrees())
+            (z, libm::hypot(x, y), libm::atan2(-x, y).to_degrees())
         } else {
             return Err(InputError::value(
                 "phase number (card 11)",

@@ -127,7 +127,7 @@ impl Known {
                 dependence: Dependence::NoStep,
             });
         };
-        let part = (self.resolution / self.speed).cbrt().min(LONGEST_STEP);
+        let part = libm::cbrt(self.resolution / self.speed).min(LONGEST_STEP);
         let step = part * scale;
         let reach = STEEPEST * part * self.speed;
         let found = |dependence| Slope {
