@@ -3,8 +3,9 @@
 //!     cargo bench -p touchdown-dynamics --bench landing
 //!
 //! The landings are those of Table 4-1's vehicle straight downhill: well stable, next to the
-//! toppling boundary of 11.40 ft/s, and toppling. What each costs means little without its error,
-//! which is printed first, against tolerance 1e-10.
+//! toppling boundary of 11.40 ft/s, where it rocks longest, and toppling; at the default tolerances of
+//! boundary searches and of single landings. What each costs means little without its error, which is
+//! printed first, against tolerance 1e-10.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -20,6 +21,8 @@ use touchdown_dynamics::touchdown::touchdown;
 
 /// V_H of the landings, ft/s.
 const SPEEDS: [f64; 3] = [10.0, 11.38, 12.5];
+/// Default tolerances.
+const TOLERANCES: [f64; 2] = [Settings::BOUNDARY_TOLERANCE, Settings::DEFAULT_TOLERANCE];
 
 fn scene(speed: f64) -> Scene {
     level_scene(180.0, 0.0, speed)
@@ -29,22 +32,24 @@ fn print_errors() {
     let vehicle = table_4_1();
     for speed in SPEEDS {
         let run = |tolerance: f64| history(&vehicle, &scene(speed), &settings(tolerance), 0.1);
-        let (landing, instants) = run(Settings::DEFAULT_TOLERANCE);
         let (exact, exact_instants) = run(1e-10);
-        // A second after first contact, or at the last tenth that both reached.
-        let k = 10.min(instants.len().min(exact_instants.len()) - 2);
-        let position = (instants[k].position - exact_instants[k].position).norm();
-        let angle = landing.min_stability_angle - exact.min_stability_angle;
-        println!(
-            "{speed} ft/s: {} at {:.4} s, {} steps, {} evaluations; position at {:.1} s off by \
-             {position:.1e} ft, least stability angle by {:.1e} deg",
-            landing.outcome,
-            landing.end_time,
-            landing.steps,
-            landing.evaluations,
-            instants[k].time,
-            angle.to_degrees().abs(),
-        );
+        for tolerance in TOLERANCES {
+            let (landing, instants) = run(tolerance);
+            // A second after first contact, or at the last tenth that both reached.
+            let k = 10.min(instants.len().min(exact_instants.len()) - 2);
+            let position = (instants[k].position - exact_instants[k].position).norm();
+            let angle = landing.min_stability_angle - exact.min_stability_angle;
+            println!(
+                "{speed} ft/s at {tolerance:e}: {} at {:.4} s, {} steps, {} evaluations; position at \
+                 {:.1} s off by {position:.1e} ft, least stability angle by {:.1e} deg",
+                landing.outcome,
+                landing.end_time,
+                landing.steps,
+                landing.evaluations,
+                instants[k].time,
+                angle.to_degrees().abs(),
+            );
+        }
     }
 }
 
@@ -79,10 +84,20 @@ fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
     });
 }
 
-/// A landing at the default tolerance.
+/// A landing at the default tolerance of boundary searches.
 #[divan::bench(args = SPEEDS)]
-fn landing(bencher: Bencher, speed: f64) {
+fn landing_of_a_search(bencher: Bencher, speed: f64) {
+    time_landing(bencher, speed, Settings::BOUNDARY_TOLERANCE);
+}
+
+/// A landing at the default tolerance of single landings.
+#[divan::bench(args = SPEEDS)]
+fn single_landing(bencher: Bencher, speed: f64) {
+    time_landing(bencher, speed, Settings::DEFAULT_TOLERANCE);
+}
+
+fn time_landing(bencher: Bencher, speed: f64, tolerance: f64) {
     let (vehicle, scene) = (table_4_1(), scene(speed));
-    let settings = settings(Settings::DEFAULT_TOLERANCE);
+    let settings = settings(tolerance);
     bencher.bench_local(|| land(&vehicle, black_box(&scene), &settings));
 }

@@ -19,8 +19,7 @@ pub const COLUMNS: [&str; 9] = [
 
 /// Heading of the table of bands.
 pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
-    let axes = sweep.axes.iter().map(|axis| axis.name());
-    axes.chain(COLUMNS).map(str::to_owned).collect()
+    sweep.heading(COLUMNS)
 }
 
 /// Rows of a point: one for each band, from below.

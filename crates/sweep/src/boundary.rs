@@ -14,7 +14,7 @@ use crate::loose_scan::Scanned;
 use crate::refine::{Narrowed, Narrowing, Refinement};
 use crate::scan::Scan;
 use crate::spared::Spared;
-use crate::trial::{Sample, Trial, margin_jumps};
+use crate::trial::{Sample, Trial};
 
 /// Where to search, ft/s, and how closely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -172,9 +172,7 @@ impl Search {
         boundary: &mut Boundary,
         land: &mut impl FnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Certainty, Stop> {
-        if self.doubt == Doubt::Doubtful && !margin_jumps(ends[0], ends[1]) {
-            boundary.spared.untested += 1;
-        }
+        let tests = boundary.tests;
         let mut counted = |speed, variation| {
             let trial = land(speed, variation)?;
             boundary.landings += 1;
@@ -182,7 +180,11 @@ impl Search {
             boundary.evaluations += trial.evaluations;
             Ok(trial)
         };
-        certainty::test(self.doubt, ends, self.scan_step, &mut counted)
+        let certainty = certainty::test(self.doubt, ends, self.scan_step, &mut counted)?;
+        if self.doubt == Doubt::Doubtful && boundary.tests == tests {
+            boundary.spared.untested += 1;
+        }
+        Ok(certainty)
     }
 
     pub(crate) fn narrowing(&self, to_all: bool) -> Narrowing {

@@ -44,11 +44,9 @@ pub fn transition_name(boundary: &Boundary) -> String {
 
 /// Heading of the table of a sweep.
 pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
-    let axes = sweep.axes.iter().map(|axis| axis.name());
-    let axes = axes.map(str::to_owned);
     match sweep.job {
-        Job::Boundary(_) => axes.chain(COLUMNS.map(str::to_owned)).collect(),
-        Job::Outcome { .. } => axes.chain(landing_table::names(LEGS)).collect(),
+        Job::Boundary(_) => sweep.heading(COLUMNS),
+        Job::Outcome { .. } => sweep.heading(landing_table::names(LEGS)),
     }
 }
 

@@ -186,6 +186,12 @@ impl<const LEGS: usize> Sweep<LEGS> {
         }
     }
 
+    /// Heading of a table of results: the axes, then `columns`.
+    pub fn heading(&self, columns: impl IntoIterator<Item: Into<String>>) -> Vec<String> {
+        let axes = self.axes.iter().map(|axis| axis.name().to_owned());
+        axes.chain(columns.into_iter().map(Into::into)).collect()
+    }
+
     /// The coordinates of a point as results write them.
     pub fn coordinates_written(&self, point: usize) -> Vec<String> {
         let coordinates = self.design.coordinates(point);

@@ -33,8 +33,7 @@ const ANGULAR_SPAN: f64 = 1.0;
 
 /// Heading of the table.
 pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
-    let axes = sweep.axes.iter().map(|axis| axis.name());
-    axes.chain(COLUMNS).map(str::to_owned).collect()
+    sweep.heading(COLUMNS)
 }
 
 /// Rows of a point, one for each parameter, in the order in which they were asked for.
