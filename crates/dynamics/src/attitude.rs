@@ -3,6 +3,8 @@
 //! The rotation B takes vehicle axes to ground axes: B = Rx(pitch Ψ)·Ry(yaw Φ)·Rz(roll Ξ), the
 //! report's matrix (1). Euler angles fail at cos Φ = 0; the quaternion does not.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use libm::{atan2, hypot, sincos};
 use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 
@@ -32,8 +34,8 @@ pub struct Tip {
     pub nominal_roll: f64,
 }
 
-/// Below this cos Φ (about 1e-7 deg from a right angle) pitch and roll turn about the same line.
-const GIMBAL_LOCK: f64 = 2e-9;
+/// Below this cos Φ pitch and roll turn about the same line: to rounding, yaw is a right angle.
+const GIMBAL_LOCK: f64 = 1e-14;
 
 impl Attitude {
     /// The attitude with the given Euler angles.
@@ -80,21 +82,33 @@ impl Attitude {
 
     /// Euler angles, pitch and roll in (−π, π], yaw in [−π/2, π/2]. Where cos Φ vanishes only the
     /// sum or difference of pitch and roll is determined; there roll is given as zero.
+    ///
+    /// In the quaternion's terms √2 sin(Φ/2 + π/4) stands before sine and cosine of (Ψ + Ξ)/2, and
+    /// √2 cos(Φ/2 + π/4) before those of (Ψ − Ξ)/2. So that one of the two which a right angle of
+    /// yaw leaves determined keeps all its digits there, as the matrix's elements would not.
     pub fn euler(&self) -> Euler {
-        let b = self.matrix();
-        let cos_yaw = hypot(b[(0, 0)], b[(0, 1)]);
-        let yaw = atan2(b[(0, 2)], cos_yaw);
-        if cos_yaw < GIMBAL_LOCK {
+        let [w, x, y, z] = self.quaternion();
+        let (sum, difference) = (hypot(x + z, w + y), hypot(x - z, w - y));
+        let yaw = 2.0 * atan2(sum, difference) - FRAC_PI_2;
+        let half_sum = atan2(x + z, w + y);
+        let half_difference = atan2(x - z, w - y);
+        // Their product is cos Φ.
+        if sum * difference < GIMBAL_LOCK {
+            let determined = if sum > difference {
+                half_sum
+            } else {
+                half_difference
+            };
             return Euler {
-                pitch: atan2(b[(2, 1)], b[(1, 1)]),
+                pitch: within_half_turn(2.0 * determined),
                 yaw,
                 roll: 0.0,
             };
         }
         Euler {
-            pitch: atan2(-b[(1, 2)], b[(2, 2)]),
+            pitch: within_half_turn(half_sum + half_difference),
             yaw,
-            roll: atan2(-b[(0, 1)], b[(0, 0)]),
+            roll: within_half_turn(half_sum - half_difference),
         }
     }
 
@@ -121,6 +135,17 @@ impl Attitude {
             azimuth,
             nominal_roll: atan2(roll[(1, 0)], roll[(0, 0)]),
         }
+    }
+}
+
+/// The same angle, rad, in (−π, π], of one between −2π and 2π.
+fn within_half_turn(angle: f64) -> f64 {
+    if angle > PI {
+        angle - TAU
+    } else if angle <= -PI {
+        angle + TAU
+    } else {
+        angle
     }
 }
 
