@@ -271,8 +271,8 @@ impl<S: Real, const LEGS: usize> DampedSolve<S, LEGS> {
         for i in 0..6 {
             u[i] *= l[(i, i)];
         }
-        for column in (0..5).rev() {
-            for row in column + 1..6 {
+        for row in (1..6).rev() {
+            for column in 0..row {
                 let product = l[(row, column)] * u[row];
                 u[column] -= product;
             }

@@ -3,13 +3,12 @@
 mod account;
 mod advance;
 mod rates;
+mod stiffness;
 mod verdict;
 
 use crate::contact::{LegLaws, LegMode};
-use crate::damping::{DampedSolve, Inertia};
 use crate::energy::kinetic;
-use crate::integrator::additive;
-use crate::integrator::event::{Node, Watch, first_exit, is_quiet};
+use crate::integrator::event::{Node, Watch, first_exit};
 use crate::integrator::step::{EVALUATIONS, Step};
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::methods::{self, Method};
@@ -24,6 +23,7 @@ use crate::vehicle::Vehicle;
 
 use account::History;
 use advance::{Advance, Look};
+use stiffness::Stiffness;
 
 pub(crate) use rates::final_rates;
 
@@ -31,14 +31,6 @@ pub use crate::record::{Energies, FinalRates, Instant, Landing, LegInstant, LegW
 
 /// First step after touchdown, s.
 const FIRST_STEP: f64 = 1e-4;
-/// Rate of decay times step length above which damping is taken implicitly, at a tolerance of
-/// 1e-4. At tighter ones accuracy rather than stability limits steps, and the explicit method,
-/// which has the higher order, is left to do more.
-const DAMPED_ABOVE: f64 = 2.5;
-/// Share of that below which so many more steps are taken before looking at the damping again,
-/// unless a law changes.
-const FAR_FROM_STIFF: f64 = 0.5;
-const MILD_STEPS: u32 = 8;
 /// Tolerance up to which gentle kinks of the laws are located.
 const LOCATED_UP_TO: f64 = 1e-6;
 /// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
@@ -96,11 +88,7 @@ struct Flight<'a, O, const LEGS: usize> {
     scene: &'a Scene,
     settings: &'a Settings,
     motion: Motion<LEGS>,
-    inertia: Inertia<f64, LEGS>,
-    /// Rate of decay times step length above which damping is taken implicitly.
-    damped_above: f64,
-    /// Steps to come before the damping is looked at.
-    mild_steps: u32,
+    stiffness: Stiffness<LEGS>,
     /// Time within which an event is located, s.
     event_resolution: f64,
     /// Kinetic energy at touchdown and the work of raising the vehicle by the height of its CG, ft·lb:
@@ -110,6 +98,8 @@ struct Flight<'a, O, const LEGS: usize> {
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
     watches: Vec<Watch>,
+    /// Those of them that may have left their range within the last step.
+    suspects: Vec<Watch>,
     time: f64,
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
@@ -156,17 +146,16 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             vehicle,
             scene,
             settings,
-            inertia: motion.inertia(),
-            mild_steps: 0,
+            stiffness: Stiffness::new(&motion, settings.tolerance()),
             event_resolution: resolution,
             energy: kinetic(vehicle, &state)
                 + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height(),
-            damped_above: DAMPED_ABOVE * (1e-4 / settings.tolerance()).max(1.0).sqrt().sqrt(),
             motion,
             laws,
             modes,
             pieces,
             watches: Vec::with_capacity(LEGS * Signal::COUNT),
+            suspects: Vec::with_capacity(LEGS * Signal::COUNT),
             time: 0.0,
             step: Step::from(state, State::zero()),
             signals: [[0.0; Signal::COUNT]; LEGS],
@@ -251,12 +240,12 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             } else {
                 self.step.before = self.step.after;
                 self.step.slopes[0] = self.step.slopes[5];
-                let signals = std::mem::replace(&mut self.signals, end.signals);
                 self.earlier = Some(Earlier {
-                    signals,
+                    signals: self.signals,
                     observation: seen_before,
                     length,
                 });
+                self.signals = end.signals;
             }
             self.follow();
             self.note_struts();
@@ -275,11 +264,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     fn try_step(&mut self, length: f64) -> (Node<[LegSignals<f64>; LEGS]>, f64) {
         self.evaluations += EVALUATIONS;
         let mut signals = [[0.0; Signal::COUNT]; LEGS];
-        let damped = self.damping_over(length);
+        let damped = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
         let advance = Advance {
             motion: &self.motion,
             pieces: &self.pieces,
-            damped,
+            damped: damped.as_ref(),
             length,
             tolerance: self.settings.tolerance(),
             greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
@@ -291,33 +280,24 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         (Node { theta, signals }, error)
     }
 
-    /// The damping over a step of this length, if it is stiff. Where it was far from that it is not
-    /// looked at for a few steps.
-    fn damping_over(&mut self, length: f64) -> Option<DampedSolve<f64, LEGS>> {
-        if self.mild_steps > 0 {
-            self.mild_steps -= 1;
-            return None;
-        }
-        let damping = self.motion.damping(&self.step.before, &self.pieces);
-        let stiffness = length * damping.greatest_rate(&self.inertia) / self.damped_above;
-        if stiffness < FAR_FROM_STIFF {
-            self.mild_steps = MILD_STEPS;
-        }
-        (stiffness > 1.0).then(|| damping.factor(&self.inertia, additive::GAMMA * length))
-    }
-
     /// The first point of the step at which a law changes its active piece.
     fn find_event(
         &mut self,
         end: &Node<[LegSignals<f64>; LEGS]>,
     ) -> Option<Node<[LegSignals<f64>; LEGS]>> {
-        if let Some(earlier) = &self.earlier {
+        let watches = if let Some(earlier) = &self.earlier {
             let ratio = self.step.length / earlier.length;
-            let (start, end) = (&self.signals, &end.signals);
-            if is_quiet(&earlier.signals, start, end, ratio, &self.watches) {
+            let (before, start, end) = (&earlier.signals, &self.signals, &end.signals);
+            let suspect = |watch: &&Watch| !watch.is_quiet(before, start, end, ratio);
+            self.suspects.clear();
+            self.suspects.extend(self.watches.iter().filter(suspect));
+            if self.suspects.is_empty() {
                 return None;
             }
-        }
+            &self.suspects
+        } else {
+            &self.watches
+        };
         let torque = Signal::LinkTorque as usize;
         let with_torques = self
             .watches
@@ -343,7 +323,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             signals: look(0.5),
         };
         let resolution = self.event_resolution / self.step.length;
-        let found = first_exit(&start, &middle, end, &self.watches, resolution, &mut look);
+        let found = first_exit(&start, &middle, end, watches, resolution, &mut look);
         self.evaluations += looks;
         found
     }
@@ -395,7 +375,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     fn choose_pieces(&mut self) {
         let pieces = std::array::from_fn(|j| self.modes[j].pieces(&self.laws[j]));
         self.pieces = Pieces::new(&pieces);
-        self.mild_steps = 0;
+        self.stiffness.forget();
         self.watches.clear();
         for j in 0..LEGS {
             self.modes[j].watch(&self.laws[j], j, &mut self.watches);

@@ -5,6 +5,7 @@
 //! derivative come the signals whose ranges tell how long those coefficients hold. The legs are
 //! computed abreast, four in a register where the processor has registers of that width.
 
+mod footing;
 mod leg;
 mod leg_damping;
 mod pieces;
@@ -22,6 +23,7 @@ use crate::vehicle::Vehicle;
 
 use leg::{LegAction, LegMotion};
 
+pub use footing::Footing;
 pub use pieces::{LegPieces, Pieces};
 pub use signal::Signal;
 

@@ -41,7 +41,7 @@ pub trait Real:
     ///
     /// Without branches and without the platform's library, so that a landing comes out the same,
     /// bit for bit, everywhere. Reduction to [-π/2, π/2] by three-part π after Cody and Waite,
-    /// then polynomials in the square.
+    /// then polynomials in the square, summed in pairs after Estrin: no term waits for the one before.
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let half_turns = (self * Self::constant(std::f64::consts::FRAC_1_PI)).round();
@@ -49,13 +49,14 @@ pub trait Real:
             .iter()
             .fold(self, |x, &part| x - half_turns * Self::constant(part));
         let square = reduced * reduced;
-        let horner = |[first, rest @ ..]: &[f64; 8]| {
-            rest.iter().fold(Self::constant(*first), |sum, &c| {
-                sum * square + Self::constant(c)
-            })
+        let fourth = square * square;
+        let eighth = fourth * fourth;
+        let polynomial = |c: &[f64; 8]| {
+            let pair = |k: usize| Self::constant(c[k]) * square + Self::constant(c[k + 1]);
+            (pair(0) * fourth + pair(2)) * eighth + (pair(4) * fourth + pair(6))
         };
-        let sine = reduced + reduced * square * horner(&SINE);
-        let cosine = Self::one() + square * horner(&COSINE);
+        let sine = reduced + reduced * square * polynomial(&SINE);
+        let cosine = Self::one() + square * polynomial(&COSINE);
         let sign = half_turns.by_parity(Self::one(), -Self::one());
         (sign * sine, sign * cosine)
     }

@@ -1,11 +1,11 @@
 //! Stability angle, critical feet and the quantities outcomes are judged by (2.7, model chapter 7).
 
-use libm::{atan2, hypot, sin};
+use libm::{atan2, hypot};
 use nalgebra::Vector3;
 
 use crate::critical_feet::{CriticalFeet, critical_feet};
 use crate::integrator::event::{Bounds, Signals, Watch};
-use crate::motion::Motion;
+use crate::motion::{Footing, Motion};
 use crate::scene::Scene;
 use crate::state::State;
 use crate::vehicle::Vehicle;
@@ -33,12 +33,7 @@ const CALM_SLACK: f64 = 1e-11;
 
 /// Height of the CG over the surface above which motion has not subsided, ft.
 pub fn calm_height<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> f64 {
-    let legs = vehicle.legs().iter().map(|leg| {
-        let design = leg.design();
-        design.linkage.lower_link_length * sin(leg.extended_angle()) + design.footpad.height
-    });
-    let extended = legs.fold(f64::NEG_INFINITY, f64::max);
-    vehicle.center_of_gravity_height() + extended + CALM_MARGIN
+    vehicle.standing_height() + CALM_MARGIN
 }
 
 /// The plane in which toppling is judged.
@@ -148,18 +143,19 @@ impl<const LEGS: usize> Judge<LEGS> {
     /// What the chosen plane and critical feet show at a state.
     pub fn observe(&self, motion: &Motion<LEGS>, state: &State<f64, LEGS>) -> Observation<LEGS> {
         let body = state.body();
-        let frame = motion.surface().frame(&body);
-        let feet: [Vector3<f64>; LEGS] = std::array::from_fn(|j| {
-            frame.rotation * motion.geometry(j).pivot(state.leg(j).link_angle)
-        });
+        let Footing {
+            feet,
+            depth,
+            hardpoint_depths,
+        } = motion.footing(state);
         let (vx, vy) = (body.velocity.x, body.velocity.y);
         let sides = feet.map(|foot| match self.plane {
             Plane::Motion => vy * foot.x - vx * foot.y,
             Plane::Slope => self.slope_side * foot.x,
         });
-        let clearance = (0..LEGS)
-            .map(|j| -(frame.depth + frame.normal.dot(&motion.geometry(j).lower_hardpoint())))
-            .fold(f64::INFINITY, f64::min);
+        let clearance = hardpoint_depths
+            .iter()
+            .fold(f64::INFINITY, |least, depth| least.min(-depth));
         Observation {
             sides,
             angle: self.angle(&feet[self.feet.negative], &feet[self.feet.positive], vx, vy),
@@ -170,7 +166,7 @@ impl<const LEGS: usize> Judge<LEGS> {
                 body.rate.x,
                 body.rate.y,
                 body.rate.z,
-                -frame.depth,
+                -depth,
             ],
             clearance,
         }

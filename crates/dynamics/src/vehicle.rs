@@ -237,6 +237,12 @@ impl Leg {
     pub fn extended_angle(&self) -> f64 {
         self.extended_angle
     }
+
+    /// Height of the lower hardpoints over level ground with the strut extended, ft.
+    pub fn stance(&self) -> f64 {
+        let design = &self.design;
+        design.linkage.lower_link_length * sin(self.extended_angle) + design.footpad.height
+    }
 }
 
 /// A crush profile starts at zero pressure, and no later segment is steeper than the first, which
@@ -331,13 +337,9 @@ impl<const LEGS: usize> Vehicle<LEGS> {
             |v| v > 0.0,
         )?;
         for (index, leg) in legs.iter().enumerate() {
-            let linkage = &leg.design.linkage;
-            let above_ground = center_of_gravity_height
-                + linkage.lower_link_length * sin(leg.extended_angle)
-                + leg.design.footpad.height;
             require(
                 &format!("center_of_gravity_height_ft (over footpad {})", index + 1),
-                above_ground,
+                center_of_gravity_height + leg.stance(),
                 "the CG above the footpads",
                 |v| v > 0.0,
             )?;
@@ -364,6 +366,12 @@ impl<const LEGS: usize> Vehicle<LEGS> {
     /// Height ΔCG of the CG above the plane of the lower hardpoints, ft.
     pub fn center_of_gravity_height(&self) -> f64 {
         self.center_of_gravity_height
+    }
+
+    /// Height of the CG over level ground on which the vehicle stands with its struts extended, ft.
+    pub fn standing_height(&self) -> f64 {
+        let stances = self.legs.iter().map(Leg::stance);
+        self.center_of_gravity_height + stances.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Inertia matrix J about the CG, vehicle axes, slug·ft².

@@ -47,14 +47,8 @@ pub struct Scales<const LEGS: usize> {
 impl<const LEGS: usize> Scales<LEGS> {
     /// The scales of a vehicle.
     pub fn of(vehicle: &Vehicle<LEGS>) -> Self {
-        let stance = vehicle.legs().iter().map(|leg| {
-            let design = leg.design();
-            design.linkage.lower_link_length * libm::sin(leg.extended_angle())
-                + design.footpad.height
-        });
-        let height = vehicle.center_of_gravity_height() + stance.fold(f64::NEG_INFINITY, f64::max);
         Self {
-            fall_time: (2.0 * height / vehicle.gravity()).sqrt(),
+            fall_time: (2.0 * vehicle.standing_height() / vehicle.gravity()).sqrt(),
             strokes: std::array::from_fn(|j| {
                 let strut = &vehicle.legs()[j].design().strut;
                 strut.extended_length - strut.minimum_length

@@ -13,6 +13,13 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
 
+/// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
+pub fn degrees(angle: f64, decimals: u8) -> String {
+    let unit = 10f64.powi(i32::from(decimals));
+    let rounded = (unit * angle.to_degrees()).round() / unit + 0.0;
+    format!("{rounded:.*}", usize::from(decimals))
+}
+
 /// A landing for a reader.
 pub fn text<const LEGS: usize>(
     vehicle: &VehicleFile<LEGS>,
@@ -37,8 +44,8 @@ pub fn text<const LEGS: usize>(
     lines.add(
         "least stability angle",
         format!(
-            "{:.4} deg at {:.4} s",
-            landing.min_stability_angle.to_degrees(),
+            "{} deg at {:.4} s",
+            degrees(landing.min_stability_angle, 4),
             landing.min_stability_time
         ),
     );
@@ -172,4 +179,16 @@ pub fn json<const LEGS: usize>(
         "final_kinetic_energy_ftlb": landing.energies.final_kinetic,
         "integration": integration_report::json::<LEGS>(integration),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_zero_but_for_rounding_has_no_sign() {
+        assert_eq!(degrees(-1e-9, 3), "0.000");
+        assert_eq!(degrees(-0.5f64.to_radians(), 3), "-0.500");
+        assert_eq!(degrees(std::f64::consts::PI / 3.0, 4), "60.0000");
+    }
 }

@@ -12,6 +12,7 @@ use touchdown_sweep::{cases, method_input::method_words};
 use crate::LEGS;
 use crate::failure::Failure;
 use crate::land::interval;
+use crate::report::degrees;
 use crate::say::say;
 use crate::summary;
 
@@ -74,7 +75,7 @@ fn text(cases: &[SceneCase<LEGS>], landings: &[Landing<LEGS>]) -> String {
             case.name.clone(),
             landing.outcome.to_string(),
             format!("{:.4}", landing.end_time),
-            format!("{:.3}", landing.min_stability_angle.to_degrees()),
+            degrees(landing.min_stability_angle, 3),
             format!("{:.4}", landing.min_clearance),
             format!("{force:.1}"),
             method_words(&case.settings.method(), case.settings.tolerance()),

@@ -16,6 +16,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::LEGS;
 use crate::failure::Failure;
+use crate::report::degrees;
 use crate::say::say;
 use crate::touchdown_options::{finite, triple};
 
@@ -189,31 +190,30 @@ fn moments(values: &[f64]) -> Option<(f64, f64)> {
 }
 
 fn text(vehicle: &str, found: &ImpactSurface<LEGS>, uncertainty: Option<&Uncertainty>) -> String {
-    let degrees = |angle: Option<f64>, why: &str| match angle {
-        // Without the sign of what is zero but for rounding.
-        Some(angle) => format!("{:.6} deg", (1e6 * angle.to_degrees()).round() / 1e6 + 0.0),
+    let angle_or = |angle: Option<f64>, why: &str| match angle {
+        Some(angle) => format!("{} deg", degrees(angle, 6)),
         None => why.to_owned(),
     };
     let mut lines = vec![
         vehicle.to_owned(),
         String::new(),
-        line("ground slope", &degrees(Some(found.slope), "")),
+        line("ground slope", &angle_or(Some(found.slope), "")),
         line(
             "cross-slope",
-            &degrees(
+            &angle_or(
                 found.cross_slope,
                 "none: level ground or no horizontal motion",
             ),
         ),
         line(
             "rotation to ground axes",
-            &degrees(found.rotation, "none: on level ground any axes serve"),
+            &angle_or(found.rotation, "none: on level ground any axes serve"),
         ),
         String::new(),
         "at first contact, in ground axes (Y into the slope)".to_owned(),
-        line("pitch", &degrees(Some(found.attitude.pitch), "")),
-        line("yaw", &degrees(Some(found.attitude.yaw), "")),
-        line("roll", &degrees(Some(found.attitude.roll), "")),
+        line("pitch", &angle_or(Some(found.attitude.pitch), "")),
+        line("yaw", &angle_or(Some(found.attitude.yaw), "")),
+        line("roll", &angle_or(Some(found.attitude.roll), "")),
         line(
             "vertical velocity",
             &format!("{:.6} ft/s", found.vertical_velocity),

@@ -145,14 +145,16 @@ fn stray(before: f64, start: f64, end: f64, ratio: f64) -> f64 {
     (end - start).abs() + ratio * (start - before).abs()
 }
 
-/// Whether no watched signal can have left its range within a step: at both ends each is farther
-/// inside than it can stray. Eight times as far as a parabola through the three values would turn.
-pub fn is_quiet<V: Signals>(before: &V, start: &V, end: &V, ratio: f64, watches: &[Watch]) -> bool {
-    watches.iter().all(|&Watch { signal, range }| {
-        let (v0, v1) = (start.get(signal), end.get(signal));
+impl Watch {
+    /// Whether the signal cannot have left its range within a step: at both ends it is farther
+    /// inside than it can stray. Eight times as far as a parabola through the three values would turn.
+    #[inline(always)]
+    pub fn is_quiet<V: Signals>(&self, before: &V, start: &V, end: &V, ratio: f64) -> bool {
+        let (v0, v1) = (start.get(self.signal), end.get(self.signal));
+        let range = self.range;
         let room = (v0.min(v1) - range.lower).min(range.upper - v0.max(v1));
-        room > stray(before.get(signal), v0, v1, ratio)
-    })
+        room > stray(before.get(self.signal), v0, v1, ratio)
+    }
 }
 
 /// Whether a quantity cannot have fallen below `least`, or below its value at the end, within a

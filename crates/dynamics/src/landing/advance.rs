@@ -13,7 +13,7 @@ pub(super) struct Advance<'a, const LEGS: usize> {
     pub(super) motion: &'a Motion<LEGS>,
     pub(super) pieces: &'a Pieces<LEGS>,
     /// The damping over this step, when it is to be taken implicitly.
-    pub(super) damped: Option<DampedSolve<f64, LEGS>>,
+    pub(super) damped: Option<&'a DampedSolve<f64, LEGS>>,
     /// Length of the step, s.
     pub(super) length: f64,
     pub(super) tolerance: f64,
@@ -42,12 +42,12 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
         let last = |state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>| {
             motion.evaluate(state, pieces, slope, self.signals);
         };
-        match &self.damped {
+        match self.damped {
             Some(damped) => step.take_damped(self.length, damped, derivative, last),
             None => step.take_explicit(self.length, derivative, last),
         }
         let mut error = step.error();
-        if let Some(damped) = &self.damped {
+        if let Some(damped) = self.damped {
             // What the damping kills within the step is no error that lasts.
             let raw = Velocities::of(&error);
             damped.solve(&raw).plus(-1.0, &raw).add_to(&mut error);

@@ -1,7 +1,7 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
 use super::Flight;
-use crate::integrator::event::{Node, first_exit, is_plain, is_quiet};
+use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
 
@@ -82,7 +82,8 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         };
         let ratio = end.theta * self.step.length / earlier.length;
         let (before, start, end) = (&earlier.observation, &start.signals, &end.signals);
-        is_quiet(before, start, end, ratio, judge.watches())
+        let mut watches = judge.watches().iter();
+        watches.all(|watch| watch.is_quiet(before, start, end, ratio))
             && is_plain(
                 before.angle,
                 start.angle,

@@ -1,0 +1,65 @@
+//! Where the feet stand: what stability is judged by.
+
+use nalgebra::Vector3;
+use pulp::NullaryFnOnce;
+
+use super::Motion;
+use crate::quad::{Abreast, LANES, MOST_LEGS, groups_of};
+use crate::state::State;
+
+/// Feet and hardpoints of a vehicle over the surface.
+#[derive(Debug, Clone, Copy)]
+pub struct Footing<const LEGS: usize> {
+    /// Footpad pivots relative to the CG, in ground axes, ft.
+    pub feet: [Vector3<f64>; LEGS],
+    /// Depth of the CG below the surface, ft (negative above).
+    pub depth: f64,
+    /// Depth of the lower hardpoints below the surface, ft.
+    pub hardpoint_depths: [f64; LEGS],
+}
+
+impl<const LEGS: usize> Motion<LEGS> {
+    /// Where the feet stand at a state.
+    pub fn footing(&self, state: &State<f64, LEGS>) -> Footing<LEGS> {
+        let mut footing = Footing {
+            feet: [Vector3::zeros(); LEGS],
+            depth: 0.0,
+            hardpoint_depths: [0.0; LEGS],
+        };
+        self.arch.dispatch(FootingAt(self, state, &mut footing));
+        footing
+    }
+}
+
+/// Writes the footing at a state.
+struct FootingAt<'a, const LEGS: usize>(
+    &'a Motion<LEGS>,
+    &'a State<f64, LEGS>,
+    &'a mut Footing<LEGS>,
+);
+
+impl<const LEGS: usize> NullaryFnOnce for FootingAt<'_, LEGS> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(motion, state, footing) = self;
+        let body = motion.surface.frame(&state.body());
+        let frame = body.shared();
+        let mut feet = [Vector3::zeros(); MOST_LEGS];
+        let mut depths = [0.0; MOST_LEGS];
+        for index in 0..const { groups_of(LEGS) } {
+            let geometry = &motion.groups[index].geometry;
+            let link_angle = state.legs_abreast(index).link_angle;
+            let pivots = frame.rotation * geometry.pivot(link_angle);
+            let hardpoints = frame.depth + frame.normal.dot(&geometry.lower_hardpoint());
+            for lane in 0..LANES {
+                feet[index * LANES + lane] = Vector3::lane(&pivots, lane);
+                depths[index * LANES + lane] = hardpoints.0[lane];
+            }
+        }
+        footing.feet.copy_from_slice(&feet[..LEGS]);
+        footing.hardpoint_depths.copy_from_slice(&depths[..LEGS]);
+        footing.depth = body.depth;
+    }
+}
