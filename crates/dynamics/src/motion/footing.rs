@@ -10,11 +10,11 @@ use crate::state::State;
 /// Feet and hardpoints of a vehicle over the surface.
 #[derive(Debug, Clone, Copy)]
 pub struct Footing<const LEGS: usize> {
-    /// Footpad pivots relative to the CG, in ground axes, ft.
+    /// Footpad pivots (7) relative to the CG, in ground axes, ft.
     pub feet: [Vector3<f64>; LEGS],
     /// Depth of the CG below the surface, ft (negative above).
     pub depth: f64,
-    /// Depth of the lower hardpoints below the surface, ft.
+    /// Depth of the lower hardpoints (6) below the surface, ft (negative above).
     pub hardpoint_depths: [f64; LEGS],
 }
 
