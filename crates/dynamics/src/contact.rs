@@ -14,7 +14,7 @@ use crate::integrator::event::{Bounds, Exit, Watch};
 use crate::motion::{LegPieces, LegSignals, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
-use crate::strut::{Kinks, Stance, StrutLaw};
+use crate::strut::{GentleKinks, Kinks, Stance, StrutLaw};
 use crate::vehicle::Leg;
 
 pub use choice::Choice;
@@ -177,6 +177,13 @@ impl LegMode {
             .follow(&laws.strut, signals[Signal::Stroke as usize])
     }
 
+    /// The gentle kinks of the strut law on either side of where the leg is now, where they are to be
+    /// foreseen.
+    pub fn gentle_kinks(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> Option<GentleKinks> {
+        self.stance
+            .gentle_kinks(&laws.strut, signals[Signal::LinkRate as usize])
+    }
+
     /// Adds to `watches` the signals of leg `index` that have a range over which the active pieces
     /// hold.
     pub fn watch(&self, laws: &LegLaws, index: usize, watches: &mut Vec<Watch>) {
@@ -227,7 +234,12 @@ impl LegMode {
             | Signal::PadSliding
             | Signal::BlockSliding
             | Signal::PadInclination
-            | Signal::StrutForce => Bounds::FREE,
+            | Signal::StrutForce
+            | Signal::StrutLever
+            | Signal::FootX
+            | Signal::FootY
+            | Signal::FootZ
+            | Signal::HardpointDepth => Bounds::FREE,
         }
     }
 
@@ -311,7 +323,12 @@ impl LegMode {
             Signal::PadAngle => self.hinge.cross_angle(exit),
             Signal::PadRate => self.hinge.cross_rate(),
             Signal::HingeSpeed => self.hinge.cross_speed(exit),
-            Signal::StrutForce => {}
+            Signal::StrutForce
+            | Signal::StrutLever
+            | Signal::FootX
+            | Signal::FootY
+            | Signal::FootZ
+            | Signal::HardpointDepth => {}
             Signal::PadInclination => {
                 return Err(Outcome::Failure(Failure::PadInclination { leg }));
             }

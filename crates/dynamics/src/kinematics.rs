@@ -269,13 +269,17 @@ impl<S: Real> LegGeometry<S> {
     #[inline(always)]
     pub fn pivot(&self, link_angle: S) -> Vector3<S> {
         let (sine, cosine) = link_angle.sin_cos();
-        let reach = self.hardpoint_radius + self.link_length * cosine;
+        self.off_leg_plane(&PlanePoint {
+            reach: self.hardpoint_radius + self.link_length * cosine,
+            drop: self.hardpoint_depth + self.link_length * sine,
+        })
+    }
+
+    /// A point in the plane of this leg, in vehicle axes, ft.
+    #[inline(always)]
+    pub fn off_leg_plane(&self, point: &PlanePoint<S>) -> Vector3<S> {
         let [ex, ey] = self.outboard;
-        Vector3::new(
-            reach * ex,
-            reach * ey,
-            self.hardpoint_depth + self.link_length * sine,
-        )
+        Vector3::new(point.reach * ex, point.reach * ey, point.drop)
     }
 
     /// The body's frame in the axes of this leg.

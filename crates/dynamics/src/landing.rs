@@ -2,8 +2,10 @@
 
 mod account;
 mod advance;
+mod foresight;
 mod rates;
 mod stiffness;
+mod trail;
 mod verdict;
 
 use crate::contact::{LegLaws, LegMode};
@@ -24,6 +26,7 @@ use crate::vehicle::Vehicle;
 use account::History;
 use advance::{Advance, Look};
 use stiffness::Stiffness;
+use trail::Trail;
 
 pub(crate) use rates::final_rates;
 
@@ -31,8 +34,9 @@ pub use crate::record::{Energies, FinalRates, Instant, Landing, LegInstant, LegW
 
 /// First step after touchdown, s.
 const FIRST_STEP: f64 = 1e-4;
-/// Tolerance up to which gentle kinks of the laws are located.
-const LOCATED_UP_TO: f64 = 1e-6;
+/// Tolerances at which gentle kinks of the laws are foreseen: at tighter ones they are located, at looser
+/// ones steps run over them.
+const FORESEEN: [f64; 2] = [5e-7, 1e-6];
 /// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
 /// steps still closes to the tolerance.
 const WORK_SHARE: f64 = 0.01;
@@ -77,8 +81,8 @@ pub fn land_observed<const LEGS: usize>(
 
 /// What was seen at the start of the step before.
 struct Earlier<const LEGS: usize> {
-    signals: [LegSignals<f64>; LEGS],
     observation: Observation<LEGS>,
+    link_accelerations: [f64; LEGS],
     length: f64,
 }
 
@@ -94,6 +98,8 @@ struct Flight<'a, O, const LEGS: usize> {
     /// Kinetic energy at touchdown and the work of raising the vehicle by the height of its CG, ft·lb:
     /// what the account of energies closes to, times the tolerance.
     energy: f64,
+    /// What becomes of gentle kinks.
+    kinks: Kinks,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
@@ -103,7 +109,7 @@ struct Flight<'a, O, const LEGS: usize> {
     time: f64,
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
-    signals: [LegSignals<f64>; LEGS],
+    signals: Trail<LEGS>,
     /// The step before, if no law has changed since.
     earlier: Option<Earlier<LEGS>>,
     start: State<f64, LEGS>,
@@ -129,10 +135,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let motion = Motion::new(vehicle, scene);
         let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
         let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
-        let kinks = if settings.tolerance() > LOCATED_UP_TO {
-            Kinks::SteppedOver
-        } else {
-            Kinks::Located
+        let kinks = match settings.tolerance() {
+            tolerance if tolerance < FORESEEN[0] => Kinks::Located,
+            tolerance if tolerance <= FORESEEN[1] => Kinks::Foreseen,
+            _ => Kinks::SteppedOver,
         };
         let laws = std::array::from_fn(|j| {
             LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks)
@@ -151,6 +157,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             energy: kinetic(vehicle, &state)
                 + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height(),
             motion,
+            kinks,
             laws,
             modes,
             pieces,
@@ -158,7 +165,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             suspects: Vec::with_capacity(LEGS * Signal::COUNT),
             time: 0.0,
             step: Step::from(state, State::zero()),
-            signals: [[0.0; Signal::COUNT]; LEGS],
+            signals: Trail::new(),
             earlier: None,
             start: state,
             least_angle: (f64::INFINITY, 0.0),
@@ -197,22 +204,29 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             if self.time > limit - SHORTEST {
                 return Outcome::TimeExpired;
             }
-            let length = control
+            let whole = control
                 .proposed()
                 .min(self.longest_step())
                 .min(limit - self.time);
+            let length = match self.kinks {
+                Kinks::Foreseen => self.up_to_kink(whole),
+                Kinks::Located | Kinks::SteppedOver => whole,
+            };
             if length < SHORTEST {
                 return Outcome::Failure(Failure::StepCollapse);
             }
-            let (end, error) = self.try_step(length);
+            let error = self.try_step(length);
             if !control.accept(length, error) {
                 continue;
+            }
+            if length < whole {
+                control.keep(whole);
             }
             if !self.step.after.is_finite() {
                 return Outcome::Failure(Failure::NonFinite);
             }
             self.steps += 1;
-            let event = self.find_event(&end);
+            let event = self.find_event();
             let reach = event.as_ref().map_or(1.0, |node| node.theta);
             let seen_before = seen;
             let judged = self.judge(&mut judge, &mut seen, reach);
@@ -225,7 +239,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             }
             if let Some(event) = event {
                 self.step.before = self.step.at(reach);
-                self.signals = event.signals;
+                *self.signals.now_mut() = event.signals;
                 self.earlier = None;
                 control.restart();
                 if let Err(outcome) = self.cross().and_then(|_| self.settle()) {
@@ -238,14 +252,15 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                     burst = (self.events, self.time);
                 }
             } else {
+                let link_accelerations = self.step.slopes[0].link_rates();
                 self.step.before = self.step.after;
                 self.step.slopes[0] = self.step.slopes[5];
                 self.earlier = Some(Earlier {
-                    signals: self.signals,
                     observation: seen_before,
+                    link_accelerations,
                     length,
                 });
-                self.signals = end.signals;
+                self.signals.go_on();
             }
             self.follow();
             self.note_struts();
@@ -255,15 +270,14 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
 
     /// The longest step that the laws allow whatever the error, s.
     fn longest_step(&self) -> f64 {
-        let legs = self.modes.iter().zip(&self.signals);
+        let legs = self.modes.iter().zip(self.signals.now());
         legs.map(|(mode, signals)| mode.longest_step(signals))
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Takes a step: the signals at its end and its error in units of the tolerance.
-    fn try_step(&mut self, length: f64) -> (Node<[LegSignals<f64>; LEGS]>, f64) {
+    /// Takes a step: its error in units of the tolerance.
+    fn try_step(&mut self, length: f64) -> f64 {
         self.evaluations += EVALUATIONS;
-        let mut signals = [[0.0; Signal::COUNT]; LEGS];
         let damped = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
         let advance = Advance {
             motion: &self.motion,
@@ -273,21 +287,20 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             tolerance: self.settings.tolerance(),
             greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
             step: &mut self.step,
-            signals: &mut signals,
+            signals: self.signals.ahead_mut(),
         };
-        let error = self.motion.arch().dispatch(advance);
-        let theta = 1.0;
-        (Node { theta, signals }, error)
+        self.motion.arch().dispatch(advance)
     }
 
     /// The first point of the step at which a law changes its active piece.
-    fn find_event(
-        &mut self,
-        end: &Node<[LegSignals<f64>; LEGS]>,
-    ) -> Option<Node<[LegSignals<f64>; LEGS]>> {
+    fn find_event(&mut self) -> Option<Node<[LegSignals<f64>; LEGS]>> {
+        let (before, start, end) = (
+            self.signals.before(),
+            self.signals.now(),
+            self.signals.ahead(),
+        );
         let watches = if let Some(earlier) = &self.earlier {
             let ratio = self.step.length / earlier.length;
-            let (before, start, end) = (&earlier.signals, &self.signals, &end.signals);
             let suspect = |watch: &&Watch| !watch.is_quiet(before, start, end, ratio);
             self.suspects.clear();
             self.suspects.extend(self.watches.iter().filter(suspect));
@@ -316,14 +329,18 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         };
         let start = Node {
             theta: 0.0,
-            signals: self.signals,
+            signals: *start,
         };
         let middle = Node {
             theta: 0.5,
             signals: look(0.5),
         };
         let resolution = self.event_resolution / self.step.length;
-        let found = first_exit(&start, &middle, end, watches, resolution, &mut look);
+        let end = Node {
+            theta: 1.0,
+            signals: *end,
+        };
+        let found = first_exit(&start, &middle, &end, watches, resolution, &mut look);
         self.evaluations += looks;
         found
     }
@@ -334,10 +351,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     }
 
     fn note_struts(&mut self) {
-        for (j, signals) in self.signals.iter().enumerate() {
+        for (j, signals) in self.signals.now().iter().enumerate() {
             let force = &mut self.greatest_strut_force[j];
             *force = force.max(signals[Signal::StrutForce as usize].abs());
-            // A stroke is greatest where its rate changes sign, which is an event.
+            // A stroke is greatest where the link turns: there a step ends, or nearly there at tolerances
+            // at which steps run over kinks.
             let stroke = &mut self.greatest_stroke[j];
             *stroke = stroke.max(signals[Signal::Stroke as usize]);
         }
@@ -349,8 +367,9 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         for _ in 0..MOST_CHANGES {
             self.choose_pieces();
             let Step { before, slopes, .. } = &mut self.step;
+            let signals = self.signals.now_mut();
             self.motion
-                .evaluate(before, &self.pieces, &mut slopes[0], &mut self.signals);
+                .evaluate(before, &self.pieces, &mut slopes[0], signals);
             self.evaluations += 1;
             self.note_contacts();
             if !self.cross()? {
@@ -364,7 +383,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     fn follow(&mut self) {
         let mut changed = false;
         for j in 0..LEGS {
-            changed |= self.modes[j].follow(&self.laws[j], &self.signals[j]);
+            changed |= self.modes[j].follow(&self.laws[j], &self.signals.now()[j]);
         }
         if changed {
             self.choose_pieces();
@@ -388,14 +407,20 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let mut crossed = [false; LEGS];
         for &Watch { signal, range } in &self.watches {
             let (leg, index) = (signal / Signal::COUNT, signal % Signal::COUNT);
-            let Some(exit) = range.exit(self.signals[leg][index]) else {
+            let Some(exit) = range.exit(self.signals.now()[leg][index]) else {
                 continue;
             };
             if !crossed[leg] {
                 crossed[leg] = true;
                 self.events += 1;
                 let signal = Signal::ALL[index];
-                self.modes[leg].cross(&self.laws[leg], leg, signal, exit, &self.signals[leg])?;
+                self.modes[leg].cross(
+                    &self.laws[leg],
+                    leg,
+                    signal,
+                    exit,
+                    &self.signals.now()[leg],
+                )?;
             }
         }
         Ok(crossed.contains(&true))

@@ -7,7 +7,7 @@ use crate::critical_feet::{CriticalFeet, critical_feet};
 use crate::integrator::event::{Bounds, Signals, Watch};
 use crate::motion::{Footing, Motion};
 use crate::scene::Scene;
-use crate::state::State;
+use crate::state::{Body, State};
 use crate::vehicle::Vehicle;
 
 /// Speed below which the CG has no direction of its own, ft/s.
@@ -142,12 +142,16 @@ impl<const LEGS: usize> Judge<LEGS> {
 
     /// What the chosen plane and critical feet show at a state.
     pub fn observe(&self, motion: &Motion<LEGS>, state: &State<f64, LEGS>) -> Observation<LEGS> {
-        let body = state.body();
+        self.observe_footing(&motion.footing(state), &state.body())
+    }
+
+    /// The same where the feet are known to stand like this.
+    pub fn observe_footing(&self, footing: &Footing<LEGS>, body: &Body<f64>) -> Observation<LEGS> {
         let Footing {
             feet,
             depth,
             hardpoint_depths,
-        } = motion.footing(state);
+        } = footing;
         let (vx, vy) = (body.velocity.x, body.velocity.y);
         let sides = feet.map(|foot| match self.plane {
             Plane::Motion => vy * foot.x - vx * foot.y,

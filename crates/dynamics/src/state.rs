@@ -179,7 +179,11 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
     ) -> Self {
-        self.advanced_through::<LEG, TERMS>(weights, slopes)
+        {
+            let mut result = *self;
+            self.advance(weights, slopes, &mut result);
+            result
+        }
     }
 
     /// self + Σ weight · slope of what moves; the work integrals, on which nothing depends, stay.
@@ -189,29 +193,58 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
     ) -> Self {
-        self.advanced_through::<LEG_MOTION, TERMS>(weights, slopes)
+        {
+            let mut result = *self;
+            self.advance_motion(weights, slopes, &mut result);
+            result
+        }
     }
 
+    /// Writes self + Σ weights·slopes into `result`, but for the work integrals.
     #[inline(always)]
-    fn advanced_through<const LAST: usize, const TERMS: usize>(
+    pub fn advance_motion<const TERMS: usize>(
         &self,
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
-    ) -> Self {
-        let mut result = *self;
+        result: &mut Self,
+    ) {
+        self.advance_through::<LEG_MOTION, TERMS>(weights, slopes, result);
+    }
+
+    /// Writes self + Σ weights·slopes into `result`.
+    #[inline(always)]
+    pub fn advance<const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+        result: &mut Self,
+    ) {
+        self.advance_through::<LEG, TERMS>(weights, slopes, result);
+    }
+
+    #[inline(always)]
+    fn advance_through<const LAST: usize, const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+        result: &mut Self,
+    ) {
         for i in 0..BODY {
+            let mut sum = self.body[i];
             for k in 0..TERMS {
-                result.body[i] += weights[k] * slopes[k].body[i];
+                sum += weights[k] * slopes[k].body[i];
             }
+            result.body[i] = sum;
         }
         for i in 0..LAST {
             for leg in 0..const { groups_of(LEGS) * LANES } {
+                let mut sum = self.legs[i][leg];
                 for k in 0..TERMS {
-                    result.legs[i][leg] += weights[k] * slopes[k].legs[i][leg];
+                    sum += weights[k] * slopes[k].legs[i][leg];
                 }
+                result.legs[i][leg] = sum;
             }
         }
-        result
     }
 }
 

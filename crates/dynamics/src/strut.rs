@@ -8,7 +8,7 @@ use crate::quad::abreast;
 use crate::scalar::Real;
 
 pub use law::{Kinks, StrutLaw};
-pub use stance::{Stance, Working};
+pub use stance::{GentleKinks, Stance, Working};
 
 /// Link rate γ̇ below which damping and seal friction fade in, rad/s.
 const SMOOTHING_RATE: f64 = 0.2;

@@ -14,9 +14,11 @@ const BOUNCING: f64 = 2.5;
 /// Within the time by which the end may be off the CG descends by no more than this is worth, ft·lb.
 const DESCENT: f64 = 0.1;
 
-/// Case whose late stability angle no tolerance settles: it chatters through thousands of events.
+/// Case whose late stability angle no tolerance settles: it chatters through a thousand events that bend
+/// no law gently, several times what others have.
 /// Others within 0.2 deg; this one is known to no better than its own scatter.
 const UNSETTLED: &str = "216";
+const CHATTER: u64 = 900;
 const SCATTER_DEG: f64 = 0.3;
 
 fn compare(row: &Row, landing: &Landing<3>, force_limit: f64) -> Complaints {
@@ -131,7 +133,7 @@ fn one_case_is_unsettled() {
     let angles: Vec<f64> = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
         .iter()
         .map(|&tolerance| land(&vehicle, &scene, &settings(tolerance)))
-        .inspect(|landing| assert!(landing.events > 1000, "{}", landing.events))
+        .inspect(|landing| assert!(landing.events > CHATTER, "{}", landing.events))
         .map(|landing| landing.min_stability_angle.to_degrees())
         .collect();
     let differences: Vec<f64> = angles.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
@@ -146,4 +148,21 @@ fn one_case_is_unsettled() {
         differences.iter().all(|&d| d < SCATTER_DEG),
         "{differences:?}"
     );
+}
+
+/// The proof that the reference's end of one landing, which subsides on the verge of not yet doing so, is
+/// itself out by most of the 1e-3 s that are allowed: tightened tenfold, and again, the end stays, elsewhere.
+#[test]
+fn one_end_of_the_reference_has_not_converged() {
+    let rows = reference("landings.csv");
+    let row = rows.iter().find(|row| row.text("case") == "308").unwrap();
+    let (vehicle, scene) = landing_case(row);
+    let [at_8, at_9, at_10, at_11] = [1e-8, 1e-9, 1e-10, 1e-11]
+        .map(|tolerance| land(&vehicle, &scene, &settings(tolerance)).end_time);
+    println!("{at_8} {at_9} {at_10} {at_11}");
+    assert!((at_9 - at_8).abs() < 1e-4);
+    assert!((at_10 - at_9).abs() < 1e-6);
+    assert!((at_11 - at_10).abs() < 1e-6);
+    let off = at_11 - row.number("end_time_s");
+    assert!((8e-4..9e-4).contains(&off), "{off:e}");
 }

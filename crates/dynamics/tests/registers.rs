@@ -5,6 +5,7 @@ mod common;
 use common::bare::Bare;
 use common::{level_scene, table_4_1};
 use touchdown_dynamics::integrator::additive;
+use touchdown_dynamics::motion::Footing;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 
@@ -62,4 +63,18 @@ fn every_bit_is_the_same_in_narrow_registers() {
         pushed += u32::from(one.0.leg(0).work[1] != 0.0);
     }
     assert!(pushed > 10, "pads crush in {pushed} states only");
+}
+
+#[test]
+fn signals_tell_where_the_feet_stand() {
+    let vehicle = table_4_1();
+    let scene = level_scene(170.0, -10.0, 11.0);
+    let mut bare = Bare::new(&vehicle, &scene);
+    let start = touchdown(&vehicle, &scene, &bare.motion);
+    for state in states(&start) {
+        bare.settle(&state);
+        let seen = bare.motion.footing(&state);
+        let depth = bare.motion.surface().depth(&state.body().position);
+        assert_eq!(Footing::told(&bare.signals(&state), depth), seen);
+    }
 }

@@ -111,9 +111,8 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         self.take_stage::<5>(damped, &mut decays, &derivative);
         let [k1, k3, k4, k5, k6, k7] = &mut self.slopes;
         let weights = B.map(|b| S::constant(b) * h);
-        self.after = self
-            .before
-            .advanced(weights, [&*k1, &*k3, &*k4, &*k5, &*k6]);
+        self.before
+            .advance(weights, [&*k1, &*k3, &*k4, &*k5, &*k6], &mut self.after);
         last(&self.after, k7);
     }
 
@@ -128,15 +127,16 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         let (explicit, implicit) = (&EXPLICIT[BEFORE - 1], &IMPLICIT[BEFORE - 1]);
         let weights: [S; BEFORE] = std::array::from_fn(|j| S::constant(explicit[j]) * self.length);
         let slopes = std::array::from_fn(|j| &self.slopes[SLOTS[j]]);
-        let mut at = self.before.advanced_motion(weights, slopes);
-        let pushed = Velocities::of(&at).plus(-S::one(), &Velocities::of(&self.before));
+        let at = &mut self.stage;
+        self.before.advance_motion(weights, slopes, at);
+        let pushed = Velocities::of(at).plus(-S::one(), &Velocities::of(&self.before));
         let mut push = pushed;
         for j in 1..BEFORE {
             push = push.plus(S::constant(implicit[j] - explicit[j]), &decays[j]);
         }
         let moved = damped.solve(&push);
         decays[BEFORE] = moved.plus(-S::one(), &push).times(S::constant(1.0 / GAMMA));
-        moved.plus(-S::one(), &pushed).add_to(&mut at);
-        derivative(&at, &mut self.slopes[SLOTS[BEFORE]]);
+        moved.plus(-S::one(), &pushed).add_to(at);
+        derivative(at, &mut self.slopes[SLOTS[BEFORE]]);
     }
 }

@@ -70,21 +70,20 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
             error: E.map(S::constant),
             bump: D.map(S::constant),
         };
-        let y = &self.before;
+        let (y, stage) = (&self.before, &mut self.stage);
         let [k1, k3, k4, k5, k6, k7] = &mut self.slopes;
         // Stage 2 is needed for the next four only; it sits where the last one will be.
-        derivative(&y.advanced_motion(times(h, A2), [&*k1]), k7);
-        derivative(&y.advanced_motion(times(h, A3), [&*k1, &*k7]), k3);
-        derivative(&y.advanced_motion(times(h, A4), [&*k1, &*k7, &*k3]), k4);
-        derivative(
-            &y.advanced_motion(times(h, A5), [&*k1, &*k7, &*k3, &*k4]),
-            k5,
-        );
-        derivative(
-            &y.advanced_motion(times(h, A6), [&*k1, &*k7, &*k3, &*k4, &*k5]),
-            k6,
-        );
-        self.after = y.advanced(times(h, B), [&*k1, &*k3, &*k4, &*k5, &*k6]);
+        y.advance_motion(times(h, A2), [&*k1], stage);
+        derivative(stage, k7);
+        y.advance_motion(times(h, A3), [&*k1, &*k7], stage);
+        derivative(stage, k3);
+        y.advance_motion(times(h, A4), [&*k1, &*k7, &*k3], stage);
+        derivative(stage, k4);
+        y.advance_motion(times(h, A5), [&*k1, &*k7, &*k3, &*k4], stage);
+        derivative(stage, k5);
+        y.advance_motion(times(h, A6), [&*k1, &*k7, &*k3, &*k4, &*k5], stage);
+        derivative(stage, k6);
+        y.advance(times(h, B), [&*k1, &*k3, &*k4, &*k5, &*k6], &mut self.after);
         last(&self.after, k7);
     }
 }

@@ -24,6 +24,8 @@ pub struct Step<S, const LEGS: usize> {
     pub before: State<S, LEGS>,
     /// State at the end.
     pub after: State<S, LEGS>,
+    /// State at a stage between, but for the work integrals.
+    pub(super) stage: State<S, LEGS>,
     /// Derivatives at stages 1, 3, 4, 5, 6 and at the end; both kinds of steps give their second
     /// stage no weight.
     pub slopes: [State<S, LEGS>; 6],
@@ -40,6 +42,7 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         Self {
             before: state,
             after: state,
+            stage: state,
             slopes: [slope; 6],
             length: zero,
             weights: Weights {

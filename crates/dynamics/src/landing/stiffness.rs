@@ -9,13 +9,19 @@ use crate::state::State;
 /// 1e-4. At tighter ones accuracy rather than stability limits steps, and the explicit method,
 /// which has the higher order, is left to do more.
 const STIFF: f64 = 2.5;
+/// The same at any tolerance: here explicit steps are at their own limit of stability, and would linger
+/// there while feet stick.
+const EXPLICIT_LIMIT: f64 = 6.3;
 /// Share of that below which so many more steps are taken before looking at the damping again,
 /// unless a law changes.
 const FAR_FROM_STIFF: f64 = 0.5;
-const MILD_STEPS: u32 = 8;
+const MILD_STEPS: u32 = 16;
 /// Steps that one matrix serves unless a law changes: a step's order does not depend on how exact
 /// it is.
 const USES: u32 = 4;
+/// Share of the limit beyond which every step has a matrix of its own: the error estimate leaves out what
+/// the damping kills, and what it kills that strongly has to be what there is.
+const KEPT_UP_TO: f64 = 4.0;
 
 /// The damping as steps see it: looked at as seldom as it may be.
 pub(super) struct Stiffness<const LEGS: usize> {
@@ -32,7 +38,7 @@ impl<const LEGS: usize> Stiffness<LEGS> {
     pub(super) fn new(motion: &Motion<LEGS>, tolerance: f64) -> Self {
         Self {
             inertia: motion.inertia(),
-            limit: STIFF * (1e-4 / tolerance).max(1.0).sqrt().sqrt(),
+            limit: EXPLICIT_LIMIT.min(STIFF * (1e-4 / tolerance).max(1.0).sqrt().sqrt()),
             mild_steps: 0,
             kept: None,
         }
@@ -67,6 +73,8 @@ impl<const LEGS: usize> Stiffness<LEGS> {
         let stiffness = length * damping.greatest_rate(&self.inertia) / self.limit;
         if stiffness < FAR_FROM_STIFF {
             self.mild_steps = MILD_STEPS;
+        }
+        if !(FAR_FROM_STIFF..KEPT_UP_TO).contains(&stiffness) {
             *uses = 0;
         }
         (stiffness > 1.0).then(|| damping.factor(&self.inertia, additive::GAMMA * length))

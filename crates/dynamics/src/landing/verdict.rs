@@ -2,6 +2,7 @@
 
 use super::Flight;
 use crate::integrator::event::{Node, first_exit, is_plain};
+use crate::motion::Footing;
 use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
 
@@ -25,7 +26,9 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             judge.watch(&start.signals, self.least_angle.0);
             let look = |theta: f64| {
                 if theta == 1.0 {
-                    judge.observe(&self.motion, &self.step.after)
+                    let body = self.step.after.body();
+                    let depth = self.motion.surface().depth(&body.position);
+                    judge.observe_footing(&Footing::told(self.signals.ahead(), depth), &body)
                 } else {
                     judge.observe(&self.motion, &self.step.motion_at(theta))
                 }

@@ -3,12 +3,12 @@
 use nalgebra::Vector3;
 use pulp::NullaryFnOnce;
 
-use super::Motion;
+use super::{LegSignals, Motion, Signal};
 use crate::quad::{Abreast, LANES, MOST_LEGS, groups_of};
 use crate::state::State;
 
 /// Feet and hardpoints of a vehicle over the surface.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Footing<const LEGS: usize> {
     /// Footpad pivots (7) relative to the CG, in ground axes, ft.
     pub feet: [Vector3<f64>; LEGS],
@@ -16,6 +16,26 @@ pub struct Footing<const LEGS: usize> {
     pub depth: f64,
     /// Depth of the lower hardpoints (6) below the surface, ft (negative above).
     pub hardpoint_depths: [f64; LEGS],
+}
+
+impl<const LEGS: usize> Footing<LEGS> {
+    /// As the signals of all legs tell it, with the CG at a depth (ft) below the surface.
+    pub fn told(signals: &[LegSignals<f64>; LEGS], depth: f64) -> Self {
+        let of = |leg: &LegSignals<f64>, signal: Signal| leg[signal as usize];
+        Self {
+            feet: signals.each_ref().map(|leg| {
+                Vector3::new(
+                    of(leg, Signal::FootX),
+                    of(leg, Signal::FootY),
+                    of(leg, Signal::FootZ),
+                )
+            }),
+            depth,
+            hardpoint_depths: signals
+                .each_ref()
+                .map(|leg| of(leg, Signal::HardpointDepth)),
+        }
+    }
 }
 
 impl<const LEGS: usize> Motion<LEGS> {

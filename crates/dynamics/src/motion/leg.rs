@@ -236,6 +236,7 @@ impl<S: Real> LegMotion<S> {
             leg.link_rate,
             pad_speed,
         );
+        let foot = body.rotation * self.geometry.off_leg_plane(&pose.pivot);
         let signals = [
             outer,
             inner,
@@ -255,6 +256,11 @@ impl<S: Real> LegMotion<S> {
             unclipped,
             cos_pad,
             strut,
+            pose.strut_lever,
+            foot.x,
+            foot.y,
+            foot.z,
+            body.depth + body.normal.dot(&self.geometry.lower_hardpoint()),
         ];
         LegAction {
             push: LegPush {

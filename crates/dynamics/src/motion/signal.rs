@@ -39,11 +39,21 @@ pub enum Signal {
     PadInclination,
     /// Strut force F, lb: for the record, without a range.
     StrutForce,
+    /// Strut lever dl_D/dγ, ft: for the record, as are the next.
+    StrutLever,
+    /// X of the footpad pivot relative to the CG, ground axes, ft.
+    FootX,
+    /// Y of the same, ft.
+    FootY,
+    /// Z of the same, ft.
+    FootZ,
+    /// Depth of the lower hardpoint below the surface (negative above), ft.
+    HardpointDepth,
 }
 
 impl Signal {
     /// Number of signals of a leg.
-    pub const COUNT: usize = 18;
+    pub const COUNT: usize = 23;
 
     /// Every signal, in storage order.
     pub const ALL: [Self; Self::COUNT] = [
@@ -65,5 +75,10 @@ impl Signal {
         Self::HingeSpeed,
         Self::PadInclination,
         Self::StrutForce,
+        Self::StrutLever,
+        Self::FootX,
+        Self::FootY,
+        Self::FootZ,
+        Self::HardpointDepth,
     ];
 }

@@ -24,6 +24,8 @@ struct StrokeSegment {
 pub enum Kinks {
     /// They are located like any event: a step sees a smooth law.
     Located,
+    /// Steps end where one is foreseen, which is nearly where it is.
+    Foreseen,
     /// Steps run over them, and error control sees to it that they do no harm.
     SteppedOver,
 }
@@ -74,7 +76,7 @@ impl StrutLaw {
                 let segment = StrokeSegment {
                     upper,
                     is_plastic: lower >= elastic_limit,
-                    is_gentle_above: kinks == Kinks::SteppedOver
+                    is_gentle_above: kinks != Kinks::Located
                         && upper.is_finite()
                         && (lower >= elastic_limit
                             || upper == 0.0 && strut.damping_profile.knots()[0][1] == 1.0),

@@ -71,6 +71,15 @@ pub enum Stance {
     Working(Working),
 }
 
+/// Between which gentle kinks of the strut law a leg is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GentleKinks {
+    /// Strokes δ at which a table bends, ft.
+    pub strokes: Bounds,
+    /// Link rates γ̇ at which the link turns or resistance is fully there, rad/s.
+    pub link_rates: Bounds,
+}
+
 /// The active piece of the strut law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Working {
@@ -157,9 +166,31 @@ impl Stance {
             Self::Working(Working { segment, travel }) => match law.kinks() {
                 _ if law.is_on_stop(segment) => Bounds::below(0.0).widened(RATE_SLACK),
                 Kinks::Located => travel.bounds(law.turning_slack()).widened(RATE_SLACK),
-                Kinks::SteppedOver => Bounds::FREE,
+                Kinks::Foreseen | Kinks::SteppedOver => Bounds::FREE,
             },
         }
+    }
+
+    /// The gentle kinks next to the stroke and the link rate γ̇ of a working strut whose law has them
+    /// foreseen.
+    pub fn gentle_kinks(&self, law: &StrutLaw, link_rate: f64) -> Option<GentleKinks> {
+        let Self::Working(Working { segment, .. }) = *self else {
+            return None;
+        };
+        if law.kinks() != Kinks::Foreseen || law.is_on_stop(segment) {
+            return None;
+        }
+        let mut strokes = Bounds::FREE;
+        if law.is_gentle_below(segment) {
+            strokes.lower = law.lower(segment);
+        }
+        if law.is_gentle_above(segment) {
+            strokes.upper = law.upper(segment);
+        }
+        Some(GentleKinks {
+            strokes,
+            link_rates: Travel::at(link_rate).bounds(0.0),
+        })
     }
 
     /// Follows the stroke over a gentle kink: the law stays the same, its coefficients are centred
