@@ -102,7 +102,7 @@ pub struct Settings {
 
 impl Settings {
     /// Tolerance of a single landing when none is given: trajectories to 1e-6 ft. At 3e-6 two of
-    /// the 400 reference landings miss a contact by more than 1e-5 s.
+    /// the 400 reference landings are off by more than they may be, one by a contact, one by its energy.
     pub const DEFAULT_TOLERANCE: f64 = 1e-6;
     /// Tolerance of a search for the boundary when none is given: the loosest at which every
     /// transition of the level grid lies well within 5e-4 ft/s of the converged one

@@ -84,7 +84,7 @@ impl StepControl {
 // mantissa are its logarithm but for a bow over each octave (J. N. Mitchell, IRE Trans. EC-11 (1962) 512-517),
 // which a parabola straightens.
 
-const MANTISSA: u64 = (1 << f64::MANTISSA_DIGITS - 1) - 1;
+const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
 const OCTAVE: f64 = (MANTISSA + 1) as f64;
 const ONE: u64 = 1.0_f64.to_bits();
 /// Height of the bow over its ends, times four.
@@ -93,7 +93,7 @@ const BOW: f64 = 0.336;
 /// Fraction of its octave at which a positive number with these bits lies, 0 to 1.
 #[inline(always)]
 fn fraction(bits: u64) -> f64 {
-    f64::from_bits(bits & MANTISSA | ONE) - 1.0
+    f64::from_bits((bits & MANTISSA) | ONE) - 1.0
 }
 
 /// Binary logarithm of a positive finite number, to within 0.01.

@@ -21,13 +21,12 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let accelerations = self.step.slopes[0].link_rates();
         let [first, last] = WITHIN.map(|share| share * length);
         let mut end = last;
-        for j in 0..LEGS {
+        for (j, acceleration) in accelerations.into_iter().enumerate() {
             let signals = &self.signals.now()[j];
             let Some(kinks) = self.modes[j].gentle_kinks(&self.laws[j], signals) else {
                 continue;
             };
             let rate = signals[Signal::LinkRate as usize];
-            let acceleration = accelerations[j];
             if rate.abs() > TREMBLING {
                 let jerk = self.earlier.as_ref().map_or(0.0, |earlier| {
                     (acceleration - earlier.link_accelerations[j]) / earlier.length
