@@ -39,7 +39,7 @@ pub struct LegLaws {
 }
 
 impl LegLaws {
-    /// The laws of a leg under a crush rule, with gentle kinks located or not.
+    /// The laws of a leg under a crush rule, and what becomes of gentle kinks.
     pub fn new(leg: &Leg, rule: CrushRule, kinks: Kinks) -> Self {
         let design = leg.design();
         Self {
@@ -177,8 +177,7 @@ impl LegMode {
             .follow(&laws.strut, signals[Signal::Stroke as usize])
     }
 
-    /// The gentle kinks of the strut law on either side of where the leg is now, where they are to be
-    /// foreseen.
+    /// The gentle kinks of the strut law on either side of where the leg is now, if its strut works.
     pub fn gentle_kinks(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> Option<GentleKinks> {
         self.stance
             .gentle_kinks(&laws.strut, signals[Signal::LinkRate as usize])

@@ -179,11 +179,9 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
     ) -> Self {
-        {
-            let mut result = *self;
-            self.advance(weights, slopes, &mut result);
-            result
-        }
+        let mut result = *self;
+        self.advance(weights, slopes, &mut result);
+        result
     }
 
     /// self + Σ weight · slope of what moves; the work integrals, on which nothing depends, stay.
@@ -193,11 +191,9 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
     ) -> Self {
-        {
-            let mut result = *self;
-            self.advance_motion(weights, slopes, &mut result);
-            result
-        }
+        let mut result = *self;
+        self.advance_motion(weights, slopes, &mut result);
+        result
     }
 
     /// Writes self + Σ weights·slopes into `result`, but for the work integrals.

@@ -21,6 +21,10 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let accelerations = self.step.slopes[0].link_rates();
         let [first, last] = WITHIN.map(|share| share * length);
         let mut end = last;
+        let or_leave = |end, range, course| {
+            let time = time_to_leave(range, course, end);
+            time.filter(|time| *time > first).unwrap_or(end)
+        };
         for (j, acceleration) in accelerations.into_iter().enumerate() {
             let signals = &self.signals.now()[j];
             let Some(kinks) = self.modes[j].gentle_kinks(&self.laws[j], signals) else {
@@ -31,16 +35,12 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 let jerk = self.earlier.as_ref().map_or(0.0, |earlier| {
                     (acceleration - earlier.link_accelerations[j]) / earlier.length
                 });
-                end = time_to_leave(kinks.link_rates, [rate, acceleration, jerk], end)
-                    .filter(|time| *time > first)
-                    .unwrap_or(end);
+                end = or_leave(end, kinks.link_rates, [rate, acceleration, jerk]);
             }
             let stroke = signals[Signal::Stroke as usize];
             let stroking = -signals[Signal::StrutLever as usize];
             let course = [stroke, stroking * rate, stroking * acceleration];
-            end = time_to_leave(kinks.strokes, course, end)
-                .filter(|time| *time > first)
-                .unwrap_or(end);
+            end = or_leave(end, kinks.strokes, course);
         }
         if end < last { end } else { length }
     }

@@ -9,17 +9,17 @@ use crate::state::State;
 /// 1e-4. At tighter ones accuracy rather than stability limits steps, and the explicit method,
 /// which has the higher order, is left to do more.
 const STIFF: f64 = 2.5;
-/// The same at any tolerance: here explicit steps are at their own limit of stability, and would linger
-/// there while feet stick.
+/// The most that it may be at any tolerance: explicit steps are then at their own limit of stability, and
+/// would linger there while feet stick.
 const EXPLICIT_LIMIT: f64 = 6.3;
-/// Share of that below which so many more steps are taken before looking at the damping again,
+/// Share of the limit below which so many more steps are taken before looking at the damping again,
 /// unless a law changes.
 const FAR_FROM_STIFF: f64 = 0.5;
 const MILD_STEPS: u32 = 16;
 /// Steps that one matrix serves unless a law changes: a step's order does not depend on how exact
 /// it is.
 const USES: u32 = 4;
-/// Share of the limit beyond which every step has a matrix of its own: the error estimate leaves out what
+/// Times the limit beyond which every step has a matrix of its own: the error estimate leaves out what
 /// the damping kills, and what it kills that strongly has to be what there is.
 const KEPT_UP_TO: f64 = 4.0;
 

@@ -4,50 +4,50 @@
 use crate::motion::{LegSignals, Signal};
 
 /// Signals of all legs at one instant.
-pub(super) type Look<const LEGS: usize> = [LegSignals<f64>; LEGS];
+pub(super) type Glance<const LEGS: usize> = [LegSignals<f64>; LEGS];
 
-/// Three looks at the signals.
+/// Three glances at the signals.
 pub(super) struct Trail<const LEGS: usize> {
-    looks: [Look<LEGS>; 3],
+    glances: [Glance<LEGS>; 3],
     now: usize,
 }
 
 impl<const LEGS: usize> Trail<LEGS> {
     pub(super) fn new() -> Self {
         Self {
-            looks: [[[0.0; Signal::COUNT]; LEGS]; 3],
+            glances: [[[0.0; Signal::COUNT]; LEGS]; 3],
             now: 0,
         }
     }
 
     /// At the start of the step before.
     #[inline(always)]
-    pub(super) fn before(&self) -> &Look<LEGS> {
-        &self.looks[(self.now + 2) % 3]
+    pub(super) fn before(&self) -> &Glance<LEGS> {
+        &self.glances[(self.now + 2) % 3]
     }
 
     /// At the start of the step.
     #[inline(always)]
-    pub(super) fn now(&self) -> &Look<LEGS> {
-        &self.looks[self.now]
+    pub(super) fn now(&self) -> &Glance<LEGS> {
+        &self.glances[self.now]
     }
 
     /// The same, to be written.
     #[inline(always)]
-    pub(super) fn now_mut(&mut self) -> &mut Look<LEGS> {
-        &mut self.looks[self.now]
+    pub(super) fn now_mut(&mut self) -> &mut Glance<LEGS> {
+        &mut self.glances[self.now]
     }
 
     /// At the end of the step.
     #[inline(always)]
-    pub(super) fn ahead(&self) -> &Look<LEGS> {
-        &self.looks[(self.now + 1) % 3]
+    pub(super) fn ahead(&self) -> &Glance<LEGS> {
+        &self.glances[(self.now + 1) % 3]
     }
 
     /// The same, to be written.
     #[inline(always)]
-    pub(super) fn ahead_mut(&mut self) -> &mut Look<LEGS> {
-        &mut self.looks[(self.now + 1) % 3]
+    pub(super) fn ahead_mut(&mut self) -> &mut Glance<LEGS> {
+        &mut self.glances[(self.now + 1) % 3]
     }
 
     /// Goes on to the end of the step.

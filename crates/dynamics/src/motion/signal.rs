@@ -39,15 +39,15 @@ pub enum Signal {
     PadInclination,
     /// Strut force F, lb: for the record, without a range.
     StrutForce,
-    /// Strut lever dl_D/dγ, ft: for the record, as are the next.
+    /// Strut lever dl_D/dγ (12), ft: for the record, as are the next.
     StrutLever,
-    /// X of the footpad pivot relative to the CG, ground axes, ft.
+    /// X of the footpad pivot (7) relative to the CG, ground axes, ft.
     FootX,
     /// Y of the same, ft.
     FootY,
     /// Z of the same, ft.
     FootZ,
-    /// Depth of the lower hardpoint below the surface (negative above), ft.
+    /// Depth of the lower hardpoint (6) below the surface (negative above), ft.
     HardpointDepth,
 }
 

@@ -171,13 +171,12 @@ impl Stance {
         }
     }
 
-    /// The gentle kinks next to the stroke and the link rate γ̇ of a working strut whose law has them
-    /// foreseen.
+    /// The gentle kinks next to the stroke and the link rate γ̇ (rad/s) of a working strut.
     pub fn gentle_kinks(&self, law: &StrutLaw, link_rate: f64) -> Option<GentleKinks> {
         let Self::Working(Working { segment, .. }) = *self else {
             return None;
         };
-        if law.kinks() != Kinks::Foreseen || law.is_on_stop(segment) {
+        if law.is_on_stop(segment) {
             return None;
         }
         let mut strokes = Bounds::FREE;
