@@ -14,7 +14,7 @@ use crate::integrator::event::{Bounds, Exit, Watch};
 use crate::motion::{LegPieces, LegSignals, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
-use crate::strut::{GentleKinks, Kinks, Stance, StrutLaw};
+use crate::strut::{GentleKinks, Stance, StrutLaw};
 use crate::vehicle::Leg;
 
 pub use choice::Choice;
@@ -39,13 +39,13 @@ pub struct LegLaws {
 }
 
 impl LegLaws {
-    /// The laws of a leg under a crush rule, and what becomes of gentle kinks.
-    pub fn new(leg: &Leg, rule: CrushRule, kinks: Kinks) -> Self {
+    /// The laws of a leg under a crush rule.
+    pub fn new(leg: &Leg, rule: CrushRule) -> Self {
         let design = leg.design();
         Self {
             pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
             block: CrushLaw::new(&design.block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD),
-            strut: StrutLaw::new(&design.strut, kinks),
+            strut: StrutLaw::new(&design.strut),
             stops: Stops {
                 inner: design.footpad.minimum_angle,
                 outer: design.footpad.maximum_angle,
@@ -310,13 +310,9 @@ impl LegMode {
             }
             Signal::LinkRate => {
                 let stroke = value(Signal::Stroke);
-                self.stance.cross_rate(
-                    &laws.strut,
-                    exit,
-                    before.on_surface(),
-                    stroke,
-                    value(signal),
-                );
+                let rate = value(signal);
+                self.stance
+                    .cross_rate(&laws.strut, before.on_surface(), stroke, rate);
             }
             Signal::LinkTorque => self.stance.cross_torque(exit),
             Signal::PadAngle => self.hinge.cross_angle(exit),

@@ -282,6 +282,20 @@ impl<S: Real> LegGeometry<S> {
         Vector3::new(point.reach * ex, point.reach * ey, point.drop)
     }
 
+    /// Length of the strut (11), ft, at sine and cosine of the link angle γ.
+    #[inline(always)]
+    fn strut_length(&self, sin_g: S, cos_g: S) -> S {
+        let sin_gb = sin_g * self.cos_beta - cos_g * self.sin_beta;
+        (self.squares + (self.product + self.product) * sin_gb).sqrt()
+    }
+
+    /// Stroke δ of the strut at link angle γ, ft.
+    #[inline(always)]
+    pub fn stroke(&self, link_angle: S) -> S {
+        let (sine, cosine) = link_angle.sin_cos();
+        self.extended_length - self.strut_length(sine, cosine)
+    }
+
     /// The body's frame in the axes of this leg.
     #[inline(always)]
     pub fn frame(&self, body: &BodyFrame<S>) -> LegFrame<S> {
@@ -334,10 +348,9 @@ impl<S: Real> LegGeometry<S> {
             down: cos_d,
         };
 
-        // γ − β in (11) and (12)
-        let sin_gb = sin_g * self.cos_beta - cos_g * self.sin_beta;
+        // γ − β in (12)
         let cos_gb = cos_g * self.cos_beta + sin_g * self.sin_beta;
-        let length = (self.squares + (self.product + self.product) * sin_gb).sqrt();
+        let length = self.strut_length(sin_g, cos_g);
 
         let pad_y_normal = pad_y.dot(n);
         let pad_inclination = pad_z.dot(n);

@@ -2,11 +2,13 @@
 
 mod account;
 mod advance;
-mod foresight;
+mod kinks;
 mod rates;
 mod stiffness;
 mod trail;
 mod verdict;
+
+use std::convert::Infallible;
 
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
@@ -19,12 +21,12 @@ use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, Observation, calm_height};
 use crate::state::State;
-use crate::strut::Kinks;
+use crate::strut::GentleKinks;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
-use advance::{Advance, Look};
+use advance::{Advance, Cut, Look, Start};
 use stiffness::Stiffness;
 use trail::Trail;
 
@@ -34,9 +36,8 @@ pub use crate::record::{Energies, FinalRates, Instant, Landing, LegInstant, LegW
 
 /// First step after touchdown, s.
 const FIRST_STEP: f64 = 1e-4;
-/// Tolerances at which gentle kinks of the laws are foreseen: at tighter ones they are located, at looser
-/// ones steps run over them.
-const FORESEEN: [f64; 2] = [5e-7, 1e-6];
+/// Tolerance up to which gentle kinks of the laws are located: at looser ones steps run over them.
+const KINKS_LOCATED: f64 = 1e-6;
 /// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
 /// steps still closes to the tolerance.
 const WORK_SHARE: f64 = 0.01;
@@ -86,6 +87,27 @@ struct Earlier<const LEGS: usize> {
     length: f64,
 }
 
+/// How a landing is followed from step to step.
+struct Course<const LEGS: usize> {
+    judge: Judge<LEGS>,
+    /// What the judge saw last.
+    seen: Observation<LEGS>,
+    control: StepControl,
+    /// Steps aimed at, rejected ones included.
+    attempts: u64,
+    /// Number of events and time (s) from which a burst is counted.
+    burst: (u64, f64),
+}
+
+/// A step about to be tried.
+#[derive(Clone, Copy)]
+struct Attempt {
+    /// Length that error control and the laws allow, s.
+    whole: f64,
+    /// Its length, s.
+    length: f64,
+}
+
 /// A landing under way.
 struct Flight<'a, O, const LEGS: usize> {
     vehicle: &'a Vehicle<LEGS>,
@@ -98,14 +120,17 @@ struct Flight<'a, O, const LEGS: usize> {
     /// Kinetic energy at touchdown and the work of raising the vehicle by the height of its CG, ft·lb:
     /// what the account of energies closes to, times the tolerance.
     energy: f64,
-    /// What becomes of gentle kinks.
-    kinks: Kinks,
+    /// Whether steps end at gentle kinks.
+    locates_kinks: bool,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
     watches: Vec<Watch>,
     /// Those of them that may have left their range within the last step.
     suspects: Vec<Watch>,
+    /// The gentle kinks next to each strut that works.
+    kinks: [Option<GentleKinks>; LEGS],
+    kink_watches: Vec<Watch>,
     time: f64,
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
@@ -135,13 +160,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let motion = Motion::new(vehicle, scene);
         let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
         let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
-        let kinks = match settings.tolerance() {
-            tolerance if tolerance < FORESEEN[0] => Kinks::Located,
-            tolerance if tolerance <= FORESEEN[1] => Kinks::Foreseen,
-            _ => Kinks::SteppedOver,
-        };
         let laws = std::array::from_fn(|j| {
-            LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), kinks)
+            LegLaws::new(&vehicle.legs()[j], settings.crush_rule())
                 .with_friction(settings.friction_profile())
                 .within(settings.tolerance())
         });
@@ -157,12 +177,14 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             energy: kinetic(vehicle, &state)
                 + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height(),
             motion,
-            kinks,
+            locates_kinks: settings.tolerance() <= KINKS_LOCATED,
             laws,
             modes,
             pieces,
             watches: Vec::with_capacity(LEGS * Signal::COUNT),
             suspects: Vec::with_capacity(LEGS * Signal::COUNT),
+            kinks: [None; LEGS],
+            kink_watches: Vec::with_capacity(2 * LEGS),
             time: 0.0,
             step: Step::from(state, State::zero()),
             signals: Trail::new(),
@@ -182,101 +204,76 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     }
 
     fn run(&mut self) -> Outcome {
+        let mut landing = || {
+            let mut course = self.begin()?;
+            loop {
+                let attempt = self.aim(&mut course)?;
+                let error = self.take(attempt.length);
+                self.go_on(&mut course, attempt, error)?;
+            }
+        };
+        let Err(outcome): Result<Infallible, _> = landing();
+        outcome
+    }
+
+    /// Looks round at touchdown.
+    ///
+    /// # Errors
+    /// The outcome, if there already is one.
+    fn begin(&mut self) -> Result<Course<LEGS>, Outcome> {
         let mut judge = Judge::new(self.scene, calm_height(self.vehicle));
         let first_look = judge.look(&self.motion, &self.start);
-        let mut seen = judge.observe(&self.motion, &self.start);
+        let seen = judge.observe(&self.motion, &self.start);
         if let Err(verdict) = first_look {
             // With all feet on one side no angle is defined: nothing is left of stability.
             self.note_observation(&Observation { angle: 0.0, ..seen }, 0.0);
-            return verdict.into();
+            return Err(verdict.into());
         }
         self.note_observation(&seen, 0.0);
         if let Some(verdict) = judge.verdict(&seen, self.least_angle.0) {
-            return verdict.into();
+            return Err(verdict.into());
         }
-        if let Err(outcome) = self.settle() {
-            return outcome;
-        }
-        let limit = self.settings.time_limit();
-        let mut control = StepControl::new(FIRST_STEP);
-        let mut burst = (self.events, self.time);
-        for _ in 0..MOST_STEPS {
-            if self.time > limit - SHORTEST {
-                return Outcome::TimeExpired;
-            }
-            let whole = control
-                .proposed()
-                .min(self.longest_step())
-                .min(limit - self.time);
-            let length = match self.kinks {
-                Kinks::Foreseen => self.up_to_kink(whole),
-                Kinks::Located | Kinks::SteppedOver => whole,
-            };
-            if length < SHORTEST {
-                return Outcome::Failure(Failure::StepCollapse);
-            }
-            let error = self.try_step(length);
-            if !control.accept(length, error) {
-                continue;
-            }
-            if length < whole {
-                control.keep(whole);
-            }
-            if !self.step.after.is_finite() {
-                return Outcome::Failure(Failure::NonFinite);
-            }
-            self.steps += 1;
-            let event = self.find_event();
-            let reach = event.as_ref().map_or(1.0, |node| node.theta);
-            let seen_before = seen;
-            let judged = self.judge(&mut judge, &mut seen, reach);
-            let reach = judged.map_or(reach, |(theta, _)| theta);
-            self.report(reach);
-            self.time += reach * length;
-            if let Some((_, verdict)) = judged {
-                self.step.before = self.step.at(reach);
-                return verdict.into();
-            }
-            if let Some(event) = event {
-                self.step.before = self.step.at(reach);
-                *self.signals.now_mut() = event.signals;
-                self.earlier = None;
-                control.restart();
-                if let Err(outcome) = self.cross().and_then(|_| self.settle()) {
-                    return outcome;
-                }
-                if self.events - burst.0 > BURST {
-                    if self.time - burst.1 < BURST_TIME {
-                        return Outcome::Failure(Failure::Chattering);
-                    }
-                    burst = (self.events, self.time);
-                }
-            } else {
-                let link_accelerations = self.step.slopes[0].link_rates();
-                self.step.before = self.step.after;
-                self.step.slopes[0] = self.step.slopes[5];
-                self.earlier = Some(Earlier {
-                    observation: seen_before,
-                    link_accelerations,
-                    length,
-                });
-                self.signals.go_on();
-            }
-            self.follow();
-            self.note_struts();
-        }
-        Outcome::Failure(Failure::StepLimit)
+        self.settle()?;
+        Ok(Course {
+            judge,
+            seen,
+            control: StepControl::new(FIRST_STEP),
+            attempts: 0,
+            burst: (self.events, self.time),
+        })
     }
 
-    /// The longest step that the laws allow whatever the error, s.
-    fn longest_step(&self) -> f64 {
-        let legs = self.modes.iter().zip(self.signals.now());
-        legs.map(|(mode, signals)| mode.longest_step(signals))
-            .fold(f64::INFINITY, f64::min)
+    /// How far to step.
+    ///
+    /// # Errors
+    /// The outcome, if no further step is to be taken.
+    #[inline(always)]
+    fn aim(&mut self, course: &mut Course<LEGS>) -> Result<Attempt, Outcome> {
+        let limit = self.settings.time_limit();
+        if course.attempts == MOST_STEPS {
+            return Err(Outcome::Failure(Failure::StepLimit));
+        }
+        course.attempts += 1;
+        if self.time > limit - SHORTEST {
+            return Err(Outcome::TimeExpired);
+        }
+        let whole = (course.control.proposed())
+            .min(self.longest_step())
+            .min(limit - self.time);
+        let length = if self.locates_kinks {
+            self.past_kink(whole)
+        } else {
+            whole
+        };
+        if length < SHORTEST {
+            return Err(Outcome::Failure(Failure::StepCollapse));
+        }
+        Ok(Attempt { whole, length })
     }
 
     /// Takes a step: its error in units of the tolerance.
-    fn try_step(&mut self, length: f64) -> f64 {
+    #[inline(always)]
+    fn take(&mut self, length: f64) -> f64 {
         self.evaluations += EVALUATIONS;
         let damped = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
         let advance = Advance {
@@ -290,6 +287,95 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             signals: self.signals.ahead_mut(),
         };
         self.motion.arch().dispatch(advance)
+    }
+
+    /// Goes on to the end of a step that was good enough, or to the first event or verdict within it.
+    ///
+    /// # Errors
+    /// The outcome, when the landing has ended.
+    #[inline(always)]
+    fn go_on(
+        &mut self,
+        course: &mut Course<LEGS>,
+        attempt: Attempt,
+        error: f64,
+    ) -> Result<(), Outcome> {
+        let Course {
+            judge,
+            seen,
+            control,
+            burst,
+            ..
+        } = course;
+        let Attempt { whole, length } = attempt;
+        if !control.accept(length, error) {
+            return Ok(());
+        }
+        if length < whole {
+            control.keep(whole);
+        }
+        if !self.step.after.is_finite() {
+            return Err(Outcome::Failure(Failure::NonFinite));
+        }
+        self.steps += 1;
+        let event = self.find_event();
+        let reach = event.as_ref().map_or(1.0, |node| node.theta);
+        let kink = if self.locates_kinks {
+            self.kink_before(reach)
+        } else {
+            None
+        };
+        let event = event.filter(|_| kink.is_none());
+        let reach = kink.unwrap_or(reach);
+        let seen_before = *seen;
+        let judged = self.judge(judge, seen, reach);
+        let reach = judged.map_or(reach, |(theta, _)| theta);
+        self.report(reach);
+        self.time += reach * length;
+        if let Some((_, verdict)) = judged {
+            self.go_to(reach);
+            return Err(verdict.into());
+        }
+        if let Some(event) = event {
+            self.go_to(reach);
+            *self.signals.now_mut() = event.signals;
+            self.earlier = None;
+            control.restart();
+            self.cross()?;
+            self.settle()?;
+            if self.events - burst.0 > BURST {
+                if self.time - burst.1 < BURST_TIME {
+                    return Err(Outcome::Failure(Failure::Chattering));
+                }
+                *burst = (self.events, self.time);
+            }
+        } else {
+            let link_accelerations = self.step.slopes[0].link_rates();
+            self.signals.go_on();
+            if kink.is_some() {
+                self.go_to(reach);
+                self.events += 1;
+                self.evaluate();
+            } else {
+                self.step.before = self.step.after;
+                self.step.slopes[0] = self.step.slopes[5];
+            }
+            self.earlier = Some(Earlier {
+                observation: seen_before,
+                link_accelerations,
+                length: reach * length,
+            });
+        }
+        self.follow();
+        self.note_struts();
+        Ok(())
+    }
+
+    /// The longest step that the laws allow whatever the error, s.
+    fn longest_step(&self) -> f64 {
+        let legs = self.modes.iter().zip(self.signals.now());
+        legs.map(|(mode, signals)| mode.longest_step(signals))
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// The first point of the step at which a law changes its active piece.
@@ -366,17 +452,32 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
             self.choose_pieces();
-            let Step { before, slopes, .. } = &mut self.step;
-            let signals = self.signals.now_mut();
-            self.motion
-                .evaluate(before, &self.pieces, &mut slopes[0], signals);
-            self.evaluations += 1;
+            self.evaluate();
             self.note_contacts();
             if !self.cross()? {
                 return Ok(());
             }
         }
         Err(Outcome::Failure(Failure::Chattering))
+    }
+
+    /// Goes to fraction θ of the step.
+    fn go_to(&mut self, theta: f64) {
+        self.motion.arch().dispatch(Cut {
+            step: &mut self.step,
+            theta,
+        });
+    }
+
+    /// Derivative and signals of the present state.
+    fn evaluate(&mut self) {
+        self.motion.arch().dispatch(Start {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            step: &mut self.step,
+            signals: self.signals.now_mut(),
+        });
+        self.evaluations += 1;
     }
 
     /// Centres the coefficients of laws that bend gently; the laws themselves stay.

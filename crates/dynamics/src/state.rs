@@ -23,7 +23,8 @@ pub struct State<S, const LEGS: usize> {
 /// Thirteen, and three to fill registers.
 const BODY: usize = 16;
 const LEG: usize = 10;
-/// Where γ̇ is among the components of a leg.
+/// Where γ and γ̇ are among the components of a leg.
+const LINK_ANGLE: usize = 0;
 const LINK_RATE: usize = 1;
 /// Leading components of a leg that move; the rest are work integrals.
 const LEG_MOTION: usize = 4;
@@ -158,6 +159,23 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     #[inline(always)]
     pub fn link_rates(&self) -> [S; LEGS] {
         std::array::from_fn(|j| self.legs[LINK_RATE][j])
+    }
+
+    /// Angles γ (rad) and rates γ̇ (rad/s) of the links in self + Σ weight · slope.
+    #[inline(always)]
+    pub fn links_advanced<const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+    ) -> [[S; LEGS]; 2] {
+        [LINK_ANGLE, LINK_RATE].map(|row| {
+            std::array::from_fn(|j| {
+                let terms = weights.iter().zip(slopes);
+                terms.fold(self.legs[row][j], |sum, (&weight, slope)| {
+                    sum + weight * slope.legs[row][j]
+                })
+            })
+        })
     }
 
     /// Adds to the velocities of body and links.

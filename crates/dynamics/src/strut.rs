@@ -7,8 +7,8 @@ mod stance;
 use crate::quad::abreast;
 use crate::scalar::Real;
 
-pub use law::{Kinks, StrutLaw};
-pub use stance::{GentleKinks, Stance, Working};
+pub use law::StrutLaw;
+pub use stance::{GentleKinks, Stance};
 
 /// Link rate γ̇ below which damping and seal friction fade in, rad/s.
 const SMOOTHING_RATE: f64 = 0.2;
@@ -40,8 +40,8 @@ abreast!(StrutPiece {
     rebound,
 });
 
-/// A stretch of a piecewise-linear function together with the two neighbouring stretches: kinks
-/// this gentle are not worth an event, so a step may run over them.
+/// A stretch of a piecewise-linear function together with the two neighbouring stretches: at kinks
+/// this gentle no piece changes.
 #[derive(Debug, Clone, Copy)]
 struct Kinked<S> {
     offset: S,

@@ -8,7 +8,7 @@ use touchdown_dynamics::crush::{Crush, CrushLaw};
 use touchdown_dynamics::friction::{FrictionProfile, Sliding};
 use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::profile::Profile;
-use touchdown_dynamics::strut::{Kinks, Stance, StrutLaw};
+use touchdown_dynamics::strut::{Stance, StrutLaw};
 use touchdown_dynamics::vehicle::Strut;
 
 /// Ordinate of a table, its last segment extended.
@@ -51,14 +51,14 @@ fn strut_force(strut: &Strut, stroke: f64, link_rate: f64, length_rate: f64) -> 
 fn working(law: &StrutLaw, stroke: f64) -> Stance {
     let mut stance = Stance::extended(true, -1e-3);
     // On its stop, a link that starts to be pushed in begins to stroke.
-    stance.cross_rate(law, Exit::Below, true, stroke, -1e-3);
+    stance.cross_rate(law, true, stroke, -1e-3);
     stance
 }
 
 #[test]
 fn strut_force_of_the_model() {
     let strut = surveyor_leg(0.0).strut;
-    let law = StrutLaw::new(&strut, Kinks::SteppedOver);
+    let law = StrutLaw::new(&strut);
     let lever = 0.9;
     let mut greatest: f64 = 0.0;
     for k in -20..=375 {

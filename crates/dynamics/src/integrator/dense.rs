@@ -22,6 +22,13 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
             .advanced_motion(self.weights(theta), self.stages())
     }
 
+    /// Angles γ (rad) and rates γ̇ (rad/s) of the links at fraction θ of the step.
+    #[inline(always)]
+    pub fn links_at(&self, theta: S) -> [[S; LEGS]; 2] {
+        self.before
+            .links_advanced(self.weights(theta), self.stages())
+    }
+
     #[inline(always)]
     fn stages(&self) -> [&State<S, LEGS>; 6] {
         self.slopes.each_ref()

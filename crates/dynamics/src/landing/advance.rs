@@ -76,3 +76,37 @@ impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
         self.motion.signals(&state, self.pieces, self.with_torques)
     }
 }
+
+/// A step cut short: its start moves to where it is at fraction θ.
+pub(super) struct Cut<'a, const LEGS: usize> {
+    pub(super) step: &'a mut Step<f64, LEGS>,
+    pub(super) theta: f64,
+}
+
+impl<const LEGS: usize> NullaryFnOnce for Cut<'_, LEGS> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.step.before = self.step.at(self.theta);
+    }
+}
+
+/// Derivative and signals at the start of a step to come.
+pub(super) struct Start<'a, const LEGS: usize> {
+    pub(super) motion: &'a Motion<LEGS>,
+    pub(super) pieces: &'a Pieces<LEGS>,
+    pub(super) step: &'a mut Step<f64, LEGS>,
+    pub(super) signals: &'a mut [LegSignals<f64>; LEGS],
+}
+
+impl<const LEGS: usize> NullaryFnOnce for Start<'_, LEGS> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Step { before, slopes, .. } = self.step;
+        self.motion
+            .evaluate(before, self.pieces, &mut slopes[0], self.signals);
+    }
+}

@@ -8,7 +8,6 @@ use crate::motion::{LegLoads, LegPieces, LegSignals, Motion, Pieces, Signal};
 use crate::outcome::Outcome;
 use crate::scene::{Scene, Settings};
 use crate::state::State;
-use crate::strut::Kinks;
 use crate::vehicle::Vehicle;
 
 use super::system::System;
@@ -45,7 +44,7 @@ impl<const LEGS: usize> ForceModel<LEGS> {
     /// The model of a vehicle in a scene under the crush rule and friction profile of `settings`.
     pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings) -> Self {
         let laws: [LegLaws; LEGS] = std::array::from_fn(|j| {
-            LegLaws::new(&vehicle.legs()[j], settings.crush_rule(), Kinks::Located)
+            LegLaws::new(&vehicle.legs()[j], settings.crush_rule())
                 .with_friction(settings.friction_profile())
         });
         let untouched = std::array::from_fn(|j| LegMode::untouched(&laws[j]).pieces(&laws[j]));

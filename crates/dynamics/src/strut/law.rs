@@ -10,7 +10,7 @@ struct StrokeSegment {
     upper: f64,
     /// Beyond the elastic limit.
     is_plastic: bool,
-    /// Whether a step may run over the upper end: the law only bends a little there.
+    /// Whether the law only bends a little at the upper end.
     is_gentle_above: bool,
     /// S_K = offset + slope δ.
     multiplier: [f64; 2],
@@ -18,22 +18,9 @@ struct StrokeSegment {
     compression: [f64; 2],
 }
 
-/// What becomes of the gentle kinks of the law: table knots beyond the elastic limit and the ends of
-/// the zone in which resistance fades in. The law is evaluated rightly across them either way.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kinks {
-    /// They are located like any event: a step sees a smooth law.
-    Located,
-    /// Steps end where one is foreseen, which is nearly where it is.
-    Foreseen,
-    /// Steps run over them, and error control sees to it that they do no harm.
-    SteppedOver,
-}
-
 /// The law of one strut.
 #[derive(Debug, Clone)]
 pub struct StrutLaw {
-    kinks: Kinks,
     segments: Vec<StrokeSegment>,
     structural_stiffness: f64,
     preload: f64,
@@ -43,19 +30,19 @@ pub struct StrutLaw {
     rebound: [f64; 2],
     friction_fraction: f64,
     bottoming_stroke: f64,
-    /// Rate past standstill up to which the piece of the other direction is not put in place, rad/s.
+    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
     turning_slack: f64,
 }
 
 /// Turning slack: at least this (rad/s), and this times the tolerance. Where the link turns round,
 /// force and damping are continuous and only curvature jumps: a link that trembles about standstill
-/// by less is none of an event's business.
+/// by less does not turn.
 const TURNING_SLACK: f64 = 1e-11;
 const TURNING_SLACK_PER_TOLERANCE: f64 = 10.0;
 
 impl StrutLaw {
     /// The law of a strut, cut where any of its pieces changes.
-    pub fn new(strut: &vehicle::Strut, kinks: Kinks) -> Self {
+    pub fn new(strut: &vehicle::Strut) -> Self {
         let elastic_limit = strut.preload / strut.structural_stiffness;
         let tables = [&strut.spring_profile, &strut.damping_profile];
         let mut knots: Vec<f64> = tables
@@ -76,8 +63,7 @@ impl StrutLaw {
                 let segment = StrokeSegment {
                     upper,
                     is_plastic: lower >= elastic_limit,
-                    is_gentle_above: kinks != Kinks::Located
-                        && upper.is_finite()
+                    is_gentle_above: upper.is_finite()
                         && (lower >= elastic_limit
                             || upper == 0.0 && strut.damping_profile.knots()[0][1] == 1.0),
                     multiplier: line(&strut.spring_profile, 1.0),
@@ -92,7 +78,6 @@ impl StrutLaw {
             })
             .collect();
         Self {
-            kinks,
             segments,
             structural_stiffness: strut.structural_stiffness,
             preload: strut.preload,
@@ -116,7 +101,7 @@ impl StrutLaw {
         }
     }
 
-    /// Rate past standstill up to which the piece of the other direction is not put in place, rad/s.
+    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
     pub(super) fn turning_slack(&self) -> f64 {
         self.turning_slack
     }
@@ -147,11 +132,6 @@ impl StrutLaw {
         self.segments[segment].upper
     }
 
-    /// What becomes of the gentle kinks.
-    pub(super) fn kinks(&self) -> Kinks {
-        self.kinks
-    }
-
     /// Whether a leg that extends in this segment is on its stop.
     pub(super) fn is_on_stop(&self, segment: usize) -> bool {
         self.segments[segment].upper <= STOP_STROKE
@@ -162,7 +142,7 @@ impl StrutLaw {
         segment > 0 && self.segments[segment - 1].is_gentle_above
     }
 
-    /// Whether a step may run over the upper end of this segment.
+    /// Whether the law only bends a little at the upper end of this segment.
     pub(super) fn is_gentle_above(&self, segment: usize) -> bool {
         self.segments[segment].is_gentle_above
     }

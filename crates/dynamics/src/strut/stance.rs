@@ -1,6 +1,6 @@
 //! What a strut and its link are doing: hanging, on the extension stop, or working.
 
-use super::law::{Kinks, StrutLaw};
+use super::law::StrutLaw;
 use super::{LinkPiece, RESIDUAL_RATE, SMOOTHING_RATE, STOP_STROKE, StrutPiece};
 use crate::integrator::event::{Bounds, Exit};
 
@@ -10,48 +10,6 @@ const RUN_DOWN: f64 = 75.0;
 const STROKE_SLACK: f64 = 1e-13;
 const RATE_SLACK: f64 = 1e-11;
 const TORQUE_SLACK: f64 = 1e-9;
-
-/// Direction and speed range of the link, between kinks of the law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Travel {
-    FastStroke,
-    SlowStroke,
-    SlowRebound,
-    FastRebound,
-}
-
-impl Travel {
-    fn at(link_rate: f64) -> Self {
-        if link_rate < -SMOOTHING_RATE {
-            Self::FastStroke
-        } else if link_rate < 0.0 {
-            Self::SlowStroke
-        } else if link_rate < SMOOTHING_RATE {
-            Self::SlowRebound
-        } else {
-            Self::FastRebound
-        }
-    }
-
-    /// Range of the link rate, up to `slack` past standstill.
-    fn bounds(self, slack: f64) -> Bounds {
-        match self {
-            Self::FastStroke => Bounds::below(-SMOOTHING_RATE),
-            Self::SlowStroke => Bounds::between(-SMOOTHING_RATE, slack),
-            Self::SlowRebound => Bounds::between(-slack, SMOOTHING_RATE),
-            Self::FastRebound => Bounds::above(SMOOTHING_RATE),
-        }
-    }
-
-    fn neighbour(self, exit: Exit) -> Self {
-        match (self, exit) {
-            (Self::FastStroke, _) | (Self::SlowRebound, Exit::Below) => Self::SlowStroke,
-            (Self::SlowStroke, Exit::Below) => Self::FastStroke,
-            (Self::SlowStroke, Exit::Above) | (Self::FastRebound, _) => Self::SlowRebound,
-            (Self::SlowRebound, Exit::Above) => Self::FastRebound,
-        }
-    }
-}
 
 /// What the strut and its link are doing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,7 +26,10 @@ pub enum Stance {
         pushed: bool,
     },
     /// The strut law holds.
-    Working(Working),
+    Working {
+        /// The segment the stroke is in or, across a gentle kink, next to.
+        segment: usize,
+    },
 }
 
 /// Between which gentle kinks of the strut law a leg is.
@@ -78,14 +39,6 @@ pub struct GentleKinks {
     pub strokes: Bounds,
     /// Link rates γ̇ at which the link turns or resistance is fully there, rad/s.
     pub link_rates: Bounds,
-}
-
-/// The active piece of the strut law.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Working {
-    /// The segment the stroke is in or, across a gentle kink, next to.
-    segment: usize,
-    travel: Travel,
 }
 
 impl Stance {
@@ -106,15 +59,14 @@ impl Stance {
         if link_rate >= 0.0 && stroke <= STOP_STROKE {
             return Self::extended(on_surface, link_rate);
         }
-        Self::Working(Working {
+        Self::Working {
             segment: law.segment_at(stroke),
-            travel: Travel::at(link_rate),
-        })
+        }
     }
 
     /// Whether the leg is on its extension stop.
     pub fn is_extended(&self) -> bool {
-        !matches!(self, Self::Working(_))
+        !matches!(self, Self::Working { .. })
     }
 
     /// Coefficients of the active pieces.
@@ -136,7 +88,7 @@ impl Stance {
                     moving: 1.0,
                 },
             ),
-            Self::Working(Working { segment, .. }) => (
+            Self::Working { segment } => (
                 law.piece(segment),
                 LinkPiece {
                     free: 1.0,
@@ -149,7 +101,7 @@ impl Stance {
 
     /// Range of the stroke over which the active piece holds, bottoming included.
     pub fn stroke_bounds(&self, law: &StrutLaw) -> Bounds {
-        let Self::Working(Working { segment, .. }) = *self else {
+        let Self::Working { segment } = *self else {
             return Bounds::FREE;
         };
         let first = segment - usize::from(law.is_gentle_below(segment));
@@ -163,17 +115,16 @@ impl Stance {
         match *self {
             Self::Hanging { .. } => Bounds::FREE,
             Self::Stopped { .. } => Bounds::above(0.0).widened(RATE_SLACK),
-            Self::Working(Working { segment, travel }) => match law.kinks() {
-                _ if law.is_on_stop(segment) => Bounds::below(0.0).widened(RATE_SLACK),
-                Kinks::Located => travel.bounds(law.turning_slack()).widened(RATE_SLACK),
-                Kinks::Foreseen | Kinks::SteppedOver => Bounds::FREE,
-            },
+            Self::Working { segment } if law.is_on_stop(segment) => {
+                Bounds::below(0.0).widened(RATE_SLACK)
+            }
+            Self::Working { .. } => Bounds::FREE,
         }
     }
 
     /// The gentle kinks next to the stroke and the link rate γ̇ (rad/s) of a working strut.
     pub fn gentle_kinks(&self, law: &StrutLaw, link_rate: f64) -> Option<GentleKinks> {
-        let Self::Working(Working { segment, .. }) = *self else {
+        let Self::Working { segment } = *self else {
             return None;
         };
         if law.is_on_stop(segment) {
@@ -188,7 +139,7 @@ impl Stance {
         }
         Some(GentleKinks {
             strokes,
-            link_rates: Travel::at(link_rate).bounds(0.0),
+            link_rates: between_turns(link_rate, law.turning_slack()),
         })
     }
 
@@ -196,7 +147,7 @@ impl Stance {
     /// on the segment the stroke is in.
     /// Whether they changed.
     pub fn follow(&mut self, law: &StrutLaw, stroke: f64) -> bool {
-        let Self::Working(Working { segment, .. }) = self else {
+        let Self::Working { segment } = self else {
             return false;
         };
         if law.is_gentle_above(*segment) && stroke > law.upper(*segment) {
@@ -221,10 +172,7 @@ impl Stance {
 
     /// The stroke left its range (other than by bottoming).
     pub fn cross_stroke(&mut self, law: &StrutLaw, exit: Exit, on_surface: bool, link_rate: f64) {
-        if let Self::Working(Working { segment, travel }) = self {
-            if law.is_on_stop(*segment) {
-                *travel = Travel::at(link_rate);
-            }
+        if let Self::Working { segment } = self {
             *segment = match exit {
                 Exit::Above => *segment + 1 + usize::from(law.is_gentle_above(*segment)),
                 Exit::Below => *segment - 1 - usize::from(law.is_gentle_below(*segment)),
@@ -236,26 +184,17 @@ impl Stance {
     }
 
     /// The link rate left its range.
-    pub fn cross_rate(
-        &mut self,
-        law: &StrutLaw,
-        exit: Exit,
-        on_surface: bool,
-        stroke: f64,
-        link_rate: f64,
-    ) {
+    pub fn cross_rate(&mut self, law: &StrutLaw, on_surface: bool, stroke: f64, link_rate: f64) {
         match self {
-            Self::Hanging { .. } => {}
             Self::Stopped { .. } => {
-                *self = Self::Working(Working {
+                *self = Self::Working {
                     segment: law.segment_at(stroke),
-                    travel: Travel::SlowStroke,
-                });
+                };
             }
-            Self::Working(Working { segment, .. }) if law.is_on_stop(*segment) => {
+            Self::Working { segment } if law.is_on_stop(*segment) => {
                 *self = Self::extended(on_surface, link_rate);
             }
-            Self::Working(Working { travel, .. }) => *travel = travel.neighbour(exit),
+            Self::Hanging { .. } | Self::Working { .. } => {}
         }
     }
 
@@ -264,5 +203,19 @@ impl Stance {
         if let Self::Stopped { pushed } = self {
             *pushed = exit == Exit::Below;
         }
+    }
+}
+
+/// Range of a link rate between standstill, but for `slack` past it, and the rate at which resistance is
+/// fully there, rad/s.
+fn between_turns(link_rate: f64, slack: f64) -> Bounds {
+    if link_rate < -SMOOTHING_RATE {
+        Bounds::below(-SMOOTHING_RATE)
+    } else if link_rate < 0.0 {
+        Bounds::between(-SMOOTHING_RATE, slack)
+    } else if link_rate < SMOOTHING_RATE {
+        Bounds::between(-slack, SMOOTHING_RATE)
+    } else {
+        Bounds::above(SMOOTHING_RATE)
     }
 }

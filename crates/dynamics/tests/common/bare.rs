@@ -7,7 +7,6 @@ use touchdown_dynamics::integrator::step::Step;
 use touchdown_dynamics::motion::{LegSignals, Motion, Pieces, Signal};
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
-use touchdown_dynamics::strut::Kinks;
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// A vehicle in a scene with fixed pieces of all laws.
@@ -23,7 +22,7 @@ impl<const LEGS: usize> Bare<LEGS> {
     /// A vehicle that touches nothing.
     pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Self {
         let rule = CrushRule::PivotRate;
-        let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], rule, Kinks::Located));
+        let laws = std::array::from_fn(|j| LegLaws::new(&vehicle.legs()[j], rule));
         let pieces = Pieces::new(&std::array::from_fn(|j: usize| {
             LegMode::untouched(&laws[j]).pieces(&laws[j])
         }));

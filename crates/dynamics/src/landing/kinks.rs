@@ -1,0 +1,153 @@
+//! Gentle kinks of a strut law: where a link turns round or leaves the zone in which resistance fades in,
+//! and where a stroke comes to a knot of the tables.
+//!
+//! Such a kink changes no law, as force is evaluated rightly on either side of it. But a step that runs
+//! over one is of lower order than a step that ends there. So steps aim a little past the first kink that
+//! is foreseen, and end where it is located on their dense output.
+
+use super::Flight;
+use crate::integrator::event::{Bounds, Node, Signals, Watch, first_exit};
+use crate::motion::{LegSignals, Signal};
+use crate::record::Instant;
+
+/// Share of a step within which its end is moved to a kink.
+const WITHIN: [f64; 2] = [0.03, 0.98];
+/// How far past a foreseen kink a step goes, in units of its way there.
+const PAST: f64 = 1e-4;
+/// Share of a step within which a kink is located: a step may run over one by so much.
+const RESOLUTION: f64 = 1e-3;
+
+impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+    /// Length of a step (s) that is to be `length` long, but ends a little past the first kink that is
+    /// foreseen within it.
+    pub(super) fn past_kink(&mut self, length: f64) -> f64 {
+        let accelerations = self.step.slopes[0].link_rates();
+        let [first, last] = WITHIN.map(|share| share * length);
+        let mut end = last;
+        let or_leave = |end, range, course| {
+            let time = time_to_leave(range, course, end);
+            time.filter(|time| *time > first).unwrap_or(end)
+        };
+        for (j, acceleration) in accelerations.into_iter().enumerate() {
+            let signals = &self.signals.now()[j];
+            self.kinks[j] = self.modes[j].gentle_kinks(&self.laws[j], signals);
+            let Some(kinks) = &self.kinks[j] else {
+                continue;
+            };
+            let rate = signals[Signal::LinkRate as usize];
+            let jerk = self.earlier.as_ref().map_or(0.0, |earlier| {
+                (acceleration - earlier.link_accelerations[j]) / earlier.length
+            });
+            end = or_leave(end, kinks.link_rates, [rate, acceleration, jerk]);
+            let stroke = signals[Signal::Stroke as usize];
+            let stroking = -signals[Signal::StrutLever as usize];
+            let course = [stroke, stroking * rate, stroking * acceleration];
+            end = or_leave(end, kinks.strokes, course);
+        }
+        if end < last {
+            end * (1.0 + PAST)
+        } else {
+            length
+        }
+    }
+
+    /// Fraction of the step, up to `reach`, at which it runs over the first gentle kink; none if it starts
+    /// or ends there.
+    pub(super) fn kink_before(&mut self, reach: f64) -> Option<f64> {
+        let runs_over = (0..LEGS).any(|j| self.may_run_over(j));
+        let kink = if runs_over { self.locate_kink() } else { None };
+        kink.filter(|theta| *theta > RESOLUTION && *theta < reach)
+    }
+
+    /// Whether leg `j` may have run over a gentle kink within the step, as its ends tell.
+    fn may_run_over(&self, j: usize) -> bool {
+        let Some(kinks) = &self.kinks[j] else {
+            return false;
+        };
+        let (start, end) = (&self.signals.now()[j], &self.signals.ahead()[j]);
+        let [first, last] = [0, 5].map(|k| self.step.slopes[k].link_rates()[j]);
+        let length = self.step.length;
+        let past =
+            |range: Bounds, value: f64| (value - value.clamp(range.lower, range.upper)).abs();
+        let [start_rate, end_rate] = [start, end].map(|leg| leg[Signal::LinkRate as usize]);
+        let stroking = end[Signal::StrutLever as usize] * end_rate;
+        // Twice as far as a parabola strays on its way to a turning point and back.
+        let turning_point = || start_rate + length * first * first / (first - last);
+        past(kinks.strokes, end[Signal::Stroke as usize]) > RESOLUTION * (length * stroking).abs()
+            || past(kinks.link_rates, end_rate) > RESOLUTION * (length * last).abs()
+            || first * last < 0.0 && kinks.link_rates.exit(turning_point()).is_some()
+    }
+
+    /// Fraction of the step at which it runs over the first gentle kink, if it does.
+    fn locate_kink(&mut self) -> Option<f64> {
+        let (signals, stroke, rate) = (&self.signals, Signal::Stroke, Signal::LinkRate);
+        let told = |leg: &LegSignals<f64>| [leg[stroke as usize], leg[rate as usize]];
+        let look = |theta: f64| {
+            let [angles, rates] = self.step.links_at(theta);
+            std::array::from_fn(|j| [self.motion.geometry(j).stroke(angles[j]), rates[j]])
+        };
+        let node = |theta, signals: [[f64; 2]; LEGS]| Node { theta, signals };
+        let start = node(0.0, signals.now().each_ref().map(told));
+        let middle = node(0.5, look(0.5));
+        let end = node(1.0, signals.ahead().each_ref().map(told));
+        self.kink_watches.clear();
+        for (j, kinks) in self.kinks.iter().enumerate() {
+            for kinks in kinks {
+                for (k, range) in [kinks.strokes, kinks.link_rates].into_iter().enumerate() {
+                    let signal = 2 * j + k;
+                    if range.exit(start.signals.get(signal)).is_none() {
+                        self.kink_watches.push(Watch { signal, range });
+                    }
+                }
+            }
+        }
+        let watches = &self.kink_watches;
+        first_exit(&start, &middle, &end, watches, RESOLUTION, look).map(|kink| kink.theta)
+    }
+}
+
+/// When a quantity that goes on from its present value with its first and second derivatives leaves a
+/// range, if that is within so long a time, s.
+fn time_to_leave(range: Bounds, [value, slope, bend]: [f64; 3], within: f64) -> Option<f64> {
+    let end = value + (slope + 0.5 * bend * within) * within;
+    let way = end.clamp(range.lower, range.upper) - value;
+    if value + way == end {
+        return None;
+    }
+    let root = (slope * slope + 2.0 * bend * way).max(0.0).sqrt();
+    let time = 2.0 * way / (slope + root.copysign(way));
+    (time < within).then_some(time)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1 + 2t − 8t² rises to 1.125 at t = 1/8 and is 0 at t = 1/2.
+    const COURSE: [f64; 3] = [1.0, 2.0, -16.0];
+
+    #[test]
+    fn a_parabola_leaves_a_range_where_it_meets_its_end() {
+        let leave = |range, within| time_to_leave(range, COURSE, within);
+        assert_eq!(leave(Bounds::above(0.0), 0.6), Some(0.5));
+        assert_eq!(leave(Bounds::above(0.0), 0.4), None);
+        assert_eq!(leave(Bounds::FREE, 10.0), None);
+        let upper = leave(Bounds::below(1.09375), 0.1).unwrap();
+        assert!((upper - 0.0625).abs() < 1e-15, "{upper}");
+    }
+
+    #[test]
+    fn mirrored_motion_leaves_at_the_same_time() {
+        let mirrored = COURSE.map(|derivative| -derivative);
+        let time = time_to_leave(Bounds::below(0.0), mirrored, 0.6);
+        assert_eq!(time, Some(0.5));
+    }
+
+    #[test]
+    fn what_stands_still_stays() {
+        assert_eq!(
+            time_to_leave(Bounds::between(0.0, 1.0), [0.5, 0.0, 0.0], 1.0),
+            None
+        );
+    }
+}
