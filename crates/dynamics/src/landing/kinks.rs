@@ -14,7 +14,7 @@ use crate::record::Instant;
 const WITHIN: [f64; 2] = [0.03, 0.98];
 /// How far past a foreseen kink a step goes, in units of its way there.
 const PAST: f64 = 1e-4;
-/// Share of a step within which a kink is located: a step may run over one by so much.
+/// Share of a step within which a kink is located: so little beyond it does not show in the error of a step.
 const RESOLUTION: f64 = 1e-3;
 
 impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
@@ -92,12 +92,11 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let end = node(1.0, signals.ahead().each_ref().map(told));
         self.kink_watches.clear();
         for (j, kinks) in self.kinks.iter().enumerate() {
-            for kinks in kinks {
-                for (k, range) in [kinks.strokes, kinks.link_rates].into_iter().enumerate() {
-                    let signal = 2 * j + k;
-                    if range.exit(start.signals.get(signal)).is_none() {
-                        self.kink_watches.push(Watch { signal, range });
-                    }
+            let ranges = kinks.map(|kinks| [kinks.strokes, kinks.link_rates]);
+            for (k, range) in ranges.into_iter().flatten().enumerate() {
+                let signal = 2 * j + k;
+                if range.exit(start.signals.get(signal)).is_none() {
+                    self.kink_watches.push(Watch { signal, range });
                 }
             }
         }
