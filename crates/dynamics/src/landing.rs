@@ -2,6 +2,7 @@
 
 mod account;
 mod advance;
+mod events;
 mod kinks;
 mod rates;
 mod stiffness;
@@ -12,11 +13,11 @@ use std::convert::Infallible;
 
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
-use crate::integrator::event::{Node, Watch, first_exit};
+use crate::integrator::event::Watch;
 use crate::integrator::step::{EVALUATIONS, Step};
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::methods::{self, Method};
-use crate::motion::{LegSignals, Motion, Pieces, Signal};
+use crate::motion::{Motion, Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, Observation, calm_height};
@@ -26,7 +27,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
-use advance::{Advance, Cut, Look, Start};
+use advance::{Advance, Cut, Start};
 use stiffness::Stiffness;
 use trail::Trail;
 
@@ -44,8 +45,6 @@ const WORK_SHARE: f64 = 0.01;
 /// Time within which an event is located, s: this times the tolerance, but within these limits.
 const EVENT_RESOLUTION: f64 = 1e-3;
 const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
-/// Changes of laws at one instant before they are called chattering.
-const MOST_CHANGES: usize = 64;
 /// So many events within so short a time (s) are chattering too: the laws switch to and fro while
 /// the time creeps.
 const BURST: u64 = 4000;
@@ -378,59 +377,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// The first point of the step at which a law changes its active piece.
-    fn find_event(&mut self) -> Option<Node<[LegSignals<f64>; LEGS]>> {
-        let (before, start, end) = (
-            self.signals.before(),
-            self.signals.now(),
-            self.signals.ahead(),
-        );
-        let watches = if let Some(earlier) = &self.earlier {
-            let ratio = self.step.length / earlier.length;
-            let suspect = |watch: &&Watch| !watch.is_quiet(before, start, end, ratio);
-            self.suspects.clear();
-            self.suspects.extend(self.watches.iter().filter(suspect));
-            if self.suspects.is_empty() {
-                return None;
-            }
-            &self.suspects
-        } else {
-            &self.watches
-        };
-        let torque = Signal::LinkTorque as usize;
-        let with_torques = self
-            .watches
-            .iter()
-            .any(|w| w.signal % Signal::COUNT == torque);
-        let mut looks = 0;
-        let mut look = |theta: f64| {
-            looks += 1;
-            self.motion.arch().dispatch(Look {
-                motion: &self.motion,
-                pieces: &self.pieces,
-                step: &self.step,
-                theta,
-                with_torques,
-            })
-        };
-        let start = Node {
-            theta: 0.0,
-            signals: *start,
-        };
-        let middle = Node {
-            theta: 0.5,
-            signals: look(0.5),
-        };
-        let resolution = self.event_resolution / self.step.length;
-        let end = Node {
-            theta: 1.0,
-            signals: *end,
-        };
-        let found = first_exit(&start, &middle, &end, watches, resolution, &mut look);
-        self.evaluations += looks;
-        found
-    }
-
     /// Time at fraction θ of the step, s.
     fn time_at(&self, theta: f64) -> f64 {
         self.time + theta * self.step.length
@@ -445,20 +391,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             let stroke = &mut self.greatest_stroke[j];
             *stroke = stroke.max(signals[Signal::Stroke as usize]);
         }
-    }
-
-    /// Puts the laws in place that hold from the present state on. One change can bring another
-    /// with it, so this goes on until every signal lies in its range.
-    fn settle(&mut self) -> Result<(), Outcome> {
-        for _ in 0..MOST_CHANGES {
-            self.choose_pieces();
-            self.evaluate();
-            self.note_contacts();
-            if !self.cross()? {
-                return Ok(());
-            }
-        }
-        Err(Outcome::Failure(Failure::Chattering))
     }
 
     /// Goes to fraction θ of the step.
@@ -478,63 +410,5 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             signals: self.signals.now_mut(),
         });
         self.evaluations += 1;
-    }
-
-    /// Centres the coefficients of laws that bend gently; the laws themselves stay.
-    fn follow(&mut self) {
-        let mut changed = false;
-        for j in 0..LEGS {
-            changed |= self.modes[j].follow(&self.laws[j], &self.signals.now()[j]);
-        }
-        if changed {
-            self.choose_pieces();
-        }
-    }
-
-    /// The pieces and ranges of the present modes.
-    fn choose_pieces(&mut self) {
-        let pieces = std::array::from_fn(|j| self.modes[j].pieces(&self.laws[j]));
-        self.pieces = Pieces::new(&pieces);
-        self.stiffness.forget();
-        self.watches.clear();
-        for j in 0..LEGS {
-            self.modes[j].watch(&self.laws[j], j, &mut self.watches);
-        }
-    }
-
-    /// Lets each leg follow the first of its signals that is out of its range; whether any was.
-    /// Only the first, because the ranges of the others may change with it.
-    fn cross(&mut self) -> Result<bool, Outcome> {
-        let mut crossed = [false; LEGS];
-        for &Watch { signal, range } in &self.watches {
-            let (leg, index) = (signal / Signal::COUNT, signal % Signal::COUNT);
-            let Some(exit) = range.exit(self.signals.now()[leg][index]) else {
-                continue;
-            };
-            if !crossed[leg] {
-                crossed[leg] = true;
-                self.events += 1;
-                let signal = Signal::ALL[index];
-                self.modes[leg].cross(
-                    &self.laws[leg],
-                    leg,
-                    signal,
-                    exit,
-                    &self.signals.now()[leg],
-                )?;
-            }
-        }
-        Ok(crossed.contains(&true))
-    }
-
-    fn note_contacts(&mut self) {
-        for j in 0..LEGS {
-            if self.modes[j].pad_in_contact() {
-                self.pad_contact[j].get_or_insert(self.time);
-            }
-            if self.modes[j].block_in_contact() {
-                self.block_contact[j].get_or_insert(self.time);
-            }
-        }
     }
 }

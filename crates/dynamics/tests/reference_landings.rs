@@ -14,11 +14,9 @@ const BOUNCING: f64 = 2.5;
 /// Within the time by which the end may be off the CG descends by no more than this is worth, ft·lb.
 const DESCENT: f64 = 0.1;
 
-/// Case whose late stability angle no tolerance settles: it chatters through a thousand events that bend
-/// no law gently, several times what others have.
+/// Case whose late stability angle no tolerance settles: it chatters through thousands of events.
 /// Others within 0.2 deg; this one is known to no better than its own scatter.
 const UNSETTLED: &str = "216";
-const CHATTER: u64 = 900;
 const SCATTER_DEG: f64 = 0.3;
 
 fn compare(row: &Row, landing: &Landing<3>, force_limit: f64) -> Complaints {
@@ -133,7 +131,7 @@ fn one_case_is_unsettled() {
     let angles: Vec<f64> = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
         .iter()
         .map(|&tolerance| land(&vehicle, &scene, &settings(tolerance)))
-        .inspect(|landing| assert!(landing.events > CHATTER, "{}", landing.events))
+        .inspect(|landing| assert!(landing.events > 1000, "{}", landing.events))
         .map(|landing| landing.min_stability_angle.to_degrees())
         .collect();
     let differences: Vec<f64> = angles.windows(2).map(|w| (w[1] - w[0]).abs()).collect();

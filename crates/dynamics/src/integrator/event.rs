@@ -86,7 +86,7 @@ impl Bounds {
 
     /// How far `value` lies outside; negative inside.
     #[inline(always)]
-    fn violation(&self, value: f64) -> f64 {
+    pub fn violation(&self, value: f64) -> f64 {
         (value - self.upper).max(self.lower - value)
     }
 }

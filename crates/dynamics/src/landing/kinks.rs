@@ -1,4 +1,4 @@
-//! Gentle kinks of a strut law: where a link turns round or leaves the zone in which resistance fades in,
+//! Gentle kinks of the strut law (42)-(45): where a link turns round or leaves the zone in which resistance fades in,
 //! and where a stroke comes to a knot of the tables.
 //!
 //! Such a kink changes no law, as force is evaluated rightly on either side of it. But a step that runs
@@ -67,14 +67,13 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let (start, end) = (&self.signals.now()[j], &self.signals.ahead()[j]);
         let [first, last] = [0, 5].map(|k| self.step.slopes[k].link_rates()[j]);
         let length = self.step.length;
-        let past =
-            |range: Bounds, value: f64| (value - value.clamp(range.lower, range.upper)).abs();
         let [start_rate, end_rate] = [start, end].map(|leg| leg[Signal::LinkRate as usize]);
         let stroking = end[Signal::StrutLever as usize] * end_rate;
         // Twice as far as a parabola strays on its way to a turning point and back.
         let turning_point = || start_rate + length * first * first / (first - last);
-        past(kinks.strokes, end[Signal::Stroke as usize]) > RESOLUTION * (length * stroking).abs()
-            || past(kinks.link_rates, end_rate) > RESOLUTION * (length * last).abs()
+        kinks.strokes.violation(end[Signal::Stroke as usize])
+            > RESOLUTION * (length * stroking).abs()
+            || kinks.link_rates.violation(end_rate) > RESOLUTION * (length * last).abs()
             || first * last < 0.0 && kinks.link_rates.exit(turning_point()).is_some()
     }
 
