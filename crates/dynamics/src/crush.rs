@@ -33,6 +33,12 @@ impl<S: Real> PressureLine<S> {
         self.offset.is_zero() && self.slope.is_zero()
     }
 
+    /// Change of relative pressure with interference, 1/ft.
+    #[inline(always)]
+    pub fn slope(&self) -> S {
+        self.slope
+    }
+
     /// Relative pressure at interference I.
     #[inline(always)]
     pub fn at(&self, interference: S) -> S {

@@ -119,10 +119,10 @@ impl<S: Real> FrictionPiece<S> {
         }
     }
 
-    /// dμ/dS over μ0 at any speed of this branch, s/ft, or zero where friction falls with speed.
+    /// dμ/dS over μ0 at any speed of this branch, s/ft.
     #[inline(always)]
-    pub fn growth(&self) -> S {
-        self.viscous.max(S::zero())
+    pub fn change(&self) -> S {
+        self.viscous
     }
 
     /// μ(S)/S over μ0, s/ft: multiplies the sliding velocity to give the friction force per pound

@@ -51,7 +51,22 @@ impl<S: Real> HingePiece<S> {
     /// Hinge speed before the clip, rad/s.
     #[inline(always)]
     pub fn unclipped_speed(&self, angle: S, rate: S) -> S {
-        (self.gain + self.fading * angle) * rate
+        self.gain_at(angle) * rate
+    }
+
+    /// Change of dα/dt per α̇ and per α (1/s) at this α (rad) and α̇ (rad/s).
+    #[inline(always)]
+    pub fn speed_changes(&self, angle: S, rate: S) -> [S; 2] {
+        [
+            self.follow * self.gain_at(angle),
+            self.follow * self.fading * rate,
+        ]
+    }
+
+    /// Hinge speed before the clip per α̇ at this α (rad): 0 at rest on a stop.
+    #[inline(always)]
+    pub fn gain_at(&self, angle: S) -> S {
+        self.gain + self.fading * angle
     }
 
     /// dα/dt, rad/s, from the speed before the clip.

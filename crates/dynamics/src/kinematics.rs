@@ -154,7 +154,7 @@ pub struct PlanePoint<S> {
     pub drop: S,
 }
 
-/// A direction in the plane of a leg.
+/// A direction or an offset in the plane of a leg.
 #[derive(Debug, Clone, Copy)]
 pub struct PlaneDirection<S> {
     outboard: S,
@@ -162,6 +162,37 @@ pub struct PlaneDirection<S> {
 }
 
 impl<S: Real> PlaneDirection<S> {
+    /// None.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            outboard: S::zero(),
+            down: S::zero(),
+        }
+    }
+
+    /// Adds factor · other.
+    #[inline(always)]
+    pub fn add(&mut self, factor: S, other: &Self) {
+        self.outboard += factor * other.outboard;
+        self.down += factor * other.down;
+    }
+
+    /// Turned a right angle from outboard to down, as y'' is to become z''.
+    #[inline(always)]
+    pub fn turned(&self) -> Self {
+        Self {
+            outboard: -self.down,
+            down: self.outboard,
+        }
+    }
+
+    /// The direction as a vector in leg axes.
+    #[inline(always)]
+    pub fn in_leg_axes(&self) -> Vector3<S> {
+        Vector3::new(self.outboard, S::zero(), self.down)
+    }
+
     /// Scalar product with a vector in leg axes.
     #[inline(always)]
     pub fn dot(&self, vector: &Vector3<S>) -> S {
@@ -254,6 +285,16 @@ impl<S: Real> LegGeometry<S> {
         [self.centroid, -self.centroid]
     }
 
+    /// Crushed centroid of a pad section (0 outboard, 1 inboard) relative to the pivot, ft.
+    #[inline(always)]
+    pub fn section_centroid(&self, pose: &LegPose<S>, section: usize) -> PlaneDirection<S> {
+        let height = self.pad_height - pose.pad_interference[section];
+        let mut centroid = PlaneDirection::zero();
+        centroid.add(self.centroids()[section], &pose.pad_y);
+        centroid.add(height, &pose.pad_z);
+        centroid
+    }
+
     /// Lower hardpoint relative to the CG (6), ft.
     #[inline(always)]
     pub fn lower_hardpoint(&self) -> Vector3<S> {
@@ -294,6 +335,15 @@ impl<S: Real> LegGeometry<S> {
     pub fn stroke(&self, link_angle: S) -> S {
         let (sine, cosine) = link_angle.sin_cos();
         self.extended_length - self.strut_length(sine, cosine)
+    }
+
+    /// d²l_D/dγ², ft, of a strut at this stroke δ and lever dl_D/dγ (11), (12), ft.
+    #[inline(always)]
+    pub fn strut_lever_change(&self, stroke: S, lever: S) -> S {
+        let length = self.extended_length - stroke;
+        // l_A l_L sin(γ − β), by (11).
+        let offset = (length * length - self.squares) * S::constant(0.5);
+        -(offset + lever * lever) / length
     }
 
     /// The body's frame in the axes of this leg.
@@ -398,6 +448,12 @@ pub struct PointVelocity<S> {
 }
 
 impl<S: Real> LegFrame<S> {
+    /// Angular velocity ω, rad/s.
+    #[inline(always)]
+    pub fn rate(&self) -> Vector3<S> {
+        self.rate
+    }
+
     /// Velocity of a point of the body in leg axes: V + ω×r.
     #[inline(always)]
     fn carried(&self, point: &PlanePoint<S>) -> Vector3<S> {
@@ -406,6 +462,17 @@ impl<S: Real> LegFrame<S> {
             v.x + w.y * point.drop,
             v.y + w.z * point.reach - w.x * point.drop,
             v.z - w.y * point.reach,
+        )
+    }
+
+    /// Velocity of a point of the body relative to the CG: ω×r.
+    #[inline(always)]
+    pub fn carried_round(&self, point: &PlanePoint<S>) -> Vector3<S> {
+        let w = &self.rate;
+        Vector3::new(
+            w.y * point.drop,
+            w.z * point.reach - w.x * point.drop,
+            -(w.y * point.reach),
         )
     }
 

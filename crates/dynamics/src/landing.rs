@@ -14,8 +14,9 @@ use std::convert::Infallible;
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
 use crate::integrator::event::Watch;
-use crate::integrator::step::{EVALUATIONS, Step};
+use crate::integrator::step::Step;
 use crate::integrator::step_control::{SHORTEST, StepControl};
+use crate::integrator::{dormand_prince, rosenbrock};
 use crate::methods::{self, Method};
 use crate::motion::{Motion, Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
@@ -273,12 +274,15 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// Takes a step: its error in units of the tolerance.
     #[inline(always)]
     fn take(&mut self, length: f64) -> f64 {
-        self.evaluations += EVALUATIONS;
-        let damped = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
+        let response = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
+        self.evaluations += match response {
+            Some(_) => rosenbrock::EVALUATIONS,
+            None => dormand_prince::EVALUATIONS,
+        };
         let advance = Advance {
             motion: &self.motion,
             pieces: &self.pieces,
-            damped: damped.as_ref(),
+            response,
             length,
             tolerance: self.settings.tolerance(),
             greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
@@ -307,7 +311,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             ..
         } = course;
         let Attempt { whole, length } = attempt;
-        if !control.accept(length, error) {
+        if !control.accept(length, error, self.step.weights.error_order) {
             return Ok(());
         }
         if length < whole {

@@ -15,7 +15,7 @@
 //! | the lander and the touchdown | [`vehicle`], [`profile`], [`scene`], [`attitude`] |
 //! | where everything is | [`state`], [`kinematics`] |
 //! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
-//! | the motion, and which piece of each law is active | [`motion`], [`contact`] |
+//! | the motion, how its forces answer, and which piece of each law is active | [`motion`], [`response`], [`contact`] |
 //! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
 //! | the surface from impact times | [`impact_surface`] |
 //! | how it is integrated | [`integrator`], [`model_version`] |
@@ -27,7 +27,6 @@ pub mod attitude;
 pub mod contact;
 pub mod critical_feet;
 pub mod crush;
-pub mod damping;
 pub mod energy;
 pub mod friction;
 pub mod hinge;
@@ -43,6 +42,7 @@ pub mod outcome;
 pub mod profile;
 pub mod quad;
 pub mod record;
+pub mod response;
 pub mod scalar;
 pub mod scene;
 pub mod stability;

@@ -7,14 +7,13 @@
 
 mod footing;
 mod leg;
-mod leg_damping;
+mod leg_response;
 mod pieces;
 mod signal;
 
 use nalgebra::{Matrix3, Vector3};
 use pulp::{Arch, NullaryFnOnce};
 
-use crate::damping::Inertia;
 use crate::kinematics::{BodyFrame, LegGeometry, Surface};
 use crate::quad::{Abreast, GROUPS, LANES, Quad, abreast, groups_of, members};
 use crate::scene::Scene;
@@ -111,15 +110,6 @@ impl<const LEGS: usize> Motion<LEGS> {
     /// Geometry of leg `index`.
     pub fn geometry(&self, index: usize) -> &LegGeometry<f64> {
         &self.legs[index].geometry
-    }
-
-    /// Inertia of the velocities.
-    pub fn inertia(&self) -> Inertia<f64, LEGS> {
-        Inertia {
-            mass: 1.0 / self.inverse_mass,
-            body: self.inertia,
-            links: std::array::from_fn(|j| self.legs[j].link_inertia),
-        }
     }
 
     /// Writes the time derivative of the state into `derivative`.

@@ -26,6 +26,11 @@ const LEG: usize = 10;
 /// Where γ and γ̇ are among the components of a leg.
 const LINK_ANGLE: usize = 0;
 const LINK_RATE: usize = 1;
+/// Where α̇ is.
+const PAD_RATE: usize = 3;
+/// Error of Simpson's rule as a share of its difference from the midpoint rule: h²f⁗/(120 f″), as much as where f
+/// swings by 3.5 rad within the step.
+const SIMPSON_SHARE: f64 = 0.1;
 /// Leading components of a leg that move; the rest are work integrals.
 const LEG_MOTION: usize = 4;
 
@@ -148,13 +153,6 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         LegState::from_components(self.legs.map(|row| row[index]))
     }
 
-    /// Velocity of the CG (ft/s, ground axes) and angular velocity (rad/s, vehicle axes).
-    #[inline(always)]
-    pub fn body_velocities(&self) -> ([S; 3], [S; 3]) {
-        let b = &self.body;
-        ([b[3], b[4], b[5]], [b[10], b[11], b[12]])
-    }
-
     /// Rates γ̇ of the links, rad/s.
     #[inline(always)]
     pub fn link_rates(&self) -> [S; LEGS] {
@@ -176,18 +174,6 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
                 })
             })
         })
-    }
-
-    /// Adds to the velocities of body and links.
-    #[inline(always)]
-    pub fn add_velocities(&mut self, body: &[S; 6], links: &[S; LEGS]) {
-        for i in 0..3 {
-            self.body[3 + i] += body[i];
-            self.body[10 + i] += body[3 + i];
-        }
-        for (rate, change) in self.legs[LINK_RATE].iter_mut().zip(links) {
-            *rate += *change;
-        }
     }
 
     /// self + Σ weight · slope, component by component.
@@ -263,6 +249,61 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
 }
 
 impl<const LEGS: usize> State<f64, LEGS> {
+    /// self − other.
+    #[inline(always)]
+    pub fn minus(&self, other: &Self) -> Self {
+        self.advanced([-1.0], [other])
+    }
+
+    /// self/length.
+    #[inline(always)]
+    pub fn over(&self, length: f64) -> Self {
+        Self::zero().advanced([1.0 / length], [self])
+    }
+
+    /// Writes what moves midway between self and `end` on the cubic between them, from the slopes at both and an
+    /// eighth of the time between.
+    #[inline(always)]
+    pub fn midway(&self, end: &Self, eighth: f64, [first, last]: [&Self; 2], middle: &mut Self) {
+        Self::zero().advance_motion(
+            [0.5, 0.5, eighth, -eighth],
+            [self, end, first, last],
+            middle,
+        );
+    }
+
+    /// Sums by Simpson's rule what only accumulates over a step of length `h`: the work integrals, and the
+    /// rates of the pads that `sums_rate` names. Of the error of work, over h, it writes a guess.
+    #[inline(always)]
+    pub fn accumulate(
+        &mut self,
+        before: &Self,
+        h: f64,
+        [first, middle, last]: [&Self; 3],
+        sums_rate: impl Fn(usize) -> bool,
+        error: &mut Self,
+    ) {
+        let sum = |i: usize, j: usize| {
+            let ends = first.legs[i][j] + last.legs[i][j];
+            let middle = middle.legs[i][j];
+            (
+                (ends + 4.0 * middle) * (1.0 / 6.0),
+                (ends - 2.0 * middle) * (1.0 / 6.0),
+            )
+        };
+        for j in (0..LEGS).filter(|&j| sums_rate(j)) {
+            self.legs[PAD_RATE][j] = before.legs[PAD_RATE][j] + h * sum(PAD_RATE, j).0;
+            error.legs[PAD_RATE][j] = 0.0;
+        }
+        for i in LEG_MOTION..LEG {
+            for j in 0..LEGS {
+                let (mean, past_midpoint) = sum(i, j);
+                self.legs[i][j] = before.legs[i][j] + h * mean;
+                error.legs[i][j] = SIMPSON_SHARE * past_midpoint;
+            }
+        }
+    }
+
     /// The legs of a group of four, side by side.
     #[inline(always)]
     pub fn legs_abreast(&self, group: usize) -> LegState<Quad> {

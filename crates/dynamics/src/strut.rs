@@ -110,6 +110,24 @@ impl<S: Real> StrutPiece<S> {
             + parts.engaged * two * parts.damping * lever * lever * link_rate.abs()
     }
 
+    /// d(F lever)/dγ, ft·lb, from the change of the lever dl_D/dγ with the link angle (ft).
+    #[inline(always)]
+    pub fn torque_change(&self, stroke: S, link_rate: S, lever: S, lever_change: S) -> S {
+        let parts = self.parts(stroke, link_rate, lever);
+        let above = stroke - self.elastic_limit;
+        let multiplier = self.multiplier.at(stroke) + self.multiplier.slope * above;
+        let spring = self.base[1] + self.growth * multiplier;
+        let strut_rate = lever * link_rate;
+        let hardening = link_rate.where_negative(self.compression.slope, self.rebound[1]);
+        let against = link_rate.signed_like(parts.engaged);
+        let per_stroke = spring
+            - against * (self.friction_fraction * spring + hardening * strut_rate * strut_rate);
+        let two = S::constant(2.0);
+        let per_lever = -(against * two * parts.damping * strut_rate * link_rate);
+        let force = parts.spring - against * parts.resistance;
+        (force + lever * per_lever) * lever_change - lever * lever * per_stroke
+    }
+
     #[inline(always)]
     fn parts(&self, stroke: S, link_rate: S, lever: S) -> Parts<S> {
         let spring = self.base[0]
@@ -171,6 +189,12 @@ impl<S: Real> LinkPiece<S> {
             run_down: zero,
             moving: zero,
         }
+    }
+
+    /// Rate (1/s) at which an airborne link's rate runs down.
+    #[inline(always)]
+    pub fn run_down(&self) -> S {
+        self.run_down
     }
 
     /// Link acceleration γ̈, rad/s².

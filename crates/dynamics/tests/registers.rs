@@ -4,7 +4,6 @@ mod common;
 
 use common::bare::Bare;
 use common::{level_scene, table_4_1};
-use touchdown_dynamics::integrator::additive;
 use touchdown_dynamics::motion::Footing;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -49,15 +48,9 @@ fn every_bit_is_the_same_in_narrow_registers() {
         let [one, other] = [&wide, &narrow].map(|bare| {
             let mut slope = State::zero();
             bare.derivative(&state, &mut slope);
-            let inertia = bare.motion.inertia();
-            let damped = bare
-                .damping(&state)
-                .factor(&inertia, additive::GAMMA * LENGTH);
-            let mut step = bare.step(&state, LENGTH);
-            let explicit = step.after;
-            let derivative = |state: &_, slope: &mut _| bare.derivative(state, slope);
-            step.take_damped(LENGTH, &damped, derivative, derivative);
-            (slope, bare.signals(&state), explicit, step.after)
+            let explicit = bare.step(&state, LENGTH).after;
+            let implicit = bare.implicit_step(&state, LENGTH).after;
+            (slope, bare.signals(&state), explicit, implicit)
         });
         assert_eq!(one, other);
         pushed += u32::from(one.0.leg(0).work[1] != 0.0);

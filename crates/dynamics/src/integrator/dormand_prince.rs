@@ -7,6 +7,9 @@ use crate::integrator::step::{Step, Weights};
 use crate::scalar::Real;
 use crate::state::State;
 
+/// Evaluations of the derivative in a step.
+pub const EVALUATIONS: u64 = 6;
+
 const A2: [f64; 1] = [1.0 / 5.0];
 const A3: [f64; 2] = [3.0 / 40.0, 9.0 / 40.0];
 const A4: [f64; 3] = [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0];
@@ -68,6 +71,7 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         self.weights = Weights {
             result: B.map(S::constant),
             error: E.map(S::constant),
+            error_order: 5.0,
             bump: D.map(S::constant),
         };
         let (y, stage) = (&self.before, &mut self.stage);

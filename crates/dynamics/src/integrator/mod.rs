@@ -1,8 +1,8 @@
 //! The integrator taken apart: methods, dense output, step control, event location.
 
-pub mod additive;
 pub mod dense;
 pub mod dormand_prince;
 pub mod event;
+pub mod rosenbrock;
 pub mod step;
 pub mod step_control;

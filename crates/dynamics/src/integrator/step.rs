@@ -10,12 +10,11 @@ pub struct Weights<S> {
     pub result: [S; 5],
     /// For the local error estimate.
     pub error: [S; 6],
+    /// Power of the step's length with which that estimate falls.
+    pub error_order: f64,
     /// For the fourth-degree term of the continuous output.
     pub bump: [S; 6],
 }
-
-/// Evaluations of the derivative in a step of either kind.
-pub const EVALUATIONS: u64 = 6;
 
 /// A step from one state to the next.
 #[derive(Debug, Clone, Copy)]
@@ -26,8 +25,8 @@ pub struct Step<S, const LEGS: usize> {
     pub after: State<S, LEGS>,
     /// State at a stage between, but for the work integrals.
     pub(super) stage: State<S, LEGS>,
-    /// Derivatives at stages 1, 3, 4, 5, 6 and at the end; both kinds of steps give their second
-    /// stage no weight.
+    /// Derivatives at stages 1, 3, 4, 5, 6 and at the end of an explicit step, which gives its second stage
+    /// no weight; of an implicit step what its weights say, first and last the derivatives at its ends.
     pub slopes: [State<S, LEGS>; 6],
     /// Length, s.
     pub length: S,
@@ -48,6 +47,7 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
             weights: Weights {
                 result: [zero; 5],
                 error: [zero; 6],
+                error_order: 1.0,
                 bump: [zero; 6],
             },
         }

@@ -6,7 +6,6 @@
 
 const SAFETY: f64 = 0.88;
 const INTEGRAL: f64 = 0.04;
-const PROPORTIONAL: f64 = 0.2 - 0.75 * INTEGRAL;
 const LEAST_FACTOR: f64 = 0.2;
 const GREATEST_FACTOR: f64 = 5.0;
 /// Binary logarithm of 1e-4: no smaller error of a step is remembered.
@@ -40,12 +39,13 @@ impl StepControl {
         self.proposed
     }
 
-    /// Takes note of a tried step with error `norm` in units of the tolerance; true when the step
-    /// is good enough.
-    pub fn accept(&mut self, length: f64, norm: f64) -> bool {
+    /// Takes note of a tried step with error `norm` in units of the tolerance, which falls as the step to the
+    /// power `order`; true when the step is good enough.
+    pub fn accept(&mut self, length: f64, norm: f64, order: f64) -> bool {
+        let proportional = 1.0 / order - 0.75 * INTEGRAL;
         if norm <= 1.0 {
             let error = log2(norm.max(1e-8));
-            let correction = INTEGRAL * self.last_error - PROPORTIONAL * error;
+            let correction = INTEGRAL * self.last_error - proportional * error;
             let factor = (SAFETY * exp2(correction)).clamp(
                 LEAST_FACTOR,
                 if self.rejected { 1.0 } else { GREATEST_FACTOR },
@@ -57,7 +57,7 @@ impl StepControl {
         } else {
             // A norm that is no finite number shrinks the step as far as it goes.
             let factor = if norm.is_finite() {
-                SAFETY * exp2(-PROPORTIONAL * log2(norm))
+                SAFETY * exp2(-proportional * log2(norm))
             } else {
                 LEAST_FACTOR
             };
@@ -130,7 +130,7 @@ mod tests {
     fn a_norm_that_is_no_number_shrinks_the_step_as_far_as_it_goes() {
         for norm in [f64::NAN, f64::INFINITY, f64::MAX] {
             let mut control = StepControl::new(1e-3);
-            assert!(!control.accept(1e-3, norm));
+            assert!(!control.accept(1e-3, norm, 5.0));
             assert_eq!(control.proposed(), 1e-3 * LEAST_FACTOR);
         }
     }

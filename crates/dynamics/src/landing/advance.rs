@@ -3,17 +3,18 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::damping::{DampedSolve, Velocities};
+use crate::integrator::rosenbrock::GAMMA;
 use crate::integrator::step::Step;
-use crate::motion::{LegSignals, Motion, Pieces};
+use crate::motion::{LegSignals, Motion, Pieces, Signal};
+use crate::response::Response;
 use crate::state::State;
 
-/// A step to try, explicitly or with the damping implicit.
+/// A step to try, explicit or implicit.
 pub(super) struct Advance<'a, const LEGS: usize> {
     pub(super) motion: &'a Motion<LEGS>,
     pub(super) pieces: &'a Pieces<LEGS>,
-    /// The damping over this step, when it is to be taken implicitly.
-    pub(super) damped: Option<&'a DampedSolve<f64, LEGS>>,
+    /// How forces answer at its start, when it is to be taken implicitly.
+    pub(super) response: Option<&'a Response<LEGS>>,
     /// Length of the step, s.
     pub(super) length: f64,
     pub(super) tolerance: f64,
@@ -40,18 +41,18 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
             motion.derivative(state, pieces, slope);
         };
         let last = |state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>| {
-            motion.evaluate(state, pieces, slope, self.signals);
+            motion.evaluate(state, pieces, slope, &mut *self.signals);
         };
-        match self.damped {
-            Some(damped) => step.take_damped(self.length, damped, derivative, last),
-            None => step.take_explicit(self.length, derivative, last),
+        if let Some(response) = self.response {
+            let system = response.over(GAMMA * self.length);
+            step.take_implicit(self.length, &system, derivative, last);
+            for (j, signals) in self.signals.iter_mut().enumerate() {
+                signals[Signal::PadRate as usize] = step.after.leg(j).pad_rate;
+            }
+        } else {
+            step.take_explicit(self.length, derivative, last);
         }
-        let mut error = step.error();
-        if let Some(damped) = self.damped {
-            // What the damping kills within the step is no error that lasts.
-            let raw = Velocities::of(&error);
-            damped.solve(&raw).plus(-1.0, &raw).add_to(&mut error);
-        }
+        let error = step.error();
         let motion = error.error_norm(&step.before, &step.after, self.tolerance);
         motion.max(error.greatest_work() / self.greatest_work_error)
     }

@@ -1,82 +1,66 @@
-//! When the damping is stiff over a step, and what it is then.
+//! When steps are stiff, and how the forces answer then.
 
-use crate::damping::{DampedSolve, Damping, Inertia};
-use crate::integrator::additive;
 use crate::motion::{Motion, Pieces};
+use crate::response::Response;
 use crate::state::State;
 
-/// Rate of decay times step length above which damping is taken implicitly, at a tolerance of
-/// 1e-4. At tighter ones accuracy rather than stability limits steps, and the explicit method,
+/// Greatest rate of decay times step length above which steps are implicit, at a tolerance of 1e-4: explicit ones
+/// would be near their limit of stability. At tighter tolerances accuracy limits steps first, and the explicit method,
 /// which has the higher order, is left to do more.
 const STIFF: f64 = 2.5;
-/// The most that it may be at any tolerance: explicit steps are then at their own limit of stability, and
-/// would linger there while feet stick.
+/// The most that it may be at any tolerance.
 const EXPLICIT_LIMIT: f64 = 6.3;
-/// Share of the limit below which so many more steps are taken before looking at the damping again,
-/// unless a law changes.
-const FAR_FROM_STIFF: f64 = 0.5;
-const MILD_STEPS: u32 = 16;
-/// Steps that one matrix serves unless a law changes: a step's order does not depend on how exact
-/// it is.
-const USES: u32 = 4;
-/// Times the limit beyond which every step has a matrix of its own: the error estimate leaves out what
-/// the damping kills, and what it kills that strongly has to be what there is.
-const KEPT_UP_TO: f64 = 4.0;
+/// Share of the limit below which a step is far from stiff.
+const FAR: f64 = 0.5;
+/// Steps from one look to the next, unless a law changes, far from the limit and near it.
+const STEPS_FAR: u32 = 17;
+const STEPS_NEAR: u32 = 4;
 
-/// The damping as steps see it: looked at as seldom as it may be.
+/// Whether steps are stiff, looked at as seldom as it may be.
 pub(super) struct Stiffness<const LEGS: usize> {
-    inertia: Inertia<f64, LEGS>,
-    /// Rate of decay times step length above which damping is taken implicitly.
+    response: Response<LEGS>,
     limit: f64,
-    /// Steps to come before the damping is looked at.
+    /// Explicit steps to come before looking again.
     mild_steps: u32,
-    /// The damping when last looked at, and the steps it still serves.
-    kept: Option<(Damping<f64, LEGS>, u32)>,
 }
 
 impl<const LEGS: usize> Stiffness<LEGS> {
     pub(super) fn new(motion: &Motion<LEGS>, tolerance: f64) -> Self {
         Self {
-            inertia: motion.inertia(),
+            response: motion.response(),
             limit: EXPLICIT_LIMIT.min(STIFF * (1e-4 / tolerance).max(1.0).sqrt().sqrt()),
             mild_steps: 0,
-            kept: None,
         }
     }
 
     /// Takes note of a change of laws.
     pub(super) fn forget(&mut self) {
         self.mild_steps = 0;
-        self.kept = None;
     }
 
-    /// The damping over a step of this length (s) from `state`, if it is stiff.
+    /// How forces answer at `state`, if a step of this length (s) from there is stiff.
     pub(super) fn over(
         &mut self,
         length: f64,
         motion: &Motion<LEGS>,
         state: &State<f64, LEGS>,
         pieces: &Pieces<LEGS>,
-    ) -> Option<DampedSolve<f64, LEGS>> {
+    ) -> Option<&Response<LEGS>> {
         if self.mild_steps > 0 {
             self.mild_steps -= 1;
             return None;
         }
-        let (damping, uses) = match &mut self.kept {
-            Some((damping, uses)) if *uses > 0 => (damping, uses),
-            kept => {
-                let (damping, uses) = kept.insert((motion.damping(state, pieces), USES));
-                (damping, uses)
-            }
+        motion.respond(state, pieces, &mut self.response);
+        let stiffness = length * self.response.greatest_rate() / self.limit;
+        if stiffness > 1.0 {
+            return Some(&self.response);
+        }
+        let steps = if stiffness < FAR {
+            STEPS_FAR
+        } else {
+            STEPS_NEAR
         };
-        *uses -= 1;
-        let stiffness = length * damping.greatest_rate(&self.inertia) / self.limit;
-        if stiffness < FAR_FROM_STIFF {
-            self.mild_steps = MILD_STEPS;
-        }
-        if !(FAR_FROM_STIFF..KEPT_UP_TO).contains(&stiffness) {
-            *uses = 0;
-        }
-        (stiffness > 1.0).then(|| damping.factor(&self.inertia, additive::GAMMA * length))
+        self.mild_steps = steps - 1;
+        None
     }
 }

@@ -16,6 +16,7 @@ pub(super) struct LegMotion<S> {
     pub(super) geometry: LegGeometry<S>,
     pub(super) link_inertia: S,
     inverse_link_inertia: S,
+    pub(super) pad_inertia: S,
     inverse_pad_inertia: S,
     /// Half of π d_f²/8 C_f: the attitude factor of (29) and (33) is then 1 + cos²ξ.
     pad_strength: S,
@@ -29,6 +30,7 @@ abreast!(LegMotion {
     geometry,
     link_inertia,
     inverse_link_inertia,
+    pad_inertia,
     inverse_pad_inertia,
     pad_strength,
     block_strength,
@@ -45,6 +47,7 @@ impl LegMotion<f64> {
             geometry: LegGeometry::new(leg, hardpoint_depth),
             link_inertia: design.linkage.inertia,
             inverse_link_inertia: 1.0 / design.linkage.inertia,
+            pad_inertia: pad.inertia,
             inverse_pad_inertia: 1.0 / pad.inertia,
             pad_strength: 0.25 * quarter_circle * pad.diameter * pad.diameter * pad.crush_pressure,
             block_strength: 0.5
@@ -138,6 +141,13 @@ impl<S: Real> LegMotion<S> {
         self.pad_strength * (pose.pad_upright + pose.pad_inclination)
     }
 
+    /// Normal force (33) on the block per unit of relative pressure, lb.
+    #[inline(always)]
+    pub(super) fn block_force_per_pressure(&self, frame: &LegFrame<S>) -> S {
+        let cos_block = frame.normal.z;
+        self.block_strength * (S::one() + cos_block * cos_block)
+    }
+
     /// Normal force (33) on the block, lb.
     #[inline(always)]
     pub(super) fn block_normal(
@@ -146,10 +156,7 @@ impl<S: Real> LegMotion<S> {
         pose: &LegPose<S>,
         pieces: &LegPieces<S>,
     ) -> S {
-        let cos_block = frame.normal.z;
-        self.block_strength
-            * (S::one() + cos_block * cos_block)
-            * pieces.block.at(pose.block_interference)
+        self.block_force_per_pressure(frame) * pieces.block.at(pose.block_interference)
     }
 
     /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is

@@ -1,10 +1,10 @@
 //! The equations of motion and one Runge-Kutta step without the landing around them.
 
 use touchdown_dynamics::contact::{LegLaws, LegMode};
-use touchdown_dynamics::damping::Damping;
-use touchdown_dynamics::integrator::additive;
+use touchdown_dynamics::integrator::rosenbrock::GAMMA;
 use touchdown_dynamics::integrator::step::Step;
 use touchdown_dynamics::motion::{LegSignals, Motion, Pieces, Signal};
+use touchdown_dynamics::response::Response;
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::vehicle::Vehicle;
@@ -81,42 +81,50 @@ impl<const LEGS: usize> Bare<LEGS> {
         self.motion.signals(state, &self.pieces, true)
     }
 
-    /// The damping matrix at a state.
-    pub fn damping(&self, state: &State<f64, LEGS>) -> Damping<f64, LEGS> {
-        self.motion.damping(state, &self.pieces)
+    /// How the forces answer at a state.
+    pub fn response(&self, state: &State<f64, LEGS>) -> Response<LEGS> {
+        let mut response = self.motion.response();
+        self.motion.respond(state, &self.pieces, &mut response);
+        response
     }
 
     /// One step of `length` seconds.
     pub fn step(&self, state: &State<f64, LEGS>, length: f64) -> Step<f64, LEGS> {
-        let mut slope = State::zero();
-        self.derivative(state, &mut slope);
-        let mut step = Step::from(*state, slope);
+        let mut step = self.standing_at(state);
         let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
         step.take_explicit(length, derivative, derivative);
         step
     }
 
-    /// `count` steps through `time` seconds, with this share of the damping implicit.
-    pub fn march_damped(
+    /// One implicit step of `length` seconds.
+    pub fn implicit_step(&self, state: &State<f64, LEGS>, length: f64) -> Step<f64, LEGS> {
+        let mut step = self.standing_at(state);
+        let response = self.response(state);
+        let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
+        step.take_implicit(
+            length,
+            &response.over(GAMMA * length),
+            derivative,
+            derivative,
+        );
+        step
+    }
+
+    fn standing_at(&self, state: &State<f64, LEGS>) -> Step<f64, LEGS> {
+        let mut slope = State::zero();
+        self.derivative(state, &mut slope);
+        Step::from(*state, slope)
+    }
+
+    /// `count` implicit steps through `time` seconds.
+    pub fn march_implicit(
         &self,
         state: &State<f64, LEGS>,
         time: f64,
         count: u32,
-        share: f64,
     ) -> State<f64, LEGS> {
         let length = time / f64::from(count);
-        let inertia = self.motion.inertia();
-        (0..count).fold(*state, |state, _| {
-            let mut slope = State::zero();
-            self.derivative(&state, &mut slope);
-            let mut step = Step::from(state, slope);
-            let damped = self
-                .damping(&state)
-                .factor(&inertia, share * additive::GAMMA * length);
-            let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
-            step.take_damped(length, &damped, derivative, derivative);
-            step.after
-        })
+        (0..count).fold(*state, |state, _| self.implicit_step(&state, length).after)
     }
 
     /// `count` steps through `time` seconds.

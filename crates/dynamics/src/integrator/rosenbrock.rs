@@ -1,0 +1,129 @@
+//! Linearly implicit steps of order four: Rodas4P2.
+//!
+//! G. Steinebach, "Improvement of Rosenbrock-Wanner method RODASP", in T. Reis, S. Grundel, S. Schöps (eds.),
+//! Progress in Differential-Algebraic Equations II, Springer 2020, 165-184; written for transformed stages after
+//! E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.7. L-stable and stiffly accurate, it does
+//! not lose order where a foot is stuck, and it stays of order two with an inexact derivative.
+//!
+//! What only accumulates (work integrals, rates of pads at rest on a stop) is left out of the stages and summed
+//! by Simpson's rule, which takes one more evaluation, in the middle.
+
+use crate::integrator::step::{Step, Weights};
+use crate::response::System;
+use crate::state::State;
+
+/// Evaluations of the derivative in a step.
+pub const EVALUATIONS: u64 = 7;
+
+/// Diagonal of the implicit scheme: stages are solved with τ = γh.
+pub const GAMMA: f64 = 0.25;
+/// Weights of stages before on a stage's state; the last one's, and itself once more, make the result.
+const STATE: [[f64; 5]; 5] = [
+    [3.0, 0.0, 0.0, 0.0, 0.0],
+    [0.906377755268814, -0.189707390391685, 0.0, 0.0, 0.0],
+    [
+        3.758617027739064,
+        1.161741776019525,
+        -0.849258085312803,
+        0.0,
+        0.0,
+    ],
+    LAST,
+    [LAST[0], LAST[1], LAST[2], LAST[3], 1.0],
+];
+const LAST: [f64; 5] = [
+    7.089566927282776,
+    4.573591406461604,
+    -8.423496976860259,
+    -0.959280113459775,
+    0.0,
+];
+/// Weights of stages before, over h, on the right-hand side of a stage.
+const SLOPE: [[f64; 5]; 5] = [
+    [-12.0, 0.0, 0.0, 0.0, 0.0],
+    [-6.354581592719008, 0.338972550544623, 0.0, 0.0, 0.0],
+    [
+        -8.575016317114033,
+        -7.606483992117508,
+        12.22499765012482,
+        0.0,
+        0.0,
+    ],
+    [
+        -5.888975457523102,
+        -8.15739661784182,
+        24.805546872612922,
+        12.79040151279698,
+        0.0,
+    ],
+    [
+        -4.408651676063871,
+        -6.692003137674639,
+        24.625568527593117,
+        16.627521966636085,
+        -5.714285714285718,
+    ],
+];
+
+impl<const LEGS: usize> Step<f64, LEGS> {
+    /// Takes a step of length `h` from `before`, where the derivative is the first slope; `system` is that of
+    /// τ = [`GAMMA`] h. `derivative` writes the derivative at a state into its second argument; `last` does so at
+    /// the end of the step, where rates of pads at rest are yet those of its start.
+    #[inline(always)]
+    pub fn take_implicit(
+        &mut self,
+        h: f64,
+        system: &System<'_, LEGS>,
+        derivative: impl Fn(&State<f64, LEGS>, &mut State<f64, LEGS>),
+        last: impl FnOnce(&State<f64, LEGS>, &mut State<f64, LEGS>),
+    ) {
+        self.length = h;
+        self.weights = Weights {
+            result: [0.0, 1.0, 0.0, 0.0, 0.0],
+            error: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+            error_order: 4.0,
+            // The continuous output is the cubic between the ends.
+            bump: [0.0; 6],
+        };
+        let mut stages = [State::zero(); 6];
+        system.solve(&self.slopes[0], &mut stages[0]);
+        self.take_stage::<1>(system, &mut stages, &derivative);
+        self.take_stage::<2>(system, &mut stages, &derivative);
+        self.take_stage::<3>(system, &mut stages, &derivative);
+        self.take_stage::<4>(system, &mut stages, &derivative);
+        self.take_stage::<5>(system, &mut stages, &derivative);
+        self.after = self.before;
+        self.stage
+            .advance_motion([1.0], [&stages[5]], &mut self.after);
+
+        // In place of its stages' slopes a step keeps its mean slope, that in the middle, and its error over h.
+        let [first, mean, middle, error, _, end] = &mut self.slopes;
+        last(&self.after, end);
+        self.before
+            .midway(&self.after, 0.125 * h, [&*first, &*end], &mut self.stage);
+        derivative(&self.stage, middle);
+        *error = stages[5].over(h);
+        let summed = |j| system.is_pad_at_rest(j);
+        self.after
+            .accumulate(&self.before, h, [&*first, &*middle, &*end], summed, error);
+        *mean = self.after.minus(&self.before).over(h);
+    }
+
+    /// Takes the stage that comes after `BEFORE` others.
+    #[inline(always)]
+    fn take_stage<const BEFORE: usize>(
+        &mut self,
+        system: &System<'_, LEGS>,
+        stages: &mut [State<f64, LEGS>; 6],
+        derivative: &impl Fn(&State<f64, LEGS>, &mut State<f64, LEGS>),
+    ) {
+        let before: [&State<f64, LEGS>; BEFORE] = std::array::from_fn(|j| &stages[j]);
+        let weights: [f64; BEFORE] = std::array::from_fn(|j| STATE[BEFORE - 1][j]);
+        self.before.advance_motion(weights, before, &mut self.stage);
+        let slope = &mut self.slopes[4];
+        derivative(&self.stage, slope);
+        let weights: [f64; BEFORE] = std::array::from_fn(|j| SLOPE[BEFORE - 1][j] / self.length);
+        let given = slope.advanced_motion(weights, before);
+        system.solve(&given, &mut stages[BEFORE]);
+    }
+}

@@ -1,0 +1,292 @@
+//! How the forces on a leg answer small changes of the motion.
+
+use nalgebra::{Matrix3, Vector3, Vector4, Vector6};
+use pulp::NullaryFnOnce;
+
+use super::leg::LegMotion;
+use super::{Group, LegPieces, Motion, Pieces};
+use crate::friction::FrictionPiece;
+use crate::kinematics::{
+    BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
+};
+use crate::quad::{Abreast, Quad, groups_of};
+use crate::response::{Answer, Coordinates, LegResponse, Response};
+use crate::scalar::Real;
+use crate::state::{LegState, State};
+
+impl<const LEGS: usize> Motion<LEGS> {
+    /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
+    pub fn response(&self) -> Response<LEGS> {
+        Response {
+            rotation: Matrix3::identity(),
+            quaternion: Vector4::x(),
+            mass: 1.0 / self.inverse_mass,
+            inertia: self.inertia,
+            groups: std::array::from_fn(|_| LegResponse::none()),
+        }
+    }
+
+    /// Writes how the forces answer at a state.
+    pub fn respond(
+        &self,
+        state: &State<f64, LEGS>,
+        pieces: &Pieces<LEGS>,
+        response: &mut Response<LEGS>,
+    ) {
+        let body = state.body();
+        let frame = self.surface.frame(&body);
+        response.rotation = frame.rotation;
+        response.quaternion = body.quaternion;
+        for index in 0..const { groups_of(LEGS) } {
+            let group = self.group(index, &frame, state, pieces);
+            self.arch
+                .dispatch(GroupResponse(group, &mut response.groups[index]));
+        }
+    }
+}
+
+/// How a group of legs answers.
+struct GroupResponse<'a, const LEGS: usize>(Group<'a, LEGS>, &'a mut LegResponse<Quad>);
+
+impl<const LEGS: usize> NullaryFnOnce for GroupResponse<'_, LEGS> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(group, response) = self;
+        let legs = group.state.legs_abreast(group.index);
+        group
+            .motion
+            .respond(&group.frame.shared(), &legs, group.pieces, response);
+    }
+}
+
+impl<S: Real> LegMotion<S> {
+    /// Writes how the forces on this leg answer.
+    #[inline(always)]
+    fn respond(
+        &self,
+        body: &BodyFrame<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+        response: &mut LegResponse<S>,
+    ) {
+        let geometry = &self.geometry;
+        let (length, free) = (geometry.link_length(), pieces.link.free);
+        let is_pad_slack = pieces.pad[0].is_slack() && pieces.pad[1].is_slack();
+        let is_block_slack = pieces.block.is_slack();
+        response.clear();
+        response.inertia = [self.link_inertia, self.pad_inertia];
+        response.link_moves = pieces.link.moving;
+        response.link_damping = pieces.link.run_down() * self.link_inertia;
+        response.pad_speed = pieces.hinge.speed_changes(leg.pad_angle, leg.pad_rate);
+        response.hinge_gain = pieces.hinge.gain_at(leg.pad_angle);
+        response.swings_pads = !response.hinge_gain.is_zero();
+        // Legs that hang in the air answer nothing else.
+        if is_pad_slack && is_block_slack && free.is_zero() {
+            return;
+        }
+        let frame = geometry.frame(body);
+        let pose = geometry.pose(&frame, leg.link_angle, leg.pad_angle);
+        let normal = &frame.normal;
+
+        if !is_pad_slack {
+            let swing = pose.link_normal.in_leg_axes() * length;
+            // The pivot swings on a circle about the hardpoint.
+            let toward_hardpoint = Vector3::new(-swing.z, S::zero(), swing.x);
+            let velocity = frame.pivot_velocity(&pose, length * leg.link_rate);
+            let contact = Contact {
+                geometry,
+                frame: &frame,
+                point: &pose.pivot,
+                velocity: &velocity,
+                carried: frame.carried_round(&pose.pivot) + swing * leg.link_rate,
+                swing,
+                bend: frame.rate().cross(&swing) + toward_hardpoint * leg.link_rate,
+                link_share: free,
+                friction: &pieces.pad_friction,
+                coefficient: self.pad_friction,
+            };
+            let line = contact.line();
+            let along_line = contact.along(&line);
+            let per_pressure = self.pad_force_per_pressure(&pose);
+            let mut force = S::zero();
+            let mut hinge_lever = PlaneDirection::zero();
+            let mut press = Coordinates::zero();
+            for k in [0, 1] {
+                let centroid = geometry.section_centroid(&pose, k);
+                let borne = per_pressure * pieces.pad[k].at(pose.pad_interference[k]);
+                force += borne;
+                let deeper = contact.deeper(&pose, &centroid);
+                let slope = pieces.pad[k].slope();
+                press.add(slope, &deeper);
+                if response.swings_pads {
+                    // The lever of (52).
+                    let lever = centroid.turned();
+                    hinge_lever.add(borne, &lever);
+                    let torque =
+                        borne * pose.pad_y.dot(&line) + per_pressure * slope * lever.dot(&line);
+                    response.hinge_torque.add(torque, &deeper);
+                    let leaning = borne * centroid.dot(&line);
+                    response.hinge_torque.pad += leaning;
+                    response.hinge_torque.link -= leaning;
+                }
+            }
+            let [along, across] = contact.rub(force, &hinge_lever);
+            response.push(&along);
+            response.push(&across);
+            response.push(&Answer {
+                force: contact.force(&along_line, -per_pressure, S::zero()),
+                velocity: Coordinates::zero(),
+                displacement: press,
+            });
+            let force = line * -force;
+            response.link_torque =
+                contact.turned(&swing.cross(&force), toward_hardpoint.dot(&force));
+        }
+        if !is_block_slack {
+            let point = &pose.block_center;
+            let none = Vector3::from([S::zero(); 3]);
+            let velocity = frame.velocity_at(point);
+            let contact = Contact {
+                geometry,
+                frame: &frame,
+                point,
+                velocity: &velocity,
+                carried: frame.carried_round(point),
+                swing: none,
+                bend: none,
+                link_share: S::zero(),
+                friction: &pieces.block_friction,
+                coefficient: self.block_friction,
+            };
+            let force = self.block_normal(&frame, &pose, pieces);
+            let [along, across] = contact.rub(force, &PlaneDirection::zero());
+            response.push(&along);
+            response.push(&across);
+            let per_depth = self.block_force_per_pressure(&frame) * pieces.block.slope();
+            let along_line = contact.along(&contact.line());
+            let mut deeper = contact.along(normal);
+            deeper.body *= body.upright;
+            response.push(&Answer {
+                force: contact.force(&along_line, -per_depth, S::zero()),
+                velocity: Coordinates::zero(),
+                displacement: deeper,
+            });
+        }
+
+        let (stroke, lever) = (pose.stroke, pose.strut_lever);
+        let damping = pieces.strut.damping(stroke, leg.link_rate, lever);
+        let lever_change = geometry.strut_lever_change(stroke, lever);
+        let strut = (pieces.strut).torque_change(stroke, leg.link_rate, lever, lever_change);
+        response.link_damping += free * damping * lever;
+        response.link_torque.link += strut;
+        response.link_torque.body *= free;
+        response.link_torque.link *= free;
+    }
+}
+
+/// A footpad's pivot or a block's crushed centre, pressed on the surface; vectors in leg axes.
+struct Contact<'a, S> {
+    geometry: &'a LegGeometry<S>,
+    frame: &'a LegFrame<S>,
+    point: &'a PlanePoint<S>,
+    velocity: &'a PointVelocity<S>,
+    /// Its velocity relative to the CG, ft/s.
+    carried: Vector3<S>,
+    /// Its velocity per link rate, ft.
+    swing: Vector3<S>,
+    /// Change of its velocity per link angle, ft/s.
+    bend: Vector3<S>,
+    /// 1 where the force turns the link, else 0.
+    link_share: S,
+    friction: &'a FrictionPiece<S>,
+    /// Nominal coefficient of friction.
+    coefficient: S,
+}
+
+impl<S: Real> Contact<'_, S> {
+    /// n + μ t̂.
+    #[inline(always)]
+    fn line(&self) -> Vector3<S> {
+        let per_speed = self.friction.per_speed(self.velocity.sliding_squared);
+        self.frame.normal + self.velocity.sliding * (self.coefficient * per_speed)
+    }
+
+    /// A quantity that changes with rotation of the body and with the link.
+    #[inline(always)]
+    fn turned(&self, rotation: &Vector3<S>, link: S) -> Coordinates<S> {
+        let r = self.geometry.in_vehicle_axes(rotation);
+        let zero = S::zero();
+        Coordinates {
+            body: Vector6::new(zero, zero, zero, r.x, r.y, r.z),
+            link,
+            pad: zero,
+        }
+    }
+
+    /// Velocity of this point in a direction per velocities; a force in that direction acts by the same numbers.
+    #[inline(always)]
+    fn along(&self, direction: &Vector3<S>) -> Coordinates<S> {
+        let d = self.geometry.in_vehicle_axes(direction);
+        let mut along = self.turned(&self.point.moment(direction), self.swing.dot(direction));
+        (along.body[0], along.body[1], along.body[2]) = (d.x, d.y, d.z);
+        along
+    }
+
+    /// What a force (lb) does that acts `along` a direction, with a torque on the pad's hinge.
+    #[inline(always)]
+    fn force(&self, along: &Coordinates<S>, force: S, on_hinge: S) -> Coordinates<S> {
+        Coordinates {
+            body: along.body * force,
+            link: self.link_share * (along.link * force),
+            pad: on_hinge,
+        }
+    }
+
+    /// Interference (19) of the pad section at this crushed centroid, per displacement.
+    #[inline(always)]
+    fn deeper(&self, pose: &LegPose<S>, centroid: &PlaneDirection<S>) -> Coordinates<S> {
+        let n = &self.frame.normal;
+        let up = pose.pad_upright;
+        // The pad tilts with its link, and against its own angle.
+        let tilt = centroid.turned().dot(n) * up;
+        let moment = self.point.moment(n) + centroid.in_leg_axes().cross(n);
+        let mut deeper = self.turned(&(moment * up), self.swing.dot(n) * up + tilt);
+        let d = self.geometry.in_vehicle_axes(n) * up;
+        (deeper.body[0], deeper.body[1], deeper.body[2]) = (d.x, d.y, d.z);
+        deeper.pad = -tilt;
+        deeper
+    }
+
+    /// How friction under a normal force (lb) answers sliding on and sliding aside. `hinge_lever` is the lever
+    /// of the pad's hinge times the normal force.
+    #[inline(always)]
+    fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [Answer<S>; 2] {
+        let (along, across) = self.frame.tangents(self.velocity);
+        let across_rate = self.friction.per_speed(self.velocity.sliding_squared);
+        [
+            self.rub_along(&along, self.friction.change(), force, hinge_lever),
+            self.rub_along(&across, across_rate, force, hinge_lever),
+        ]
+    }
+
+    /// The same for one direction, at this rate dμ/dS over the nominal coefficient, s/ft.
+    #[inline(always)]
+    fn rub_along(
+        &self,
+        direction: &Vector3<S>,
+        rate: S,
+        force: S,
+        hinge_lever: &PlaneDirection<S>,
+    ) -> Answer<S> {
+        let rate = -(self.coefficient * rate);
+        let velocity = self.along(direction);
+        let on_hinge = -(rate * hinge_lever.dot(direction));
+        Answer {
+            force: self.force(&velocity, force * rate, on_hinge),
+            velocity,
+            displacement: self.turned(&self.carried.cross(direction), self.bend.dot(direction)),
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! The response is what forces do when the motion changes a little.
+
+mod common;
+
+use common::bare::Bare;
+use common::scenes::pressed_in;
+use common::{level_scene, table_4_1};
+use nalgebra::{Vector3, Vector4};
+use touchdown_dynamics::motion::Signal;
+use touchdown_dynamics::state::{LegState, State, quaternion_rate};
+use touchdown_dynamics::touchdown::touchdown;
+
+/// A vehicle that stands along the slope with all its feet `depth` ft deep, sliding and turning, its struts stroking
+/// and returning.
+fn pressed(depth: f64, sliding: f64) -> (Bare<3>, State<f64, 3>) {
+    let vehicle = table_4_1();
+    let scene = level_scene(170.0, -10.0, 11.0);
+    let mut bare = Bare::new(&vehicle, &scene);
+    let first = touchdown(&vehicle, &scene, &bare.motion);
+    let mut state = pressed_in(first, [-0.8, 0.3, -0.1], Vector3::new(0.2, -0.3, 0.1));
+    let mut body = state.body();
+    let slope = scene.conditions().slope;
+    let (sine, cosine) = (0.5 * slope).sin_cos();
+    body.quaternion = Vector4::new(cosine, -sine, 0.0, 0.0);
+    body.velocity = Vector3::new(sliding, 0.3 * sliding, 0.0);
+    state.set_body(&body);
+    let deep = bare.signals(&state)[0][Signal::OuterInterference as usize];
+    body.position.z += (depth - deep) / slope.cos();
+    state.set_body(&body);
+    bare.settle(&state);
+    (bare, state)
+}
+
+const STILL: LegState<f64> = LegState {
+    link_angle: 0.0,
+    link_rate: 0.0,
+    pad_angle: 0.0,
+    pad_rate: 0.0,
+    work: [0.0; 6],
+};
+
+fn of_leg(j: usize, leg: LegState<f64>) -> State<f64, 3> {
+    let mut state = State::zero();
+    state.set_leg(j, &leg);
+    state
+}
+
+/// Changes of one kind: velocities of the body along and about three axes, its displacements, and for each leg the
+/// rates of link and pad and their angles.
+fn changes(quaternion: &Vector4<f64>) -> Vec<State<f64, 3>> {
+    let mut changes = Vec::new();
+    for kind in 0..4 {
+        for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+            let mut body = State::<f64, 3>::zero().body();
+            match kind {
+                0 => body.velocity = axis,
+                1 => body.rate = axis,
+                2 => body.position = axis,
+                _ => body.quaternion = quaternion_rate(quaternion, &axis),
+            }
+            changes.push(State::new(&body, [STILL; 3]));
+        }
+    }
+    for j in 0..3 {
+        let mut of_kind = |change: &dyn Fn(&mut LegState<f64>)| {
+            let mut leg = STILL;
+            change(&mut leg);
+            changes.push(of_leg(j, leg));
+        };
+        of_kind(&|leg| leg.link_rate = 1.0);
+        of_kind(&|leg| leg.pad_rate = 1.0);
+        of_kind(&|leg| leg.link_angle = 1.0);
+        of_kind(&|leg| leg.pad_angle = 1.0);
+    }
+    changes
+}
+
+fn greatest(s: &State<f64, 3>) -> f64 {
+    s.error_norm(&State::zero(), &State::zero(), 1.0)
+}
+
+/// Change of the slope per change of the state along `u`.
+fn answered(bare: &Bare<3>, state: &State<f64, 3>, u: &State<f64, 3>) -> State<f64, 3> {
+    let epsilon = 1e-6 / greatest(u);
+    let [up, down] = [epsilon, -epsilon].map(|epsilon| {
+        let mut slope = State::zero();
+        bare.derivative(&state.advanced_motion([epsilon], [u]), &mut slope);
+        slope
+    });
+    up.minus(&down).over(2.0 * epsilon)
+}
+
+#[test]
+fn implicit_stages_solve_the_equations_of_small_motions() {
+    let tau = 3e-4;
+    // Stuck and sliding at either branch of friction; with blocks pressed in as well.
+    for (depth, sliding) in [(0.06, 0.01), (0.06, 0.4), (0.06, 4.0), (0.9, 0.01)] {
+        let (bare, state) = pressed(depth, sliding);
+        let response = bare.response(&state);
+        let system = response.over(tau);
+        let rotations = 9..12;
+        let mut answers = 0;
+        for (k, r) in changes(&state.body().quaternion).iter().enumerate() {
+            let mut u = State::zero();
+            system.solve(r, &mut u);
+            let answered = answered(&bare, &state, &u);
+            let off = greatest(&u.over(tau).minus(&answered).minus(r));
+            let answered = greatest(&answered);
+            // As the body turns, levers of all forces turn with it, which is left out: it is not stiff.
+            let bound = if rotations.contains(&k) {
+                2000.0
+            } else {
+                5e-3 * answered.max(1.0)
+            };
+            assert!(
+                off < bound,
+                "{depth} ft deep at {sliding} ft/s, change {k}: off {off:e} of {answered:e}"
+            );
+            answers += u32::from(answered > 1.0);
+        }
+        assert_eq!(
+            answers, 20,
+            "all but displacements along the surface, at no speed of the pads"
+        );
+    }
+}
+
+#[test]
+fn greatest_rate_is_the_trace_of_what_velocities_do() {
+    let (bare, state) = pressed(0.06, 0.01);
+    let trace: f64 = changes(&state.body().quaternion)
+        .iter()
+        .enumerate()
+        .map(|(k, speed)| {
+            let slope = answered(&bare, &state, speed);
+            match k {
+                0..3 => slope.body().velocity[k],
+                3..6 => slope.body().rate[k - 3],
+                12 | 16 | 20 => slope.leg((k - 12) / 4).link_rate,
+                _ => 0.0,
+            }
+        })
+        .sum();
+    let rate = bare.response(&state).greatest_rate();
+    assert!(rate > 1000.0, "{rate}");
+    // Products of inertia are left out.
+    assert!((rate / -trace - 1.0).abs() < 0.03, "{rate}, not {trace}");
+}
