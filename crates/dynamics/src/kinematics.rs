@@ -4,6 +4,8 @@
 //! The inward surface normal and the velocities are turned into the vehicle once, and then into
 //! the plane of each leg, where its geometry lies.
 
+mod plane;
+
 use libm::sincos;
 use nalgebra::{Matrix3, Vector3};
 
@@ -12,6 +14,8 @@ use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, rotation};
 use crate::vehicle::Leg;
+
+pub use plane::{PlaneDirection, PlanePoint};
 
 /// The rigid body's frame at one instant.
 #[derive(Debug, Clone, Copy)]
@@ -143,73 +147,6 @@ pub struct LegFrame<S> {
     rate: Vector3<S>,
     depth: S,
     upright: S,
-}
-
-/// A point in the plane of a leg, relative to the CG, ft.
-#[derive(Debug, Clone, Copy)]
-pub struct PlanePoint<S> {
-    /// Distance from the centreline.
-    pub reach: S,
-    /// Depth below the CG along the centreline.
-    pub drop: S,
-}
-
-/// A direction or an offset in the plane of a leg.
-#[derive(Debug, Clone, Copy)]
-pub struct PlaneDirection<S> {
-    outboard: S,
-    down: S,
-}
-
-impl<S: Real> PlaneDirection<S> {
-    /// None.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self {
-            outboard: S::zero(),
-            down: S::zero(),
-        }
-    }
-
-    /// Adds factor · other.
-    #[inline(always)]
-    pub fn add(&mut self, factor: S, other: &Self) {
-        self.outboard += factor * other.outboard;
-        self.down += factor * other.down;
-    }
-
-    /// Turned a right angle from outboard to down, as y'' is to become z''.
-    #[inline(always)]
-    pub fn turned(&self) -> Self {
-        Self {
-            outboard: -self.down,
-            down: self.outboard,
-        }
-    }
-
-    /// The direction as a vector in leg axes.
-    #[inline(always)]
-    pub fn in_leg_axes(&self) -> Vector3<S> {
-        Vector3::new(self.outboard, S::zero(), self.down)
-    }
-
-    /// Scalar product with a vector in leg axes.
-    #[inline(always)]
-    pub fn dot(&self, vector: &Vector3<S>) -> S {
-        self.outboard * vector.x + self.down * vector.z
-    }
-}
-
-impl<S: Real> PlanePoint<S> {
-    /// Moment about the CG of a force at this point, leg axes, ft·lb.
-    #[inline(always)]
-    pub fn moment(&self, force: &Vector3<S>) -> Vector3<S> {
-        Vector3::new(
-            -self.drop * force.y,
-            self.drop * force.x - self.reach * force.z,
-            self.reach * force.y,
-        )
-    }
 }
 
 /// Geometry of a leg at one instant.

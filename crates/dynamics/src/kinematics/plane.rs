@@ -1,0 +1,74 @@
+//! Points and directions in the plane of a leg, where its geometry lies.
+
+use nalgebra::Vector3;
+
+use crate::scalar::Real;
+
+/// A point in the plane of a leg, relative to the CG, ft.
+#[derive(Debug, Clone, Copy)]
+pub struct PlanePoint<S> {
+    /// Distance from the centreline.
+    pub reach: S,
+    /// Depth below the CG along the centreline.
+    pub drop: S,
+}
+
+/// A direction or an offset in the plane of a leg.
+#[derive(Debug, Clone, Copy)]
+pub struct PlaneDirection<S> {
+    /// Component outboard.
+    pub(super) outboard: S,
+    /// Component along the centreline, down.
+    pub(super) down: S,
+}
+
+impl<S: Real> PlaneDirection<S> {
+    /// None.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            outboard: S::zero(),
+            down: S::zero(),
+        }
+    }
+
+    /// Adds factor · other.
+    #[inline(always)]
+    pub fn add(&mut self, factor: S, other: &Self) {
+        self.outboard += factor * other.outboard;
+        self.down += factor * other.down;
+    }
+
+    /// Turned a right angle from outboard to down, as y'' is to become z''.
+    #[inline(always)]
+    pub fn turned(&self) -> Self {
+        Self {
+            outboard: -self.down,
+            down: self.outboard,
+        }
+    }
+
+    /// The direction as a vector in leg axes.
+    #[inline(always)]
+    pub fn in_leg_axes(&self) -> Vector3<S> {
+        Vector3::new(self.outboard, S::zero(), self.down)
+    }
+
+    /// Scalar product with a vector in leg axes.
+    #[inline(always)]
+    pub fn dot(&self, vector: &Vector3<S>) -> S {
+        self.outboard * vector.x + self.down * vector.z
+    }
+}
+
+impl<S: Real> PlanePoint<S> {
+    /// Moment about the CG of a force at this point, leg axes, ft·lb.
+    #[inline(always)]
+    pub fn moment(&self, force: &Vector3<S>) -> Vector3<S> {
+        Vector3::new(
+            -self.drop * force.y,
+            self.drop * force.x - self.reach * force.z,
+            self.reach * force.y,
+        )
+    }
+}

@@ -1,0 +1,326 @@
+//! The linear equations of a stage of an implicit step. Legs touch the body but not each other, so eliminating them
+//! leaves six equations.
+
+use nalgebra::{Matrix6, Vector3, Vector4, Vector6};
+use num_traits::{One, Zero};
+
+use super::{LegResponse, Response, none, product};
+use crate::quad::{GROUPS, LANES, Quad, groups_of};
+use crate::scalar::Real;
+use crate::state::{Body, LegState, State, quaternion_rate};
+
+impl<const LEGS: usize> Response<LEGS> {
+    /// The equations of an implicit stage of weight τ (s).
+    #[inline(always)]
+    pub fn over(&self, tau: f64) -> System<'_, LEGS> {
+        let mut matrix = Matrix6::zeros();
+        for i in 0..3 {
+            matrix[(i, i)] = self.mass;
+            for k in 0..3 {
+                matrix[(3 + i, 3 + k)] = self.inertia[(i, k)];
+            }
+        }
+        let mut legs = [Eliminated::nothing(); GROUPS];
+        for (group, leg) in legs.iter_mut().enumerate().take(groups_of(LEGS)) {
+            let body = leg.eliminate(&self.groups[group], Quad::constant(tau));
+            for lane in 0..LANES.min(LEGS - group * LANES) {
+                for i in 0..36 {
+                    matrix[i] += body[i].0[lane];
+                }
+            }
+        }
+        // L U in place, with ones on the diagonal of L and the inverse of that of U.
+        for pivot in 0..6 {
+            let inverse = 1.0 / matrix[(pivot, pivot)];
+            matrix[(pivot, pivot)] = inverse;
+            for row in pivot + 1..6 {
+                matrix[(row, pivot)] *= inverse;
+            }
+            for column in pivot + 1..6 {
+                let above = matrix[(pivot, column)];
+                for row in pivot + 1..6 {
+                    let product = matrix[(row, pivot)] * above;
+                    matrix[(row, column)] -= product;
+                }
+            }
+        }
+        System {
+            response: self,
+            tau,
+            factors: matrix,
+            legs,
+        }
+    }
+}
+
+/// Rows and columns of link and pad, eliminated from the equations of an implicit stage.
+#[derive(Debug, Clone, Copy)]
+struct Eliminated {
+    /// τ of the pad angle: τ/(1 − τ ∂(dα/dt)/∂α), s.
+    pad_tau: Quad,
+    /// Forces on the body, times τ, per rate of link and of the pad against it.
+    columns: [Vector6<Quad>; 2],
+    /// Inverse of what is between link and pad.
+    inverse: [[Quad; 2]; 2],
+    /// What they move at per velocity of the body, the other way round.
+    rows: [Vector6<Quad>; 2],
+}
+
+impl Eliminated {
+    /// No legs.
+    #[inline(always)]
+    fn nothing() -> Self {
+        let zero = Quad::zero();
+        Self {
+            pad_tau: zero,
+            columns: [none(); 2],
+            inverse: [[zero; 2]; 2],
+            rows: [none(); 2],
+        }
+    }
+
+    /// Eliminates four legs: what that leaves of them in the body's equations.
+    #[inline(always)]
+    fn eliminate(&mut self, leg: &LegResponse<Quad>, tau: Quad) -> Matrix6<Quad> {
+        let [follows, fades] = leg.pad_speed;
+        let [link_inertia, pad_inertia] = leg.inertia;
+        let squared = tau * tau;
+        let link_way = tau * leg.link_moves;
+        let pad_tau = tau / (Quad::one() - tau * fades);
+        let pad_way = pad_tau * follows;
+        let (link_torque, hinge_torque) = (&leg.link_torque, &leg.hinge_torque);
+
+        let mut body = Matrix6::from([[Quad::zero(); 6]; 6]);
+        let mut columns = [none(); 2];
+        let mut rows = [link_torque.body * -squared, hinge_torque.body * -squared];
+        let damping = leg.link_damping - link_way * link_torque.link;
+        let hinge = tau * (link_way * hinge_torque.link + pad_way * hinge_torque.pad);
+        let mut own = [
+            [link_inertia + tau * damping, Quad::zero()],
+            [-hinge, pad_inertia - tau * pad_way * hinge_torque.pad],
+        ];
+        for answer in leg.answers() {
+            let (velocity, displacement) = (&answer.velocity, &answer.displacement);
+            let reach = velocity.body + displacement.body * tau;
+            let pad_reach = pad_way * displacement.pad;
+            let link_reach = velocity.link + link_way * displacement.link + pad_reach;
+            let force = answer.force.body * tau;
+            for k in 0..6 {
+                for i in 0..6 {
+                    body[(i, k)] -= force[i] * reach[k];
+                }
+            }
+            let on_link = tau * answer.force.link;
+            columns[0] -= force * link_reach;
+            rows[0] -= reach * on_link;
+            own[0][0] -= on_link * link_reach;
+            if leg.swings_pads {
+                let on_pad = tau * answer.force.pad;
+                columns[1] -= force * pad_reach;
+                rows[1] -= reach * on_pad;
+                own[0][1] -= on_link * pad_reach;
+                own[1][0] -= on_pad * link_reach;
+                own[1][1] -= on_pad * pad_reach;
+            }
+        }
+        let [[a, b], [c, d]] = own;
+        let per_determinant = Quad::one() / (a * d - b * c);
+        let inverse = [
+            [d * per_determinant, -(b * per_determinant)],
+            [-(c * per_determinant), a * per_determinant],
+        ];
+        let mut solved = [rows[0] * inverse[0][0], none()];
+        if leg.swings_pads {
+            solved[0] += rows[1] * inverse[0][1];
+            solved[1] = rows[0] * inverse[1][0] + rows[1] * inverse[1][1];
+        }
+        for k in 0..6 {
+            for i in 0..6 {
+                body[(i, k)] -= columns[0][i] * solved[0][k];
+            }
+        }
+        if leg.swings_pads {
+            for k in 0..6 {
+                for i in 0..6 {
+                    body[(i, k)] -= columns[1][i] * solved[1][k];
+                }
+            }
+        }
+        *self = Self {
+            pad_tau,
+            columns,
+            inverse,
+            rows: solved,
+        };
+        body
+    }
+}
+
+/// The equations (1/τ − J) u = r of an implicit stage, factored: J is the derivative of the motion as far as
+/// forces answer, u and r are states.
+#[derive(Debug, Clone, Copy)]
+pub struct System<'a, const LEGS: usize> {
+    response: &'a Response<LEGS>,
+    tau: f64,
+    factors: Matrix6<f64>,
+    legs: [Eliminated; GROUPS],
+}
+
+impl<const LEGS: usize> System<'_, LEGS> {
+    /// Writes u with (1/τ − J) u = r. What works and pads at rest on their stops accumulate is left out.
+    #[inline(always)]
+    pub fn solve(&self, r: &State<f64, LEGS>, u: &mut State<f64, LEGS>) {
+        let tau = self.tau;
+        let response = self.response;
+        let given = r.body();
+        let translation = response.rotation.tr_mul(&given.position);
+        let turn = turn(&response.quaternion, &given.quaternion);
+        let known = Vector6::new(
+            translation.x,
+            translation.y,
+            translation.z,
+            turn.x,
+            turn.y,
+            turn.z,
+        );
+        let push = response.rotation.tr_mul(&given.velocity) * response.mass;
+        let twist = response.inertia * given.rate;
+        let mut body = Vector6::new(push.x, push.y, push.z, twist.x, twist.y, twist.z);
+        let mut rates = [[Quad::zero(); 2]; GROUPS];
+        for (group, rates) in rates.iter_mut().enumerate().take(groups_of(LEGS)) {
+            let legs = r.legs_abreast(group);
+            let forces = self.legs_push(group, &known, &legs, rates);
+            for lane in 0..LANES.min(LEGS - group * LANES) {
+                for i in 0..6 {
+                    body[i] += forces[i].0[lane];
+                }
+            }
+        }
+        body *= tau;
+        let f = &self.factors;
+        for column in 0..5 {
+            for row in column + 1..6 {
+                let product = f[(row, column)] * body[column];
+                body[row] -= product;
+            }
+        }
+        for column in (0..6).rev() {
+            body[column] *= f[(column, column)];
+            for row in 0..column {
+                let product = f[(row, column)] * body[column];
+                body[row] -= product;
+            }
+        }
+        let velocity = response.rotation * Vector3::new(body[0], body[1], body[2]);
+        let rate = Vector3::new(body[3], body[4], body[5]);
+        let turning = quaternion_rate(&response.quaternion, &rate);
+        u.set_body(&Body {
+            position: (given.position + velocity) * tau,
+            velocity,
+            quaternion: (given.quaternion + turning) * tau,
+            rate,
+        });
+        for (group, rates) in rates.iter().enumerate().take(groups_of(LEGS)) {
+            let legs = self.legs_follow(group, &body, &r.legs_abreast(group), rates);
+            u.set_legs_abreast(group, &legs);
+        }
+    }
+
+    /// Whether the pad of leg `index` is at rest on a stop, so that nothing depends on its rate.
+    #[inline(always)]
+    pub fn is_pad_at_rest(&self, index: usize) -> bool {
+        let leg = &self.response.groups[index / LANES];
+        leg.hinge_gain.0[index % LANES] == 0.0
+    }
+
+    /// Forces of a group of legs on the body, with the body's velocities yet to be found, over τ; `rates` become
+    /// what link and pad would move at if the body did not.
+    #[inline(always)]
+    fn legs_push(
+        &self,
+        group: usize,
+        known: &Vector6<f64>,
+        given: &LegState<Quad>,
+        rates: &mut [Quad; 2],
+    ) -> Vector6<Quad> {
+        let (leg, eliminated) = (&self.response.groups[group], &self.legs[group]);
+        let tau = Quad::constant(self.tau);
+        let tau_known = known * self.tau;
+        let known = wide(&tau_known);
+        let link = given.link_angle * tau;
+        let pad = given.pad_angle * eliminated.pad_tau;
+        let mut forces: Vector6<Quad> = none();
+        let mut on_link = leg.inertia[0] * given.link_rate + leg.link_torque.dot(&known, link, pad);
+        let in_link = given.pad_rate - given.link_rate;
+        let mut on_pad = leg.inertia[1] * in_link + leg.hinge_torque.dot(&known, link, pad);
+        for answer in leg.answers() {
+            let reached = answer.displacement.dot(&known, link, pad);
+            forces += answer.force.body * reached;
+            on_link += answer.force.link * reached;
+            on_pad += answer.force.pad * reached;
+        }
+        let [[a, b], [c, d]] = eliminated.inverse;
+        let link = a * on_link + b * on_pad;
+        let pad = c * on_link + d * on_pad;
+        *rates = [link * tau, pad * tau];
+        forces -= eliminated.columns[0] * link;
+        if leg.swings_pads {
+            forces -= eliminated.columns[1] * pad;
+        }
+        forces
+    }
+
+    /// What links and pads do as the body does this.
+    #[inline(always)]
+    fn legs_follow(
+        &self,
+        group: usize,
+        body: &Vector6<f64>,
+        given: &LegState<Quad>,
+        rates: &[Quad; 2],
+    ) -> LegState<Quad> {
+        let (leg, eliminated) = (&self.response.groups[group], &self.legs[group]);
+        let known = wide(body);
+        let [mut link_rate, mut pad_in_link] = *rates;
+        link_rate -= product(&eliminated.rows[0], &known);
+        if leg.swings_pads {
+            pad_in_link -= product(&eliminated.rows[1], &known);
+        }
+        let pad_rate = pad_in_link + link_rate;
+        let [follows, _] = leg.pad_speed;
+        LegState {
+            link_angle: (given.link_angle + leg.link_moves * link_rate) * Quad::constant(self.tau),
+            link_rate,
+            pad_angle: (given.pad_angle + follows * pad_rate) * eliminated.pad_tau,
+            pad_rate,
+            work: [Quad::zero(); 6],
+        }
+    }
+}
+
+/// The same in all lanes.
+#[inline(always)]
+fn wide(v: &Vector6<f64>) -> Vector6<Quad> {
+    let constant = Quad::constant;
+    Vector6::new(
+        constant(v[0]),
+        constant(v[1]),
+        constant(v[2]),
+        constant(v[3]),
+        constant(v[4]),
+        constant(v[5]),
+    )
+}
+
+/// Rotation (vehicle axes) that a change of the quaternion (w, x, y, z) amounts to: twice the vector part of
+/// q⁻¹ ∘ δq.
+#[inline(always)]
+fn turn(quaternion: &Vector4<f64>, change: &Vector4<f64>) -> Vector3<f64> {
+    let (w, x, y, z) = (quaternion.x, quaternion.y, quaternion.z, quaternion.w);
+    let d = change;
+    Vector3::new(
+        w * d.y - x * d.x - y * d.w + z * d.z,
+        w * d.z + x * d.w - y * d.x - z * d.y,
+        w * d.w - x * d.z + y * d.y - z * d.x,
+    ) * (2.0 / (w * w + x * x + y * y + z * z))
+}
