@@ -62,7 +62,8 @@ impl<const LEGS: usize> NullaryFnOnce for GroupResponse<'_, LEGS> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Writes how the forces on this leg answer.
+    /// Writes how the forces on this leg answer: the derivatives of what [`Self::action`] computes, but for attitude
+    /// factors and for levers of the body.
     #[inline(always)]
     fn respond(
         &self,
@@ -90,6 +91,8 @@ impl<S: Real> LegMotion<S> {
         let pose = geometry.pose(&frame, leg.link_angle, leg.pad_angle);
         let normal = &frame.normal;
 
+        // Footpad: normal force (29), friction (39), torque about its hinge (52), (69), and what the link bears of it
+        // (49), (68).
         if !is_pad_slack {
             let swing = pose.link_normal.in_leg_axes() * length;
             // The pivot swings on a circle about the hardpoint.
@@ -127,6 +130,7 @@ impl<S: Real> LegMotion<S> {
                     let torque =
                         borne * pose.pad_y.dot(&line) + per_pressure * slope * lever.dot(&line);
                     response.hinge_torque.add(torque, &deeper);
+                    // As the pad tilts, its levers turn with it.
                     let leaning = borne * centroid.dot(&line);
                     response.hinge_torque.pad += leaning;
                     response.hinge_torque.link -= leaning;
@@ -144,6 +148,7 @@ impl<S: Real> LegMotion<S> {
             response.link_torque =
                 contact.turned(&swing.cross(&force), toward_hardpoint.dot(&force));
         }
+        // Block: normal force (33), friction (39).
         if !is_block_slack {
             let point = &pose.block_center;
             let none = Vector3::from([S::zero(); 3]);
@@ -175,6 +180,7 @@ impl<S: Real> LegMotion<S> {
             });
         }
 
+        // Strut (42)-(45) on the link (68).
         let (stroke, lever) = (pose.stroke, pose.strut_lever);
         let damping = pieces.strut.damping(stroke, leg.link_rate, lever);
         let lever_change = geometry.strut_lever_change(stroke, lever);
