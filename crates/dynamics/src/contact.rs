@@ -10,7 +10,7 @@ mod choice;
 use crate::crush::{Crush, CrushLaw};
 use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::{Hinge, Stops};
-use crate::integrator::event::{Bounds, Exit, Watch};
+use crate::integrator::event::{Bounds, Exit};
 use crate::motion::{LegPieces, LegSignals, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
@@ -99,9 +99,9 @@ impl LegMode {
         }
     }
 
-    /// The longest step that the laws allow whatever the error, s.
-    pub fn longest_step(&self, signals: &LegSignals<f64>) -> f64 {
-        self.hinge.longest_step(signals[Signal::PadRate as usize])
+    /// The longest step that the laws allow whatever the error, s, at a rate state α̇ (rad/s).
+    pub fn longest_step(&self, pad_rate: f64) -> f64 {
+        self.hinge.longest_step(pad_rate)
     }
 
     /// Whether either pad section is in contact.
@@ -170,76 +170,46 @@ impl LegMode {
         ]
     }
 
-    /// Centres the coefficients of laws that only bend a little on where the leg is now; whether
-    /// any changed.
-    pub fn follow(&mut self, laws: &LegLaws, signals: &LegSignals<f64>) -> bool {
-        self.stance
-            .follow(&laws.strut, signals[Signal::Stroke as usize])
+    /// Centres the coefficients of laws that only bend a little on a stroke δ (ft), where the leg is now;
+    /// whether any changed.
+    pub fn follow(&mut self, laws: &LegLaws, stroke: f64) -> bool {
+        self.stance.follow(&laws.strut, stroke)
     }
 
-    /// The gentle kinks of the strut law on either side of where the leg is now, if its strut works.
-    pub fn gentle_kinks(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> Option<GentleKinks> {
-        self.stance
-            .gentle_kinks(&laws.strut, signals[Signal::LinkRate as usize])
+    /// The gentle kinks of the strut law on either side of where the leg is now, its link at a rate γ̇ (rad/s),
+    /// if its strut works.
+    pub fn gentle_kinks(&self, laws: &LegLaws, link_rate: f64) -> Option<GentleKinks> {
+        self.stance.gentle_kinks(&laws.strut, link_rate)
     }
 
-    /// Adds to `watches` the signals of leg `index` that have a range over which the active pieces
-    /// hold.
-    pub fn watch(&self, laws: &LegLaws, index: usize, watches: &mut Vec<Watch>) {
-        for signal in Signal::ALL {
-            let range = self.range(laws, signal);
-            if !range.is_free() {
-                watches.push(Watch {
-                    signal: index * Signal::COUNT + signal as usize,
-                    range,
-                });
-            }
-        }
-    }
-
-    /// Range of a signal over which the active pieces hold.
-    fn range(&self, laws: &LegLaws, signal: Signal) -> Bounds {
+    /// Ranges of the signals over which the active pieces hold, signal by signal.
+    pub fn ranges(&self, laws: &LegLaws) -> [Bounds; Signal::RANGED] {
+        let only = |holds: bool, range: Bounds| if holds { range } else { Bounds::FREE };
         let by_pivot = laws.rule == CrushRule::PivotRate;
-        match signal {
-            Signal::OuterInterference => {
-                self.pad[0].interference_bounds(&laws.pad, self.is_contact_watched(&self.pad[0]))
-            }
-            Signal::InnerInterference => {
-                self.pad[1].interference_bounds(&laws.pad, self.is_contact_watched(&self.pad[1]))
-            }
-            Signal::BlockInterference => self
-                .block
-                .interference_bounds(&laws.block, self.is_contact_watched(&self.block)),
-            Signal::OuterRate => self.pad[0].rate_bounds(),
-            Signal::InnerRate => self.pad[1].rate_bounds(),
-            Signal::BlockRate => self.block.rate_bounds(),
-            Signal::PivotRate if by_pivot => {
-                self.pad[0].drive_bounds().meet(self.pad[1].drive_bounds())
-            }
-            Signal::BlockCentreRate if by_pivot => self.block.drive_bounds(),
-            Signal::PadSliding if self.pad_loaded() => self.pad_sliding.bounds(laws.friction),
-            Signal::BlockSliding if self.block.is_loaded() => {
-                self.block_sliding.bounds(laws.friction)
-            }
-            Signal::Stroke => self.stance.stroke_bounds(&laws.strut),
-            Signal::LinkRate => self.stance.rate_bounds(&laws.strut),
-            Signal::LinkTorque => self.stance.torque_bounds(),
-            Signal::PadAngle => self.hinge.angle_bounds(laws.stops),
-            Signal::PadRate => self.hinge.rate_bounds(),
-            Signal::HingeSpeed => self.hinge.speed_bounds(),
-            Signal::PadInclination if self.pad_loaded() => Bounds::above(LEAST_PAD_INCLINATION),
-            Signal::PivotRate
-            | Signal::BlockCentreRate
-            | Signal::PadSliding
-            | Signal::BlockSliding
-            | Signal::PadInclination
-            | Signal::StrutForce
-            | Signal::StrutLever
-            | Signal::FootX
-            | Signal::FootY
-            | Signal::FootZ
-            | Signal::HardpointDepth => Bounds::FREE,
-        }
+        let pad_loaded = self.pad_loaded();
+        let [outer, inner] = &self.pad;
+        let interference = |element: &Crush, law: &CrushLaw| {
+            element.interference_bounds(law, self.is_contact_watched(element))
+        };
+        [
+            interference(outer, &laws.pad),
+            interference(inner, &laws.pad),
+            interference(&self.block, &laws.block),
+            outer.rate_bounds(),
+            inner.rate_bounds(),
+            self.block.rate_bounds(),
+            only(by_pivot, outer.drive_bounds().meet(inner.drive_bounds())),
+            only(by_pivot, self.block.drive_bounds()),
+            only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
+            only(self.block.is_loaded(), self.block_sliding.bounds(laws.friction)),
+            self.stance.stroke_bounds(&laws.strut),
+            self.stance.rate_bounds(&laws.strut),
+            self.stance.torque_bounds(),
+            self.hinge.angle_bounds(laws.stops),
+            self.hinge.rate_bounds(),
+            self.hinge.speed_bounds(),
+            only(pad_loaded, Bounds::above(LEAST_PAD_INCLINATION)),
+        ]
     }
 
     /// Puts the next piece in place after `signal` left its range. `leg` is this leg's index.

@@ -4,6 +4,7 @@ mod account;
 mod advance;
 mod events;
 mod kinks;
+mod ranges;
 mod rates;
 mod stiffness;
 mod trail;
@@ -29,6 +30,7 @@ use crate::vehicle::Vehicle;
 
 use account::History;
 use advance::{Advance, Cut, Start};
+use ranges::Ranges;
 use stiffness::Stiffness;
 use trail::Trail;
 
@@ -125,8 +127,8 @@ struct Flight<'a, O, const LEGS: usize> {
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
-    watches: Vec<Watch>,
-    /// Those of them that may have left their range within the last step.
+    ranges: Ranges<LEGS>,
+    /// Signals that may have left their range within the last step.
     suspects: Vec<Watch>,
     /// The gentle kinks next to each strut that works.
     kinks: [Option<GentleKinks>; LEGS],
@@ -178,11 +180,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height(),
             motion,
             locates_kinks: settings.tolerance() <= KINKS_LOCATED,
+            ranges: Ranges::new(&std::array::from_fn(|j| modes[j].ranges(&laws[j]))),
             laws,
             modes,
             pieces,
-            watches: Vec::with_capacity(LEGS * Signal::COUNT),
-            suspects: Vec::with_capacity(LEGS * Signal::COUNT),
+            suspects: Vec::with_capacity(LEGS * Signal::RANGED),
             kinks: [None; LEGS],
             kink_watches: Vec::with_capacity(2 * LEGS),
             time: 0.0,
@@ -376,8 +378,9 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
 
     /// The longest step that the laws allow whatever the error, s.
     fn longest_step(&self) -> f64 {
-        let legs = self.modes.iter().zip(self.signals.now());
-        legs.map(|(mode, signals)| mode.longest_step(signals))
+        let pad_rate = |j| self.signals.now().of(j, Signal::PadRate);
+        let legs = self.modes.iter().enumerate();
+        legs.map(|(j, mode)| mode.longest_step(pad_rate(j)))
             .fold(f64::INFINITY, f64::min)
     }
 
@@ -387,13 +390,14 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     }
 
     fn note_struts(&mut self) {
-        for (j, signals) in self.signals.now().iter().enumerate() {
+        let signals = self.signals.now();
+        for j in 0..LEGS {
             let force = &mut self.greatest_strut_force[j];
-            *force = force.max(signals[Signal::StrutForce as usize].abs());
+            *force = force.max(signals.of(j, Signal::StrutForce).abs());
             // A stroke is greatest where the link turns: there a step ends, or nearly there at tolerances
             // at which steps run over kinks.
             let stroke = &mut self.greatest_stroke[j];
-            *stroke = stroke.max(signals[Signal::Stroke as usize]);
+            *stroke = stroke.max(signals.of(j, Signal::Stroke));
         }
     }
 

@@ -6,6 +6,7 @@
 //! computed abreast, four in a register where the processor has registers of that width.
 
 mod footing;
+mod glance;
 mod leg;
 mod leg_response;
 mod pieces;
@@ -21,8 +22,10 @@ use crate::state::{Body, State, quaternion_rate};
 use crate::vehicle::Vehicle;
 
 use leg::{LegAction, LegMotion};
+use pieces::GroupPieces;
 
 pub use footing::Footing;
+pub use glance::Glance;
 pub use pieces::{LegPieces, Pieces};
 pub use signal::Signal;
 
@@ -132,13 +135,10 @@ impl<const LEGS: usize> Motion<LEGS> {
         state: &State<f64, LEGS>,
         pieces: &Pieces<LEGS>,
         derivative: &mut State<f64, LEGS>,
-        signals: &mut [LegSignals<f64>; LEGS],
+        signals: &mut Glance<LEGS>,
     ) {
         self.push(state, pieces, derivative, |group, derivative| {
-            let legs = &mut signals[group.index * LANES..];
-            let (push, told) = self.arch.dispatch(DerivativeAndSignals(group, derivative));
-            write_lanes(&told, legs);
-            push
+            (self.arch).dispatch(DerivativeAndSignals(group, derivative, &mut *signals))
         });
     }
 
@@ -180,17 +180,17 @@ impl<const LEGS: usize> Motion<LEGS> {
         state: &State<f64, LEGS>,
         pieces: &Pieces<LEGS>,
         with_torques: bool,
-    ) -> [LegSignals<f64>; LEGS] {
+    ) -> Glance<LEGS> {
         let frame = self.surface.frame(&state.body());
-        let mut signals = [[0.0; Signal::COUNT]; LEGS];
+        let mut signals = Glance::blank();
         for index in 0..const { groups_of(LEGS) } {
             let group = self.group(index, &frame, state, pieces);
-            let told = if with_torques {
-                self.arch.dispatch(Signals::<true, LEGS>(group))
+            let signals = &mut signals;
+            if with_torques {
+                self.arch.dispatch(Signals::<true, LEGS>(group, signals));
             } else {
-                self.arch.dispatch(Signals::<false, LEGS>(group))
-            };
-            write_lanes(&told, &mut signals[index * LANES..]);
+                self.arch.dispatch(Signals::<false, LEGS>(group, signals));
+            }
         }
         signals
     }
@@ -229,15 +229,19 @@ struct Group<'a, const LEGS: usize> {
     state: &'a State<f64, LEGS>,
     frame: &'a BodyFrame<f64>,
     motion: &'a LegMotion<Quad>,
-    pieces: &'a LegPieces<Quad>,
+    pieces: &'a GroupPieces,
 }
 
 impl<const LEGS: usize> Group<'_, LEGS> {
     #[inline(always)]
     fn action<const FORCES: bool, const SIGNALS: bool>(&self) -> LegAction<Quad> {
         let legs = self.state.legs_abreast(self.index);
+        let GroupPieces {
+            legs: pieces,
+            pressed,
+        } = self.pieces;
         self.motion
-            .action::<FORCES, SIGNALS>(&self.frame.shared(), &legs, self.pieces)
+            .action::<FORCES, SIGNALS>(&self.frame.shared(), &legs, pieces, *pressed)
     }
 }
 
@@ -250,9 +254,13 @@ type Push = [Vector3<Quad>; 2];
 /// Writes the derivative of the legs and returns how they push the body.
 struct Derivative<'a, const LEGS: usize>(Group<'a, LEGS>, &'a mut State<f64, LEGS>);
 /// The same with the signals.
-struct DerivativeAndSignals<'a, const LEGS: usize>(Group<'a, LEGS>, &'a mut State<f64, LEGS>);
+struct DerivativeAndSignals<'a, const LEGS: usize>(
+    Group<'a, LEGS>,
+    &'a mut State<f64, LEGS>,
+    &'a mut Glance<LEGS>,
+);
 /// Signals alone, with or without those that are forces.
-struct Signals<'a, const FORCES: bool, const LEGS: usize>(Group<'a, LEGS>);
+struct Signals<'a, const FORCES: bool, const LEGS: usize>(Group<'a, LEGS>, &'a mut Glance<LEGS>);
 
 impl<const LEGS: usize> NullaryFnOnce for Derivative<'_, LEGS> {
     type Output = Push;
@@ -267,30 +275,24 @@ impl<const LEGS: usize> NullaryFnOnce for Derivative<'_, LEGS> {
 }
 
 impl<const LEGS: usize> NullaryFnOnce for DerivativeAndSignals<'_, LEGS> {
-    type Output = (Push, LegSignals<Quad>);
+    type Output = Push;
 
     #[inline(always)]
     fn call(self) -> Self::Output {
-        let Self(group, derivative) = self;
+        let Self(group, derivative, told) = self;
         let LegAction { push, signals, .. } = group.action::<true, true>();
         derivative.set_legs_abreast(group.index, &push.derivative);
-        ([push.force, push.torque], signals)
+        told.set_abreast(group.index, &signals);
+        [push.force, push.torque]
     }
 }
 
 impl<const FORCES: bool, const LEGS: usize> NullaryFnOnce for Signals<'_, FORCES, LEGS> {
-    type Output = LegSignals<Quad>;
+    type Output = ();
 
     #[inline(always)]
-    fn call(self) -> Self::Output {
-        self.0.action::<FORCES, true>().signals
-    }
-}
-
-/// Writes the lanes of a group to its legs.
-#[inline(always)]
-fn write_lanes(group: &LegSignals<Quad>, legs: &mut [LegSignals<f64>]) {
-    for (lane, leg) in legs.iter_mut().take(LANES).enumerate() {
-        *leg = LegSignals::lane(group, lane);
+    fn call(self) {
+        let Self(group, told) = self;
+        told.set_abreast(group.index, &group.action::<FORCES, true>().signals);
     }
 }

@@ -162,6 +162,9 @@ pub trait Abreast: Sized {
     /// The one in a lane.
     fn lane(wide: &Self::Wide, lane: usize) -> Self;
 
+    /// Lays itself into a lane in place of what is there.
+    fn set_lane(&self, wide: &mut Self::Wide, lane: usize);
+
     /// The same for all four.
     #[inline(always)]
     fn shared(&self) -> Self::Wide {
@@ -181,6 +184,11 @@ impl Abreast for f64 {
     fn lane(wide: &Quad, lane: usize) -> Self {
         wide.0[lane]
     }
+
+    #[inline(always)]
+    fn set_lane(&self, wide: &mut Quad, lane: usize) {
+        wide.0[lane] = *self;
+    }
 }
 
 impl<T: Abreast, const N: usize> Abreast for [T; N] {
@@ -195,6 +203,13 @@ impl<T: Abreast, const N: usize> Abreast for [T; N] {
     fn lane(wide: &Self::Wide, lane: usize) -> Self {
         std::array::from_fn(|i| T::lane(&wide[i], lane))
     }
+
+    #[inline(always)]
+    fn set_lane(&self, wide: &mut Self::Wide, lane: usize) {
+        for (one, wide) in self.iter().zip(wide) {
+            one.set_lane(wide, lane);
+        }
+    }
 }
 
 impl<const R: usize, const C: usize> Abreast for SMatrix<f64, R, C> {
@@ -208,6 +223,13 @@ impl<const R: usize, const C: usize> Abreast for SMatrix<f64, R, C> {
     #[inline(always)]
     fn lane(wide: &Self::Wide, lane: usize) -> Self {
         wide.map(|component| component.0[lane])
+    }
+
+    #[inline(always)]
+    fn set_lane(&self, wide: &mut Self::Wide, lane: usize) {
+        for (one, wide) in self.iter().zip(wide.iter_mut()) {
+            one.set_lane(wide, lane);
+        }
     }
 }
 
@@ -229,6 +251,11 @@ macro_rules! abreast {
                 $name {
                     $($field: $crate::quad::Abreast::lane(&wide.$field, lane),)*
                 }
+            }
+
+            #[inline(always)]
+            fn set_lane(&self, wide: &mut Self::Wide, lane: usize) {
+                $($crate::quad::Abreast::set_lane(&self.$field, &mut wide.$field, lane);)*
             }
         }
     )*};

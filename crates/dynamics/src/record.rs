@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::attitude::Attitude;
-use crate::motion::{LegLoads, LegSignals, Signal};
+use crate::motion::{Glance, LegLoads, Signal};
 use crate::outcome::Outcome;
 use crate::stability::Observation;
 use crate::state::State;
@@ -161,7 +161,7 @@ impl<const LEGS: usize> Instant<LEGS> {
         state: &State<f64, LEGS>,
         seen: &Observation<LEGS>,
         energies: [f64; 2],
-        signals: &[LegSignals<f64>; LEGS],
+        signals: &Glance<LEGS>,
         loads: &[LegLoads<f64>; LEGS],
         sets: [[f64; 3]; LEGS],
     ) -> Self {
@@ -186,7 +186,7 @@ impl<const LEGS: usize> Instant<LEGS> {
                     link_rate: leg.link_rate,
                     pad_angle: leg.pad_angle,
                     pad_rate: leg.pad_rate,
-                    stroke: signals[j][Signal::Stroke as usize],
+                    stroke: signals.of(j, Signal::Stroke),
                     strut_force: loads[j].strut,
                     pad_normal: loads[j].pad_normal,
                     pad_friction: loads[j].pad_friction,

@@ -24,7 +24,7 @@ fn pressed(depth: f64, sliding: f64) -> (Bare<3>, State<f64, 3>) {
     body.quaternion = Vector4::new(cosine, -sine, 0.0, 0.0);
     body.velocity = Vector3::new(sliding, 0.3 * sliding, 0.0);
     state.set_body(&body);
-    let deep = bare.signals(&state)[0][Signal::OuterInterference as usize];
+    let deep = bare.signals(&state).of(0, Signal::OuterInterference);
     body.position.z += (depth - deep) / slope.cos();
     state.set_body(&body);
     bare.settle(&state);

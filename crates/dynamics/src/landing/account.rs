@@ -71,7 +71,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             .unwrap_or_else(|_| judge.observe(&self.motion, state));
         let signals = self.motion.signals(state, &self.pieces, false);
         let loads = self.motion.loads(state, &self.pieces);
-        let sets = std::array::from_fn(|j| self.modes[j].sets(&self.laws[j], &signals[j]));
+        let sets = std::array::from_fn(|j| self.modes[j].sets(&self.laws[j], &signals.leg(j)));
         let energies = [
             kinetic(self.vehicle, state),
             released(self.vehicle, &self.start, state),

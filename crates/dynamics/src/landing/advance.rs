@@ -5,7 +5,7 @@ use pulp::NullaryFnOnce;
 
 use crate::integrator::rosenbrock::GAMMA;
 use crate::integrator::step::Step;
-use crate::motion::{LegSignals, Motion, Pieces, Signal};
+use crate::motion::{Glance, Motion, Pieces, Signal};
 use crate::response::Response;
 use crate::state::State;
 
@@ -22,7 +22,7 @@ pub(super) struct Advance<'a, const LEGS: usize> {
     pub(super) greatest_work_error: f64,
     pub(super) step: &'a mut Step<f64, LEGS>,
     /// Where the signals at its end go.
-    pub(super) signals: &'a mut [LegSignals<f64>; LEGS],
+    pub(super) signals: &'a mut Glance<LEGS>,
 }
 
 impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
@@ -46,8 +46,8 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
         if let Some(response) = self.response {
             let system = response.over(GAMMA * self.length);
             step.take_implicit(self.length, &system, derivative, last);
-            for (j, signals) in self.signals.iter_mut().enumerate() {
-                signals[Signal::PadRate as usize] = step.after.leg(j).pad_rate;
+            for j in 0..LEGS {
+                (self.signals).set(j, Signal::PadRate, step.after.leg(j).pad_rate);
             }
         } else {
             step.take_explicit(self.length, derivative, last);
@@ -69,7 +69,7 @@ pub(super) struct Look<'a, const LEGS: usize> {
 }
 
 impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
-    type Output = [LegSignals<f64>; LEGS];
+    type Output = Glance<LEGS>;
 
     #[inline(always)]
     fn call(self) -> Self::Output {
@@ -98,7 +98,7 @@ pub(super) struct Start<'a, const LEGS: usize> {
     pub(super) motion: &'a Motion<LEGS>,
     pub(super) pieces: &'a Pieces<LEGS>,
     pub(super) step: &'a mut Step<f64, LEGS>,
-    pub(super) signals: &'a mut [LegSignals<f64>; LEGS],
+    pub(super) signals: &'a mut Glance<LEGS>,
 }
 
 impl<const LEGS: usize> NullaryFnOnce for Start<'_, LEGS> {

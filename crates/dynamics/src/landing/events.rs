@@ -2,8 +2,8 @@
 
 use super::Flight;
 use super::advance::Look;
-use crate::integrator::event::{Node, Watch, first_exit};
-use crate::motion::{LegSignals, Pieces, Signal};
+use crate::integrator::event::{Node, first_exit};
+use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::record::Instant;
 
@@ -12,33 +12,24 @@ const MOST_CHANGES: usize = 64;
 
 impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
     /// The first point of the step at which a law changes its active piece.
-    pub(super) fn find_event(&mut self) -> Option<Node<[LegSignals<f64>; LEGS]>> {
-        let (before, start, end) = (
+    pub(super) fn find_event(&mut self) -> Option<Node<Glance<LEGS>>> {
+        let [before, start, end] = [
             self.signals.before(),
             self.signals.now(),
             self.signals.ahead(),
-        );
-        let watches = if let Some(earlier) = &self.earlier {
+        ];
+        let arch = self.motion.arch();
+        if let Some(earlier) = &self.earlier {
             let ratio = self.step.length / earlier.length;
-            let suspect = |watch: &&Watch| !watch.is_quiet(before, start, end, ratio);
-            self.suspects.clear();
-            self.suspects.extend(self.watches.iter().filter(suspect));
-            if self.suspects.is_empty() {
+            if (self.ranges).are_quiet(arch, [before, start, end], ratio) {
                 return None;
             }
-            &self.suspects
-        } else {
-            &self.watches
-        };
-        let torque = Signal::LinkTorque as usize;
-        let with_torques = self
-            .watches
-            .iter()
-            .any(|w| w.signal % Signal::COUNT == torque);
+        }
+        let with_torques = self.ranges.has(Signal::LinkTorque);
         let mut looks = 0;
         let mut look = |theta: f64| {
             looks += 1;
-            self.motion.arch().dispatch(Look {
+            arch.dispatch(Look {
                 motion: &self.motion,
                 pieces: &self.pieces,
                 step: &self.step,
@@ -46,20 +37,27 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 with_torques,
             })
         };
+        let middle = look(0.5);
+        let suspects = &mut self.suspects;
+        (self.ranges).watch_suspects(arch, [start, &middle, end], suspects);
+        if suspects.is_empty() {
+            self.evaluations += looks;
+            return None;
+        }
         let start = Node {
             theta: 0.0,
             signals: *start,
         };
         let middle = Node {
             theta: 0.5,
-            signals: look(0.5),
+            signals: middle,
         };
         let resolution = self.event_resolution / self.step.length;
         let end = Node {
             theta: 1.0,
             signals: *end,
         };
-        let found = first_exit(&start, &middle, &end, watches, resolution, &mut look);
+        let found = first_exit(&start, &middle, &end, suspects, resolution, &mut look);
         self.evaluations += looks;
         found
     }
@@ -68,7 +66,6 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
     /// with it, so this goes on until every signal lies in its range.
     pub(super) fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
-            self.choose_pieces();
             self.evaluate();
             self.note_contacts();
             if !self.cross()? {
@@ -80,49 +77,37 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
 
     /// Centres the coefficients of laws that bend gently; the laws themselves stay.
     pub(super) fn follow(&mut self) {
-        let mut changed = false;
         for j in 0..LEGS {
-            changed |= self.modes[j].follow(&self.laws[j], &self.signals.now()[j]);
-        }
-        if changed {
-            self.choose_pieces();
+            let stroke = self.signals.now().of(j, Signal::Stroke);
+            if self.modes[j].follow(&self.laws[j], stroke) {
+                self.choose_pieces(j);
+            }
         }
     }
 
-    /// The pieces and ranges of the present modes.
-    fn choose_pieces(&mut self) {
-        let pieces = std::array::from_fn(|j| self.modes[j].pieces(&self.laws[j]));
-        self.pieces = Pieces::new(&pieces);
+    /// The pieces and ranges of the present mode of leg `j`.
+    fn choose_pieces(&mut self, j: usize) {
+        let (mode, laws) = (&self.modes[j], &self.laws[j]);
+        self.pieces.set_leg(j, &mode.pieces(laws));
+        self.ranges.set(j, &mode.ranges(laws));
         self.stiffness.forget();
-        self.watches.clear();
-        for j in 0..LEGS {
-            self.modes[j].watch(&self.laws[j], j, &mut self.watches);
-        }
     }
 
     /// Lets each leg follow the first of its signals that is out of its range; whether any was.
-    /// Only the first, because the ranges of the others may change with it.
+    /// Only the first, because the ranges of the others change with it.
     pub(super) fn cross(&mut self) -> Result<bool, Outcome> {
-        let mut crossed = [false; LEGS];
-        for &Watch { signal, range } in &self.watches {
-            let (leg, index) = (signal / Signal::COUNT, signal % Signal::COUNT);
-            let Some(exit) = range.exit(self.signals.now()[leg][index]) else {
-                continue;
-            };
-            if !crossed[leg] {
-                crossed[leg] = true;
+        let signals = self.signals.now();
+        let exits = self.ranges.exits(self.motion.arch(), signals);
+        for (leg, exit) in exits.iter().enumerate() {
+            if let Some((signal, exit)) = *exit {
                 self.events += 1;
-                let signal = Signal::ALL[index];
-                self.modes[leg].cross(
-                    &self.laws[leg],
-                    leg,
-                    signal,
-                    exit,
-                    &self.signals.now()[leg],
-                )?;
+                let laws = &self.laws[leg];
+                let signals = self.signals.now().leg(leg);
+                self.modes[leg].cross(laws, leg, signal, exit, &signals)?;
+                self.choose_pieces(leg);
             }
         }
-        Ok(crossed.contains(&true))
+        Ok(exits.iter().any(Option::is_some))
     }
 
     fn note_contacts(&mut self) {

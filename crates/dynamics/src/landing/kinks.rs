@@ -7,7 +7,7 @@
 
 use super::Flight;
 use crate::integrator::event::{Bounds, Node, Signals, Watch, first_exit};
-use crate::motion::{LegSignals, Signal};
+use crate::motion::{Glance, Signal};
 use crate::record::Instant;
 
 /// Share of a step within which its end is moved to a kink.
@@ -29,18 +29,18 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             time.filter(|time| *time > first).unwrap_or(end)
         };
         for (j, acceleration) in accelerations.into_iter().enumerate() {
-            let signals = &self.signals.now()[j];
-            self.kinks[j] = self.modes[j].gentle_kinks(&self.laws[j], signals);
+            let told = |signal| self.signals.now().of(j, signal);
+            let rate = told(Signal::LinkRate);
+            self.kinks[j] = self.modes[j].gentle_kinks(&self.laws[j], rate);
             let Some(kinks) = &self.kinks[j] else {
                 continue;
             };
-            let rate = signals[Signal::LinkRate as usize];
             let jerk = self.earlier.as_ref().map_or(0.0, |earlier| {
                 (acceleration - earlier.link_accelerations[j]) / earlier.length
             });
             end = or_leave(end, kinks.link_rates, [rate, acceleration, jerk]);
-            let stroke = signals[Signal::Stroke as usize];
-            let stroking = -signals[Signal::StrutLever as usize];
+            let stroke = told(Signal::Stroke);
+            let stroking = -told(Signal::StrutLever);
             let course = [stroke, stroking * rate, stroking * acceleration];
             end = or_leave(end, kinks.strokes, course);
         }
@@ -64,14 +64,14 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let Some(kinks) = &self.kinks[j] else {
             return false;
         };
-        let (start, end) = (&self.signals.now()[j], &self.signals.ahead()[j]);
+        let [start, end] = [self.signals.now(), self.signals.ahead()];
         let [first, last] = [0, 5].map(|k| self.step.slopes[k].link_rates()[j]);
         let length = self.step.length;
-        let [start_rate, end_rate] = [start, end].map(|leg| leg[Signal::LinkRate as usize]);
-        let stroking = end[Signal::StrutLever as usize] * end_rate;
+        let [start_rate, end_rate] = [start, end].map(|all| all.of(j, Signal::LinkRate));
+        let stroking = end.of(j, Signal::StrutLever) * end_rate;
         // Twice as far as a parabola strays on its way to a turning point and back.
         let turning_point = || start_rate + length * first * first / (first - last);
-        kinks.strokes.violation(end[Signal::Stroke as usize])
+        kinks.strokes.violation(end.of(j, Signal::Stroke))
             > RESOLUTION * (length * stroking).abs()
             || kinks.link_rates.violation(end_rate) > RESOLUTION * (length * last).abs()
             || first * last < 0.0 && kinks.link_rates.exit(turning_point()).is_some()
@@ -79,16 +79,18 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
 
     /// Fraction of the step at which it runs over the first gentle kink, if it does.
     fn locate_kink(&mut self) -> Option<f64> {
-        let (signals, stroke, rate) = (&self.signals, Signal::Stroke, Signal::LinkRate);
-        let told = |leg: &LegSignals<f64>| [leg[stroke as usize], leg[rate as usize]];
+        let signals = &self.signals;
+        let told = |all: &Glance<LEGS>| -> [[f64; 2]; LEGS] {
+            std::array::from_fn(|j| [Signal::Stroke, Signal::LinkRate].map(|one| all.of(j, one)))
+        };
         let look = |theta: f64| {
             let [angles, rates] = self.step.links_at(theta);
             std::array::from_fn(|j| [self.motion.geometry(j).stroke(angles[j]), rates[j]])
         };
         let node = |theta, signals: [[f64; 2]; LEGS]| Node { theta, signals };
-        let start = node(0.0, signals.now().each_ref().map(told));
+        let start = node(0.0, told(signals.now()));
         let middle = node(0.5, look(0.5));
-        let end = node(1.0, signals.ahead().each_ref().map(told));
+        let end = node(1.0, told(signals.ahead()));
         self.kink_watches.clear();
         for (j, kinks) in self.kinks.iter().enumerate() {
             let ranges = kinks.map(|kinks| [kinks.strokes, kinks.link_rates]);

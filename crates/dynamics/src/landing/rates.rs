@@ -35,9 +35,9 @@ pub fn final_rates<const LEGS: usize>(
     let mut judge = Judge::new(scene, calm_height(vehicle));
     let is_defined = judge.look(motion, state).is_ok();
     let angle = |state| judge.observe(motion, state).angle;
-    let strokes = |state| {
+    let strokes = |state| -> [f64; LEGS] {
         let signals = motion.signals(state, pieces, false);
-        signals.map(|leg| leg[Signal::Stroke as usize])
+        std::array::from_fn(|j| signals.of(j, Signal::Stroke))
     };
     let [before, now, after] = [strokes(&earlier), strokes(state), strokes(&later)];
     FinalRates {

@@ -1,10 +1,7 @@
 //! What the legs' signals were, are and will be: before the last step, at the start of the present one and
 //! at its end. They take turns, so that nothing is copied as steps go on.
 
-use crate::motion::{LegSignals, Signal};
-
-/// Signals of all legs at one instant.
-pub(super) type Glance<const LEGS: usize> = [LegSignals<f64>; LEGS];
+use crate::motion::Glance;
 
 /// Three glances at the signals.
 pub(super) struct Trail<const LEGS: usize> {
@@ -15,7 +12,7 @@ pub(super) struct Trail<const LEGS: usize> {
 impl<const LEGS: usize> Trail<LEGS> {
     pub(super) fn new() -> Self {
         Self {
-            glances: [[[0.0; Signal::COUNT]; LEGS]; 3],
+            glances: [Glance::blank(); 3],
             now: 0,
         }
     }

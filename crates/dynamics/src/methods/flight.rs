@@ -236,9 +236,9 @@ impl<const LEGS: usize> Extremes<LEGS> {
 
     fn note_legs(&mut self, time: f64, look: &Look<LEGS>) {
         for j in 0..LEGS {
-            let force = look.signals[j][Signal::StrutForce as usize].abs();
+            let force = look.signals.of(j, Signal::StrutForce).abs();
             self.strut_force[j] = self.strut_force[j].max(force);
-            let stroke = look.signals[j][Signal::Stroke as usize];
+            let stroke = look.signals.of(j, Signal::Stroke);
             self.stroke[j] = self.stroke[j].max(stroke);
             if look.choices[j].pad_in_contact {
                 self.pad_contact[j].get_or_insert(time);

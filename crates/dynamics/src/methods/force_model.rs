@@ -4,7 +4,7 @@
 //! This is the only place where these methods touch laws and motion.
 
 use crate::contact::{Choice, LegLaws, LegMode};
-use crate::motion::{LegLoads, LegPieces, LegSignals, Motion, Pieces, Signal};
+use crate::motion::{Glance, LegLoads, LegPieces, Motion, Pieces, Signal};
 use crate::outcome::Outcome;
 use crate::scene::{Scene, Settings};
 use crate::state::State;
@@ -33,7 +33,7 @@ pub struct Look<const LEGS: usize> {
     /// Derivative of the state.
     pub slope: State<f64, LEGS>,
     /// Signals of the legs.
-    pub signals: [LegSignals<f64>; LEGS],
+    pub signals: Glance<LEGS>,
     /// Coefficients of the pieces chosen.
     pub pieces: [LegPieces<f64>; LEGS],
     /// What else was chosen.
@@ -74,7 +74,7 @@ impl<const LEGS: usize> ForceModel<LEGS> {
         evaluate(&pieces, &mut slope, &mut signals);
         let mut pushed = false;
         for (j, choice) in choices.iter_mut().enumerate() {
-            if choice.awaits_torque() && signals[j][Signal::LinkTorque as usize] < 0.0 {
+            if choice.awaits_torque() && signals.of(j, Signal::LinkTorque) < 0.0 {
                 choice.push(&self.laws[j], &mut pieces[j]);
                 pushed = true;
             }
@@ -92,12 +92,12 @@ impl<const LEGS: usize> ForceModel<LEGS> {
 
     fn choose(
         &self,
-        signals: &[LegSignals<f64>; LEGS],
+        signals: &Glance<LEGS>,
         sets: &mut Sets<LEGS>,
         pieces: &mut [LegPieces<f64>; LEGS],
     ) -> [Choice; LEGS] {
         std::array::from_fn(|j| {
-            let choice = self.laws[j].choose(sets[j], &signals[j], &mut pieces[j]);
+            let choice = self.laws[j].choose(sets[j], &signals.leg(j), &mut pieces[j]);
             sets[j] = choice.sets;
             choice
         })
@@ -105,7 +105,7 @@ impl<const LEGS: usize> ForceModel<LEGS> {
 
     /// How the laws end the landing, if they do.
     pub fn end(&self, look: &Look<LEGS>) -> Option<Outcome> {
-        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.pieces[j], &look.signals[j]))
+        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.pieces[j], &look.signals.leg(j)))
     }
 
     /// Loads at a state.

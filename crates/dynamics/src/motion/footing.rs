@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use pulp::NullaryFnOnce;
 
-use super::{LegSignals, Motion, Signal};
+use super::{Glance, Motion, Signal};
 use crate::quad::{Abreast, LANES, MOST_LEGS, groups_of};
 use crate::state::State;
 
@@ -20,20 +20,12 @@ pub struct Footing<const LEGS: usize> {
 
 impl<const LEGS: usize> Footing<LEGS> {
     /// As the signals of all legs tell it, with the CG at a depth (ft) below the surface.
-    pub fn told(signals: &[LegSignals<f64>; LEGS], depth: f64) -> Self {
-        let of = |leg: &LegSignals<f64>, signal: Signal| leg[signal as usize];
+    pub fn told(signals: &Glance<LEGS>, depth: f64) -> Self {
+        let foot = [Signal::FootX, Signal::FootY, Signal::FootZ];
         Self {
-            feet: signals.each_ref().map(|leg| {
-                Vector3::new(
-                    of(leg, Signal::FootX),
-                    of(leg, Signal::FootY),
-                    of(leg, Signal::FootZ),
-                )
-            }),
+            feet: std::array::from_fn(|j| foot.map(|signal| signals.of(j, signal)).into()),
             depth,
-            hardpoint_depths: signals
-                .each_ref()
-                .map(|leg| of(leg, Signal::HardpointDepth)),
+            hardpoint_depths: std::array::from_fn(|j| signals.of(j, Signal::HardpointDepth)),
         }
     }
 }

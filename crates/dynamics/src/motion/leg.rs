@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
 use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity};
 use crate::quad::abreast;
@@ -160,7 +161,7 @@ impl<S: Real> LegMotion<S> {
     }
 
     /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
-    /// computed of elements that carry no pressure, and their signals mean nothing; without
+    /// computed of elements that are not `pressed`, and their signals mean nothing; without
     /// `FORCES` nothing but the signals means anything, and of those not the link torque.
     #[inline(always)]
     pub(super) fn action<const FORCES: bool, const SIGNALS: bool>(
@@ -168,6 +169,7 @@ impl<S: Real> LegMotion<S> {
         body: &BodyFrame<S>,
         leg: &LegState<S>,
         pieces: &LegPieces<S>,
+        pressed: Pressed,
     ) -> LegAction<S> {
         let frame = self.geometry.frame(body);
         let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_angle);
@@ -176,8 +178,7 @@ impl<S: Real> LegMotion<S> {
         // Footpad: normal force (29), torque about its hinge (52).
         let cos_pad = pose.pad_inclination;
         let [outer, inner] = pose.pad_interference;
-        let (pad, pad_torque) = if !SIGNALS && pieces.pad[0].is_slack() && pieces.pad[1].is_slack()
-        {
+        let (pad, pad_torque) = if !SIGNALS && !pressed.pads {
             (Touch::none(), S::zero())
         } else {
             let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
@@ -197,7 +198,7 @@ impl<S: Real> LegMotion<S> {
         };
 
         // Block: normal force (33).
-        let block = if !SIGNALS && pieces.block.is_slack() {
+        let block = if !SIGNALS && !pressed.blocks {
             Touch::none()
         } else {
             let velocity = frame.velocity_at(&pose.block_center);

@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3, Vector4, Vector6};
 use pulp::NullaryFnOnce;
 
 use super::leg::LegMotion;
+use super::pieces::{GroupPieces, Pressed};
 use super::{Group, LegPieces, Motion, Pieces};
 use crate::friction::FrictionPiece;
 use crate::kinematics::{
@@ -55,9 +56,13 @@ impl<const LEGS: usize> NullaryFnOnce for GroupResponse<'_, LEGS> {
     fn call(self) {
         let Self(group, response) = self;
         let legs = group.state.legs_abreast(group.index);
+        let GroupPieces {
+            legs: pieces,
+            pressed,
+        } = group.pieces;
         group
             .motion
-            .respond(&group.frame.shared(), &legs, group.pieces, response);
+            .respond(&group.frame.shared(), &legs, pieces, *pressed, response);
     }
 }
 
@@ -70,12 +75,11 @@ impl<S: Real> LegMotion<S> {
         body: &BodyFrame<S>,
         leg: &LegState<S>,
         pieces: &LegPieces<S>,
+        pressed: Pressed,
         response: &mut LegResponse<S>,
     ) {
         let geometry = &self.geometry;
         let (length, free) = (geometry.link_length(), pieces.link.free);
-        let is_pad_slack = pieces.pad[0].is_slack() && pieces.pad[1].is_slack();
-        let is_block_slack = pieces.block.is_slack();
         response.clear();
         response.inertia = [self.link_inertia, self.pad_inertia];
         response.link_moves = pieces.link.moving;
@@ -84,7 +88,7 @@ impl<S: Real> LegMotion<S> {
         response.hinge_gain = pieces.hinge.gain_at(leg.pad_angle);
         response.swings_pads = !response.hinge_gain.is_zero();
         // Legs that hang in the air answer nothing else.
-        if is_pad_slack && is_block_slack && free.is_zero() {
+        if !pressed.pads && !pressed.blocks && free.is_zero() {
             return;
         }
         let frame = geometry.frame(body);
@@ -93,7 +97,7 @@ impl<S: Real> LegMotion<S> {
 
         // Footpad: normal force (29), friction (39), torque about its hinge (52), (69), and what the link bears of it
         // (49), (68).
-        if !is_pad_slack {
+        if pressed.pads {
             let swing = pose.link_normal.in_leg_axes() * length;
             // The pivot swings on a circle about the hardpoint.
             let toward_hardpoint = Vector3::new(-swing.z, S::zero(), swing.x);
@@ -149,7 +153,7 @@ impl<S: Real> LegMotion<S> {
                 contact.turned(&swing.cross(&force), toward_hardpoint.dot(&force));
         }
         // Block: normal force (33), friction (39).
-        if !is_block_slack {
+        if pressed.blocks {
             let point = &pose.block_center;
             let none = Vector3::from([S::zero(); 3]);
             let velocity = frame.velocity_at(point);

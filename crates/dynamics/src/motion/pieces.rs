@@ -50,23 +50,55 @@ impl LegPieces<f64> {
     }
 }
 
+/// Which kinds of elements carry pressure on any leg of a group.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pressed {
+    pub(super) pads: bool,
+    pub(super) blocks: bool,
+}
+
+/// Coefficients of four legs, side by side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct GroupPieces {
+    pub(super) legs: LegPieces<Quad>,
+    pub(super) pressed: Pressed,
+}
+
 /// Coefficients of all legs, side by side.
 #[derive(Debug, Clone, Copy)]
 pub struct Pieces<const LEGS: usize> {
     /// As many groups as there can be; lanes beyond the last leg hold none.
-    pub(super) groups: [LegPieces<Quad>; GROUPS],
+    pub(super) groups: [GroupPieces; GROUPS],
 }
 
 impl<const LEGS: usize> Pieces<LEGS> {
     /// Lays the coefficients of the legs side by side. Lanes beyond the last leg hold none.
     pub fn new(legs: &[LegPieces<f64>; LEGS]) -> Self {
-        let absent = LegPieces::absent();
-        Self {
-            groups: std::array::from_fn(|group| {
-                LegPieces::abreast(std::array::from_fn(|lane| {
-                    legs.get(group * LANES + lane).unwrap_or(&absent)
-                }))
-            }),
+        let pressed = Pressed {
+            pads: false,
+            blocks: false,
+        };
+        let absent = GroupPieces {
+            legs: LegPieces::absent().shared(),
+            pressed,
+        };
+        let mut pieces = Self {
+            groups: [absent; GROUPS],
+        };
+        for (j, leg) in legs.iter().enumerate() {
+            pieces.set_leg(j, leg);
         }
+        pieces
+    }
+
+    /// Sets the coefficients of leg `leg`.
+    pub fn set_leg(&mut self, leg: usize, pieces: &LegPieces<f64>) {
+        let GroupPieces { legs, pressed } = &mut self.groups[leg / LANES];
+        pieces.set_lane(legs, leg % LANES);
+        let [outer, inner] = &legs.pad;
+        *pressed = Pressed {
+            pads: !(outer.is_slack() && inner.is_slack()),
+            blocks: !legs.block.is_slack(),
+        };
     }
 }

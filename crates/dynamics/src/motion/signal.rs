@@ -54,6 +54,8 @@ pub enum Signal {
 impl Signal {
     /// Number of signals of a leg.
     pub const COUNT: usize = 23;
+    /// Leading ones that have ranges.
+    pub const RANGED: usize = 17;
 
     /// Every signal, in storage order.
     pub const ALL: [Self; Self::COUNT] = [

@@ -3,7 +3,7 @@
 use touchdown_dynamics::contact::{LegLaws, LegMode};
 use touchdown_dynamics::integrator::rosenbrock::GAMMA;
 use touchdown_dynamics::integrator::step::Step;
-use touchdown_dynamics::motion::{LegSignals, Motion, Pieces, Signal};
+use touchdown_dynamics::motion::{Glance, Motion, Pieces, Signal};
 use touchdown_dynamics::response::Response;
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
@@ -38,20 +38,18 @@ impl<const LEGS: usize> Bare<LEGS> {
         let mut modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&self.laws[j]));
         for _ in 0..32 {
             let mut derivative = State::zero();
-            let mut signals = [[0.0; Signal::COUNT]; LEGS];
+            let mut signals = Glance::blank();
             self.motion
                 .evaluate(state, &self.pieces, &mut derivative, &mut signals);
             let mut changed = false;
             for (j, mode) in modes.iter_mut().enumerate() {
-                let mut watches = Vec::new();
-                mode.watch(&self.laws[j], 0, &mut watches);
-                let left = watches.iter().find_map(|watch| {
-                    let exit = watch.range.exit(signals[j][watch.signal])?;
-                    Some((Signal::ALL[watch.signal], exit))
+                let ranges = mode.ranges(&self.laws[j]);
+                let left = ranges.iter().zip(Signal::ALL).find_map(|(range, signal)| {
+                    Some((signal, range.exit(signals.of(j, signal))?))
                 });
                 if let Some((signal, exit)) = left {
                     changed = true;
-                    mode.cross(&self.laws[j], j, signal, exit, &signals[j])
+                    mode.cross(&self.laws[j], j, signal, exit, &signals.leg(j))
                         .unwrap();
                 }
             }
@@ -77,7 +75,7 @@ impl<const LEGS: usize> Bare<LEGS> {
     }
 
     /// The signals of all legs, torques included.
-    pub fn signals(&self, state: &State<f64, LEGS>) -> [LegSignals<f64>; LEGS] {
+    pub fn signals(&self, state: &State<f64, LEGS>) -> Glance<LEGS> {
         self.motion.signals(state, &self.pieces, true)
     }
 

@@ -1,0 +1,72 @@
+//! The signals of all legs at one instant.
+
+use super::{LegSignals, Signal};
+use crate::integrator::event::Signals;
+use crate::quad::{LANES, MOST_LEGS, Quad};
+
+/// Signals of all legs at one instant. The legs' numbers of one kind lie side by side, as in a state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub struct Glance<const LEGS: usize> {
+    rows: [[f64; MOST_LEGS]; Signal::COUNT],
+}
+
+impl<const LEGS: usize> Glance<LEGS> {
+    /// Nothing seen yet: all signals zero.
+    pub fn blank() -> Self {
+        Self {
+            rows: [[0.0; MOST_LEGS]; Signal::COUNT],
+        }
+    }
+
+    /// A signal of leg `leg`.
+    #[inline(always)]
+    pub fn of(&self, leg: usize, signal: Signal) -> f64 {
+        self.rows[signal as usize][leg]
+    }
+
+    /// All signals of leg `leg`.
+    #[inline(always)]
+    pub fn leg(&self, leg: usize) -> LegSignals<f64> {
+        self.rows.map(|row| row[leg])
+    }
+
+    /// Signal by signal, that of every leg there may be.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> &[[f64; MOST_LEGS]; Signal::COUNT] {
+        &self.rows
+    }
+
+    /// Writes a signal of leg `leg`.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, leg: usize, signal: Signal, value: f64) {
+        self.rows[signal as usize][leg] = value;
+    }
+
+    /// Writes the signals of a group of four.
+    #[inline(always)]
+    pub(super) fn set_abreast(&mut self, group: usize, legs: &LegSignals<Quad>) {
+        for (row, signal) in self.rows.iter_mut().zip(legs) {
+            row[group * LANES..][..LANES].copy_from_slice(&signal.0);
+        }
+    }
+
+    /// Index of a signal of leg `leg` among all.
+    #[inline(always)]
+    pub fn index(leg: usize, signal: Signal) -> usize {
+        signal as usize * MOST_LEGS + leg
+    }
+
+    /// Leg and signal at an index.
+    #[inline(always)]
+    pub fn at_index(index: usize) -> (usize, Signal) {
+        (index % MOST_LEGS, Signal::ALL[index / MOST_LEGS])
+    }
+}
+
+impl<const LEGS: usize> Signals for Glance<LEGS> {
+    #[inline(always)]
+    fn get(&self, index: usize) -> f64 {
+        self.rows.as_flattened()[index]
+    }
+}
