@@ -22,7 +22,7 @@ use crate::methods::{self, Method};
 use crate::motion::{Motion, Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
-use crate::stability::{Judge, Observation, calm_height};
+use crate::stability::{Judge, calm_height};
 use crate::state::State;
 use crate::strut::GentleKinks;
 use crate::touchdown::touchdown;
@@ -30,9 +30,10 @@ use crate::vehicle::Vehicle;
 
 use account::History;
 use advance::{Advance, Cut, Start};
-use ranges::Ranges;
+use ranges::SignalRanges;
 use stiffness::Stiffness;
 use trail::Trail;
+use verdict::Outlook;
 
 pub(crate) use rates::final_rates;
 
@@ -82,18 +83,17 @@ pub fn land_observed<const LEGS: usize>(
     flight.conclude(outcome)
 }
 
-/// What was seen at the start of the step before.
+/// The step before.
 struct Earlier<const LEGS: usize> {
-    observation: Observation<LEGS>,
+    /// Accelerations of the links at its start, rad/s².
     link_accelerations: [f64; LEGS],
+    /// Its length, s.
     length: f64,
 }
 
 /// How a landing is followed from step to step.
 struct Course<const LEGS: usize> {
-    judge: Judge<LEGS>,
-    /// What the judge saw last.
-    seen: Observation<LEGS>,
+    outlook: Outlook<LEGS>,
     control: StepControl,
     /// Steps aimed at, rejected ones included.
     attempts: u64,
@@ -127,7 +127,7 @@ struct Flight<'a, O, const LEGS: usize> {
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
-    ranges: Ranges<LEGS>,
+    ranges: SignalRanges<LEGS>,
     /// Signals that may have left their range within the last step.
     suspects: Vec<Watch>,
     /// The gentle kinks next to each strut that works.
@@ -180,7 +180,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height(),
             motion,
             locates_kinks: settings.tolerance() <= KINKS_LOCATED,
-            ranges: Ranges::new(&std::array::from_fn(|j| modes[j].ranges(&laws[j]))),
+            ranges: SignalRanges::new(&std::array::from_fn(|j| modes[j].ranges(&laws[j]))),
             laws,
             modes,
             pieces,
@@ -228,7 +228,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let seen = judge.observe(&self.motion, &self.start);
         if let Err(verdict) = first_look {
             // With all feet on one side no angle is defined: nothing is left of stability.
-            self.note_observation(&Observation { angle: 0.0, ..seen }, 0.0);
+            self.note_observation(&seen, 0.0);
+            self.least_angle = (0.0, 0.0);
             return Err(verdict.into());
         }
         self.note_observation(&seen, 0.0);
@@ -237,8 +238,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         }
         self.settle()?;
         Ok(Course {
-            judge,
-            seen,
+            outlook: Outlook::new(judge, seen),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (self.events, self.time),
@@ -306,8 +306,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         error: f64,
     ) -> Result<(), Outcome> {
         let Course {
-            judge,
-            seen,
+            outlook,
             control,
             burst,
             ..
@@ -332,8 +331,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         };
         let event = event.filter(|_| kink.is_none());
         let reach = kink.unwrap_or(reach);
-        let seen_before = *seen;
-        let judged = self.judge(judge, seen, reach);
+        let judged = self.judge(outlook, reach);
         let reach = judged.map_or(reach, |(theta, _)| theta);
         self.report(reach);
         self.time += reach * length;
@@ -366,7 +364,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
                 self.step.slopes[0] = self.step.slopes[5];
             }
             self.earlier = Some(Earlier {
-                observation: seen_before,
                 link_accelerations,
                 length: reach * length,
             });

@@ -2,10 +2,13 @@
 
 use libm::{atan2, hypot};
 use nalgebra::Vector3;
+use num_traits::Zero;
 
 use crate::critical_feet::{CriticalFeet, critical_feet};
 use crate::integrator::event::{Bounds, Signals, Watch};
+use crate::integrator::ranges::Ranges;
 use crate::motion::{Footing, Motion};
+use crate::quad::{LANES, MOST_LEGS, Quad};
 use crate::scene::Scene;
 use crate::state::{Body, State};
 use crate::vehicle::Vehicle;
@@ -48,28 +51,46 @@ pub enum Plane {
 /// What outcomes are judged by, at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Observation<const LEGS: usize> {
-    /// Side of each foot: positive to the left of the plane.
-    pub sides: [f64; LEGS],
+    /// What has a range: the side of each foot, positive to the left of the plane; σ; what has to calm down.
+    ranged: [[f64; LANES]; QUADS],
     /// Stability angle σ, rad (79); positive inboard of the critical feet.
     pub angle: f64,
-    /// Ẋ, Ẏ, Ż in ft/s, ω in rad/s, height of the CG over the surface in ft.
-    pub calm: [f64; CALM],
     /// Least height of the lower hardpoints over the surface (71), ft.
     pub clearance: f64,
 }
 
+/// Quantities that have to calm down: Ẋ, Ẏ, Ż in ft/s, ω in rad/s, height of the CG over the surface in ft.
 const CALM: usize = 7;
+/// Quads of what has a range.
+const QUADS: usize = (MOST_LEGS + 1 + CALM).div_ceil(LANES);
+
+impl<const LEGS: usize> Observation<LEGS> {
+    fn new(sides: [f64; LEGS], angle: f64, calm: [f64; CALM], clearance: f64) -> Self {
+        let mut ranged = [[0.0; LANES]; QUADS];
+        let numbers = ranged.as_flattened_mut();
+        numbers[..LEGS].copy_from_slice(&sides);
+        numbers[LEGS] = angle;
+        numbers[LEGS + 1..][..CALM].copy_from_slice(&calm);
+        Self {
+            ranged,
+            angle,
+            clearance,
+        }
+    }
+
+    fn sides(&self) -> [f64; LEGS] {
+        std::array::from_fn(|leg| self.get(leg))
+    }
+
+    fn calm(&self) -> [f64; CALM] {
+        std::array::from_fn(|k| self.get(LEGS + 1 + k))
+    }
+}
 
 impl<const LEGS: usize> Signals for Observation<LEGS> {
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
-        if index < LEGS {
-            self.sides[index]
-        } else if index == LEGS {
-            self.angle
-        } else {
-            self.calm[index - LEGS - 1]
-        }
+        self.ranged.as_flattened()[index]
     }
 }
 
@@ -94,8 +115,7 @@ pub struct Judge<const LEGS: usize> {
     calm_height: f64,
     plane: Plane,
     feet: CriticalFeet,
-    /// Rockback ends the landing beyond this σ, rad.
-    highest: f64,
+    ranges: Ranges<QUADS>,
     watches: Vec<Watch>,
 }
 
@@ -112,7 +132,7 @@ impl<const LEGS: usize> Judge<LEGS> {
                 negative: 0,
                 positive: 1,
             },
-            highest: f64::INFINITY,
+            ranges: Ranges::free(),
             watches: Vec::with_capacity(LEGS + 1 + CALM),
         }
     }
@@ -135,7 +155,7 @@ impl<const LEGS: usize> Judge<LEGS> {
             Plane::Motion
         };
         self.watches.clear();
-        let sides = self.observe(motion, state).sides;
+        let sides = self.observe(motion, state).sides();
         self.feet = critical_feet(&sides.map(|side| side >= 0.0)).ok_or(Verdict::Yaw)?;
         Ok(self.observe(motion, state))
     }
@@ -160,20 +180,10 @@ impl<const LEGS: usize> Judge<LEGS> {
         let clearance = hardpoint_depths
             .iter()
             .fold(f64::INFINITY, |least, depth| least.min(-depth));
-        Observation {
-            sides,
-            angle: self.angle(&feet[self.feet.negative], &feet[self.feet.positive], vx, vy),
-            calm: [
-                vx,
-                vy,
-                body.velocity.z,
-                body.rate.x,
-                body.rate.y,
-                body.rate.z,
-                -depth,
-            ],
-            clearance,
-        }
+        let angle = self.angle(&feet[self.feet.negative], &feet[self.feet.positive], vx, vy);
+        let (v, rate) = (&body.velocity, &body.rate);
+        let calm = [v.x, v.y, v.z, rate.x, rate.y, rate.z, -depth];
+        Observation::new(sides, angle, calm, clearance)
     }
 
     /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
@@ -211,34 +221,39 @@ impl<const LEGS: usize> Judge<LEGS> {
         } else {
             f64::INFINITY
         };
-        if !self.watches.is_empty() && highest == self.highest {
-            return;
-        }
-        self.highest = highest;
-        let sides = seen.sides.into_iter().map(|side| {
-            let range = if side >= 0.0 {
-                Bounds::above(0.0)
-            } else {
-                Bounds::below(0.0)
-            };
-            range.widened(SIDE_SLACK)
-        });
         let angle = Bounds {
             lower: 0.0,
             upper: highest + ANGLE_SLACK,
         };
-        let calm =
-            seen.calm.into_iter().enumerate().map(|(index, value)| {
+        if self.watches.is_empty() {
+            let sides = seen.sides().into_iter().map(|side| {
+                let range = if side >= 0.0 {
+                    Bounds::above(0.0)
+                } else {
+                    Bounds::below(0.0)
+                };
+                range.widened(SIDE_SLACK)
+            });
+            let calm = seen.calm().into_iter().enumerate().map(|(index, value)| {
                 calm_cell(self.calm_height, index, value).widened(CALM_SLACK)
             });
-        self.watches.clear();
-        self.watches.extend(
-            sides
-                .chain(std::iter::once(angle))
-                .chain(calm)
-                .enumerate()
-                .map(|(signal, range)| Watch { signal, range }),
-        );
+            let ranges = sides.chain(std::iter::once(angle)).chain(calm);
+            for (signal, range) in ranges.enumerate() {
+                self.watches.push(Watch { signal, range });
+                self.ranges.set(signal, range);
+            }
+        } else {
+            self.watches[LEGS].range = angle;
+            self.ranges.set(LEGS, angle);
+        }
+    }
+
+    /// Whether no range can have been left within a step, as observations before the step before, at the start and
+    /// at the end of the step tell, `ratio` being this step's length over that one's.
+    pub fn keep(&self, observations: [&Observation<LEGS>; 3], ratio: f64) -> bool {
+        let looks = observations.map(|seen| &seen.ranged[..]);
+        let mut reach = [Quad::zero(); QUADS];
+        self.ranges.keep(looks, ratio, &mut reach)
     }
 
     /// The ranges last chosen.
@@ -248,7 +263,7 @@ impl<const LEGS: usize> Judge<LEGS> {
 
     /// The verdict on what is observed now, if there is one.
     pub fn verdict(&self, seen: &Observation<LEGS>, least_angle: f64) -> Option<Verdict> {
-        let [vx, vy, vz, wx, wy, wz, height] = seen.calm;
+        let [vx, vy, vz, wx, wy, wz, height] = seen.calm();
         let calm = [vx, vy, vz].iter().all(|v| v.abs() <= CALM_SPEED)
             && [wx, wy, wz].iter().all(|w| w.abs() <= CALM_RATE)
             && height <= self.calm_height;

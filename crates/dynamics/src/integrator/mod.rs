@@ -3,6 +3,7 @@
 pub mod dense;
 pub mod dormand_prince;
 pub mod event;
+pub mod ranges;
 pub mod rosenbrock;
 pub mod step;
 pub mod step_control;

@@ -21,7 +21,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let arch = self.motion.arch();
         if let Some(earlier) = &self.earlier {
             let ratio = self.step.length / earlier.length;
-            if (self.ranges).are_quiet(arch, [before, start, end], ratio) {
+            if (self.ranges).keep(arch, [before, start, end], ratio) {
                 return None;
             }
         }

@@ -9,21 +9,47 @@ use crate::stability::{Judge, Observation, Verdict};
 /// Parabolas laid toward a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
 
+/// Stability as it has been followed so far.
+pub(super) struct Outlook<const LEGS: usize> {
+    judge: Judge<LEGS>,
+    /// What the judge sees now.
+    seen: Observation<LEGS>,
+    /// What he saw at the start of the step before, and how long ago that is, s. Laws that change leave it: feet
+    /// and velocities go on without a jump.
+    before: Option<(Observation<LEGS>, f64)>,
+}
+
+impl<const LEGS: usize> Outlook<LEGS> {
+    /// A judge and what he sees at touchdown.
+    pub(super) fn new(judge: Judge<LEGS>, seen: Observation<LEGS>) -> Self {
+        Self {
+            judge,
+            seen,
+            before: None,
+        }
+    }
+
+    fn go_on(&mut self, seen: Observation<LEGS>, time: f64) {
+        self.before = Some((self.seen, time));
+        self.seen = seen;
+    }
+}
+
 impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
     /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls.
     pub(super) fn judge(
         &mut self,
-        judge: &mut Judge<LEGS>,
-        seen: &mut Observation<LEGS>,
+        outlook: &mut Outlook<LEGS>,
         reach: f64,
     ) -> Option<(f64, Verdict)> {
         let resolution = self.event_resolution / self.step.length;
         let mut start = Node {
             theta: 0.0,
-            signals: *seen,
+            signals: outlook.seen,
         };
         while start.theta < reach {
-            judge.watch(&start.signals, self.least_angle.0);
+            (outlook.judge).watch(&start.signals, self.least_angle.0);
+            let judge = &outlook.judge;
             let look = |theta: f64| {
                 if theta == 1.0 {
                     let body = self.step.after.body();
@@ -38,16 +64,17 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 signals: look(theta),
             };
             let end = node(reach);
-            if start.theta == 0.0 && self.is_uneventful(judge, &start, &end) {
+            let length = (reach - start.theta) * self.step.length;
+            if self.is_uneventful(outlook, &end.signals, length) {
                 self.note_observation(&end.signals, self.time_at(reach));
-                *seen = end.signals;
+                outlook.go_on(end.signals, length);
                 return None;
             }
             let middle = node(0.5 * (start.theta + reach));
             let exit = first_exit(&start, &middle, &end, judge.watches(), resolution, look);
             let Some(exit) = exit else {
                 self.note_least(judge, [&start, &middle, &end]);
-                *seen = end.signals;
+                outlook.go_on(end.signals, length);
                 return None;
             };
             let middle = node(0.5 * (start.theta + exit.theta));
@@ -55,38 +82,38 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             if let Some(verdict) = judge.verdict(&exit.signals, self.least_angle.0) {
                 return Some((exit.theta, verdict));
             }
-            match judge.look(&self.motion, &self.step.motion_at(exit.theta)) {
+            match (outlook.judge).look(&self.motion, &self.step.motion_at(exit.theta)) {
                 Err(verdict) => return Some((exit.theta, verdict)),
                 Ok(observation) => {
                     self.note_observation(&observation, self.time_at(exit.theta));
-                    if let Some(verdict) = judge.verdict(&observation, self.least_angle.0) {
+                    let verdict = outlook.judge.verdict(&observation, self.least_angle.0);
+                    if let Some(verdict) = verdict {
                         return Some((exit.theta, verdict));
                     }
                     start = Node {
                         theta: exit.theta,
                         signals: observation,
                     };
+                    outlook.seen = observation;
+                    outlook.before = None;
                 }
             }
         }
-        *seen = start.signals;
         None
     }
 
-    /// Whether between the ends of a step no verdict can fall and no new least value hide.
+    /// Whether within a step of `length` s that ends like this no verdict can fall and no new least value hide.
     fn is_uneventful(
         &self,
-        judge: &Judge<LEGS>,
-        start: &Node<Observation<LEGS>>,
-        end: &Node<Observation<LEGS>>,
+        outlook: &Outlook<LEGS>,
+        end: &Observation<LEGS>,
+        length: f64,
     ) -> bool {
-        let Some(earlier) = &self.earlier else {
+        let (start, Some((before, ago))) = (&outlook.seen, &outlook.before) else {
             return false;
         };
-        let ratio = end.theta * self.step.length / earlier.length;
-        let (before, start, end) = (&earlier.observation, &start.signals, &end.signals);
-        let mut watches = judge.watches().iter();
-        watches.all(|watch| watch.is_quiet(before, start, end, ratio))
+        let ratio = length / ago;
+        outlook.judge.keep([before, start, end], ratio)
             && is_plain(
                 before.angle,
                 start.angle,

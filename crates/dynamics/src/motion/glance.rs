@@ -31,10 +31,10 @@ impl<const LEGS: usize> Glance<LEGS> {
         self.rows.map(|row| row[leg])
     }
 
-    /// Signal by signal, that of every leg there may be.
+    /// The signals that have ranges, four at a time.
     #[inline(always)]
-    pub(crate) fn rows(&self) -> &[[f64; MOST_LEGS]; Signal::COUNT] {
-        &self.rows
+    pub(crate) fn ranged(&self) -> &[[f64; LANES]] {
+        self.rows[..Signal::RANGED].as_flattened().as_chunks().0
     }
 
     /// Writes a signal of leg `leg`.
@@ -55,12 +55,6 @@ impl<const LEGS: usize> Glance<LEGS> {
     #[inline(always)]
     pub fn index(leg: usize, signal: Signal) -> usize {
         signal as usize * MOST_LEGS + leg
-    }
-
-    /// Leg and signal at an index.
-    #[inline(always)]
-    pub fn at_index(index: usize) -> (usize, Signal) {
-        (index % MOST_LEGS, Signal::ALL[index / MOST_LEGS])
     }
 }
 

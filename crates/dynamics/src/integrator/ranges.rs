@@ -1,0 +1,177 @@
+//! Ranges of many numbers at once, four abreast.
+
+use num_traits::Zero;
+
+use crate::integrator::event::Bounds;
+use crate::quad::{LANES, Quad};
+use crate::scalar::Real;
+
+/// Ranges of numbers that lie side by side in quads.
+#[derive(Debug, Clone)]
+pub struct Ranges<const QUADS: usize> {
+    lower: [Quad; QUADS],
+    upper: [Quad; QUADS],
+}
+
+impl<const QUADS: usize> Ranges<QUADS> {
+    /// No restriction.
+    pub fn free() -> Self {
+        Self {
+            lower: [Quad::constant(Bounds::FREE.lower); QUADS],
+            upper: [Quad::constant(Bounds::FREE.upper); QUADS],
+        }
+    }
+
+    /// Range of the number at an index.
+    #[inline(always)]
+    pub fn get(&self, index: usize) -> Bounds {
+        Bounds {
+            lower: self.lower[index / LANES].0[index % LANES],
+            upper: self.upper[index / LANES].0[index % LANES],
+        }
+    }
+
+    /// Sets the range of the number at an index.
+    #[inline(always)]
+    pub fn set(&mut self, index: usize, range: Bounds) {
+        self.lower[index / LANES].0[index % LANES] = range.lower;
+        self.upper[index / LANES].0[index % LANES] = range.upper;
+    }
+
+    /// Whether every number is in its range. One that is not a number is not.
+    #[inline(always)]
+    pub fn hold(&self, numbers: &[[f64; LANES]]) -> bool {
+        let mut farthest = Farthest::new();
+        for ((number, &lower), &upper) in quads(numbers).zip(&self.lower).zip(&self.upper) {
+            farthest.note(greater(lower - number, number - upper));
+        }
+        farthest.all(|beyond| beyond <= 0.0)
+    }
+
+    /// Whether no number can have left its range within a step, as looks before the step before, at the start and
+    /// at the end of the step tell, `ratio` being this step's length over that one's: at both ends of the step it is
+    /// farther inside than it can stray. How far each can get beyond its range is written to `reach`; negative where
+    /// it stays inside.
+    ///
+    /// A number can stray as far as it changes over the step and as the step before lets expect: eight times as far
+    /// as a parabola through the three looks would turn.
+    #[inline(always)]
+    pub fn keep(
+        &self,
+        [before, start, end]: [&[[f64; LANES]]; 3],
+        ratio: f64,
+        reach: &mut [Quad; QUADS],
+    ) -> bool {
+        let ratio = Quad::constant(ratio);
+        let mut farthest = Farthest::new();
+        let looks = quads(before).zip(quads(start)).zip(quads(end));
+        let ranges = self.lower.iter().zip(&self.upper);
+        for ((((before, start), end), (&lower, &upper)), reach) in looks.zip(ranges).zip(reach) {
+            let stray = (end - start).abs() + ratio * (start - before).abs();
+            let below = greater(lower - start, lower - end);
+            let above = greater(start - upper, end - upper);
+            *reach = greater(below, above) + stray;
+            farthest.note(*reach);
+        }
+        farthest.all(|beyond| beyond < 0.0)
+    }
+}
+
+/// The greatest of some numbers, lane by lane.
+struct Farthest {
+    greatest: Quad,
+    /// A maximum drops what is not a number, a sum keeps it.
+    sum: Quad,
+}
+
+impl Farthest {
+    #[inline(always)]
+    fn new() -> Self {
+        Self {
+            greatest: Quad::constant(f64::NEG_INFINITY),
+            sum: Quad::zero(),
+        }
+    }
+
+    #[inline(always)]
+    fn note(&mut self, numbers: Quad) {
+        self.greatest = greater(self.greatest, numbers);
+        self.sum += numbers;
+    }
+
+    /// Whether all are numbers, and such that `holds`.
+    #[inline(always)]
+    fn all(&self, holds: impl Fn(f64) -> bool) -> bool {
+        self.greatest.0.into_iter().all(holds) && self.sum.0.iter().all(|sum| !sum.is_nan())
+    }
+}
+
+/// The greater of two numbers, or the second where either is none: an instruction of the processor.
+#[inline(always)]
+fn greater(a: Quad, b: Quad) -> Quad {
+    Quad(std::array::from_fn(|i| {
+        if a.0[i] > b.0[i] { a.0[i] } else { b.0[i] }
+    }))
+}
+
+#[inline(always)]
+fn quads(numbers: &[[f64; LANES]]) -> impl Iterator<Item = Quad> {
+    numbers.iter().map(|&four| Quad(four))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers from 1 to 2 but for the last, which is free.
+    fn ranges() -> Ranges<1> {
+        let mut ranges = Ranges::free();
+        for index in 0..3 {
+            ranges.set(index, Bounds::between(1.0, 2.0));
+        }
+        ranges
+    }
+
+    fn keep(before: f64, start: f64, end: f64, ratio: f64) -> bool {
+        let look = |number| [[1.5, number, 1.5, 7.0]];
+        let [before, start, end] = [before, start, end].map(look);
+        ranges().keep([&before, &start, &end], ratio, &mut [Quad::zero()])
+    }
+
+    #[test]
+    fn what_is_farther_inside_than_it_can_stray_keeps_its_range() {
+        assert!(keep(1.5, 1.5, 1.5, 1.0));
+        assert!(keep(1.4, 1.5, 1.6, 1.0));
+        // Room 0.4; strays 0.1 + 0.1 ratio.
+        assert!(keep(1.4, 1.5, 1.6, 2.9));
+        assert!(!keep(1.4, 1.5, 1.6, 3.1));
+        assert!(!keep(1.5, 1.5, 1.8, 1.0));
+        assert!(!keep(1.5, 1.2, 1.5, 0.0));
+        assert!(!keep(1.5, 0.9, 0.9, 0.0));
+    }
+
+    #[test]
+    fn what_is_no_number_keeps_no_range() {
+        assert!(!keep(1.5, 1.5, f64::NAN, 1.0));
+        assert!(!keep(f64::NAN, 1.5, 1.5, 1.0));
+        for index in 0..4 {
+            let mut numbers = [[1.5; LANES]];
+            assert!(ranges().hold(&numbers));
+            numbers[0][index] = f64::NAN;
+            assert!(!ranges().hold(&numbers), "{index}");
+        }
+    }
+
+    #[test]
+    fn ranges_hold_to_their_ends() {
+        for (number, is_inside) in [(1.0, true), (2.0, true), (0.999, false), (2.001, false)] {
+            for index in 0..3 {
+                let mut numbers = [[1.5, 1.5, 1.5, -1e9]];
+                numbers[0][index] = number;
+                assert_eq!(ranges().hold(&numbers), is_inside);
+                assert_eq!(ranges().get(index).exit(number).is_none(), is_inside);
+            }
+        }
+        assert!(ranges().get(3).is_free());
+    }
+}
