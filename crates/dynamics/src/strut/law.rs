@@ -12,6 +12,8 @@ struct StrokeSegment {
     is_plastic: bool,
     /// Whether the law only bends a little at the upper end.
     is_gentle_above: bool,
+    /// Whether it does not even bend there.
+    goes_on_above: bool,
     /// S_K = offset + slope δ.
     multiplier: [f64; 2],
     /// Compression damping R_c S_D = offset + slope δ.
@@ -50,6 +52,10 @@ impl StrutLaw {
             .flat_map(|p| p.knots()[1..p.knots().len() - 1].iter().map(|k| k[0]))
             .chain([0.0, STOP_STROKE, elastic_limit, f64::INFINITY])
             .collect();
+        let bends_at = |stroke: f64| {
+            let mut bends = tables.iter().flat_map(|p| p.knots());
+            stroke == elastic_limit || bends.any(|knot| knot[0] == stroke)
+        };
         knots.sort_by(f64::total_cmp);
         knots.dedup();
         let mut lower = f64::NEG_INFINITY;
@@ -66,6 +72,7 @@ impl StrutLaw {
                     is_gentle_above: upper.is_finite()
                         && (lower >= elastic_limit
                             || upper == 0.0 && strut.damping_profile.knots()[0][1] == 1.0),
+                    goes_on_above: upper == STOP_STROKE && !bends_at(upper),
                     multiplier: line(&strut.spring_profile, 1.0),
                     compression: if upper <= 0.0 {
                         [strut.compression_damping, 0.0]
@@ -135,6 +142,11 @@ impl StrutLaw {
     /// Whether a leg that extends in this segment is on its stop.
     pub(super) fn is_on_stop(&self, segment: usize) -> bool {
         self.segments[segment].upper <= STOP_STROKE
+    }
+
+    /// Whether the law goes on unchanged above the upper end of this segment.
+    pub(super) fn goes_on_above(&self, segment: usize) -> bool {
+        self.segments[segment].goes_on_above
     }
 
     /// Whether a step may run over the lower end of this segment.

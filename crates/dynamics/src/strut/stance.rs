@@ -104,8 +104,7 @@ impl Stance {
         let Self::Working { segment } = *self else {
             return Bounds::FREE;
         };
-        let first = segment - usize::from(law.is_gentle_below(segment));
-        let last = segment + usize::from(law.is_gentle_above(segment));
+        let [first, last] = span(law, segment);
         let upper = law.upper(last).min(law.bottoming_stroke());
         Bounds::between(law.lower(first), upper).widened(STROKE_SLACK)
     }
@@ -143,14 +142,17 @@ impl Stance {
         })
     }
 
-    /// Follows the stroke over a gentle kink: the law stays the same, its coefficients are centred
+    /// Follows the stroke over a gentle kink or off the stop: the law stays the same, its coefficients are centred
     /// on the segment the stroke is in.
     /// Whether they changed.
     pub fn follow(&mut self, law: &StrutLaw, stroke: f64) -> bool {
         let Self::Working { segment } = self else {
             return false;
         };
-        if law.is_gentle_above(*segment) && stroke > law.upper(*segment) {
+        if law.is_on_stop(*segment) && stroke > law.upper(*segment) {
+            *segment = law.segment_at(stroke);
+            true
+        } else if law.is_gentle_above(*segment) && stroke > law.upper(*segment) {
             *segment += 1;
             true
         } else if law.is_gentle_below(*segment) && stroke < law.lower(*segment) {
@@ -173,9 +175,10 @@ impl Stance {
     /// The stroke left its range (other than by bottoming).
     pub fn cross_stroke(&mut self, law: &StrutLaw, exit: Exit, on_surface: bool, link_rate: f64) {
         if let Self::Working { segment } = self {
+            let [first, last] = span(law, *segment);
             *segment = match exit {
-                Exit::Above => *segment + 1 + usize::from(law.is_gentle_above(*segment)),
-                Exit::Below => *segment - 1 - usize::from(law.is_gentle_below(*segment)),
+                Exit::Above => last + 1,
+                Exit::Below => first - 1,
             };
             if law.is_on_stop(*segment) && link_rate >= 0.0 {
                 *self = Self::extended(on_surface, link_rate);
@@ -191,6 +194,9 @@ impl Stance {
                     segment: law.segment_at(stroke),
                 };
             }
+            Self::Working { segment } if stroke > STOP_STROKE => {
+                *segment = law.segment_at(stroke);
+            }
             Self::Working { segment } if law.is_on_stop(*segment) => {
                 *self = Self::extended(on_surface, link_rate);
             }
@@ -204,6 +210,17 @@ impl Stance {
             *pushed = exit == Exit::Below;
         }
     }
+}
+
+/// First and last of the segments over which a strut that works in `segment` has one law: across gentle kinks,
+/// and on its way off the stop, where only the link must not turn.
+fn span(law: &StrutLaw, segment: usize) -> [usize; 2] {
+    let first = segment - usize::from(law.is_gentle_below(segment));
+    let mut last = segment + usize::from(law.is_gentle_above(segment));
+    while law.is_on_stop(segment) && law.goes_on_above(last) {
+        last += 1;
+    }
+    [first, last]
 }
 
 /// Range of a link rate between standstill, but for `slack` past it, and the rate at which resistance is
