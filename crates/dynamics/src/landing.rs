@@ -19,7 +19,7 @@ use crate::integrator::step::Step;
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::integrator::{dormand_prince, rosenbrock};
 use crate::methods::{self, Method};
-use crate::motion::{Motion, Pieces, Signal};
+use crate::motion::{Glance, Motion, Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, calm_height};
@@ -137,6 +137,9 @@ struct Flight<'a, O, const LEGS: usize> {
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
     signals: Trail<LEGS>,
+    /// The signals in the middle of the step, if it is implicit.
+    middle: Glance<LEGS>,
+    is_middle_seen: bool,
     /// The step before, if no law has changed since.
     earlier: Option<Earlier<LEGS>>,
     start: State<f64, LEGS>,
@@ -190,6 +193,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             time: 0.0,
             step: Step::from(state, State::zero()),
             signals: Trail::new(),
+            middle: Glance::blank(),
+            is_middle_seen: false,
             earlier: None,
             start: state,
             least_angle: (f64::INFINITY, 0.0),
@@ -281,6 +286,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             Some(_) => rosenbrock::EVALUATIONS,
             None => dormand_prince::EVALUATIONS,
         };
+        self.is_middle_seen = response.is_some();
         let advance = Advance {
             motion: &self.motion,
             pieces: &self.pieces,
@@ -289,6 +295,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             tolerance: self.settings.tolerance(),
             greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
             step: &mut self.step,
+            middle: &mut self.middle,
             signals: self.signals.ahead_mut(),
         };
         self.motion.arch().dispatch(advance)

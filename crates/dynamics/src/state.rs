@@ -166,12 +166,30 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
     ) -> [[S; LEGS]; 2] {
-        [LINK_ANGLE, LINK_RATE].map(|row| {
-            std::array::from_fn(|j| {
-                let terms = weights.iter().zip(slopes);
-                terms.fold(self.legs[row][j], |sum, (&weight, slope)| {
-                    sum + weight * slope.legs[row][j]
-                })
+        [LINK_ANGLE, LINK_RATE].map(|row| self.row_advanced(row, weights, slopes))
+    }
+
+    /// Rates α̇ of the pads (rad/s) in self + Σ weight · slope.
+    #[inline(always)]
+    pub fn pad_rates_advanced<const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+    ) -> [S; LEGS] {
+        self.row_advanced(PAD_RATE, weights, slopes)
+    }
+
+    #[inline(always)]
+    fn row_advanced<const TERMS: usize>(
+        &self,
+        row: usize,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+    ) -> [S; LEGS] {
+        std::array::from_fn(|j| {
+            let terms = weights.iter().zip(slopes);
+            terms.fold(self.legs[row][j], |sum, (&weight, slope)| {
+                sum + weight * slope.legs[row][j]
             })
         })
     }

@@ -29,6 +29,13 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
             .links_advanced(self.weights(theta), self.stages())
     }
 
+    /// Rates α̇ of the pads at fraction θ of the step, rad/s.
+    #[inline(always)]
+    pub fn pad_rates_at(&self, theta: S) -> [S; LEGS] {
+        self.before
+            .pad_rates_advanced(self.weights(theta), self.stages())
+    }
+
     #[inline(always)]
     fn stages(&self) -> [&State<S, LEGS>; 6] {
         self.slopes.each_ref()

@@ -67,14 +67,15 @@ const SLOPE: [[f64; 5]; 5] = [
 
 impl<const LEGS: usize> Step<f64, LEGS> {
     /// Takes a step of length `h` from `before`, where the derivative is the first slope; `system` is that of
-    /// τ = [`GAMMA`] h. `derivative` writes the derivative at a state into its second argument; `last` does so at
-    /// the end of the step, where rates of pads at rest are yet those of its start.
+    /// τ = [`GAMMA`] h. `derivative` writes the derivative at a state into its second argument; `middle` and `last` do
+    /// so midway on the continuous output and at the end, where rates of pads at rest are yet those of the start.
     #[inline(always)]
     pub fn take_implicit(
         &mut self,
         h: f64,
         system: &System<'_, LEGS>,
         derivative: impl Fn(&State<f64, LEGS>, &mut State<f64, LEGS>),
+        middle: impl FnOnce(&State<f64, LEGS>, &mut State<f64, LEGS>),
         last: impl FnOnce(&State<f64, LEGS>, &mut State<f64, LEGS>),
     ) {
         self.length = h;
@@ -97,15 +98,15 @@ impl<const LEGS: usize> Step<f64, LEGS> {
             .advance_motion([1.0], [&stages[5]], &mut self.after);
 
         // In place of its stages' slopes a step keeps its mean slope, that in the middle, and its error over h.
-        let [first, mean, middle, error, _, end] = &mut self.slopes;
+        let [first, mean, midway, error, _, end] = &mut self.slopes;
         last(&self.after, end);
         self.before
             .midway(&self.after, 0.125 * h, [&*first, &*end], &mut self.stage);
-        derivative(&self.stage, middle);
+        middle(&self.stage, midway);
         *error = stages[5].over(h);
         let summed = |j| system.is_pad_at_rest(j);
         self.after
-            .accumulate(&self.before, h, [&*first, &*middle, &*end], summed, error);
+            .accumulate(&self.before, h, [&*first, &*midway, &*end], summed, error);
         *mean = self.after.minus(&self.before).over(h);
     }
 

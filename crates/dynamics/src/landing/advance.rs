@@ -21,6 +21,8 @@ pub(super) struct Advance<'a, const LEGS: usize> {
     /// Error allowed to a work integral, ft·lb.
     pub(super) greatest_work_error: f64,
     pub(super) step: &'a mut Step<f64, LEGS>,
+    /// Where the signals in the middle of an implicit step go.
+    pub(super) middle: &'a mut Glance<LEGS>,
     /// Where the signals at its end go.
     pub(super) signals: &'a mut Glance<LEGS>,
 }
@@ -45,8 +47,13 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
         };
         if let Some(response) = self.response {
             let system = response.over(GAMMA * self.length);
-            step.take_implicit(self.length, &system, derivative, last);
-            for j in 0..LEGS {
+            let middle = |state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>| {
+                motion.evaluate(state, pieces, slope, &mut *self.middle);
+            };
+            step.take_implicit(self.length, &system, derivative, middle, last);
+            let midway = step.pad_rates_at(0.5);
+            for (j, rate) in midway.into_iter().enumerate() {
+                (self.middle).set(j, Signal::PadRate, rate);
                 (self.signals).set(j, Signal::PadRate, step.after.leg(j).pad_rate);
             }
         } else {

@@ -37,9 +37,11 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 with_torques,
             })
         };
-        let middle = look(0.5);
+        if !self.is_middle_seen {
+            self.middle = look(0.5);
+        }
         let suspects = &mut self.suspects;
-        (self.ranges).watch_suspects(arch, [start, &middle, end], suspects);
+        (self.ranges).watch_suspects(arch, [start, &self.middle, end], suspects);
         if suspects.is_empty() {
             self.evaluations += looks;
             return None;
@@ -50,7 +52,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         };
         let middle = Node {
             theta: 0.5,
-            signals: middle,
+            signals: self.middle,
         };
         let resolution = self.event_resolution / self.step.length;
         let end = Node {

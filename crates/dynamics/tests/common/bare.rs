@@ -104,6 +104,7 @@ impl<const LEGS: usize> Bare<LEGS> {
             &response.over(GAMMA * length),
             derivative,
             derivative,
+            derivative,
         );
         step
     }
