@@ -201,7 +201,10 @@ impl LegMode {
             only(by_pivot, outer.drive_bounds().meet(inner.drive_bounds())),
             only(by_pivot, self.block.drive_bounds()),
             only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
-            only(self.block.is_loaded(), self.block_sliding.bounds(laws.friction)),
+            only(
+                self.block.is_loaded(),
+                self.block_sliding.bounds(laws.friction),
+            ),
             self.stance.stroke_bounds(&laws.strut),
             self.stance.rate_bounds(&laws.strut),
             self.stance.torque_bounds(),

@@ -126,6 +126,13 @@ impl Real for Quad {
     }
 
     #[inline(always)]
+    fn is_within(self, limit: f64) -> bool {
+        self.0
+            .iter()
+            .fold(true, |within, x| within & (x.abs() <= limit))
+    }
+
+    #[inline(always)]
     fn by_parity(self, even: Self, odd: Self) -> Self {
         Self(std::array::from_fn(|i| {
             self.0[i].by_parity(even.0[i], odd.0[i])

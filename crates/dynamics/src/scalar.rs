@@ -34,20 +34,34 @@ pub trait Real:
     fn where_negative(self, below: Self, above: Self) -> Self;
     /// Nearest whole number.
     fn round(self) -> Self;
+    /// Whether no lane is farther from 0 than `limit`.
+    fn is_within(self, limit: f64) -> bool;
     /// `even` where `self`, a whole number, is even, else `odd`.
     fn by_parity(self, even: Self, odd: Self) -> Self;
 
     /// Sine and cosine, to within 5e-16 for angles up to a thousand turns.
     ///
-    /// Without branches and without the platform's library, so that a landing comes out the same,
-    /// bit for bit, everywhere. Reduction to [-π/2, π/2] by three-part π after Cody and Waite,
-    /// then polynomials in the square, summed in pairs after Estrin: no term waits for the one before.
+    /// Without the platform's library, so that a landing comes out the same, bit for bit, everywhere.
+    /// Reduction to [-π/2, π/2] by three-part π after Cody and Waite, which is passed over where it changes
+    /// no bit; then polynomials in the square, summed in pairs after Estrin: no term waits for the one before.
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
+        if self.is_within(REDUCED) {
+            return self.reduced_sin_cos();
+        }
         let half_turns = (self * Self::constant(std::f64::consts::FRAC_1_PI)).round();
         let reduced = PI_PARTS
             .iter()
             .fold(self, |x, &part| x - half_turns * Self::constant(part));
+        let (sine, cosine) = reduced.reduced_sin_cos();
+        let sign = half_turns.by_parity(Self::one(), -Self::one());
+        (sign * sine, sign * cosine)
+    }
+
+    /// Sine and cosine of an angle in [-π/2, π/2].
+    #[inline(always)]
+    fn reduced_sin_cos(self) -> (Self, Self) {
+        let reduced = self;
         let square = reduced * reduced;
         let fourth = square * square;
         let eighth = fourth * fourth;
@@ -57,11 +71,12 @@ pub trait Real:
         };
         let sine = reduced + reduced * square * polynomial(&SINE);
         let cosine = Self::one() + square * polynomial(&COSINE);
-        let sign = half_turns.by_parity(Self::one(), -Self::one());
-        (sign * sine, sign * cosine)
+        (sine, cosine)
     }
 }
 
+/// Angle up to which there is nothing to reduce.
+const REDUCED: f64 = 1.57;
 /// π in parts, the first two short enough for exact products with whole numbers up to 2²².
 const PI_PARTS: [f64; 3] = [
     3.141592651605606,
@@ -127,6 +142,11 @@ impl Real for f64 {
         // Adding and taking away 1.5·2⁵² rounds to nearest without a library call.
         const SHIFTER: f64 = 6_755_399_441_055_744.0;
         (self + SHIFTER) - SHIFTER
+    }
+
+    #[inline(always)]
+    fn is_within(self, limit: f64) -> bool {
+        self.abs() <= limit
     }
 
     #[inline(always)]

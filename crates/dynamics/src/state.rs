@@ -379,10 +379,10 @@ impl<const LEGS: usize> State<f64, LEGS> {
 
     /// Whether every component is a finite number.
     pub fn is_finite(&self) -> bool {
-        self.body
-            .iter()
-            .chain(self.legs.as_flattened())
-            .all(|v| v.is_finite())
+        // Nothing times what is not finite is not a number.
+        let all = quads(&self.body).chain(quads(self.legs.as_flattened()));
+        let sum = all.fold(Quad::zero(), |sum, four| sum + four * Quad::zero());
+        sum.is_zero()
     }
 }
 

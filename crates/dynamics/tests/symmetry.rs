@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+use touchdown_dynamics::record::{Instant, Landing};
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -30,12 +31,38 @@ fn touchdowns(count: usize) -> Vec<(Conditions, CrushRule)> {
 }
 
 /// How far two landings are from being images of each other.
+#[derive(Clone, Copy)]
 struct Deviation {
     /// Of the histories up to the earlier end, ft and rad.
     motion: f64,
     /// Of end time (s), least stability angle (rad) and clearance (ft).
     end: f64,
 }
+
+impl Deviation {
+    fn max(self, other: Self) -> Self {
+        Self {
+            motion: self.motion.max(other.motion),
+            end: self.end.max(other.end),
+        }
+    }
+}
+
+/// A landing and its image.
+struct Pair {
+    deviation: Deviation,
+    /// How far the landing itself goes astray when its velocity differs by rounding; looked at where the image does.
+    astray: Deviation,
+}
+
+/// What is asked of all images but those of landings that go astray by rounding.
+const LIMIT: f64 = 1e-5;
+/// Changes of velocity, in units of its last place, that show whether a landing does.
+const NUDGES: [f64; 8] = [-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0];
+/// How much further astray than by any nudge an image may be: it differs by more roundings than one.
+const FURTHER: f64 = 10.0;
+
+type Followed = (Landing<3>, Vec<Instant<3>>);
 
 /// Lands from `conditions` and from their `image`. The CG moves to `image_position`, leg `j`
 /// becomes leg `image_leg[j]`.
@@ -44,7 +71,7 @@ fn compare(
     image: impl Fn(&Conditions) -> Conditions + Sync,
     image_position: impl Fn(Vector3<f64>) -> Vector3<f64> + Sync,
     image_leg: [usize; 3],
-) -> Vec<Deviation> {
+) -> Vec<Pair> {
     touchdowns(200)
         .par_iter()
         .map(|(conditions, rule)| {
@@ -52,42 +79,80 @@ fn compare(
             let landing = |conditions: Conditions| {
                 history(vehicle, &Scene::new(conditions).unwrap(), &settings, 0.05)
             };
-            let (one, instants) = landing(*conditions);
-            let (other, images) = landing(image(conditions));
-            let (end, class) = (mapped(&one.outcome, image_leg), one.outcome.class());
-            assert_eq!(class, other.outcome.class(), "{conditions:?}");
+            let one = landing(*conditions);
+            let other = landing(image(conditions));
+            let (end, class) = (mapped(&one.0.outcome, image_leg), one.0.outcome.class());
+            assert_eq!(class, other.0.outcome.class(), "{conditions:?}");
             if class != Class::Stable {
-                assert_eq!(end, other.outcome, "{conditions:?}");
+                assert_eq!(end, other.0.outcome, "{conditions:?}");
             }
-            let compared = instants.len().min(images.len()) - 1;
-            let motion = (instants.iter().zip(&images).take(compared))
-                .flat_map(|(instant, other)| {
-                    let position = (image_position(instant.position) - other.position).norm();
-                    let links = (0..3)
-                        .map(|j| instant.legs[j].link_angle - other.legs[image_leg[j]].link_angle);
-                    links.chain([position, instant.clearance - other.clearance])
-                })
-                .fold(0.0, |worst: f64, off| worst.max(off.abs()));
-            let end = [
-                one.end_time - other.end_time,
-                one.min_stability_angle - other.min_stability_angle,
-                one.min_clearance - other.min_clearance,
-            ]
-            .into_iter()
-            .fold(0.0, |worst: f64, off| worst.max(off.abs()));
-            Deviation { motion, end }
+            let deviation = apart(&one, &other, &image_position, image_leg);
+            let mut astray = Deviation {
+                motion: 0.0,
+                end: 0.0,
+            };
+            if deviation.motion.max(deviation.end) > LIMIT {
+                for nudge in NUDGES {
+                    let horizontal_velocity =
+                        conditions.horizontal_velocity * (1.0 + nudge * f64::EPSILON);
+                    let nudged = landing(Conditions {
+                        horizontal_velocity,
+                        ..*conditions
+                    });
+                    astray = astray.max(apart(&one, &nudged, &|position| position, [0, 1, 2]));
+                }
+            }
+            Pair { deviation, astray }
         })
         .collect()
 }
 
-/// Only rounding tells images apart. It grows where a vehicle bounces, in few landings by much.
-fn check(what: &str, deviations: impl Iterator<Item = f64>) {
-    let mut sorted: Vec<f64> = deviations.collect();
+/// How far a landing is from being the image of another.
+fn apart(
+    (one, instants): &Followed,
+    (other, images): &Followed,
+    image_position: &impl Fn(Vector3<f64>) -> Vector3<f64>,
+    image_leg: [usize; 3],
+) -> Deviation {
+    let compared = instants.len().min(images.len()) - 1;
+    let motion = (instants.iter().zip(images).take(compared))
+        .flat_map(|(instant, other)| {
+            let position = (image_position(instant.position) - other.position).norm();
+            let links =
+                (0..3).map(|j| instant.legs[j].link_angle - other.legs[image_leg[j]].link_angle);
+            links.chain([position, instant.clearance - other.clearance])
+        })
+        .fold(0.0, |worst: f64, off| worst.max(off.abs()));
+    let end = [
+        one.end_time - other.end_time,
+        one.min_stability_angle - other.min_stability_angle,
+        one.min_clearance - other.min_clearance,
+    ]
+    .into_iter()
+    .fold(0.0, |worst: f64, off| worst.max(off.abs()));
+    Deviation { motion, end }
+}
+
+/// Only rounding tells images apart. It grows where a vehicle bounces, in one landing of a hundred by so much that
+/// it cannot tell its image from itself after a nudge.
+fn check(what: &str, pairs: &[Pair], number: fn(&Deviation) -> f64) {
+    let mut sorted: Vec<f64> = pairs.iter().map(|pair| number(&pair.deviation)).collect();
     sorted.sort_by(f64::total_cmp);
     let (most, worst) = (sorted[sorted.len() * 9 / 10], sorted[sorted.len() - 1]);
     println!("{what}: nine of ten within {most:.1e}, all within {worst:.1e}");
     assert!(most < 1e-9, "{what}: {most:e}");
-    assert!(worst < 1e-5, "{what}: {worst:e}");
+    let beyond: Vec<_> = (pairs.iter())
+        .map(|pair| [number(&pair.deviation), number(&pair.astray)])
+        .filter(|[deviation, _]| *deviation > LIMIT)
+        .collect();
+    println!("{what}: beyond the limit, and astray by nudges: {beyond:?}");
+    assert!(beyond.len() <= pairs.len() / 100, "{what}: {beyond:?}");
+    assert!(
+        beyond
+            .iter()
+            .all(|[deviation, astray]| *deviation < FURTHER * astray),
+        "{what}: {beyond:?}"
+    );
 }
 
 fn mapped(outcome: &Outcome, image_leg: [usize; 3]) -> Outcome {
@@ -121,9 +186,9 @@ fn mirror_images() {
         }
     };
     let flip = |position: Vector3<f64>| Vector3::new(-position.x, position.y, position.z);
-    let deviations = compare(&surveyor(1.445, PRINCIPAL), mirror, flip, [0, 2, 1]);
-    check("motion", deviations.iter().map(|d| d.motion));
-    check("end", deviations.iter().map(|d| d.end));
+    let pairs = compare(&surveyor(1.445, PRINCIPAL), mirror, flip, [0, 2, 1]);
+    check("motion", &pairs, |d| d.motion);
+    check("end", &pairs, |d| d.end);
 }
 
 #[test]
@@ -142,10 +207,10 @@ fn a_third_of_a_turn_permutes_the_legs() {
             ..*conditions
         }
     };
-    let deviations = compare(&sample_deck(), turn, |position| position, [1, 2, 0]);
+    let pairs = compare(&sample_deck(), turn, |position| position, [1, 2, 0]);
     // Motion counts as subsided by body rates component by component, which do not turn along: the
     // end of a landing is no symmetric notion.
-    check("motion", deviations.iter().map(|d| d.motion));
+    check("motion", &pairs, |d| d.motion);
 }
 
 /// The turns and mirrors about the centreline, other than none, that carry every leg to another's place.

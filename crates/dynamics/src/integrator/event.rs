@@ -207,16 +207,13 @@ pub fn first_exit<V: Signals>(
             }
         }
     }
-    let clone = |a: &Node<V>, b: &Node<V>, c: &Node<V>| (a.clone(), b.clone(), c.clone());
-    let (inside, outside, third) = match earliest {
-        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => (a, b, end.clone()),
-        _ if out_at_middle => clone(start, middle, end),
-        _ if out_at_end => clone(middle, end, start),
+    let nodes = match earliest {
+        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => [a, b, end.clone()],
+        _ if out_at_middle => [start, middle, end].map(Node::clone),
+        _ if out_at_end => [middle, end, start].map(Node::clone),
         _ => return None,
     };
-    Some(locate(
-        inside, outside, third, watches, resolution, evaluate,
-    ))
+    Some(locate(nodes, watches, resolution, evaluate))
 }
 
 /// Fraction of the step at which the parabola through three nodes has its extremum, with its
@@ -277,28 +274,23 @@ fn hidden_excursion<V: Signals>(
 /// each in units of its violation there, vanishes at the exit. A parabola that does not halve the
 /// bracket is followed by a bisection.
 fn locate<V: Signals>(
-    mut inside: Node<V>,
-    mut outside: Node<V>,
-    mut third: Node<V>,
+    mut nodes: [Node<V>; 3],
     watches: &[Watch],
     resolution: f64,
     mut evaluate: impl FnMut(f64) -> V,
 ) -> Node<V> {
+    // The nodes stay where they are, but for the one that a new one takes the place of.
+    let [mut inside, mut outside, mut third] = [0, 1, 2];
     let mut bisect = false;
     loop {
-        let (a, b) = (inside.theta, outside.theta);
+        let (a, b) = (nodes[inside].theta, nodes[outside].theta);
         let width = b - a;
+        let violation = |node: &Node<V>| violation(&node.signals, &nodes[outside].signals, watches);
         let exit = exit_between(
-            (a, violation(&inside.signals, &outside.signals, watches)),
+            (a, violation(&nodes[inside])),
             b,
-            (
-                third.theta,
-                violation(&third.signals, &outside.signals, watches),
-            ),
+            (nodes[third].theta, violation(&nodes[third])),
         );
-        if b - exit <= resolution || width <= resolution {
-            return outside;
-        }
         let middle = a + 0.5 * width;
         // A little beyond the exit, to land outside.
         let aim = exit + 0.25 * resolution;
@@ -307,19 +299,25 @@ fn locate<V: Signals>(
         } else {
             aim
         };
-        if theta <= a || theta >= b {
-            return outside;
+        let is_narrow = b - exit <= resolution || width <= resolution;
+        if is_narrow || theta <= a || theta >= b {
+            let [first, second, last] = nodes;
+            return match outside {
+                0 => first,
+                1 => second,
+                _ => last,
+            };
         }
-        let node = Node {
+        nodes[third] = Node {
             theta,
             signals: evaluate(theta),
         };
-        if any_outside(&node.signals, watches) {
-            third = std::mem::replace(&mut outside, node);
+        if any_outside(&nodes[third].signals, watches) {
+            std::mem::swap(&mut third, &mut outside);
         } else {
-            third = std::mem::replace(&mut inside, node);
+            std::mem::swap(&mut third, &mut inside);
         }
-        bisect = !bisect && outside.theta - inside.theta > 0.5 * width;
+        bisect = !bisect && nodes[outside].theta - nodes[inside].theta > 0.5 * width;
     }
 }
 

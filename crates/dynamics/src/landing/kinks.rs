@@ -71,8 +71,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let stroking = end.of(j, Signal::StrutLever) * end_rate;
         // Twice as far as a parabola strays on its way to a turning point and back.
         let turning_point = || start_rate + length * first * first / (first - last);
-        kinks.strokes.violation(end.of(j, Signal::Stroke))
-            > RESOLUTION * (length * stroking).abs()
+        kinks.strokes.violation(end.of(j, Signal::Stroke)) > RESOLUTION * (length * stroking).abs()
             || kinks.link_rates.violation(end_rate) > RESOLUTION * (length * last).abs()
             || first * last < 0.0 && kinks.link_rates.exit(turning_point()).is_some()
     }

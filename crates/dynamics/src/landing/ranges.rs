@@ -84,7 +84,7 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
             for (lane, reach) in reach.0.iter().enumerate() {
                 let signal = quad * LANES + lane;
                 let range = self.0.get(signal);
-                if !(*reach < 0.0) && !range.is_free() {
+                if (*reach >= 0.0 || reach.is_nan()) && !range.is_free() {
                     watches.push(Watch { signal, range });
                 }
             }

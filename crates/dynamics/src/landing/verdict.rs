@@ -29,6 +29,13 @@ impl<const LEGS: usize> Outlook<LEGS> {
         }
     }
 
+    /// Whether within a step of `length` s that ends like this no verdict can fall.
+    fn keeps(&self, end: &Observation<LEGS>, length: f64) -> bool {
+        self.before
+            .as_ref()
+            .is_some_and(|(before, ago)| self.judge.keep([before, &self.seen, end], length / ago))
+    }
+
     fn go_on(&mut self, seen: Observation<LEGS>, time: f64) {
         self.before = Some((self.seen, time));
         self.seen = seen;
@@ -65,7 +72,8 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             };
             let end = node(reach);
             let length = (reach - start.theta) * self.step.length;
-            if self.is_uneventful(outlook, &end.signals, length) {
+            let is_plain = self.is_plain(outlook, &end.signals, length);
+            if is_plain && outlook.keeps(&end.signals, length) {
                 self.note_observation(&end.signals, self.time_at(reach));
                 outlook.go_on(end.signals, length);
                 return None;
@@ -73,7 +81,11 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             let middle = node(0.5 * (start.theta + reach));
             let exit = first_exit(&start, &middle, &end, judge.watches(), resolution, look);
             let Some(exit) = exit else {
-                self.note_least(judge, [&start, &middle, &end]);
+                if is_plain {
+                    self.note_observation(&end.signals, self.time_at(reach));
+                } else {
+                    self.note_least(judge, [&start, &middle, &end]);
+                }
                 outlook.go_on(end.signals, length);
                 return None;
             };
@@ -102,32 +114,17 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         None
     }
 
-    /// Whether within a step of `length` s that ends like this no verdict can fall and no new least value hide.
-    fn is_uneventful(
-        &self,
-        outlook: &Outlook<LEGS>,
-        end: &Observation<LEGS>,
-        length: f64,
-    ) -> bool {
+    /// Whether within a step of `length` s that ends like this no new least value can hide.
+    fn is_plain(&self, outlook: &Outlook<LEGS>, end: &Observation<LEGS>, length: f64) -> bool {
         let (start, Some((before, ago))) = (&outlook.seen, &outlook.before) else {
             return false;
         };
         let ratio = length / ago;
-        outlook.judge.keep([before, start, end], ratio)
-            && is_plain(
-                before.angle,
-                start.angle,
-                end.angle,
-                ratio,
-                self.least_angle.0,
-            )
-            && is_plain(
-                before.clearance,
-                start.clearance,
-                end.clearance,
-                ratio,
-                self.least_clearance,
-            )
+        let plain = |number: fn(&Observation<LEGS>) -> f64, least| {
+            is_plain(number(before), number(start), number(end), ratio, least)
+        };
+        plain(|seen| seen.angle, self.least_angle.0)
+            && plain(|seen| seen.clearance, self.least_clearance)
     }
 
     /// Takes note of σ and clearance at one instant.

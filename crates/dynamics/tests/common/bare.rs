@@ -44,9 +44,10 @@ impl<const LEGS: usize> Bare<LEGS> {
             let mut changed = false;
             for (j, mode) in modes.iter_mut().enumerate() {
                 let ranges = mode.ranges(&self.laws[j]);
-                let left = ranges.iter().zip(Signal::ALL).find_map(|(range, signal)| {
-                    Some((signal, range.exit(signals.of(j, signal))?))
-                });
+                let left = ranges
+                    .iter()
+                    .zip(Signal::ALL)
+                    .find_map(|(range, signal)| Some((signal, range.exit(signals.of(j, signal))?)));
                 if let Some((signal, exit)) = left {
                     changed = true;
                     mode.cross(&self.laws[j], j, signal, exit, &signals.leg(j))
