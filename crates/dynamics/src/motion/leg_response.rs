@@ -79,7 +79,6 @@ impl<S: Real> LegMotion<S> {
         response: &mut LegResponse<S>,
     ) {
         let geometry = &self.geometry;
-        let (length, free) = (geometry.link_length(), pieces.link.free);
         response.clear();
         response.inertia = [self.link_inertia, self.pad_inertia];
         response.link_moves = pieces.link.moving;
@@ -88,112 +87,156 @@ impl<S: Real> LegMotion<S> {
         response.hinge_gain = pieces.hinge.gain_at(leg.pad_angle);
         response.swings_pads = !response.hinge_gain.is_zero();
         // Legs that hang in the air answer nothing else.
-        if !pressed.pads && !pressed.blocks && free.is_zero() {
+        if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return;
         }
         let frame = geometry.frame(body);
         let pose = geometry.pose(&frame, leg.link_angle, leg.pad_angle);
-        let normal = &frame.normal;
-
-        // Footpad: normal force (29), friction (39), torque about its hinge (52), (69), and what the link bears of it
-        // (49), (68).
+        let posture = Posture {
+            frame: &frame,
+            pose: &pose,
+            leg,
+            pieces,
+        };
         if pressed.pads {
-            let swing = pose.link_normal.in_leg_axes() * length;
-            // The pivot swings on a circle about the hardpoint.
-            let toward_hardpoint = Vector3::new(-swing.z, S::zero(), swing.x);
-            let velocity = frame.pivot_velocity(&pose, length * leg.link_rate);
-            let contact = Contact {
-                geometry,
-                frame: &frame,
-                point: &pose.pivot,
-                velocity: &velocity,
-                carried: frame.carried_round(&pose.pivot) + swing * leg.link_rate,
-                swing,
-                bend: frame.rate().cross(&swing) + toward_hardpoint * leg.link_rate,
-                link_share: free,
-                friction: &pieces.pad_friction,
-                coefficient: self.pad_friction,
-            };
-            let line = contact.line();
-            let along_line = contact.along(&line);
-            let per_pressure = self.pad_force_per_pressure(&pose);
-            let mut force = S::zero();
-            let mut hinge_lever = PlaneDirection::zero();
-            let mut press = Coordinates::zero();
-            for k in [0, 1] {
-                let centroid = geometry.section_centroid(&pose, k);
-                let borne = per_pressure * pieces.pad[k].at(pose.pad_interference[k]);
-                force += borne;
-                let deeper = contact.deeper(&pose, &centroid);
-                let slope = pieces.pad[k].slope();
-                press.add(slope, &deeper);
-                if response.swings_pads {
-                    // The lever of (52).
-                    let lever = centroid.turned();
-                    hinge_lever.add(borne, &lever);
-                    let torque =
-                        borne * pose.pad_y.dot(&line) + per_pressure * slope * lever.dot(&line);
-                    response.hinge_torque.add(torque, &deeper);
-                    // As the pad tilts, its levers turn with it.
-                    let leaning = borne * centroid.dot(&line);
-                    response.hinge_torque.pad += leaning;
-                    response.hinge_torque.link -= leaning;
-                }
-            }
-            let [along, across] = contact.rub(force, &hinge_lever);
-            response.push(&along);
-            response.push(&across);
-            response.push(&Answer {
-                force: contact.force(&along_line, -per_pressure, S::zero()),
-                velocity: Coordinates::zero(),
-                displacement: press,
-            });
-            let force = line * -force;
-            response.link_torque =
-                contact.turned(&swing.cross(&force), toward_hardpoint.dot(&force));
+            self.footpad_responds(&posture, response);
         }
-        // Block: normal force (33), friction (39).
         if pressed.blocks {
-            let point = &pose.block_center;
-            let none = Vector3::from([S::zero(); 3]);
-            let velocity = frame.velocity_at(point);
-            let contact = Contact {
-                geometry,
-                frame: &frame,
-                point,
-                velocity: &velocity,
-                carried: frame.carried_round(point),
-                swing: none,
-                bend: none,
-                link_share: S::zero(),
-                friction: &pieces.block_friction,
-                coefficient: self.block_friction,
-            };
-            let force = self.block_normal(&frame, &pose, pieces);
-            let [along, across] = contact.rub(force, &PlaneDirection::zero());
-            response.push(&along);
-            response.push(&across);
-            let per_depth = self.block_force_per_pressure(&frame) * pieces.block.slope();
-            let along_line = contact.along(&contact.line());
-            let mut deeper = contact.along(normal);
-            deeper.body *= body.upright;
-            response.push(&Answer {
-                force: contact.force(&along_line, -per_depth, S::zero()),
-                velocity: Coordinates::zero(),
-                displacement: deeper,
-            });
+            self.block_responds(&posture, body.upright, response);
         }
+        self.strut_responds(&posture, response);
+    }
 
-        // Strut (42)-(45) on the link (68).
+    /// Footpad: normal force (29), friction (39), torque about its hinge (52), (69), and what the link bears of it
+    /// (49), (68).
+    #[inline(always)]
+    fn footpad_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
+        let Posture {
+            frame,
+            pose,
+            leg,
+            pieces,
+        } = *posture;
+        let geometry = &self.geometry;
+        let length = geometry.link_length();
+        let swing = pose.link_normal.in_leg_axes() * length;
+        // The pivot swings on a circle about the hardpoint.
+        let toward_hardpoint = Vector3::new(-swing.z, S::zero(), swing.x);
+        let velocity = frame.pivot_velocity(pose, length * leg.link_rate);
+        let contact = Contact {
+            geometry,
+            frame,
+            point: &pose.pivot,
+            velocity: &velocity,
+            carried: frame.carried_round(&pose.pivot) + swing * leg.link_rate,
+            swing,
+            bend: frame.rate().cross(&swing) + toward_hardpoint * leg.link_rate,
+            link_share: pieces.link.free,
+            friction: &pieces.pad_friction,
+            coefficient: self.pad_friction,
+        };
+        let line = contact.line();
+        let along_line = contact.along(&line);
+        let per_pressure = self.pad_force_per_pressure(pose);
+        let mut force = S::zero();
+        let mut hinge_lever = PlaneDirection::zero();
+        let mut press = Coordinates::zero();
+        for k in [0, 1] {
+            let centroid = geometry.section_centroid(pose, k);
+            let borne = per_pressure * pieces.pad[k].at(pose.pad_interference[k]);
+            force += borne;
+            let deeper = contact.deeper(pose, &centroid);
+            let slope = pieces.pad[k].slope();
+            press.add(slope, &deeper);
+            if response.swings_pads {
+                // The lever of (52).
+                let lever = centroid.turned();
+                hinge_lever.add(borne, &lever);
+                let torque =
+                    borne * pose.pad_y.dot(&line) + per_pressure * slope * lever.dot(&line);
+                response.hinge_torque.add(torque, &deeper);
+                // As the pad tilts, its levers turn with it.
+                let leaning = borne * centroid.dot(&line);
+                response.hinge_torque.pad += leaning;
+                response.hinge_torque.link -= leaning;
+            }
+        }
+        let [along, across] = contact.rub(force, &hinge_lever);
+        response.push(&along);
+        response.push(&across);
+        response.push(&Answer {
+            force: contact.force(&along_line, -per_pressure, S::zero()),
+            velocity: Coordinates::zero(),
+            displacement: press,
+        });
+        let force = line * -force;
+        response.link_torque = contact.turned(&swing.cross(&force), toward_hardpoint.dot(&force));
+    }
+
+    /// Block: normal force (33), friction (39). `upright` is what its interference grows by per depth.
+    #[inline(always)]
+    fn block_responds(&self, posture: &Posture<'_, S>, upright: S, response: &mut LegResponse<S>) {
+        let Posture {
+            frame,
+            pose,
+            pieces,
+            ..
+        } = *posture;
+        let point = &pose.block_center;
+        let none = Vector3::from([S::zero(); 3]);
+        let velocity = frame.velocity_at(point);
+        let contact = Contact {
+            geometry: &self.geometry,
+            frame,
+            point,
+            velocity: &velocity,
+            carried: frame.carried_round(point),
+            swing: none,
+            bend: none,
+            link_share: S::zero(),
+            friction: &pieces.block_friction,
+            coefficient: self.block_friction,
+        };
+        let force = self.block_normal(frame, pose, pieces);
+        let [along, across] = contact.rub(force, &PlaneDirection::zero());
+        response.push(&along);
+        response.push(&across);
+        let per_depth = self.block_force_per_pressure(frame) * pieces.block.slope();
+        let along_line = contact.along(&contact.line());
+        let mut deeper = contact.along(&frame.normal);
+        deeper.body *= upright;
+        response.push(&Answer {
+            force: contact.force(&along_line, -per_depth, S::zero()),
+            velocity: Coordinates::zero(),
+            displacement: deeper,
+        });
+    }
+
+    /// Strut (42)-(45) on the link (68), which may not be free to answer.
+    #[inline(always)]
+    fn strut_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
+        let Posture {
+            pose, leg, pieces, ..
+        } = *posture;
+        let free = pieces.link.free;
         let (stroke, lever) = (pose.stroke, pose.strut_lever);
         let damping = pieces.strut.damping(stroke, leg.link_rate, lever);
-        let lever_change = geometry.strut_lever_change(stroke, lever);
+        let lever_change = self.geometry.strut_lever_change(stroke, lever);
         let strut = (pieces.strut).torque_change(stroke, leg.link_rate, lever, lever_change);
         response.link_damping += free * damping * lever;
         response.link_torque.link += strut;
         response.link_torque.body *= free;
         response.link_torque.link *= free;
     }
+}
+
+/// Where a leg is and which pieces of its laws are active.
+#[derive(Clone, Copy)]
+struct Posture<'a, S> {
+    frame: &'a LegFrame<S>,
+    pose: &'a LegPose<S>,
+    leg: &'a LegState<S>,
+    pieces: &'a LegPieces<S>,
 }
 
 /// A footpad's pivot or a block's crushed centre, pressed on the surface; vectors in leg axes.
