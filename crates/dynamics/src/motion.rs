@@ -181,18 +181,30 @@ impl<const LEGS: usize> Motion<LEGS> {
         pieces: &Pieces<LEGS>,
         with_torques: bool,
     ) -> Glance<LEGS> {
-        let frame = self.surface.frame(&state.body());
         let mut signals = Glance::blank();
+        self.look(state, pieces, with_torques, &mut signals);
+        signals
+    }
+
+    /// Writes them.
+    #[inline(always)]
+    pub(crate) fn look(
+        &self,
+        state: &State<f64, LEGS>,
+        pieces: &Pieces<LEGS>,
+        with_torques: bool,
+        signals: &mut Glance<LEGS>,
+    ) {
+        let frame = self.surface.frame(&state.body());
         for index in 0..const { groups_of(LEGS) } {
             let group = self.group(index, &frame, state, pieces);
-            let signals = &mut signals;
+            let signals = &mut *signals;
             if with_torques {
                 self.arch.dispatch(Signals::<true, LEGS>(group, signals));
             } else {
                 self.arch.dispatch(Signals::<false, LEGS>(group, signals));
             }
         }
-        signals
     }
 
     #[inline(always)]

@@ -122,6 +122,40 @@ pub struct Node<V> {
     pub signals: V,
 }
 
+/// Signals seen at one point of a step.
+#[derive(Debug)]
+pub struct Look<'a, V> {
+    /// Fraction of the step, 0 to 1.
+    pub theta: f64,
+    /// The signals there.
+    pub signals: &'a V,
+}
+
+impl<V> Clone for Look<'_, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<V> Copy for Look<'_, V> {}
+
+impl<V: Clone> Node<V> {
+    fn of(look: Look<'_, V>) -> Self {
+        Self {
+            theta: look.theta,
+            signals: look.signals.clone(),
+        }
+    }
+
+    /// A look at this node.
+    pub fn seen(&self) -> Look<'_, V> {
+        Look {
+            theta: self.theta,
+            signals: &self.signals,
+        }
+    }
+}
+
 /// Whether any watched signal is outside its range.
 #[inline(always)]
 fn any_outside<V: Signals>(signals: &V, watches: &[Watch]) -> bool {
@@ -145,18 +179,6 @@ fn stray(before: f64, start: f64, end: f64, ratio: f64) -> f64 {
     (end - start).abs() + ratio * (start - before).abs()
 }
 
-impl Watch {
-    /// Whether the signal cannot have left its range within a step: at both ends it is farther
-    /// inside than it can stray. Eight times as far as a parabola through the three values would turn.
-    #[inline(always)]
-    pub fn is_quiet<V: Signals>(&self, before: &V, start: &V, end: &V, ratio: f64) -> bool {
-        let (v0, v1) = (start.get(self.signal), end.get(self.signal));
-        let range = self.range;
-        let room = (v0.min(v1) - range.lower).min(range.upper - v0.max(v1));
-        room > stray(before.get(self.signal), v0, v1, ratio)
-    }
-}
-
 /// Whether a quantity cannot have fallen below `least`, or below its value at the end, within a
 /// step: it stays well above `least`, or falls without slowing down.
 pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bool {
@@ -164,17 +186,15 @@ pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bo
     falls || start.min(end) - least > stray(before, start, end, ratio)
 }
 
-/// Finds the first exit of any signal within the step from `start` to `end`, where all signals
-/// are inside at `start`. `evaluate` gives the signals at a fraction of the step. Excursions that
-/// begin and end between the given nodes are looked for where three neighbouring values bend
+/// Finds the first exit of any signal within a step, or a part of it, that was looked at where it starts, where all
+/// signals are inside, between and where it ends. `evaluate` writes the signals at a fraction of the step. Excursions
+/// that begin and end between the looks are looked for where three neighbouring values bend
 /// toward an end of the range. Returns the node just outside, within `resolution` of the exit.
 pub fn first_exit<V: Signals>(
-    start: &Node<V>,
-    middle: &Node<V>,
-    end: &Node<V>,
+    [start, middle, end]: [Look<'_, V>; 3],
     watches: &[Watch],
     resolution: f64,
-    mut evaluate: impl FnMut(f64) -> V,
+    mut evaluate: impl FnMut(f64, &mut V),
 ) -> Option<Node<V>> {
     let mut out_at_middle = false;
     let mut out_at_end = false;
@@ -208,9 +228,9 @@ pub fn first_exit<V: Signals>(
         }
     }
     let nodes = match earliest {
-        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => [a, b, end.clone()],
-        _ if out_at_middle => [start, middle, end].map(Node::clone),
-        _ if out_at_end => [middle, end, start].map(Node::clone),
+        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => [a, b, Node::of(end)],
+        _ if out_at_middle => [start, middle, end].map(Node::of),
+        _ if out_at_end => [middle, end, start].map(Node::of),
         _ => return None,
     };
     Some(locate(nodes, watches, resolution, evaluate))
@@ -232,11 +252,11 @@ fn vertex(t: [f64; 3], v: [f64; 3]) -> Option<(f64, f64)> {
 /// it between them. Gives a node where all signals are inside and a later one where one is not.
 fn hidden_excursion<V: Signals>(
     watch: &Watch,
-    start: &Node<V>,
+    start: Look<'_, V>,
     mut t: [f64; 3],
     mut v: [f64; 3],
     watches: &[Watch],
-    evaluate: &mut impl FnMut(f64) -> V,
+    evaluate: &mut impl FnMut(f64, &mut V),
 ) -> Option<(Node<V>, Node<V>)> {
     let mut inside: Option<Node<V>> = None;
     for _ in 0..LOOKS {
@@ -247,12 +267,17 @@ fn hidden_excursion<V: Signals>(
             v[0].min(v[1]).min(v[2])
         };
         watch.range.exit(value + CAUTION * (value - nearest))?;
-        let node = Node {
-            theta,
-            signals: evaluate(theta),
+        let mut node_at = |theta: f64| {
+            let mut node = Node {
+                theta,
+                ..Node::of(start)
+            };
+            evaluate(theta, &mut node.signals);
+            node
         };
+        let node = node_at(theta);
         if any_outside(&node.signals, watches) {
-            return Some((inside.unwrap_or_else(|| start.clone()), node));
+            return Some((inside.unwrap_or_else(|| Node::of(start)), node));
         }
         // Keep the three nodes that surround the extremum.
         let seen = node.signals.get(watch.signal);
@@ -260,10 +285,7 @@ fn hidden_excursion<V: Signals>(
             (t, v) = ([t[0], theta, t[1]], [v[0], seen, v[1]]);
         } else {
             (t, v) = ([t[1], theta, t[2]], [v[1], seen, v[2]]);
-            inside = Some(Node {
-                theta: t[0],
-                signals: evaluate(t[0]),
-            });
+            inside = Some(node_at(t[0]));
         }
     }
     None
@@ -277,7 +299,7 @@ fn locate<V: Signals>(
     mut nodes: [Node<V>; 3],
     watches: &[Watch],
     resolution: f64,
-    mut evaluate: impl FnMut(f64) -> V,
+    mut evaluate: impl FnMut(f64, &mut V),
 ) -> Node<V> {
     // The nodes stay where they are, but for the one that a new one takes the place of.
     let [mut inside, mut outside, mut third] = [0, 1, 2];
@@ -308,10 +330,8 @@ fn locate<V: Signals>(
                 _ => last,
             };
         }
-        nodes[third] = Node {
-            theta,
-            signals: evaluate(theta),
-        };
+        nodes[third].theta = theta;
+        evaluate(theta, &mut nodes[third].signals);
         if any_outside(&nodes[third].signals, watches) {
             std::mem::swap(&mut third, &mut outside);
         } else {

@@ -73,15 +73,23 @@ pub(super) struct Look<'a, const LEGS: usize> {
     /// Fraction of the step.
     pub(super) theta: f64,
     pub(super) with_torques: bool,
+    pub(super) signals: &'a mut Glance<LEGS>,
 }
 
 impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
-    type Output = Glance<LEGS>;
+    type Output = ();
 
     #[inline(always)]
-    fn call(self) -> Self::Output {
+    fn call(self) {
         let state = self.step.motion_at(self.theta);
-        self.motion.signals(&state, self.pieces, self.with_torques)
+        let Self {
+            motion,
+            pieces,
+            with_torques,
+            signals,
+            ..
+        } = self;
+        motion.look(&state, pieces, with_torques, signals);
     }
 }
 

@@ -1,8 +1,8 @@
 //! When a law changes its active piece, and what holds from then on.
 
 use super::Flight;
-use super::advance::Look;
-use crate::integrator::event::{Node, first_exit};
+use super::advance;
+use crate::integrator::event::{Look, Node, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::record::Instant;
@@ -27,18 +27,19 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         }
         let with_torques = self.ranges.has(Signal::LinkTorque);
         let mut looks = 0;
-        let mut look = |theta: f64| {
+        let mut look = |theta: f64, signals: &mut Glance<LEGS>| {
             looks += 1;
-            arch.dispatch(Look {
+            arch.dispatch(advance::Look {
                 motion: &self.motion,
                 pieces: &self.pieces,
                 step: &self.step,
                 theta,
                 with_torques,
-            })
+                signals,
+            });
         };
         if !self.is_middle_seen {
-            self.middle = look(0.5);
+            look(0.5, &mut self.middle);
         }
         let suspects = &mut self.suspects;
         (self.ranges).watch_suspects(arch, [start, &self.middle, end], suspects);
@@ -46,20 +47,10 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             self.evaluations += looks;
             return None;
         }
-        let start = Node {
-            theta: 0.0,
-            signals: *start,
-        };
-        let middle = Node {
-            theta: 0.5,
-            signals: self.middle,
-        };
         let resolution = self.event_resolution / self.step.length;
-        let end = Node {
-            theta: 1.0,
-            signals: *end,
-        };
-        let found = first_exit(&start, &middle, &end, suspects, resolution, &mut look);
+        let seen = |theta, signals| Look { theta, signals };
+        let seen = [seen(0.0, start), seen(0.5, &self.middle), seen(1.0, end)];
+        let found = first_exit(seen, suspects, resolution, &mut look);
         self.evaluations += looks;
         found
     }

@@ -101,7 +101,11 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             }
         }
         let watches = &self.kink_watches;
-        first_exit(&start, &middle, &end, watches, RESOLUTION, look).map(|kink| kink.theta)
+        let nodes = [&start, &middle, &end].map(Node::seen);
+        let kink = first_exit(nodes, watches, RESOLUTION, |theta, signals| {
+            *signals = look(theta);
+        });
+        kink.map(|kink| kink.theta)
     }
 }
 

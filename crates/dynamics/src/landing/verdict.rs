@@ -79,7 +79,10 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 return None;
             }
             let middle = node(0.5 * (start.theta + reach));
-            let exit = first_exit(&start, &middle, &end, judge.watches(), resolution, look);
+            let nodes = [&start, &middle, &end].map(Node::seen);
+            let exit = first_exit(nodes, judge.watches(), resolution, |theta, signals| {
+                *signals = look(theta);
+            });
             let Some(exit) = exit else {
                 if is_plain {
                     self.note_observation(&end.signals, self.time_at(reach));
