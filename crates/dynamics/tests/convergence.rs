@@ -79,6 +79,19 @@ fn implicit_steps_are_of_order_four() {
     }
 }
 
+/// Events are looked for in the signals of that evaluation.
+#[test]
+fn implicit_steps_evaluate_the_middle_of_their_continuous_output() {
+    let (bare, state) = smooth_stretch();
+    let length = 2e-3;
+    let (step, midway) = bare.implicit_step_and_middle(&state, length);
+    let output = step.motion_at(0.5);
+    assert!(distance(&output, &step.before) > 1e-3, "nothing happened");
+    assert!(distance(&midway, &output) < 1e-14);
+    let rates = step.pad_rates_at(0.5);
+    assert_eq!(rates, [0, 1, 2].map(|j| output.leg(j).pad_rate));
+}
+
 #[test]
 fn dense_output_is_of_order_four() {
     let (bare, state) = smooth_stretch();

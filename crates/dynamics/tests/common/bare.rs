@@ -97,17 +97,26 @@ impl<const LEGS: usize> Bare<LEGS> {
 
     /// One implicit step of `length` seconds.
     pub fn implicit_step(&self, state: &State<f64, LEGS>, length: f64) -> Step<f64, LEGS> {
+        self.implicit_step_and_middle(state, length).0
+    }
+
+    /// One implicit step of `length` seconds, and the state at which it evaluates its middle.
+    pub fn implicit_step_and_middle(
+        &self,
+        state: &State<f64, LEGS>,
+        length: f64,
+    ) -> (Step<f64, LEGS>, State<f64, LEGS>) {
         let mut step = self.standing_at(state);
+        let mut midway = *state;
         let response = self.response(state);
         let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
-        step.take_implicit(
-            length,
-            &response.over(GAMMA * length),
-            derivative,
-            derivative,
-            derivative,
-        );
-        step
+        let middle = |state: &State<f64, LEGS>, slope: &mut _| {
+            midway = *state;
+            derivative(state, slope);
+        };
+        let system = response.over(GAMMA * length);
+        step.take_implicit(length, &system, derivative, middle, derivative);
+        (step, midway)
     }
 
     fn standing_at(&self, state: &State<f64, LEGS>) -> Step<f64, LEGS> {
