@@ -4,12 +4,15 @@
 mod common;
 
 use common::surveyor_leg;
+use touchdown_dynamics::contact::{LegLaws, LegMode};
 use touchdown_dynamics::crush::{Crush, CrushLaw};
 use touchdown_dynamics::friction::{FrictionProfile, Sliding};
 use touchdown_dynamics::integrator::event::Exit;
+use touchdown_dynamics::motion::Signal;
 use touchdown_dynamics::profile::Profile;
+use touchdown_dynamics::scene::CrushRule;
 use touchdown_dynamics::strut::{Stance, StrutLaw};
-use touchdown_dynamics::vehicle::Strut;
+use touchdown_dynamics::vehicle::{Leg, Strut};
 
 /// Ordinate of a table, its last segment extended.
 fn look_up(profile: &Profile, x: f64) -> f64 {
@@ -81,6 +84,55 @@ fn strut_force_of_the_model() {
         }
     }
     assert!(greatest > 5000.0, "{greatest}");
+}
+
+#[test]
+fn a_strut_leaves_its_stop_without_a_change_of_law() {
+    let law = StrutLaw::new(&surveyor_leg(0.0).strut);
+    let (on_stop, beyond, past_elastic) = (5e-7, 1e-4, 0.01);
+    let mut leaving = Stance::at(&law, true, on_stop, -1.0);
+    let strokes = leaving.stroke_bounds(&law);
+    assert_eq!(strokes.exit(beyond), None);
+    assert_eq!(strokes.exit(past_elastic), Some(Exit::Above));
+    // On its way it may not turn back: there the stop would hold it.
+    assert_eq!(leaving.rate_bounds(&law).exit(1e-3), Some(Exit::Above));
+    let mut turned = leaving;
+    turned.cross_rate(&law, true, beyond, 1e-3);
+    assert!(leaving.follow(&law, beyond));
+    assert_eq!(turned, leaving);
+    assert!(leaving.rate_bounds(&law).is_free());
+    assert_eq!(leaving.stroke_bounds(&law).exit(on_stop), Some(Exit::Below));
+    let mut stopped = Stance::at(&law, true, on_stop, -1.0);
+    stopped.cross_rate(&law, true, on_stop, 1e-3);
+    assert!(stopped.is_extended());
+}
+
+#[test]
+fn the_ranges_of_a_leg_stand_in_the_order_of_its_signals() {
+    let leg = Leg::new(surveyor_leg(0.0)).unwrap();
+    let laws = LegLaws::new(&leg, CrushRule::PivotRate);
+    let ranges = LegMode::untouched(&laws).ranges(&laws);
+    let range = |signal: Signal| ranges[signal as usize];
+    let elements = [
+        Signal::OuterInterference,
+        Signal::InnerInterference,
+        Signal::BlockInterference,
+    ];
+    for element in elements {
+        assert_eq!(range(element).exit(-3.0), None, "{element:?}");
+        assert_eq!(range(element).exit(1e-5), Some(Exit::Above), "{element:?}");
+    }
+    // Between the stops, below the clip; and nothing else matters in the air.
+    let pad = range(Signal::PadAngle);
+    let limits = [0.74f64, 0.76, 44.9, 45.1].map(|degrees| pad.exit(degrees.to_radians()));
+    assert_eq!(limits, [Some(Exit::Below), None, None, Some(Exit::Above)]);
+    let hinge = range(Signal::HingeSpeed);
+    let limits = [-100.1, -99.9, 99.9, 100.1].map(|speed| hinge.exit(speed));
+    assert_eq!(limits, [Some(Exit::Below), None, None, Some(Exit::Above)]);
+    let restricted = Signal::ALL[..Signal::RANGED]
+        .iter()
+        .filter(|&&signal| !range(signal).is_free());
+    assert_eq!(restricted.count(), elements.len() + 2);
 }
 
 #[test]

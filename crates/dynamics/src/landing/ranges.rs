@@ -9,7 +9,7 @@ use crate::quad::{GROUPS, LANES, Quad};
 
 /// Quads of signals that have ranges.
 const QUADS: usize = Signal::RANGED * GROUPS;
-/// How far beyond their ranges signals get, before that is known.
+/// How far beyond their ranges signals get, while nothing is known of it.
 const NOWHERE: [Quad; QUADS] = [Quad([0.0; LANES]); QUADS];
 
 /// Ranges of all legs' signals, laid out as the signals are.
@@ -53,8 +53,9 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
         }
         std::array::from_fn(|leg| {
             Signal::ALL[..Signal::RANGED].iter().find_map(|&signal| {
-                let exit = self.get(leg, signal).exit(signals.of(leg, signal))?;
-                Some((signal, exit))
+                let range = self.get(leg, signal);
+                let exit = range.exit(signals.of(leg, signal))?;
+                (!range.is_free()).then_some((signal, exit))
             })
         })
     }
