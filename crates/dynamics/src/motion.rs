@@ -186,7 +186,7 @@ impl<const LEGS: usize> Motion<LEGS> {
         signals
     }
 
-    /// Writes them.
+    /// Writes the signals of all legs into `signals`, the link torques only if asked for.
     #[inline(always)]
     pub(crate) fn look(
         &self,

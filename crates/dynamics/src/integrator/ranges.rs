@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use crate::integrator::event::Bounds;
+use crate::integrator::event::{Bounds, stray};
 use crate::quad::{LANES, Quad};
 use crate::scalar::Real;
 
@@ -50,11 +50,8 @@ impl<const QUADS: usize> Ranges<QUADS> {
 
     /// Whether no number can have left its range within a step, as looks before the step before, at the start and
     /// at the end of the step tell, `ratio` being this step's length over that one's: at both ends of the step it is
-    /// farther inside than it can stray. How far each can get beyond its range is written to `reach`; negative where
-    /// it stays inside.
-    ///
-    /// A number can stray as far as it changes over the step and as the step before lets expect: eight times as far
-    /// as a parabola through the three looks would turn.
+    /// farther inside than it can stray (`event::stray`). How far each can get beyond its range is written to `reach`; negative
+    /// where it stays inside.
     #[inline(always)]
     pub fn keep(
         &self,
@@ -67,10 +64,9 @@ impl<const QUADS: usize> Ranges<QUADS> {
         let looks = quads(before).zip(quads(start)).zip(quads(end));
         let ranges = self.lower.iter().zip(&self.upper);
         for ((((before, start), end), (&lower, &upper)), reach) in looks.zip(ranges).zip(reach) {
-            let stray = (end - start).abs() + ratio * (start - before).abs();
             let below = greater(lower - start, lower - end);
             let above = greater(start - upper, end - upper);
-            *reach = greater(below, above) + stray;
+            *reach = greater(below, above) + stray(before, start, end, ratio);
             farthest.note(*reach);
         }
         farthest.all(|beyond| beyond < 0.0)
