@@ -195,9 +195,11 @@ impl LegMode {
             interference(outer, &laws.pad),
             interference(inner, &laws.pad),
             interference(&self.block, &laws.block),
+            self.stance.stroke_bounds(&laws.strut),
             outer.rate_bounds(),
             inner.rate_bounds(),
             self.block.rate_bounds(),
+            Bounds::FREE,
             only(by_pivot, outer.drive_bounds().meet(inner.drive_bounds())),
             only(by_pivot, self.block.drive_bounds()),
             only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
@@ -205,7 +207,6 @@ impl LegMode {
                 self.block.is_loaded(),
                 self.block_sliding.bounds(laws.friction),
             ),
-            self.stance.stroke_bounds(&laws.strut),
             self.stance.rate_bounds(&laws.strut),
             self.stance.torque_bounds(),
             self.hinge.angle_bounds(laws.stops),
@@ -291,7 +292,8 @@ impl LegMode {
             Signal::PadAngle => self.hinge.cross_angle(exit),
             Signal::PadRate => self.hinge.cross_rate(),
             Signal::HingeSpeed => self.hinge.cross_speed(exit),
-            Signal::StrutForce
+            Signal::StrokeRate
+            | Signal::StrutForce
             | Signal::StrutLever
             | Signal::FootX
             | Signal::FootY

@@ -146,3 +146,29 @@ fn greatest_rate_is_the_trace_of_what_velocities_do() {
     // Products of inertia are left out.
     assert!((rate / -trace - 1.0).abs() < 0.03, "{rate}, not {trace}");
 }
+
+#[test]
+fn signals_said_to_have_rates_change_at_those_rates() {
+    const TIME: f64 = 1e-6;
+    for (depth, sliding) in [(0.02, 1.0), (-0.03, 2.0)] {
+        let (bare, state) = pressed(depth, sliding);
+        let told = bare.signals(&state);
+        let mut slope = State::zero();
+        bare.derivative(&state, &mut slope);
+        let [before, after] =
+            [-TIME, TIME].map(|time| bare.signals(&state.advanced_motion([time], [&slope])));
+        for j in 0..3 {
+            for k in 0..Signal::RATED {
+                let [signal, rate] = [k, k + Signal::RATED].map(|k| Signal::ALL[k]);
+                let change = (after.of(j, signal) - before.of(j, signal)) / (2.0 * TIME);
+                let rate = told.of(j, rate);
+                assert!(
+                    (change - rate).abs() < 1e-7 * (1.0 + rate.abs()),
+                    "{signal:?} of leg {j}: {change} instead of {rate}"
+                );
+            }
+        }
+        // Something
+        assert!(told.of(0, Signal::OuterRate).abs() > 0.1);
+    }
+}

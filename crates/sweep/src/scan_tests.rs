@@ -84,6 +84,24 @@ fn long_landings_are_never_passed_over() {
 }
 
 #[test]
+fn landings_next_to_a_stop_and_failures_are_never_passed_over() {
+    for class in [Class::Stable, Class::Unstable, Class::Bottomed] {
+        for (margin, count) in [(0.06, 8), (0.04, 101), (-0.04, 101), (-0.06, 8)] {
+            let mut sample = |speed| {
+                let mut trial = Trial::example(class, 1);
+                trial.duration = 0.5;
+                trial.margins.bottoming = Some(margin);
+                Ok::<_, Infallible>(Sample { speed, trial })
+            };
+            let Ok(samples) = SEARCH.scanned(false, &mut sample);
+            assert_eq!(samples.len(), count, "{class:?} at {margin}");
+        }
+    }
+    let fails = |_| (0.5, Class::Failure);
+    assert_eq!(scan(SEARCH, false, fails).len(), 101);
+}
+
+#[test]
 fn what_is_left_out_is_what_a_full_scan_takes_more() {
     let land = |v: f64| match v {
         v if v < 8.0 => (0.5, Class::Stable),

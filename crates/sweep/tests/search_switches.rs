@@ -26,6 +26,19 @@ fn sweep(name: &str, values: &[f64]) -> Sweep<3> {
     sweep
 }
 
+/// Where struts begin to bottom, at one cross-slope and roll (deg) and vertical velocities (ft/s).
+fn strut_stops(cross_slope: f64, roll: f64, vertical_velocities: &[f64]) -> Sweep<3> {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scripts/strut-stops.toml"
+    );
+    let mut sweep: Sweep<3> = Sweep::read(&PathBuf::from(path)).unwrap();
+    let axes = [&[cross_slope], &[roll], vertical_velocities]
+        .map(|values| (Levels::list(values.to_vec()).unwrap(), None));
+    sweep.design = Design::Grid(Grid::new(axes.to_vec()).unwrap());
+    sweep
+}
+
 /// What a search does to be quick.
 #[derive(Clone, Copy)]
 struct Skips {
@@ -115,6 +128,28 @@ fn all_bands_are_the_same() {
         totals[1] += landings(&quick);
     }
     assert!(4 * totals[1] < 3 * totals[0], "{totals:?}");
+}
+
+/// Stable landings between landings that just bottom a strut, as those do between stable ones: neither tells of the
+/// other by its angle or by how soon it ends.
+#[test]
+fn bands_between_landings_next_to_a_stop_are_not_passed_over() {
+    let sweep = strut_stops(60.0, 30.0, &[19.0]);
+    let scan = Skips {
+        refinement: Refinement::Bisection,
+        doubt: Doubt::None,
+        ..NONE
+    };
+    let [plain, quick] = [Scan::Full, Scan::Skipping]
+        .map(|kind| search(&sweep, Extent::All, Skips { scan: kind, ..scan }));
+    let outlines = |found: &[Boundary]| found.iter().map(outline).collect::<Vec<_>>();
+    assert_eq!(outlines(&quick), outlines(&plain));
+    let is_between = |bands: &[(f64, f64, Class, Option<f64>)]| {
+        let classes = [0, 1, 2].map(|k| bands[k].2);
+        classes == [Class::Bottomed, Class::Stable, Class::Bottomed]
+    };
+    assert!(outline(&plain[0]).windows(3).any(is_between));
+    assert!(landings(&quick) < landings(&plain));
 }
 
 #[test]

@@ -134,7 +134,7 @@ pub struct Look<'a, V> {
 }
 
 impl<V: Copy> Node<V> {
-    fn of(look: Look<'_, V>) -> Self {
+    pub(super) fn of(look: Look<'_, V>) -> Self {
         Self {
             theta: look.theta,
             signals: *look.signals,
@@ -162,7 +162,7 @@ fn any_outside<V: Signals>(signals: &V, watches: &[Watch]) -> bool {
 }
 
 /// How much of a predicted overshoot is believed to be missing from the prediction.
-const CAUTION: f64 = 0.5;
+pub(super) const CAUTION: f64 = 0.5;
 /// Looks taken at one suspected excursion.
 const LOOKS: usize = 6;
 
@@ -228,7 +228,15 @@ pub fn first_exit<V: Signals>(
         _ if out_at_end => [middle, end, start].map(Node::of),
         _ => return None,
     };
-    Some(locate(nodes, watches, resolution, evaluate))
+    let predict = |[inside, outside, third]: [&Node<V>; 3]| {
+        let violation = |node: &Node<V>| violation(&node.signals, &outside.signals, watches);
+        exit_between(
+            (inside.theta, violation(inside)),
+            outside.theta,
+            (third.theta, violation(third)),
+        )
+    };
+    Some(locate(nodes, watches, resolution, predict, evaluate))
 }
 
 /// Fraction of the step at which the parabola through three nodes has its extremum, with its
@@ -286,32 +294,31 @@ fn hidden_excursion<V: Signals>(
     None
 }
 
-/// Narrows the bracket until its far end lies within `resolution` of the exit, by parabolas through
-/// the last three nodes: the greatest violation among the signals that are outside at the far end,
-/// each in units of its violation there, vanishes at the exit. A parabola that does not halve the
-/// bracket is followed by a bisection.
-fn locate<V: Signals>(
+/// Predictions of an exit in a row that may fail to halve its bracket.
+const MOST_FAILURES: u32 = 2;
+
+/// Narrows the bracket from the first of three nodes, inside, to the second, outside, until its far end lies
+/// within `resolution` of the exit. `predict` says where that is, from the ends of the bracket and the node
+/// that was one last. After predictions that do not halve the bracket it is halved.
+pub(super) fn locate<V: Signals>(
     mut nodes: [Node<V>; 3],
     watches: &[Watch],
     resolution: f64,
+    predict: impl Fn([&Node<V>; 3]) -> f64,
     mut evaluate: impl FnMut(f64, &mut V),
 ) -> Node<V> {
     // The nodes stay where they are, but for the one that a new one takes the place of.
     let [mut inside, mut outside, mut third] = [0, 1, 2];
-    let mut bisect = false;
+    let mut failures = 0;
     loop {
         let (a, b) = (nodes[inside].theta, nodes[outside].theta);
         let width = b - a;
-        let violation = |node: &Node<V>| violation(&node.signals, &nodes[outside].signals, watches);
-        let exit = exit_between(
-            (a, violation(&nodes[inside])),
-            b,
-            (nodes[third].theta, violation(&nodes[third])),
-        );
+        let exit = predict([inside, outside, third].map(|index| &nodes[index]));
         let middle = a + 0.5 * width;
         // A little beyond the exit, to land outside.
         let aim = exit + 0.25 * resolution;
-        let theta = if bisect || !(aim > a && aim < b) {
+        let theta = if failures == MOST_FAILURES || !(aim > a && aim < b) {
+            failures = 0;
             middle
         } else {
             aim
@@ -332,7 +339,11 @@ fn locate<V: Signals>(
         } else {
             std::mem::swap(&mut third, &mut inside);
         }
-        bisect = !bisect && nodes[outside].theta - nodes[inside].theta > 0.5 * width;
+        if nodes[outside].theta - nodes[inside].theta > 0.5 * width {
+            failures += 1;
+        } else {
+            failures = 0;
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The integrator taken apart: methods, dense output, step control, event location.
 
+pub mod cubic;
 pub mod dense;
 pub mod dormand_prince;
 pub mod event;

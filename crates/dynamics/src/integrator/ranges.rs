@@ -53,23 +53,62 @@ impl<const QUADS: usize> Ranges<QUADS> {
     /// farther inside than it can stray (`event::stray`). How far each can get beyond its range is written to `reach`; negative
     /// where it stays inside.
     #[inline(always)]
-    pub fn keep(
+    pub fn keep(&self, looks: [&[[f64; LANES]]; 3], ratio: f64, reach: &mut [Quad; QUADS]) -> bool {
+        let mut farthest = Farthest::new();
+        self.stray(0, looks, ratio, reach, &mut farthest);
+        farthest.all(|beyond| beyond < 0.0)
+    }
+
+    /// The same where the first `rated` quads of numbers are followed by as many of their rates: those numbers stay
+    /// between the corners of the cubics through their values and rates at both ends of the step, which
+    /// is `length` long.
+    #[inline(always)]
+    pub fn keep_by_rates(
         &self,
         [before, start, end]: [&[[f64; LANES]]; 3],
         ratio: f64,
+        length: f64,
+        rated: usize,
         reach: &mut [Quad; QUADS],
     ) -> bool {
-        let ratio = Quad::constant(ratio);
         let mut farthest = Farthest::new();
-        let looks = quads(before).zip(quads(start)).zip(quads(end));
-        let ranges = self.lower.iter().zip(&self.upper);
-        for ((((before, start), end), (&lower, &upper)), reach) in looks.zip(ranges).zip(reach) {
+        let third = Quad::constant(length / 3.0);
+        let starts = quads(&start[..rated]).zip(quads(&start[rated..]));
+        let ends = quads(&end[..rated]).zip(quads(&end[rated..]));
+        let ranges = self.lower[..rated].iter().zip(&self.upper);
+        let told = starts.zip(ends).zip(ranges).zip(&mut *reach);
+        for ((((start, at_start), (end, at_end)), (&lower, &upper)), reach) in told {
+            let [early, late] = [start + third * at_start, end - third * at_end];
+            let beyond = |number: Quad| greater(lower - number, number - upper);
+            let ends = greater(beyond(start), beyond(end));
+            *reach = greater(ends, greater(beyond(early), beyond(late)));
+            farthest.note(*reach);
+            farthest.check(early + late);
+        }
+        self.stray(rated, [before, start, end], ratio, reach, &mut farthest);
+        farthest.all(|beyond| beyond < 0.0)
+    }
+
+    /// How far all numbers but the first `from` quads can stray.
+    #[inline(always)]
+    fn stray(
+        &self,
+        from: usize,
+        [before, start, end]: [&[[f64; LANES]]; 3],
+        ratio: f64,
+        reach: &mut [Quad; QUADS],
+        farthest: &mut Farthest,
+    ) {
+        let ratio = Quad::constant(ratio);
+        let [before, start, end] = [before, start, end].map(|numbers| quads(&numbers[from..]));
+        let ranges = self.lower[from..].iter().zip(&self.upper[from..]);
+        let told = before.zip(start).zip(end).zip(ranges);
+        for ((((before, start), end), (&lower, &upper)), reach) in told.zip(&mut reach[from..]) {
             let below = greater(lower - start, lower - end);
             let above = greater(start - upper, end - upper);
             *reach = greater(below, above) + stray(before, start, end, ratio);
             farthest.note(*reach);
         }
-        farthest.all(|beyond| beyond < 0.0)
     }
 }
 
@@ -92,6 +131,12 @@ impl Farthest {
     #[inline(always)]
     fn note(&mut self, numbers: Quad) {
         self.greatest = greater(self.greatest, numbers);
+        self.check(numbers);
+    }
+
+    /// Takes note whether these are numbers.
+    #[inline(always)]
+    fn check(&mut self, numbers: Quad) {
         self.sum += numbers;
     }
 
@@ -144,6 +189,34 @@ mod tests {
         assert!(!keep(1.5, 1.5, 1.8, 1.0));
         assert!(!keep(1.5, 1.2, 1.5, 0.0));
         assert!(!keep(1.5, 0.9, 0.9, 0.0));
+    }
+
+    /// A number with a rate at the start and at the end of a step of 3 s, all others in the middle of their ranges.
+    fn keep_by_rates([start, end]: [[f64; 2]; 2]) -> bool {
+        let look = |[number, rate]: [f64; 2]| [[1.5, number, 1.5, 7.0], [0.0, rate, 0.0, 0.0]];
+        let mut ranges = Ranges::<2>::free();
+        for index in 0..3 {
+            ranges.set(index, Bounds::between(1.0, 2.0));
+        }
+        let [before, start, end] = [[1.5, 0.0], start, end].map(look);
+        let mut reach = [Quad::zero(); 2];
+        ranges.keep_by_rates([&before, &start, &end], 1.0, 3.0, 1, &mut reach)
+    }
+
+    #[test]
+    fn what_has_a_rate_keeps_its_range_where_the_corners_of_its_cubic_do() {
+        // Corners are a rate from either end.
+        assert!(keep_by_rates([[1.5, 0.4], [1.5, -0.4]]));
+        assert!(keep_by_rates([[1.01, 0.9], [1.99, 0.9]]));
+        assert!(!keep_by_rates([[1.5, 0.6], [1.5, 0.0]]));
+        assert!(!keep_by_rates([[1.5, -0.6], [1.5, 0.0]]));
+        assert!(!keep_by_rates([[1.5, 0.0], [1.5, -0.6]]));
+        assert!(!keep_by_rates([[1.5, 0.0], [1.5, 0.6]]));
+        assert!(!keep_by_rates([[1.5, 0.0], [2.01, 0.4]]));
+        for told in [[f64::NAN, 0.0], [1.5, f64::NAN]] {
+            assert!(!keep_by_rates([told, [1.5, 0.0]]));
+            assert!(!keep_by_rates([[1.5, 0.0], told]));
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::Flight;
 use super::advance;
+use crate::integrator::cubic::{Foresight, Prospect};
 use crate::integrator::event::{Look, Node, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
@@ -19,11 +20,11 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             self.signals.ahead(),
         ];
         let arch = self.motion.arch();
-        if let Some(earlier) = &self.earlier {
-            let ratio = self.step.length / earlier.length;
-            if (self.ranges).keep(arch, [before, start, end], ratio) {
-                return None;
-            }
+        let length = self.step.length;
+        let ratio = length / self.signals.since_before();
+        let suspects = &mut self.suspects;
+        if (self.ranges).keep(arch, [before, start, end], ratio, length, suspects) {
+            return None;
         }
         let with_torques = self.ranges.has(Signal::LinkTorque);
         let mut looks = 0;
@@ -38,19 +39,32 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 signals,
             });
         };
-        if !self.is_middle_seen {
-            look(0.5, &mut self.middle);
-        }
-        let suspects = &mut self.suspects;
-        (self.ranges).watch_suspects(arch, [start, &self.middle, end], suspects);
-        if suspects.is_empty() {
-            self.evaluations += looks;
-            return None;
-        }
-        let resolution = self.event_resolution / self.step.length;
+        let resolution = self.event_resolution / length;
         let seen = |theta, signals| Look { theta, signals };
-        let seen = [seen(0.0, start), seen(0.5, &self.middle), seen(1.0, end)];
-        let found = first_exit(seen, suspects, resolution, &mut look);
+        let prospect = Prospect {
+            length,
+            start,
+            end,
+            watches: suspects,
+        };
+        let foresight = if self.is_middle_seen {
+            Foresight::Doubtful
+        } else {
+            prospect.foresight()
+        };
+        let found = match foresight {
+            Foresight::Stays => None,
+            Foresight::Leaves => Some(prospect.exit(resolution, &mut look)),
+            Foresight::Doubtful => {
+                if !self.is_middle_seen {
+                    look(0.5, &mut self.middle);
+                }
+                let middle = &self.middle;
+                (self.ranges).watch_suspects(arch, [start, middle, end], suspects);
+                let looks = [seen(0.0, start), seen(0.5, middle), seen(1.0, end)];
+                first_exit(looks, suspects, resolution, &mut look)
+            }
+        };
         self.evaluations += looks;
         found
     }

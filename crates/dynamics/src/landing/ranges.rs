@@ -9,6 +9,8 @@ use crate::quad::{GROUPS, LANES, Quad};
 
 /// Quads of signals that have ranges.
 const QUADS: usize = Signal::RANGED * GROUPS;
+/// Those of them that hold signals whose rates are signals too.
+const RATED: usize = Signal::RATED * GROUPS;
 /// How far beyond their ranges signals get, while nothing is known of it.
 const NOWHERE: [Quad; QUADS] = [Quad([0.0; LANES]); QUADS];
 
@@ -60,11 +62,24 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
         })
     }
 
-    /// Whether no signal can have left its range within a step, as looks before the step before, at the start and at
-    /// the end of the step tell, `ratio` being this step's length over that one's.
+    /// Whether no signal can have left its range within a step of `length` s, as looks before the step before, at the
+    /// start and at the end of the step tell, `ratio` being this step's length over the time between the first
+    /// two. Those that may have are put into `watches`.
     #[inline(always)]
-    pub(super) fn keep(&self, arch: Arch, looks: [&Glance<LEGS>; 3], ratio: f64) -> bool {
-        arch.dispatch(Keep(&self.0, looks, ratio, &mut NOWHERE.clone()))
+    pub(super) fn keep(
+        &self,
+        arch: Arch,
+        looks: [&Glance<LEGS>; 3],
+        ratio: f64,
+        length: f64,
+        watches: &mut Vec<Watch>,
+    ) -> bool {
+        let mut reach = NOWHERE;
+        let is_kept = arch.dispatch(KeepByRates(&self.0, looks, [ratio, length], &mut reach));
+        if !is_kept {
+            self.watch(&reach, watches);
+        }
+        is_kept
     }
 
     /// Puts those signals into `watches` that may have left their ranges within a step, as looks at its start,
@@ -76,11 +91,14 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
         looks: [&Glance<LEGS>; 3],
         watches: &mut Vec<Watch>,
     ) {
-        watches.clear();
         let mut reach = NOWHERE;
-        if arch.dispatch(Keep(&self.0, looks, 1.0, &mut reach)) {
-            return;
-        }
+        arch.dispatch(Keep(&self.0, looks, &mut reach));
+        self.watch(&reach, watches);
+    }
+
+    /// Watches those signals that reach beyond their ranges.
+    fn watch(&self, reach: &[Quad; QUADS], watches: &mut Vec<Watch>) {
+        watches.clear();
         for (quad, reach) in reach.iter().enumerate() {
             for (lane, reach) in reach.0.iter().enumerate() {
                 let signal = quad * LANES + lane;
@@ -106,11 +124,10 @@ impl<const LEGS: usize> NullaryFnOnce for Hold<'_, LEGS> {
     }
 }
 
-/// [`Ranges::keep`], compiled for each kind of register.
+/// [`Ranges::keep`] over looks at equal distances, compiled for each kind of register.
 struct Keep<'a, const LEGS: usize>(
     &'a Ranges<QUADS>,
     [&'a Glance<LEGS>; 3],
-    f64,
     &'a mut [Quad; QUADS],
 );
 
@@ -119,7 +136,25 @@ impl<const LEGS: usize> NullaryFnOnce for Keep<'_, LEGS> {
 
     #[inline(always)]
     fn call(self) -> bool {
-        let Self(ranges, looks, ratio, reach) = self;
-        ranges.keep(looks.map(Glance::ranged), ratio, reach)
+        let Self(ranges, looks, reach) = self;
+        ranges.keep(looks.map(Glance::ranged), 1.0, reach)
+    }
+}
+
+/// [`Ranges::keep_by_rates`], compiled for each kind of register.
+struct KeepByRates<'a, const LEGS: usize>(
+    &'a Ranges<QUADS>,
+    [&'a Glance<LEGS>; 3],
+    [f64; 2],
+    &'a mut [Quad; QUADS],
+);
+
+impl<const LEGS: usize> NullaryFnOnce for KeepByRates<'_, LEGS> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        let Self(ranges, looks, [ratio, length], reach) = self;
+        ranges.keep_by_rates(looks.map(Glance::ranged), ratio, length, RATED, reach)
     }
 }

@@ -1,6 +1,7 @@
 //! The signals of all legs at one instant.
 
 use super::{LegSignals, Signal};
+use crate::integrator::cubic::Rated;
 use crate::integrator::event::Signals;
 use crate::quad::{LANES, MOST_LEGS, Quad};
 
@@ -55,6 +56,18 @@ impl<const LEGS: usize> Glance<LEGS> {
     #[inline(always)]
     pub fn index(leg: usize, signal: Signal) -> usize {
         signal as usize * MOST_LEGS + leg
+    }
+}
+
+impl<const LEGS: usize> Rated for Glance<LEGS> {
+    #[inline(always)]
+    fn has_rate(index: usize) -> bool {
+        index < Signal::RATED * MOST_LEGS
+    }
+
+    #[inline(always)]
+    fn rate(&self, index: usize) -> f64 {
+        self.get(index + Signal::RATED * MOST_LEGS)
     }
 }
 

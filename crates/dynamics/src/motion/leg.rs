@@ -237,11 +237,13 @@ impl<S: Real> LegMotion<S> {
                 (link_torque - self.link_inertia * link_acceleration) * leg.link_rate,
             ],
         };
+        // The laws take the pivot to swing with the rate state; a frozen link does not.
+        let idle_swing = link_length * (leg.link_rate - derivative.link_angle);
         let rates = frame.pad_interference_rates(
             &pose,
             &self.geometry,
-            pad.velocity.inward,
-            leg.link_rate,
+            pad.velocity.inward - idle_swing * pose.link_normal.dot(&frame.normal),
+            derivative.link_angle,
             pad_speed,
         );
         let foot = body.rotation * self.geometry.off_leg_plane(&pose.pivot);
@@ -249,14 +251,15 @@ impl<S: Real> LegMotion<S> {
             outer,
             inner,
             pose.block_interference,
+            pose.stroke,
             rates[0],
             rates[1],
             frame.block_interference_rate(block.velocity.inward),
+            -pose.strut_lever * derivative.link_angle,
             pad.velocity.inward,
             block.velocity.inward,
             pad.velocity.sliding_squared,
             block.velocity.sliding_squared,
-            pose.stroke,
             leg.link_rate,
             if FORCES { surface_torque } else { S::zero() },
             leg.pad_angle,

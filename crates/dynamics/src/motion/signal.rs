@@ -1,6 +1,7 @@
 //! What is watched on a leg.
 
-/// What is watched on a leg: each signal has a range over which the active pieces hold.
+/// What is watched on a leg: each signal has a range over which the active pieces hold. First come those
+/// whose rates are signals too, then those rates in the same order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Signal {
     /// I of the outboard pad section, ft.
@@ -9,12 +10,16 @@ pub enum Signal {
     InnerInterference,
     /// I of the block, ft.
     BlockInterference,
+    /// Strut stroke δ, ft.
+    Stroke,
     /// dI/dt of the outboard pad section, ft/s.
     OuterRate,
     /// dI/dt of the inboard pad section, ft/s.
     InnerRate,
     /// dI/dt of the block, ft/s.
     BlockRate,
+    /// dδ/dt, ft/s.
+    StrokeRate,
     /// Rate of the pad pivot into the ground, ft/s.
     PivotRate,
     /// Rate of the crushed block centre into the ground, ft/s.
@@ -23,8 +28,6 @@ pub enum Signal {
     PadSliding,
     /// S² of the block, ft²/s².
     BlockSliding,
-    /// Strut stroke δ, ft.
-    Stroke,
     /// Link rate γ̇, rad/s.
     LinkRate,
     /// Torque of the surface on the link, ft·lb.
@@ -53,23 +56,26 @@ pub enum Signal {
 
 impl Signal {
     /// Number of signals of a leg.
-    pub const COUNT: usize = 23;
+    pub const COUNT: usize = 24;
     /// Leading ones that have ranges.
-    pub const RANGED: usize = 17;
+    pub const RANGED: usize = 18;
+    /// Leading ones that have their rates among the signals, so many places on.
+    pub const RATED: usize = 4;
 
     /// Every signal, in storage order.
     pub const ALL: [Self; Self::COUNT] = [
         Self::OuterInterference,
         Self::InnerInterference,
         Self::BlockInterference,
+        Self::Stroke,
         Self::OuterRate,
         Self::InnerRate,
         Self::BlockRate,
+        Self::StrokeRate,
         Self::PivotRate,
         Self::BlockCentreRate,
         Self::PadSliding,
         Self::BlockSliding,
-        Self::Stroke,
         Self::LinkRate,
         Self::LinkTorque,
         Self::PadAngle,
