@@ -80,6 +80,9 @@ impl LegLaws {
 pub struct LegMode {
     pad: [Crush; 2],
     block: Crush,
+    /// Whether any section has touched the surface yet.
+    pad_has_touched: bool,
+    block_has_touched: bool,
     pad_sliding: Sliding,
     block_sliding: Sliding,
     stance: Stance,
@@ -92,6 +95,8 @@ impl LegMode {
         Self {
             pad: [Crush::untouched(&laws.pad); 2],
             block: Crush::untouched(&laws.block),
+            pad_has_touched: false,
+            block_has_touched: false,
             pad_sliding: Sliding::Steady,
             block_sliding: Sliding::Steady,
             stance: Stance::extended(false, 0.0),
@@ -120,23 +125,24 @@ impl LegMode {
     }
 
     /// Whether it matters at once when an element that carries no pressure gains or loses contact:
-    /// its first contact is noted, and an extended leg hangs or rests on its stop by it, unless
-    /// another element presses on the surface anyway.
-    fn is_contact_watched(&self, element: &Crush) -> bool {
+    /// the first contact of its pad or block is noted, and an extended leg hangs or rests on its stop by it,
+    /// unless another element presses on the surface anyway.
+    fn is_contact_watched(&self, has_touched: bool) -> bool {
         let is_pressed = self.pad_loaded() || self.block.is_loaded();
-        element.is_whole() || self.stance.is_extended() && !is_pressed
+        !has_touched || self.stance.is_extended() && !is_pressed
     }
 
     /// Finds out about contacts that were not watched.
     fn update_contact(&mut self, signals: &LegSignals<f64>) {
-        let mode = *self;
+        let [pad_is_watched, block_is_watched] =
+            [self.pad_has_touched, self.block_has_touched].map(|has| self.is_contact_watched(has));
         let [outer, inner] = &mut self.pad;
-        for (element, signal) in [
-            (outer, Signal::OuterInterference),
-            (inner, Signal::InnerInterference),
-            (&mut self.block, Signal::BlockInterference),
+        for (element, is_watched, signal) in [
+            (outer, pad_is_watched, Signal::OuterInterference),
+            (inner, pad_is_watched, Signal::InnerInterference),
+            (&mut self.block, block_is_watched, Signal::BlockInterference),
         ] {
-            if !mode.is_contact_watched(element) {
+            if !is_watched {
                 element.update_contact(signals[signal as usize]);
             }
         }
@@ -188,13 +194,13 @@ impl LegMode {
         let by_pivot = laws.rule == CrushRule::PivotRate;
         let pad_loaded = self.pad_loaded();
         let [outer, inner] = &self.pad;
-        let interference = |element: &Crush, law: &CrushLaw| {
-            element.interference_bounds(law, self.is_contact_watched(element))
+        let interference = |element: &Crush, law: &CrushLaw, has_touched: bool| {
+            element.interference_bounds(law, self.is_contact_watched(has_touched))
         };
         [
-            interference(outer, &laws.pad),
-            interference(inner, &laws.pad),
-            interference(&self.block, &laws.block),
+            interference(outer, &laws.pad, self.pad_has_touched),
+            interference(inner, &laws.pad, self.pad_has_touched),
+            interference(&self.block, &laws.block, self.block_has_touched),
             self.stance.stroke_bounds(&laws.strut),
             outer.rate_bounds(),
             inner.rate_bounds(),
@@ -311,6 +317,8 @@ impl LegMode {
     /// hangs or rests on its stop.
     fn follow_contact(&mut self, laws: &LegLaws, before: &Self, signals: &LegSignals<f64>) {
         let value = |signal: Signal| signals[signal as usize];
+        self.pad_has_touched |= self.pad_in_contact();
+        self.block_has_touched |= self.block_in_contact();
         if self.pad_loaded() && !before.pad_loaded() {
             self.pad_sliding = Sliding::at(laws.friction, value(Signal::PadSliding));
         }

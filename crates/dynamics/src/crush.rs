@@ -176,11 +176,6 @@ impl Crush {
         self.stage != Stage::Clear
     }
 
-    /// Whether nothing has crushed the element yet.
-    pub fn is_whole(&self) -> bool {
-        self.set == 0.0
-    }
-
     /// Finds out about contact at an interference, if the element carries no pressure.
     pub fn update_contact(&mut self, interference: f64) {
         if !self.is_loaded() {

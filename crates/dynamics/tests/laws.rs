@@ -136,6 +136,46 @@ fn the_ranges_of_a_leg_stand_in_the_order_of_its_signals() {
 }
 
 #[test]
+fn a_pad_that_has_touched_is_stopped_at_pressure_not_at_contact_while_its_strut_works() {
+    let leg = Leg::new(surveyor_leg(0.0)).unwrap();
+    let laws = LegLaws::new(&leg, CrushRule::PivotRate);
+    let mut mode = LegMode::untouched(&laws);
+    let mut signals = [0.0; Signal::COUNT];
+    signals[Signal::InnerInterference as usize] = -0.01;
+    signals[Signal::BlockInterference as usize] = -1.0;
+    let leaves = |mode: &LegMode, signal: Signal, value: f64| {
+        mode.ranges(&laws)[signal as usize].exit(value).is_some()
+    };
+    let outer = Signal::OuterInterference;
+    let [in_contact, pressed] = [2e-6, 1.1e-5];
+    assert!(leaves(&mode, outer, in_contact));
+    // It touches, is pressed, its link is pushed off its stop and turns; then it is lifted.
+    for (signal, value, exit) in [
+        (outer, in_contact, Exit::Above),
+        (outer, pressed, Exit::Above),
+        (Signal::LinkTorque, -1.0, Exit::Below),
+        (Signal::LinkRate, -1e-3, Exit::Below),
+        (outer, 9e-6, Exit::Below),
+    ] {
+        signals[signal as usize] = value;
+        mode.cross(&laws, 0, signal, exit, &signals).unwrap();
+    }
+    for element in [outer, Signal::InnerInterference] {
+        assert!(!leaves(&mode, element, in_contact), "{element:?}");
+        assert!(!leaves(&mode, element, -0.1), "{element:?}");
+        assert!(leaves(&mode, element, pressed), "{element:?}");
+    }
+    // The block has yet to touch.
+    assert!(leaves(&mode, Signal::BlockInterference, in_contact));
+    // Back on its stop, contact decides whether the leg hangs.
+    signals[Signal::Stroke as usize] = 0.0;
+    signals[Signal::LinkRate as usize] = 1e-3;
+    (mode.cross(&laws, 0, Signal::LinkRate, Exit::Above, &signals)).unwrap();
+    assert!(leaves(&mode, outer, 0.0));
+    assert!(leaves(&mode, Signal::InnerInterference, in_contact));
+}
+
+#[test]
 fn friction_profile_c() {
     for k in 1..=2000 {
         let speed = 0.001 * f64::from(k) - 5e-4;
