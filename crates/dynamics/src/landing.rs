@@ -348,7 +348,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         }
         if let Some(event) = event {
             self.go_to(reach);
-            self.signals.go_to(event.signals, reach * length);
+            *self.signals.now_mut() = event.signals;
             self.earlier = None;
             control.restart();
             self.cross()?;
@@ -361,7 +361,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             }
         } else {
             let link_accelerations = self.step.slopes[0].link_rates();
-            self.signals.go_on(reach * length);
+            self.signals.go_on();
             if kink.is_some() {
                 self.go_to(reach);
                 self.events += 1;

@@ -1,7 +1,7 @@
 //! Exits of signals whose rates are known: values and rates at both ends of a step are those of a cubic, which
 //! tells where a signal leaves its range, or that it stays, before anything in between is looked at.
 
-use super::event::{CAUTION, Exit, Look, Node, Signals, Watch, locate};
+use super::event::{CAUTION, Exit, Node, Seen, Signals, Watch, locate};
 
 /// Signals of which some have known rates.
 pub trait Rated: Signals {
@@ -26,17 +26,24 @@ pub enum Foresight {
 /// A step of which only the ends have been looked at, all signals being inside at its start.
 #[derive(Debug, Clone, Copy)]
 pub struct Prospect<'a, V> {
-    /// Length, s.
-    pub length: f64,
-    /// Signals at the start.
-    pub start: &'a V,
-    /// Signals at the end.
-    pub end: &'a V,
+    length: f64,
+    start: &'a V,
+    end: &'a V,
     /// Signals that may have left their ranges.
-    pub watches: &'a [Watch],
+    watches: &'a [Watch],
 }
 
-impl<V: Rated> Prospect<'_, V> {
+impl<'a, V: Rated> Prospect<'a, V> {
+    /// A step of `length` s with these signals at its start and end.
+    pub fn new([start, end]: [&'a V; 2], length: f64, watches: &'a [Watch]) -> Self {
+        Self {
+            length,
+            start,
+            end,
+            watches,
+        }
+    }
+
     /// What the ends of the step tell.
     pub fn foresight(&self) -> Foresight {
         let mut exit = f64::INFINITY;
@@ -61,7 +68,7 @@ impl<V: Rated> Prospect<'_, V> {
     /// The first exit of any signal, if the foresight is that one leaves: a node just outside, within
     /// `resolution` of the exit. `evaluate` writes the signals at a fraction of the step.
     pub fn exit(&self, resolution: f64, evaluate: impl FnMut(f64, &mut V)) -> Node<V> {
-        let seen = |theta, signals| Look { theta, signals };
+        let seen = |theta, signals| Seen { theta, signals };
         let end = seen(1.0, self.end);
         let nodes = [seen(0.0, self.start), end, end].map(Node::of);
         let predict = |[inside, outside, _]: [&Node<V>; 3]| {
@@ -221,25 +228,16 @@ mod tests {
         Watch { signal, range }
     }
 
-    fn prospect<'a>([start, end]: [&'a Told; 2], watches: &'a [Watch]) -> Prospect<'a, Told> {
-        Prospect {
-            length: LENGTH,
-            start,
-            end,
-            watches,
-        }
-    }
-
     fn foreseen(from: f64, watches: &[Watch]) -> Foresight {
         let [start, end] = [told(from, 0.0), told(from, 1.0)];
-        prospect([&start, &end], watches).foresight()
+        Prospect::new([&start, &end], LENGTH, watches).foresight()
     }
 
     /// The exit, and the looks it took.
     fn exit(from: f64, watches: &[Watch], resolution: f64) -> (Node<Told>, usize) {
         let ends = [told(from, 0.0), told(from, 1.0)];
         let [start, end] = &ends;
-        let prospect = prospect([start, end], watches);
+        let prospect = Prospect::new([start, end], LENGTH, watches);
         let mut looks = 0;
         let exit = prospect.exit(resolution, |theta, signals| {
             looks += 1;

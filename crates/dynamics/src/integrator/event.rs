@@ -126,7 +126,7 @@ pub struct Node<V> {
 
 /// Signals seen at one point of a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Look<'a, V> {
+pub struct Seen<'a, V> {
     /// Fraction of the step, 0 to 1.
     pub theta: f64,
     /// The signals there.
@@ -134,7 +134,7 @@ pub struct Look<'a, V> {
 }
 
 impl<V: Copy> Node<V> {
-    pub(super) fn of(look: Look<'_, V>) -> Self {
+    pub(super) fn of(look: Seen<'_, V>) -> Self {
         Self {
             theta: look.theta,
             signals: *look.signals,
@@ -142,8 +142,8 @@ impl<V: Copy> Node<V> {
     }
 
     /// A look at this node.
-    pub fn seen(&self) -> Look<'_, V> {
-        Look {
+    pub fn seen(&self) -> Seen<'_, V> {
+        Seen {
             theta: self.theta,
             signals: &self.signals,
         }
@@ -186,7 +186,7 @@ pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bo
 /// that begin and end between the looks are looked for where three neighbouring values bend
 /// toward an end of the range. Returns the node just outside, within `resolution` of the exit.
 pub fn first_exit<V: Signals>(
-    [start, middle, end]: [Look<'_, V>; 3],
+    [start, middle, end]: [Seen<'_, V>; 3],
     watches: &[Watch],
     resolution: f64,
     mut evaluate: impl FnMut(f64, &mut V),
@@ -228,13 +228,9 @@ pub fn first_exit<V: Signals>(
         _ if out_at_end => [middle, end, start].map(Node::of),
         _ => return None,
     };
-    let predict = |[inside, outside, third]: [&Node<V>; 3]| {
-        let violation = |node: &Node<V>| violation(&node.signals, &outside.signals, watches);
-        exit_between(
-            (inside.theta, violation(inside)),
-            outside.theta,
-            (third.theta, violation(third)),
-        )
+    let predict = |nodes: [&Node<V>; 3]| {
+        let exits = watches.iter().map(|watch| exit_on_parabola(watch, nodes));
+        exits.fold(f64::INFINITY, f64::min)
     };
     Some(locate(nodes, watches, resolution, predict, evaluate))
 }
@@ -255,7 +251,7 @@ fn vertex(t: [f64; 3], v: [f64; 3]) -> Option<(f64, f64)> {
 /// it between them. Gives a node where all signals are inside and a later one where one is not.
 fn hidden_excursion<V: Signals>(
     watch: &Watch,
-    start: Look<'_, V>,
+    start: Seen<'_, V>,
     mut t: [f64; 3],
     mut v: [f64; 3],
     watches: &[Watch],
@@ -347,6 +343,21 @@ pub(super) fn locate<V: Signals>(
     }
 }
 
+/// Where a signal that is inside at the first of three nodes leaves its range on the parabola through all of
+/// them, if it is outside at the second; infinite if it is not. The nodes' other signals have no say: of two that leave, one may be
+/// far outside where the other has just left.
+fn exit_on_parabola<V: Signals>(watch: &Watch, [inside, outside, third]: [&Node<V>; 3]) -> f64 {
+    let value = |node: &Node<V>| node.signals.get(watch.signal);
+    let border = match watch.range.exit(value(outside)) {
+        None => return f64::INFINITY,
+        Some(Exit::Below) => watch.range.lower,
+        Some(Exit::Above) => watch.range.upper,
+    };
+    let beyond = value(outside) - border;
+    let place = |node: &Node<V>| (node.theta, (value(node) - border) / beyond);
+    exit_between(place(inside), outside.theta, place(third))
+}
+
 /// Where the parabola through a value not above 0 at `a`, 1 at `b` and a third value rises through
 /// 0 between `a` and `b`.
 fn exit_between((a, at_a): (f64, f64), b: f64, (c, at_c): (f64, f64)) -> f64 {
@@ -364,15 +375,53 @@ fn exit_between((a, at_a): (f64, f64), b: f64, (c, at_c): (f64, f64)) -> f64 {
     a + width * u.clamp(0.0, 1.0)
 }
 
-/// Greatest violation at `inside` among the signals that are outside at `outside`, each in units
-/// of its violation there: not positive.
-fn violation<V: Signals>(inside: &V, outside: &V, watches: &[Watch]) -> f64 {
-    let mut worst = f64::NEG_INFINITY;
-    for Watch { signal, range } in watches {
-        let beyond = range.violation(outside.get(*signal));
-        if beyond > 0.0 {
-            worst = worst.max(range.violation(inside.get(*signal)) / beyond);
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Pair = [[f64; 2]; 1];
+
+    /// A signal that rises evenly and one that rises at `pace` from `from` on, faster and faster.
+    fn told(theta: f64, from: f64, pace: f64) -> Pair {
+        let late = theta - from;
+        [[theta, pace * late * (1.0 + late)]]
+    }
+
+    #[test]
+    fn of_two_signals_that_are_out_at_the_middle_the_first_to_leave_is_found() {
+        for (border, from, pace) in [
+            (0.3194, 0.3813, 1.0),
+            (0.3194, 0.3813, 40.0),
+            (0.3194, 0.3813, 1e-3),
+            (0.3813, 0.3194, 40.0),
+            (0.0100, 0.4900, 1e4),
+            (0.4900, 0.0100, 1e-4),
+        ] {
+            for resolution in [1e-4, 1e-8] {
+                let watches = [border, 0.0].map(Bounds::below);
+                let watches = [0, 1].map(|signal| Watch {
+                    signal,
+                    range: watches[signal],
+                });
+                let at = |theta| Node {
+                    theta,
+                    signals: told(theta, from, pace),
+                };
+                let nodes = [0.0, 0.5, 1.0].map(at);
+                let mut looks = 0;
+                let found = first_exit(
+                    nodes.each_ref().map(Node::seen),
+                    &watches,
+                    resolution,
+                    |theta, signals| {
+                        looks += 1;
+                        *signals = told(theta, from, pace);
+                    },
+                );
+                let beyond = found.unwrap().theta - border.min(from);
+                assert!(beyond > 0.0 && beyond <= resolution, "{beyond}");
+                assert!(looks < 8, "{looks}");
+            }
         }
     }
-    if worst.is_finite() { worst } else { -1.0 }
 }

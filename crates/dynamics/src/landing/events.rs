@@ -3,7 +3,7 @@
 use super::Flight;
 use super::advance;
 use crate::integrator::cubic::{Foresight, Prospect};
-use crate::integrator::event::{Look, Node, first_exit};
+use crate::integrator::event::{Node, Seen, Watch, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::record::Instant;
@@ -21,9 +21,16 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         ];
         let arch = self.motion.arch();
         let length = self.step.length;
-        let ratio = length / self.signals.since_before();
         let suspects = &mut self.suspects;
-        if (self.ranges).keep(arch, [before, start, end], ratio, length, suspects) {
+        if let Some(earlier) = &self.earlier
+            && (self.ranges).keep(
+                arch,
+                [before, start, end],
+                length / earlier.length,
+                length,
+                suspects,
+            )
+        {
             return None;
         }
         let with_torques = self.ranges.has(Signal::LinkTorque);
@@ -40,28 +47,35 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             });
         };
         let resolution = self.event_resolution / length;
-        let seen = |theta, signals| Look { theta, signals };
-        let prospect = Prospect {
-            length,
-            start,
-            end,
-            watches: suspects,
+        let is_explicit = !self.is_middle_seen;
+        let foresee = |suspects: &[Watch]| match is_explicit {
+            true => Prospect::new([start, end], length, suspects).foresight(),
+            false => Foresight::Doubtful,
         };
-        let foresight = if self.is_middle_seen {
+        // Nothing before tells how signals turn under laws that are new: that takes a look at the middle.
+        let are_laws_new = self.earlier.is_none();
+        let mut foresight = if are_laws_new {
             Foresight::Doubtful
         } else {
-            prospect.foresight()
+            foresee(suspects)
         };
+        if foresight == Foresight::Doubtful {
+            if is_explicit {
+                look(0.5, &mut self.middle);
+            }
+            (self.ranges).watch_suspects(arch, [start, &self.middle, end], suspects);
+            if are_laws_new {
+                foresight = foresee(suspects);
+            }
+        }
         let found = match foresight {
             Foresight::Stays => None,
-            Foresight::Leaves => Some(prospect.exit(resolution, &mut look)),
+            Foresight::Leaves => {
+                Some(Prospect::new([start, end], length, suspects).exit(resolution, &mut look))
+            }
             Foresight::Doubtful => {
-                if !self.is_middle_seen {
-                    look(0.5, &mut self.middle);
-                }
-                let middle = &self.middle;
-                (self.ranges).watch_suspects(arch, [start, middle, end], suspects);
-                let looks = [seen(0.0, start), seen(0.5, middle), seen(1.0, end)];
+                let seen = |theta, signals| Seen { theta, signals };
+                let looks = [seen(0.0, start), seen(0.5, &self.middle), seen(1.0, end)];
                 first_exit(looks, suspects, resolution, &mut look)
             }
         };

@@ -7,8 +7,6 @@ use crate::motion::Glance;
 pub(super) struct Trail<const LEGS: usize> {
     glances: [Glance<LEGS>; 3],
     now: usize,
-    /// Time between the first two, s.
-    since_before: f64,
 }
 
 impl<const LEGS: usize> Trail<LEGS> {
@@ -16,7 +14,6 @@ impl<const LEGS: usize> Trail<LEGS> {
         Self {
             glances: [Glance::blank(); 3],
             now: 0,
-            since_before: 0.0,
         }
     }
 
@@ -50,23 +47,9 @@ impl<const LEGS: usize> Trail<LEGS> {
         &mut self.glances[(self.now + 1) % 3]
     }
 
-    /// Time from the one before the last step to the one at the start of the step, s.
+    /// Goes on to the end of the step.
     #[inline(always)]
-    pub(super) fn since_before(&self) -> f64 {
-        self.since_before
-    }
-
-    /// Goes on to the end of the step, which took `time` s.
-    #[inline(always)]
-    pub(super) fn go_on(&mut self, time: f64) {
+    pub(super) fn go_on(&mut self) {
         self.now = (self.now + 1) % 3;
-        self.since_before = time;
-    }
-
-    /// Goes on to an event within the step, after `time` s, with these signals. What was before stays.
-    #[inline(always)]
-    pub(super) fn go_to(&mut self, signals: Glance<LEGS>, time: f64) {
-        self.glances[self.now] = signals;
-        self.since_before += time;
     }
 }
