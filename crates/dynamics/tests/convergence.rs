@@ -4,9 +4,10 @@
 mod common;
 
 use common::bare::{Bare, distance};
-use common::{level_scene, scenes, table_4_1};
+use common::{level_scene, scenes, settings, table_4_1};
 use nalgebra::Vector3;
-use touchdown_dynamics::landing::land_observed;
+use touchdown_dynamics::landing::{land, land_observed};
+use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -108,6 +109,39 @@ fn dense_output_is_of_order_four() {
             (4.7..5.3).contains(&order),
             "order {order} at {theta} from {errors:?}"
         );
+    }
+}
+
+/// Cross-slope and roll (deg), horizontal velocity (ft/s) and end of landings in which a signal leaves its range so
+/// soon after another, or grazes its end right after an event, that steps of searches hold both.
+const CROWDED: [(f64, f64, f64, Class); 11] = [
+    (82.5, 40.0, 18.0903, Class::Stable),
+    (85.0, 42.5, 17.5835, Class::Stable),
+    (87.5, 45.0, 17.2939, Class::Stable),
+    (97.5, -25.0, 18.2256, Class::Unstable),
+    (137.5, -2.5, 12.6177, Class::Stable),
+    (-150.0, 22.5, 11.3120, Class::Stable),
+    (-115.0, 37.5, 12.9375, Class::Stable),
+    (-85.0, 60.0, 16.9663, Class::Stable),
+    (-82.5, -60.0, 17.4014, Class::Stable),
+    (-82.5, -42.5, 17.6885, Class::Stable),
+    (-82.5, 60.0, 16.2876, Class::Stable),
+];
+
+#[test]
+fn landings_with_crowded_events_end_at_the_tolerance_of_searches_as_converged_ones_do() {
+    let vehicle = table_4_1();
+    for (cross_slope, roll, speed, class) in CROWDED {
+        let scene = level_scene(cross_slope, roll, speed);
+        let around = (0..20).map(|k| 2.6e-5 + 4e-7 * f64::from(k));
+        for tolerance in around.chain([1e-8]) {
+            let landing = land(&vehicle, &scene, &settings(tolerance));
+            assert_eq!(
+                landing.outcome.class(),
+                class,
+                "cross-slope {cross_slope}, roll {roll}, {speed} ft/s at {tolerance:e}"
+            );
+        }
     }
 }
 
