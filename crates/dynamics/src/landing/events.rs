@@ -48,9 +48,12 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         };
         let resolution = self.event_resolution / length;
         let is_explicit = !self.is_middle_seen;
-        let foresee = |suspects: &[Watch]| match is_explicit {
-            true => Prospect::new([start, end], length, suspects).foresight(),
-            false => Foresight::Doubtful,
+        let foresee = |suspects: &[Watch]| {
+            if is_explicit {
+                Prospect::new([start, end], length, suspects).foresight()
+            } else {
+                Foresight::Doubtful
+            }
         };
         // Nothing before tells how signals turn under laws that are new: that takes a look at the middle.
         let are_laws_new = self.earlier.is_none();
