@@ -4,6 +4,7 @@ mod account;
 mod advance;
 mod events;
 mod kinks;
+mod peaks;
 mod ranges;
 mod rates;
 mod stiffness;
@@ -30,6 +31,7 @@ use crate::vehicle::Vehicle;
 
 use account::History;
 use advance::{Advance, Cut, Start};
+use peaks::StrutPeaks;
 use ranges::SignalRanges;
 use stiffness::Stiffness;
 use trail::Trail;
@@ -46,6 +48,9 @@ const KINKS_LOCATED: f64 = 1e-6;
 /// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
 /// steps still closes to the tolerance.
 const WORK_SHARE: f64 = 0.01;
+/// Share of the length allowed that the first step after an event takes if it is implicit: laws that have just changed
+/// set off swings, and every other such step of whole length would be rejected.
+const FIRST_IMPLICIT: f64 = 0.75;
 /// Time within which an event is located, s: this times the tolerance, but within these limits.
 const EVENT_RESOLUTION: f64 = 1e-3;
 const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
@@ -108,6 +113,7 @@ struct Attempt {
     whole: f64,
     /// Its length, s.
     length: f64,
+    is_implicit: bool,
 }
 
 /// A landing under way.
@@ -137,7 +143,7 @@ struct Flight<'a, O, const LEGS: usize> {
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
     signals: Trail<LEGS>,
-    /// The signals in the middle of the step, if it is implicit.
+    /// The signals in the middle of the step, if it is implicit or was looked into.
     middle: Glance<LEGS>,
     is_middle_seen: bool,
     /// The step before, if no law has changed since.
@@ -145,8 +151,7 @@ struct Flight<'a, O, const LEGS: usize> {
     start: State<f64, LEGS>,
     least_angle: (f64, f64),
     least_clearance: f64,
-    greatest_strut_force: [f64; LEGS],
-    greatest_stroke: [f64; LEGS],
+    peaks: StrutPeaks<LEGS>,
     pad_contact: [Option<f64>; LEGS],
     block_contact: [Option<f64>; LEGS],
     steps: u64,
@@ -199,8 +204,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             start: state,
             least_angle: (f64::INFINITY, 0.0),
             least_clearance: f64::INFINITY,
-            greatest_strut_force: [0.0; LEGS],
-            greatest_stroke: [0.0; LEGS],
+            peaks: StrutPeaks::none(),
             pad_contact: [None; LEGS],
             block_contact: [None; LEGS],
             steps: 0,
@@ -215,7 +219,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             let mut course = self.begin()?;
             loop {
                 let attempt = self.aim(&mut course)?;
-                let error = self.take(attempt.length);
+                let error = self.take(attempt);
                 self.go_on(&mut course, attempt, error)?;
             }
         };
@@ -272,25 +276,42 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         } else {
             whole
         };
+        let (motion, state, pieces) = (&self.motion, &self.step.before, &self.pieces);
+        let is_implicit = self.stiffness.is_stiff(length, motion, state, pieces);
+        let share = if is_implicit && self.earlier.is_none() {
+            FIRST_IMPLICIT
+        } else {
+            1.0
+        };
+        let length = share * length;
         if length < SHORTEST {
             return Err(Outcome::Failure(Failure::StepCollapse));
         }
-        Ok(Attempt { whole, length })
+        Ok(Attempt {
+            whole,
+            length,
+            is_implicit,
+        })
     }
 
     /// Takes a step: its error in units of the tolerance.
     #[inline(always)]
-    fn take(&mut self, length: f64) -> f64 {
-        let response = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
-        self.evaluations += match response {
-            Some(_) => rosenbrock::EVALUATIONS,
-            None => dormand_prince::EVALUATIONS,
+    fn take(&mut self, attempt: Attempt) -> f64 {
+        let Attempt {
+            length,
+            is_implicit,
+            ..
+        } = attempt;
+        self.evaluations += if is_implicit {
+            rosenbrock::EVALUATIONS
+        } else {
+            dormand_prince::EVALUATIONS
         };
-        self.is_middle_seen = response.is_some();
+        self.is_middle_seen = is_implicit;
         let advance = Advance {
             motion: &self.motion,
             pieces: &self.pieces,
-            response,
+            response: is_implicit.then(|| self.stiffness.response()),
             length,
             tolerance: self.settings.tolerance(),
             greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
@@ -318,7 +339,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             burst,
             ..
         } = course;
-        let Attempt { whole, length } = attempt;
+        let Attempt { whole, length, .. } = attempt;
         if !control.accept(length, error, self.step.weights.error_order) {
             return Ok(());
         }
@@ -341,6 +362,12 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let judged = self.judge(outlook, reach);
         let reach = judged.map_or(reach, |(theta, _)| theta);
         self.report(reach);
+        if judged.is_some() || kink.is_some() {
+            let end = self.look_at(reach);
+            self.note_struts(Some(&end), reach);
+        } else {
+            self.note_struts(event.as_ref().map(|node| &node.signals), reach);
+        }
         self.time += reach * length;
         if let Some((_, verdict)) = judged {
             self.go_to(reach);
@@ -376,7 +403,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             });
         }
         self.follow();
-        self.note_struts();
         Ok(())
     }
 
@@ -391,18 +417,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// Time at fraction θ of the step, s.
     fn time_at(&self, theta: f64) -> f64 {
         self.time + theta * self.step.length
-    }
-
-    fn note_struts(&mut self) {
-        let signals = self.signals.now();
-        for j in 0..LEGS {
-            let force = &mut self.greatest_strut_force[j];
-            *force = force.max(signals.of(j, Signal::StrutForce).abs());
-            // A stroke is greatest where the link turns: there a step ends, or nearly there at tolerances
-            // at which steps run over kinks.
-            let stroke = &mut self.greatest_stroke[j];
-            *stroke = stroke.max(signals.of(j, Signal::Stroke));
-        }
     }
 
     /// Goes to fraction θ of the step.

@@ -29,6 +29,9 @@ const CALM_MARGIN: f64 = 0.5;
 )]
 const ROCKED_UP: f64 = 0.7854;
 const ROCKED_BACK: f64 = 0.874;
+/// Tangent of the angle by which the CG's horizontal velocity may turn from one look to the next. σ follows that
+/// direction, and where the CG all but stands still the velocity turns round within milliseconds.
+const MOST_TURN: f64 = 0.05;
 /// Slacks: foot side (ft²/s or ft), stability angle (rad), the rest (ft/s, rad/s, ft).
 const SIDE_SLACK: f64 = 1e-9;
 const ANGLE_SLACK: f64 = 1e-12;
@@ -254,6 +257,21 @@ impl<const LEGS: usize> Judge<LEGS> {
         let looks = observations.map(|seen| &seen.ranged[..]);
         let mut reach = [Quad::zero(); QUADS];
         self.ranges.keep(looks, ratio, &mut reach)
+    }
+
+    /// Share of a stretch of motion in which the plane of judgement turns so little that looks at the ends
+    /// tell what σ does between, the CG's velocity changing evenly from end to end: 1 if it is all of it.
+    pub fn share_within_turn(&self, start: &Observation<LEGS>, end: &Observation<LEGS>) -> f64 {
+        let ([ax, ay, ..], [bx, by, ..]) = (start.calm(), end.calm());
+        let (sine, cosine) = (ax * by - ay * bx, ax * bx + ay * by);
+        if self.plane == Plane::Slope || sine.abs() <= MOST_TURN * cosine {
+            return 1.0;
+        }
+        // The direction it has after the turn, and how far either end is off it.
+        let turn = MOST_TURN.copysign(sine);
+        let (dx, dy) = (ax - turn * ay, ay + turn * ax);
+        let (before, after) = (ax * dy - ay * dx, bx * dy - by * dx);
+        before / (before - after)
     }
 
     /// The ranges last chosen.

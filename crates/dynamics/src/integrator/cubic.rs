@@ -82,6 +82,13 @@ impl<'a, V: Rated> Prospect<'a, V> {
     }
 }
 
+/// Greatest value of signal `index`, whose rate is known, over a stretch of `length` s between two looks.
+pub fn greatest<V: Rated>(index: usize, ends: [&V; 2], length: f64) -> f64 {
+    let cubic = Cubic::of(index, ends, length);
+    let turns = cubic.turns().map(|turn| cubic.at(turn));
+    turns.fold(cubic.start.max(cubic.end), f64::max)
+}
+
 /// A cubic over the unit interval, start + slope u + bend u² + twist u³.
 #[derive(Debug, Clone, Copy)]
 struct Cubic {

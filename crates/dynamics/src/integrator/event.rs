@@ -181,6 +181,16 @@ pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bo
     falls || start.min(end) - least > stray(before, start, end, ratio)
 }
 
+/// Where the parabola through three points, in order of θ, is lowest, if that lies between them and below `least`.
+pub fn lowest([(t0, a), (t1, b), (t2, c)]: [(f64, f64); 3], least: f64) -> Option<f64> {
+    let (first, second) = ((b - a) / (t1 - t0), (c - b) / (t2 - t1));
+    let bend = (second - first) / (t2 - t0);
+    let theta = 0.5 * (t0 + t1) - 0.5 * first / bend;
+    let value = a + (theta - t0) * (first + bend * (theta - t1));
+    let is_between = theta > t0 && theta < t2 && theta != t1;
+    (bend > 0.0 && is_between && value < least).then_some(theta)
+}
+
 /// Finds the first exit of any signal within a step, or a part of it, that was looked at where it starts, where all
 /// signals are inside, between and where it ends. `evaluate` writes the signals at a fraction of the step. Excursions
 /// that begin and end between the looks are looked for where three neighbouring values bend

@@ -92,8 +92,8 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 legs: std::array::from_fn(|j| LegWork::from_state(self.step.before.leg(j).work)),
                 final_kinetic: kinetic(self.vehicle, &self.step.before),
             },
-            max_strut_force: self.greatest_strut_force,
-            max_stroke: self.greatest_stroke,
+            max_strut_force: self.peaks.force,
+            max_stroke: self.peaks.stroke,
             final_rates: final_rates(
                 self.vehicle,
                 self.scene,

@@ -65,6 +65,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         if foresight == Foresight::Doubtful {
             if is_explicit {
                 look(0.5, &mut self.middle);
+                self.is_middle_seen = true;
             }
             (self.ranges).watch_suspects(arch, [start, &self.middle, end], suspects);
             if are_laws_new {

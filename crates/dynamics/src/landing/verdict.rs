@@ -1,7 +1,7 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
 use super::Flight;
-use crate::integrator::event::{Node, first_exit, is_plain};
+use crate::integrator::event::{Node, first_exit, is_plain, lowest};
 use crate::motion::Footing;
 use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
@@ -70,27 +70,34 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 theta,
                 signals: look(theta),
             };
-            let end = node(reach);
-            let length = (reach - start.theta) * self.step.length;
+            let mut end = node(reach);
+            let share = judge.share_within_turn(&start.signals, &end.signals);
+            if share < 1.0 {
+                let part = (share * (reach - start.theta)).max(resolution);
+                end = node(reach.min(start.theta + part));
+            }
+            let length = (end.theta - start.theta) * self.step.length;
             let is_plain = self.is_plain(outlook, &end.signals, length);
             if is_plain && outlook.keeps(&end.signals, length) {
-                self.note_observation(&end.signals, self.time_at(reach));
+                self.note_observation(&end.signals, self.time_at(end.theta));
                 outlook.go_on(end.signals, length);
-                return None;
+                start = end;
+                continue;
             }
-            let middle = node(0.5 * (start.theta + reach));
+            let middle = node(0.5 * (start.theta + end.theta));
             let nodes = [&start, &middle, &end].map(Node::seen);
             let exit = first_exit(nodes, judge.watches(), resolution, |theta, signals| {
                 *signals = look(theta);
             });
             let Some(exit) = exit else {
                 if is_plain {
-                    self.note_observation(&end.signals, self.time_at(reach));
+                    self.note_observation(&end.signals, self.time_at(end.theta));
                 } else {
                     self.note_least(judge, [&start, &middle, &end]);
                 }
                 outlook.go_on(end.signals, length);
-                return None;
+                start = end;
+                continue;
             };
             let middle = node(0.5 * (start.theta + exit.theta));
             self.note_least(judge, [&start, &middle, &exit]);
@@ -140,32 +147,44 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
 
     /// Takes note of the least σ and clearance over three nodes between which both are smooth.
     fn note_least(&mut self, judge: &Judge<LEGS>, nodes: [&Node<Observation<LEGS>>; 3]) {
-        let mut nodes = nodes.map(|node| (node.theta, node.signals));
-        for (theta, seen) in nodes {
-            self.note_observation(&seen, self.time_at(theta));
+        for node in nodes {
+            self.note_observation(&node.signals, self.time_at(node.theta));
         }
-        // Successive parabolas toward a least σ that may lie between the nodes.
+        self.close_in(
+            judge,
+            nodes,
+            |seen| seen.angle,
+            |flight| flight.least_angle.0,
+        );
+        self.close_in(
+            judge,
+            nodes,
+            |seen| seen.clearance,
+            |flight| flight.least_clearance,
+        );
+    }
+
+    /// Closes in by parabolas on a least value of `number` that lies below the `least` so far.
+    fn close_in(
+        &mut self,
+        judge: &Judge<LEGS>,
+        nodes: [&Node<Observation<LEGS>>; 3],
+        number: fn(&Observation<LEGS>) -> f64,
+        least: fn(&Self) -> f64,
+    ) {
+        let mut points = nodes.map(|node| (node.theta, number(&node.signals)));
         for _ in 0..REFINEMENTS {
-            let [(t0, a), (t1, b), (t2, c)] = nodes;
-            if b.angle >= a.angle.min(c.angle) && (a.angle - c.angle).abs() > 1e-3 {
+            let Some(theta) = lowest(points, least(self)) else {
                 return;
-            }
-            let (first, second) = (
-                (b.angle - a.angle) / (t1 - t0),
-                (c.angle - b.angle) / (t2 - t1),
-            );
-            let bend = (second - first) / (t2 - t0);
-            let slope = first - bend * (t1 - t0);
-            let theta = t0 - slope / (2.0 * bend);
-            if !(bend > 0.0 && theta > t0 && theta < t2 && theta != t1) {
-                return;
-            }
+            };
             let seen = judge.observe(&self.motion, &self.step.motion_at(theta));
             self.note_observation(&seen, self.time_at(theta));
-            nodes = if theta < t1 {
-                [(t0, a), (theta, seen), (t1, b)]
+            let [first, middle, last] = points;
+            let found = (theta, number(&seen));
+            points = if theta < middle.0 {
+                [first, found, middle]
             } else {
-                [(t1, b), (theta, seen), (t2, c)]
+                [middle, found, last]
             };
         }
     }

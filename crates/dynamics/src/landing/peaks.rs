@@ -1,0 +1,168 @@
+//! The greatest force and stroke of each strut, within steps as at their ends.
+
+use super::Flight;
+use super::advance::Look;
+use crate::integrator::cubic::greatest;
+use crate::integrator::event::lowest;
+use crate::motion::{Glance, Signal};
+use crate::record::Instant;
+
+/// Parabolas laid toward a greatest force between the ends of a step.
+const REFINEMENTS: usize = 2;
+/// Share by which a force has to be greater to be sought.
+const NOTABLE: f64 = 1e-4;
+
+/// The greatest values so far.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StrutPeaks<const LEGS: usize> {
+    /// Magnitude of the force F, lb.
+    pub(super) force: [f64; LEGS],
+    /// Stroke δ, ft.
+    pub(super) stroke: [f64; LEGS],
+}
+
+impl<const LEGS: usize> StrutPeaks<LEGS> {
+    pub(super) fn none() -> Self {
+        Self {
+            force: [0.0; LEGS],
+            stroke: [0.0; LEGS],
+        }
+    }
+
+    /// Takes note of a stretch of `length` s by what is seen at its ends.
+    #[inline(always)]
+    fn note(&mut self, ends: [&Glance<LEGS>; 2], length: f64) {
+        let [start, end] = ends;
+        for (j, peak) in self.stroke.iter_mut().enumerate() {
+            *peak = peak.max(end.of(j, Signal::Stroke));
+            let rate = |signals: &Glance<LEGS>| signals.of(j, Signal::StrokeRate);
+            if rate(start) > 0.0 && rate(end) < 0.0 {
+                let stroke = Glance::<LEGS>::index(j, Signal::Stroke);
+                *peak = peak.max(greatest(stroke, ends, length));
+            }
+        }
+        for signals in ends {
+            self.note_forces(signals);
+        }
+    }
+
+    #[inline(always)]
+    fn note_forces(&mut self, signals: &Glance<LEGS>) {
+        for (j, peak) in self.force.iter_mut().enumerate() {
+            *peak = peak.max(force(signals, j));
+        }
+    }
+
+    /// Force on strut `leg` worth seeking, lb.
+    #[inline(always)]
+    fn notable_force(&self, leg: usize) -> f64 {
+        (1.0 + NOTABLE) * self.force[leg]
+    }
+
+    /// Whether the force on any strut may have been greater than ever between three looks at a step.
+    #[inline(always)]
+    fn may_be_exceeded(&self, looks: [&Glance<LEGS>; 3]) -> bool {
+        (0..LEGS).any(|j| {
+            let [start, middle, end] = looks.map(|signals| force(signals, j));
+            let turn = (middle - start).abs() + (end - middle).abs();
+            start.max(middle).max(end) + turn > self.notable_force(j)
+        })
+    }
+
+    /// Whether it may have been so within a stretch of which only the ends were looked at, as looks before the
+    /// stretch before, at the start and at the end tell, `ratio` being its length over that one's.
+    #[inline(always)]
+    fn may_be_hidden(&self, looks: [&Glance<LEGS>; 3], ratio: f64) -> bool {
+        let share = ratio / (1.0 + ratio);
+        (0..LEGS).any(|j| {
+            let [before, start, end] = looks.map(|signals| force(signals, j));
+            let (change, expected) = (end - start, ratio * (start - before));
+            let rises = expected > 0.0 && change > 0.5 * expected;
+            // A parabola through the three would not exceed its ends by more than a quarter of this.
+            let bend = share * (change - expected).abs();
+            !rises && start.max(end) + bend > self.notable_force(j)
+        })
+    }
+}
+
+/// Magnitude of the force on strut `leg`, lb.
+fn force<const LEGS: usize>(signals: &Glance<LEGS>, leg: usize) -> f64 {
+    signals.of(leg, Signal::StrutForce).abs()
+}
+
+impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+    /// Takes note of the struts over the step up to fraction `reach`, where the signals are `end`, or those at the end
+    /// of the step.
+    #[inline(always)]
+    pub(super) fn note_struts(&mut self, end: Option<&Glance<LEGS>>, reach: f64) {
+        let start = self.signals.now();
+        let end = end.unwrap_or(self.signals.ahead());
+        let length = reach * self.step.length;
+        self.peaks.note([start, end], length);
+        let hides_force = if self.is_middle_seen {
+            self.peaks.may_be_exceeded([start, &self.middle, end])
+        } else {
+            self.earlier.as_ref().is_none_or(|earlier| {
+                let looks = [self.signals.before(), start, end];
+                self.peaks.may_be_hidden(looks, length / earlier.length)
+            })
+        };
+        if hides_force {
+            let forces = [start, end].map(|signals| std::array::from_fn(|j| force(signals, j)));
+            self.seek_forces(forces, reach);
+        }
+    }
+
+    /// Seeks the greatest forces within the step up to fraction `reach`, from the forces at its ends.
+    fn seek_forces(&mut self, [start, end]: [[f64; LEGS]; 2], reach: f64) {
+        let half = if self.is_middle_seen {
+            0.5
+        } else {
+            0.5 * reach
+        };
+        if !self.is_middle_seen {
+            self.middle = self.look_at(half);
+        }
+        for j in 0..LEGS {
+            let seen = [
+                (0.0, start[j]),
+                (half, force(&self.middle, j)),
+                (reach, end[j]),
+            ];
+            let mut points = seen.map(|(theta, force)| (theta, -force));
+            if reach < half {
+                points.swap(1, 2);
+            }
+            for _ in 0..REFINEMENTS {
+                let lowest = lowest(points, -self.peaks.notable_force(j));
+                let Some(theta) = lowest.filter(|&theta| theta < reach) else {
+                    break;
+                };
+                let signals = self.look_at(theta);
+                self.peaks.note_forces(&signals);
+                let [first, middle, last] = points;
+                let found = (theta, -force(&signals, j));
+                points = if theta < middle.0 {
+                    [first, found, middle]
+                } else {
+                    [middle, found, last]
+                };
+            }
+        }
+    }
+
+    /// The signals at fraction θ of the step.
+    pub(super) fn look_at(&mut self, theta: f64) -> Glance<LEGS> {
+        let mut signals = Glance::blank();
+        self.motion.arch().dispatch(Look {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            step: &self.step,
+            theta,
+            with_torques: false,
+            signals: &mut signals,
+        });
+        self.evaluations += 1;
+        signals
+    }
+}
