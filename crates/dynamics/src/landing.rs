@@ -48,9 +48,6 @@ const KINKS_LOCATED: f64 = 1e-6;
 /// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
 /// steps still closes to the tolerance.
 const WORK_SHARE: f64 = 0.01;
-/// Share of the length allowed that the first step after an event takes if it is implicit: laws that have just changed
-/// set off swings, and every other such step of whole length would be rejected.
-const FIRST_IMPLICIT: f64 = 0.75;
 /// Time within which an event is located, s: this times the tolerance, but within these limits.
 const EVENT_RESOLUTION: f64 = 1e-3;
 const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
@@ -113,7 +110,6 @@ struct Attempt {
     whole: f64,
     /// Its length, s.
     length: f64,
-    is_implicit: bool,
 }
 
 /// A landing under way.
@@ -219,7 +215,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             let mut course = self.begin()?;
             loop {
                 let attempt = self.aim(&mut course)?;
-                let error = self.take(attempt);
+                let error = self.take(attempt.length);
                 self.go_on(&mut course, attempt, error)?;
             }
         };
@@ -276,42 +272,25 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         } else {
             whole
         };
-        let (motion, state, pieces) = (&self.motion, &self.step.before, &self.pieces);
-        let is_implicit = self.stiffness.is_stiff(length, motion, state, pieces);
-        let share = if is_implicit && self.earlier.is_none() {
-            FIRST_IMPLICIT
-        } else {
-            1.0
-        };
-        let length = share * length;
         if length < SHORTEST {
             return Err(Outcome::Failure(Failure::StepCollapse));
         }
-        Ok(Attempt {
-            whole,
-            length,
-            is_implicit,
-        })
+        Ok(Attempt { whole, length })
     }
 
     /// Takes a step: its error in units of the tolerance.
     #[inline(always)]
-    fn take(&mut self, attempt: Attempt) -> f64 {
-        let Attempt {
-            length,
-            is_implicit,
-            ..
-        } = attempt;
-        self.evaluations += if is_implicit {
-            rosenbrock::EVALUATIONS
-        } else {
-            dormand_prince::EVALUATIONS
+    fn take(&mut self, length: f64) -> f64 {
+        let response = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
+        self.evaluations += match response {
+            Some(_) => rosenbrock::EVALUATIONS,
+            None => dormand_prince::EVALUATIONS,
         };
-        self.is_middle_seen = is_implicit;
+        self.is_middle_seen = response.is_some();
         let advance = Advance {
             motion: &self.motion,
             pieces: &self.pieces,
-            response: is_implicit.then(|| self.stiffness.response()),
+            response,
             length,
             tolerance: self.settings.tolerance(),
             greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
@@ -339,7 +318,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             burst,
             ..
         } = course;
-        let Attempt { whole, length, .. } = attempt;
+        let Attempt { whole, length } = attempt;
         if !control.accept(length, error, self.step.weights.error_order) {
             return Ok(());
         }

@@ -38,22 +38,22 @@ impl<const LEGS: usize> Stiffness<LEGS> {
         self.mild_steps = 0;
     }
 
-    /// Whether a step of this length (s) from `state` is stiff. How forces answer there is known then.
-    pub(super) fn is_stiff(
+    /// How forces answer at `state`, if a step of this length (s) from there is stiff.
+    pub(super) fn over(
         &mut self,
         length: f64,
         motion: &Motion<LEGS>,
         state: &State<f64, LEGS>,
         pieces: &Pieces<LEGS>,
-    ) -> bool {
+    ) -> Option<&Response<LEGS>> {
         if self.mild_steps > 0 {
             self.mild_steps -= 1;
-            return false;
+            return None;
         }
         motion.respond(state, pieces, &mut self.response);
         let stiffness = length * self.response.greatest_rate() / self.limit;
         if stiffness > 1.0 {
-            return true;
+            return Some(&self.response);
         }
         let steps = if stiffness < FAR {
             STEPS_FAR
@@ -61,11 +61,6 @@ impl<const LEGS: usize> Stiffness<LEGS> {
             STEPS_NEAR
         };
         self.mild_steps = steps - 1;
-        false
-    }
-
-    /// How forces answered where a step was last found stiff.
-    pub(super) fn response(&self) -> &Response<LEGS> {
-        &self.response
+        None
     }
 }
