@@ -174,21 +174,15 @@ pub(super) fn stray<S: Real>(before: S, start: S, end: S, ratio: S) -> S {
     (end - start).abs() + ratio * (start - before).abs()
 }
 
+/// A step so many times as long as the one before may bend as that one did not show.
+pub const FAR_LONGER: f64 = 5.0;
+
 /// Whether a quantity cannot have fallen below `least`, or below its value at the end, within a
 /// step: it stays well above `least`, or falls without slowing down.
 pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bool {
-    let falls = end < start && start < before && start - end > 0.5 * ratio * (before - start);
+    let falls = end < start && start < before && ratio < FAR_LONGER;
+    let falls = falls && start - end > 0.5 * ratio * (before - start);
     falls || start.min(end) - least > stray(before, start, end, ratio)
-}
-
-/// Where the parabola through three points, in order of θ, is lowest, if that lies between them and below `least`.
-pub fn lowest([(t0, a), (t1, b), (t2, c)]: [(f64, f64); 3], least: f64) -> Option<f64> {
-    let (first, second) = ((b - a) / (t1 - t0), (c - b) / (t2 - t1));
-    let bend = (second - first) / (t2 - t0);
-    let theta = 0.5 * (t0 + t1) - 0.5 * first / bend;
-    let value = a + (theta - t0) * (first + bend * (theta - t1));
-    let is_between = theta > t0 && theta < t2 && theta != t1;
-    (bend > 0.0 && is_between && value < least).then_some(theta)
 }
 
 /// Finds the first exit of any signal within a step, or a part of it, that was looked at where it starts, where all

@@ -4,6 +4,7 @@ pub mod cubic;
 pub mod dense;
 pub mod dormand_prince;
 pub mod event;
+pub mod parabola;
 pub mod ranges;
 pub mod rosenbrock;
 pub mod step;

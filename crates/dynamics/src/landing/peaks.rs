@@ -3,7 +3,8 @@
 use super::Flight;
 use super::advance::Look;
 use crate::integrator::cubic::greatest;
-use crate::integrator::event::lowest;
+use crate::integrator::event::FAR_LONGER;
+use crate::integrator::parabola::Parabola;
 use crate::motion::{Glance, Signal};
 use crate::record::Instant;
 
@@ -77,6 +78,9 @@ impl<const LEGS: usize> StrutPeaks<LEGS> {
         (0..LEGS).any(|j| {
             let [before, start, end] = looks.map(|signals| force(signals, j));
             let (change, expected) = (end - start, ratio * (start - before));
+            if ratio > FAR_LONGER {
+                return start.max(end) + change.abs() > self.notable_force(j);
+            }
             let rises = expected > 0.0 && change > 0.5 * expected;
             // A parabola through the three would not exceed its ends by more than a quarter of this.
             let bend = share * (change - expected).abs();
@@ -124,29 +128,23 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             self.middle = self.look_at(half);
         }
         for j in 0..LEGS {
-            let seen = [
-                (0.0, start[j]),
-                (half, force(&self.middle, j)),
-                (reach, end[j]),
+            let mut points = [
+                (0.0, -start[j]),
+                (half, -force(&self.middle, j)),
+                (reach, -end[j]),
             ];
-            let mut points = seen.map(|(theta, force)| (theta, -force));
             if reach < half {
                 points.swap(1, 2);
             }
+            let mut parabola = Parabola::through(points);
             for _ in 0..REFINEMENTS {
-                let lowest = lowest(points, -self.peaks.notable_force(j));
+                let lowest = parabola.lowest(-self.peaks.notable_force(j));
                 let Some(theta) = lowest.filter(|&theta| theta < reach) else {
                     break;
                 };
                 let signals = self.look_at(theta);
                 self.peaks.note_forces(&signals);
-                let [first, middle, last] = points;
-                let found = (theta, -force(&signals, j));
-                points = if theta < middle.0 {
-                    [first, found, middle]
-                } else {
-                    [middle, found, last]
-                };
+                parabola = parabola.about((theta, -force(&signals, j)));
             }
         }
     }

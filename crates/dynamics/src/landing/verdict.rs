@@ -1,7 +1,8 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
 use super::Flight;
-use crate::integrator::event::{Node, first_exit, is_plain, lowest};
+use crate::integrator::event::{Node, first_exit, is_plain};
+use crate::integrator::parabola::Parabola;
 use crate::motion::Footing;
 use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
@@ -172,20 +173,15 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         number: fn(&Observation<LEGS>) -> f64,
         least: fn(&Self) -> f64,
     ) {
-        let mut points = nodes.map(|node| (node.theta, number(&node.signals)));
+        let points = nodes.map(|node| (node.theta, number(&node.signals)));
+        let mut parabola = Parabola::through(points);
         for _ in 0..REFINEMENTS {
-            let Some(theta) = lowest(points, least(self)) else {
+            let Some(theta) = parabola.lowest(least(self)) else {
                 return;
             };
             let seen = judge.observe(&self.motion, &self.step.motion_at(theta));
             self.note_observation(&seen, self.time_at(theta));
-            let [first, middle, last] = points;
-            let found = (theta, number(&seen));
-            points = if theta < middle.0 {
-                [first, found, middle]
-            } else {
-                [middle, found, last]
-            };
+            parabola = parabola.about((theta, number(&seen)));
         }
     }
 }
