@@ -11,8 +11,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 cp -r sweeps/vehicles "$folder"
-sed -e 's/step = 5/step = 20/' -e 's/from_fps = 0/from_fps = 8/' \
-    sweeps/figure-4-09.toml >"$folder/trade.toml"
+cp sweeps/figure-4-09.toml "$folder/trade.toml"
 cd "$folder"
 "$touchdown" sweep trade.toml --out one --quiet
 
@@ -27,14 +26,14 @@ scripts=$OLDPWD/scripts
 "$python" "$scripts/hyperqueue_sweep.py" trade.toml --shards 4 --local 2 --out hyperqueue \
     --touchdown "$touchdown" >hyperqueue.log 2>&1 &
 runner=$!
-# Kill one shard in the middle of its work.
+# Kill one shard in the middle of its work, which takes half a second or more.
 killed=no
 while [ $killed = no ] && kill -0 $runner 2>/dev/null; do
     journal=hyperqueue/trade.2-of-4.journal
     head=$(stat -c %s "$journal" 2>/dev/null || echo 0)
     if [ "$head" -gt 0 ]; then
         shard=$(pgrep -f "^$touchdown sweep trade.toml --out hyperqueue --shard 2/4" || true)
-        [ -n "$shard" ] && sleep 0.3 && kill -KILL "$shard" 2>/dev/null && killed=yes
+        [ -n "$shard" ] && sleep 0.1 && kill -KILL "$shard" 2>/dev/null && killed=yes
     fi
     sleep 0.02
 done
