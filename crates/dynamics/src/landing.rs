@@ -30,7 +30,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
-use advance::{Advance, Cut, Start};
+use advance::{Advance, Cut, Look, Start};
 use peaks::StrutPeaks;
 use ranges::SignalRanges;
 use stiffness::Stiffness;
@@ -404,6 +404,21 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             step: &mut self.step,
             theta,
         });
+    }
+
+    /// The signals at fraction θ of the step.
+    fn look_at(&mut self, theta: f64) -> Glance<LEGS> {
+        let mut signals = Glance::blank();
+        self.motion.arch().dispatch(Look {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            step: &self.step,
+            theta,
+            with_torques: false,
+            signals: &mut signals,
+        });
+        self.evaluations += 1;
+        signals
     }
 
     /// Derivative and signals of the present state.

@@ -177,12 +177,17 @@ pub(super) fn stray<S: Real>(before: S, start: S, end: S, ratio: S) -> S {
 /// A step so many times as long as the one before may bend as that one did not show.
 pub const FAR_LONGER: f64 = 5.0;
 
+/// Whether a quantity falls throughout a step: it fell over the step before, and has slowed down by less than half.
+/// `ratio` is this step's length over that one's.
+pub fn falls(before: f64, start: f64, end: f64, ratio: f64) -> bool {
+    end < start && start < before && start - end > 0.5 * ratio * (before - start)
+}
+
 /// Whether a quantity cannot have fallen below `least`, or below its value at the end, within a
 /// step: it stays well above `least`, or falls without slowing down.
 pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bool {
-    let falls = end < start && start < before && ratio < FAR_LONGER;
-    let falls = falls && start - end > 0.5 * ratio * (before - start);
-    falls || start.min(end) - least > stray(before, start, end, ratio)
+    ratio < FAR_LONGER && falls(before, start, end, ratio)
+        || start.min(end) - least > stray(before, start, end, ratio)
 }
 
 /// Finds the first exit of any signal within a step, or a part of it, that was looked at where it starts, where all

@@ -1,9 +1,8 @@
 //! The greatest force and stroke of each strut, within steps as at their ends.
 
 use super::Flight;
-use super::advance::Look;
 use crate::integrator::cubic::greatest;
-use crate::integrator::event::FAR_LONGER;
+use crate::integrator::event::{FAR_LONGER, falls};
 use crate::integrator::parabola::Parabola;
 use crate::motion::{Glance, Signal};
 use crate::record::Instant;
@@ -77,13 +76,13 @@ impl<const LEGS: usize> StrutPeaks<LEGS> {
         let share = ratio / (1.0 + ratio);
         (0..LEGS).any(|j| {
             let [before, start, end] = looks.map(|signals| force(signals, j));
-            let (change, expected) = (end - start, ratio * (start - before));
+            let change = end - start;
             if ratio > FAR_LONGER {
                 return start.max(end) + change.abs() > self.notable_force(j);
             }
-            let rises = expected > 0.0 && change > 0.5 * expected;
             // A parabola through the three would not exceed its ends by more than a quarter of this.
-            let bend = share * (change - expected).abs();
+            let bend = share * (change - ratio * (start - before)).abs();
+            let rises = falls(-before, -start, -end, ratio);
             !rises && start.max(end) + bend > self.notable_force(j)
         })
     }
@@ -122,11 +121,9 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let half = if self.is_middle_seen {
             0.5
         } else {
+            self.middle = self.look_at(0.5 * reach);
             0.5 * reach
         };
-        if !self.is_middle_seen {
-            self.middle = self.look_at(half);
-        }
         for j in 0..LEGS {
             let mut points = [
                 (0.0, -start[j]),
@@ -147,20 +144,5 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 parabola = parabola.about((theta, -force(&signals, j)));
             }
         }
-    }
-
-    /// The signals at fraction θ of the step.
-    pub(super) fn look_at(&mut self, theta: f64) -> Glance<LEGS> {
-        let mut signals = Glance::blank();
-        self.motion.arch().dispatch(Look {
-            motion: &self.motion,
-            pieces: &self.pieces,
-            step: &self.step,
-            theta,
-            with_torques: false,
-            signals: &mut signals,
-        });
-        self.evaluations += 1;
-        signals
     }
 }
