@@ -13,11 +13,18 @@ mod common;
 use common::bare::Bare;
 use common::scenes::history;
 use common::{level_scene, settings, table_4_1};
+use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
+use pulp::NullaryFnOnce;
 use touchdown_dynamics::landing::land;
+use touchdown_dynamics::motion::MotionsAbreast;
+#[cfg(target_arch = "x86_64")]
+use touchdown_dynamics::registers::Eight;
+use touchdown_dynamics::registers::{Four, Lanes};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
+use touchdown_dynamics::wide::Wide;
 
 /// V_H of the landings, ft/s.
 const SPEEDS: [f64; 3] = [10.0, 11.38, 12.5];
@@ -58,10 +65,8 @@ fn main() {
     divan::main();
 }
 
-/// One right-hand side, one foot pressed in and its strut stroking; in the registers there are and
-/// in those of any processor.
-#[divan::bench(args = [true, false])]
-fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
+/// One foot pressed in and its strut stroking.
+fn pressed_in() -> (Bare<3>, State<f64, 3>) {
     let vehicle = table_4_1();
     let scene = scene(11.0);
     let mut bare = Bare::new(&vehicle, &scene);
@@ -74,6 +79,14 @@ fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
     leg.link_angle -= 0.02;
     state.set_leg(0, &leg);
     bare.settle(&state);
+    (bare, state)
+}
+
+/// One right-hand side, one foot pressed in and its strut stroking; in the registers there are and
+/// in those of any processor.
+#[divan::bench(args = [true, false])]
+fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
+    let (mut bare, state) = pressed_in();
     if !in_wide_registers {
         bare = bare.in_narrow_registers();
     }
@@ -82,6 +95,51 @@ fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
         bare.derivative(black_box(&state), &mut slope);
         black_box(&slope);
     });
+}
+
+/// The same for several landings in the lanes of registers, per landing.
+#[divan::bench(args = [4, 8])]
+fn right_hand_side_per_lane(bencher: Bencher, lanes: usize) {
+    match lanes {
+        4 => time_lanes::<_, 4>(bencher, Some(Four::new())),
+        #[cfg(target_arch = "x86_64")]
+        8 => time_lanes::<_, 8>(bencher, Eight::try_new()),
+        _ => {}
+    }
+}
+
+fn time_lanes<R: Lanes<N>, const N: usize>(bencher: Bencher, registers: Option<R>) {
+    let Some(registers) = registers else {
+        println!("this processor has no registers of {N} numbers");
+        return;
+    };
+    let (bare, state) = pressed_in();
+    let lanes = bare.abreast::<N>();
+    let mut states = State::zero();
+    for lane in 0..N {
+        states.set_lane(lane, &state);
+    }
+    let mut slopes = State::zero();
+    bencher.counter(ItemsCount::new(N)).bench_local(|| {
+        registers.dispatch(Derive(&lanes, black_box(&states), &mut slopes));
+        black_box(&slopes);
+    });
+}
+
+/// Derivatives in all lanes.
+struct Derive<'a, const N: usize>(
+    &'a MotionsAbreast<N, 3>,
+    &'a State<Wide<N>, 3>,
+    &'a mut State<Wide<N>, 3>,
+);
+
+impl<const N: usize> NullaryFnOnce for Derive<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.0.derivative(self.1, self.2);
+    }
 }
 
 /// A landing at the default tolerance of boundary searches.

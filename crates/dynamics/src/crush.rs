@@ -6,8 +6,8 @@
 
 use crate::integrator::event::{Bounds, Exit};
 use crate::profile::{Profile, Segment};
-use crate::quad::abreast;
 use crate::scalar::Real;
+use crate::wide::abreast;
 
 /// A straight line of relative pressure against interference (ft).
 #[derive(Debug, Clone, Copy)]

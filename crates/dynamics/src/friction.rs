@@ -4,8 +4,8 @@
 //! 1.05 ft/s, μ0 above. Profiles A and B (4.1.5) are viscous over less.
 
 use crate::integrator::event::Bounds;
-use crate::quad::abreast;
 use crate::scalar::Real;
+use crate::wide::abreast;
 
 /// How friction sets in near rest (4.1.5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -5,8 +5,8 @@
 //! |dα/dt| never exceeds 100 rad/s.
 
 use crate::integrator::event::{Bounds, Exit};
-use crate::quad::abreast;
 use crate::scalar::Real;
+use crate::wide::abreast;
 
 /// Fading of the rate beyond a stop, 1/rad: its inverse is the greatest overrun.
 const FADING: f64 = 1000.0;

@@ -9,11 +9,12 @@ mod plane;
 use libm::sincos;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::quad::abreast;
+use crate::products::transposed_times;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, rotation};
 use crate::vehicle::Leg;
+use crate::wide::abreast;
 
 pub use plane::{PlaneDirection, PlanePoint};
 
@@ -61,6 +62,8 @@ pub struct Surface<S> {
     cosine: S,
 }
 
+abreast!(Surface { sine, cosine });
+
 impl<S: Real> Surface<S> {
     /// The surface of a scene.
     pub fn new(scene: &Scene) -> Self {
@@ -89,7 +92,7 @@ impl<S: Real> Surface<S> {
         BodyFrame {
             upright: upright(normal.z),
             normal,
-            velocity: rotation.tr_mul(&body.velocity),
+            velocity: transposed_times(&rotation, &body.velocity),
             rate: body.rate,
             depth: self.depth(&body.position),
             rotation,

@@ -1,5 +1,6 @@
 //! One landing: integrate from first contact until an outcome, and report.
 
+pub mod abreast;
 mod account;
 mod advance;
 mod events;
@@ -12,6 +13,7 @@ mod trail;
 mod verdict;
 
 use std::convert::Infallible;
+use std::ops::Deref;
 
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
@@ -22,6 +24,7 @@ use crate::integrator::{dormand_prince, rosenbrock};
 use crate::methods::{self, Method};
 use crate::motion::{Glance, Motion, Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
+use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, calm_height};
 use crate::state::State;
@@ -79,7 +82,7 @@ pub fn land_observed<const LEGS: usize>(
     if settings.method() != Method::Located {
         return methods::land_observed(vehicle, scene, settings, interval, observe).0;
     }
-    let mut flight = Flight::new(vehicle, scene, settings, History::new(interval, observe));
+    let mut flight = Flight::new(vehicle, *scene, *settings, History::new(interval, observe));
     let outcome = flight.run();
     flight.report_end();
     flight.conclude(outcome)
@@ -112,11 +115,22 @@ struct Attempt {
     length: f64,
 }
 
+/// Where a landing goes on from after a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// From the start of the step, which was not good enough.
+    Back,
+    /// From its end.
+    On,
+    /// From an event or kink within it.
+    Elsewhere,
+}
+
 /// A landing under way.
-struct Flight<'a, O, const LEGS: usize> {
-    vehicle: &'a Vehicle<LEGS>,
-    scene: &'a Scene,
-    settings: &'a Settings,
+struct Flight<V, O, const LEGS: usize> {
+    vehicle: V,
+    scene: Scene,
+    settings: Settings,
     motion: Motion<LEGS>,
     stiffness: Stiffness<LEGS>,
     /// Time within which an event is located, s.
@@ -129,6 +143,8 @@ struct Flight<'a, O, const LEGS: usize> {
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
+    /// How often they have changed.
+    changes: u64,
     ranges: SignalRanges<LEGS>,
     /// Signals that may have left their range within the last step.
     suspects: Vec<Watch>,
@@ -156,14 +172,13 @@ struct Flight<'a, O, const LEGS: usize> {
     history: History<O>,
 }
 
-impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
-    fn new(
-        vehicle: &'a Vehicle<LEGS>,
-        scene: &'a Scene,
-        settings: &'a Settings,
-        history: History<O>,
-    ) -> Self {
-        let motion = Motion::new(vehicle, scene);
+impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
+where
+    V: Deref<Target = Vehicle<LEGS>>,
+    O: FnMut(&Instant<LEGS>),
+{
+    fn new(vehicle: V, scene: Scene, settings: Settings, history: History<O>) -> Self {
+        let motion = Motion::new(&vehicle, &scene);
         let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
         let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
         let laws = std::array::from_fn(|j| {
@@ -173,21 +188,23 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         });
         let modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&laws[j]));
         let pieces = Pieces::new(&std::array::from_fn(|j| modes[j].pieces(&laws[j])));
-        let state = touchdown(vehicle, scene, &motion);
+        let state = touchdown(&vehicle, &scene, &motion);
+        let energy = kinetic(&vehicle, &state)
+            + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height();
         Self {
             vehicle,
             scene,
             settings,
             stiffness: Stiffness::new(&motion, settings.tolerance()),
             event_resolution: resolution,
-            energy: kinetic(vehicle, &state)
-                + vehicle.mass() * vehicle.gravity() * vehicle.center_of_gravity_height(),
+            energy,
             motion,
             locates_kinks: settings.tolerance() <= KINKS_LOCATED,
             ranges: SignalRanges::new(&std::array::from_fn(|j| modes[j].ranges(&laws[j]))),
             laws,
             modes,
             pieces,
+            changes: 1,
             suspects: Vec::with_capacity(LEGS * Signal::RANGED),
             kinks: [None; LEGS],
             kink_watches: Vec::with_capacity(2 * LEGS),
@@ -215,7 +232,8 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             let mut course = self.begin()?;
             loop {
                 let attempt = self.aim(&mut course)?;
-                let error = self.take(attempt.length);
+                let is_stiff = self.is_stiff(attempt.length);
+                let error = self.take(attempt.length, is_stiff);
                 self.go_on(&mut course, attempt, error)?;
             }
         };
@@ -228,7 +246,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// # Errors
     /// The outcome, if there already is one.
     fn begin(&mut self) -> Result<Course<LEGS>, Outcome> {
-        let mut judge = Judge::new(self.scene, calm_height(self.vehicle));
+        let mut judge = Judge::new(&self.scene, calm_height(&self.vehicle));
         let first_look = judge.look(&self.motion, &self.start);
         let seen = judge.observe(&self.motion, &self.start);
         if let Err(verdict) = first_look {
@@ -278,27 +296,37 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         Ok(Attempt { whole, length })
     }
 
-    /// Takes a step: its error in units of the tolerance.
+    /// Whether a step of this length (s) is stiff.
+    fn is_stiff(&mut self, length: f64) -> bool {
+        (self.stiffness).exceeds(length, &self.motion, &self.step.before, &self.pieces)
+    }
+
+    /// Takes a step, an implicit one if it is stiff: its error in units of the tolerance.
     #[inline(always)]
-    fn take(&mut self, length: f64) -> f64 {
-        let response = (self.stiffness).over(length, &self.motion, &self.step.before, &self.pieces);
-        self.evaluations += match response {
-            Some(_) => rosenbrock::EVALUATIONS,
-            None => dormand_prince::EVALUATIONS,
+    fn take(&mut self, length: f64, is_stiff: bool) -> f64 {
+        self.evaluations += if is_stiff {
+            rosenbrock::EVALUATIONS
+        } else {
+            dormand_prince::EVALUATIONS
         };
-        self.is_middle_seen = response.is_some();
+        self.is_middle_seen = is_stiff;
         let advance = Advance {
             motion: &self.motion,
             pieces: &self.pieces,
-            response,
+            response: is_stiff.then(|| self.stiffness.response()),
             length,
             tolerance: self.settings.tolerance(),
-            greatest_work_error: WORK_SHARE * self.settings.tolerance() * self.energy,
+            greatest_work_error: self.greatest_work_error(),
             step: &mut self.step,
             middle: &mut self.middle,
             signals: self.signals.ahead_mut(),
         };
-        self.motion.arch().dispatch(advance)
+        self.motion.registers().dispatch(advance)
+    }
+
+    /// Error of work allowed to a step, ft·lb.
+    fn greatest_work_error(&self) -> f64 {
+        WORK_SHARE * self.settings.tolerance() * self.energy
     }
 
     /// Goes on to the end of a step that was good enough, or to the first event or verdict within it.
@@ -311,7 +339,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         course: &mut Course<LEGS>,
         attempt: Attempt,
         error: f64,
-    ) -> Result<(), Outcome> {
+    ) -> Result<Way, Outcome> {
         let Course {
             outlook,
             control,
@@ -320,7 +348,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         } = course;
         let Attempt { whole, length } = attempt;
         if !control.accept(length, error, self.step.weights.error_order) {
-            return Ok(());
+            return Ok(Way::Back);
         }
         if length < whole {
             control.keep(whole);
@@ -348,6 +376,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             self.note_struts(event.as_ref().map(|node| &node.signals), reach);
         }
         self.time += reach * length;
+        let goes_to_end = event.is_none() && kink.is_none();
         if let Some((_, verdict)) = judged {
             self.go_to(reach);
             return Err(verdict.into());
@@ -382,7 +411,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             });
         }
         self.follow();
-        Ok(())
+        Ok(if goes_to_end { Way::On } else { Way::Elsewhere })
     }
 
     /// The longest step that the laws allow whatever the error, s.
@@ -400,7 +429,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
 
     /// Goes to fraction θ of the step.
     fn go_to(&mut self, theta: f64) {
-        self.motion.arch().dispatch(Cut {
+        self.motion.registers().dispatch(Cut {
             step: &mut self.step,
             theta,
         });
@@ -409,7 +438,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// The signals at fraction θ of the step.
     fn look_at(&mut self, theta: f64) -> Glance<LEGS> {
         let mut signals = Glance::blank();
-        self.motion.arch().dispatch(Look {
+        self.motion.registers().dispatch(Look {
             motion: &self.motion,
             pieces: &self.pieces,
             step: &self.step,
@@ -423,7 +452,7 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
 
     /// Derivative and signals of the present state.
     fn evaluate(&mut self) {
-        self.motion.arch().dispatch(Start {
+        self.motion.registers().dispatch(Start {
             motion: &self.motion,
             pieces: &self.pieces,
             step: &mut self.step,

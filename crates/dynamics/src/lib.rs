@@ -19,6 +19,7 @@
 //! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
 //! | the surface from impact times | [`impact_surface`] |
 //! | how it is integrated | [`integrator`], [`model_version`] |
+//! | what lies side by side in registers | [`formation`], [`wide`], [`quad`], [`registers`], [`landing::abreast`] |
 //! | how it was integrated in 1966, and what that was compared with | [`methods`] |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
@@ -28,6 +29,7 @@ pub mod contact;
 pub mod critical_feet;
 pub mod crush;
 pub mod energy;
+pub mod formation;
 pub mod friction;
 pub mod hinge;
 pub mod impact_surface;
@@ -39,9 +41,11 @@ pub mod methods;
 pub mod model_version;
 pub mod motion;
 pub mod outcome;
+pub mod products;
 pub mod profile;
 pub mod quad;
 pub mod record;
+pub mod registers;
 pub mod response;
 pub mod scalar;
 pub mod scene;
@@ -50,3 +54,4 @@ pub mod state;
 pub mod strut;
 pub mod touchdown;
 pub mod vehicle;
+pub mod wide;

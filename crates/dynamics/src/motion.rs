@@ -7,25 +7,32 @@
 
 mod footing;
 mod glance;
+mod landings;
 mod leg;
 mod leg_response;
 mod pieces;
 mod signal;
 
 use nalgebra::{Matrix3, Vector3};
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
+use crate::formation::{Formation, LegsAbreast};
 use crate::kinematics::{BodyFrame, LegGeometry, Surface};
-use crate::quad::{Abreast, GROUPS, LANES, Quad, abreast, groups_of, members};
+use crate::products::times;
+use crate::quad::{GROUPS, LANES, Quad, groups_of, members};
+use crate::registers::{Four, Registers};
+use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, State, quaternion_rate};
 use crate::vehicle::Vehicle;
+use crate::wide::{Abreast, abreast};
 
 use leg::{LegAction, LegMotion};
 use pieces::GroupPieces;
 
 pub use footing::Footing;
 pub use glance::Glance;
+pub use landings::{GlancesAbreast, MotionsAbreast};
 pub use pieces::{LegPieces, Pieces};
 pub use signal::Signal;
 
@@ -55,18 +62,88 @@ abreast!(LegLoads {
     block_friction,
 });
 
-/// Constants of the equations of motion of one vehicle on one surface.
+/// The equations of motion of one vehicle on one surface.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<const LEGS: usize> {
     /// What registers the processor has.
-    arch: Arch,
-    surface: Surface<f64>,
-    gravity: f64,
-    inverse_mass: f64,
-    inertia: Matrix3<f64>,
-    inverse_inertia: Matrix3<f64>,
+    registers: Four,
+    equations: Equations<LegsAbreast, LEGS>,
     legs: [LegMotion<f64>; LEGS],
-    groups: [LegMotion<Quad>; GROUPS],
+}
+
+/// Constants of the equations of motion.
+#[derive(Debug, Clone, Copy)]
+struct Equations<F: Formation<LEGS>, const LEGS: usize> {
+    surface: Surface<F::Body>,
+    gravity: F::Body,
+    inverse_mass: F::Body,
+    inertia: Matrix3<F::Body>,
+    inverse_inertia: Matrix3<F::Body>,
+    groups: F::Groups<LegMotion<F::Leg>>,
+}
+
+impl<F: Formation<LEGS>, const LEGS: usize> Equations<F, LEGS> {
+    /// Lets the legs push the body.
+    #[inline(always)]
+    fn push(
+        &self,
+        state: &State<F::Body, LEGS>,
+        derivative: &mut State<F::Body, LEGS>,
+        mut legs: impl Legs<F, LEGS>,
+    ) {
+        let body = state.body();
+        let frame = self.surface.frame(&body);
+        let mut force: Vector3<F::Body> = none();
+        let mut torque: Vector3<F::Body> = none();
+        for group in 0..F::GROUPS {
+            let [forces, torques] = legs.push(group, &frame, derivative);
+            F::add(&mut force.data.0[0], &forces.data.0[0]);
+            F::add(&mut torque.data.0[0], &torques.data.0[0]);
+        }
+        let mut acceleration = times(&frame.rotation, &force) * self.inverse_mass;
+        acceleration.z += self.gravity;
+        let momentum = times(&self.inertia, &body.rate);
+        let twist = torque - body.rate.cross(&momentum);
+        derivative.set_body(&Body {
+            position: body.velocity,
+            velocity: acceleration,
+            quaternion: quaternion_rate(&body.quaternion, &body.rate),
+            rate: times(&self.inverse_inertia, &twist),
+        });
+    }
+}
+
+/// What legs do. A trait and no closure, so that it is inlined where it must be compiled for wide registers.
+trait Legs<F: Formation<LEGS>, const LEGS: usize> {
+    /// How a group of legs pushes the body over which the surface lies like this; writes their derivative.
+    fn push(
+        &mut self,
+        group: usize,
+        frame: &BodyFrame<F::Body>,
+        derivative: &mut State<F::Body, LEGS>,
+    ) -> Push<F::Leg>;
+}
+
+impl<F, A, const LEGS: usize> Legs<F, LEGS> for A
+where
+    F: Formation<LEGS>,
+    A: FnMut(usize, &BodyFrame<F::Body>, &mut State<F::Body, LEGS>) -> Push<F::Leg>,
+{
+    #[inline(always)]
+    fn push(
+        &mut self,
+        group: usize,
+        frame: &BodyFrame<F::Body>,
+        derivative: &mut State<F::Body, LEGS>,
+    ) -> Push<F::Leg> {
+        self(group, frame, derivative)
+    }
+}
+
+/// No force.
+#[inline(always)]
+fn none<S: Real>() -> Vector3<S> {
+    Vector3::from([S::zero(); 3])
 }
 
 impl<const LEGS: usize> Motion<LEGS> {
@@ -79,15 +156,17 @@ impl<const LEGS: usize> Motion<LEGS> {
         let legs: [LegMotion<f64>; LEGS] =
             std::array::from_fn(|j| LegMotion::new(&vehicle.legs()[j], depth, scene));
         Self {
-            arch: Arch::new(),
-            surface: Surface::new(scene),
-            gravity: vehicle.gravity(),
-            inverse_mass: 1.0 / vehicle.mass(),
-            inertia,
-            inverse_inertia,
-            groups: std::array::from_fn(|group| {
-                LegMotion::abreast(members::<_, LEGS>(group, |j| &legs[j]))
-            }),
+            registers: Four::new(),
+            equations: Equations {
+                surface: Surface::new(scene),
+                gravity: vehicle.gravity(),
+                inverse_mass: 1.0 / vehicle.mass(),
+                inertia,
+                inverse_inertia,
+                groups: std::array::from_fn(|group| {
+                    LegMotion::abreast(members::<_, LEGS>(group, |j| &legs[j]))
+                }),
+            },
             legs,
         }
     }
@@ -95,19 +174,19 @@ impl<const LEGS: usize> Motion<LEGS> {
     /// The same equations for a processor that has no wide registers: the same numbers, slower.
     pub fn in_narrow_registers(self) -> Self {
         Self {
-            arch: Arch::Scalar,
+            registers: Four::InParts,
             ..self
         }
     }
 
     /// The registers there are.
-    pub(crate) fn arch(&self) -> Arch {
-        self.arch
+    pub(crate) fn registers(&self) -> Four {
+        self.registers
     }
 
     /// The surface.
     pub fn surface(&self) -> &Surface<f64> {
-        &self.surface
+        &self.equations.surface
     }
 
     /// Geometry of leg `index`.
@@ -123,9 +202,11 @@ impl<const LEGS: usize> Motion<LEGS> {
         pieces: &Pieces<LEGS>,
         derivative: &mut State<f64, LEGS>,
     ) {
-        self.push(state, pieces, derivative, |group, derivative| {
-            self.arch.dispatch(Derivative(group, derivative))
-        });
+        let act = |group, frame: &BodyFrame<f64>, derivative: &mut _| {
+            let group = self.group(group, frame, state, pieces);
+            self.registers.dispatch(Derivative(group, derivative))
+        };
+        self.equations.push(state, derivative, act);
     }
 
     /// Writes the time derivative of the state and the signals of all legs.
@@ -137,40 +218,11 @@ impl<const LEGS: usize> Motion<LEGS> {
         derivative: &mut State<f64, LEGS>,
         signals: &mut Glance<LEGS>,
     ) {
-        self.push(state, pieces, derivative, |group, derivative| {
-            (self.arch).dispatch(DerivativeAndSignals(group, derivative, &mut *signals))
-        });
-    }
-
-    /// Lets the legs push the body; `act` says how a group does and writes its derivative.
-    #[inline(always)]
-    fn push(
-        &self,
-        state: &State<f64, LEGS>,
-        pieces: &Pieces<LEGS>,
-        derivative: &mut State<f64, LEGS>,
-        mut act: impl FnMut(Group<LEGS>, &mut State<f64, LEGS>) -> Push,
-    ) {
-        let body = state.body();
-        let frame = self.surface.frame(&body);
-        let mut force = Vector3::zeros();
-        let mut torque = Vector3::zeros();
-        for index in 0..const { groups_of(LEGS) } {
-            let [forces, torques] = act(self.group(index, &frame, state, pieces), derivative);
-            for lane in 0..LANES.min(LEGS - index * LANES) {
-                force += Vector3::lane(&forces, lane);
-                torque += Vector3::lane(&torques, lane);
-            }
-        }
-        let mut acceleration = frame.rotation * force * self.inverse_mass;
-        acceleration.z += self.gravity;
-        let momentum = self.inertia * body.rate;
-        derivative.set_body(&Body {
-            position: body.velocity,
-            velocity: acceleration,
-            quaternion: quaternion_rate(&body.quaternion, &body.rate),
-            rate: self.inverse_inertia * (torque - body.rate.cross(&momentum)),
-        });
+        let act = |group, frame: &BodyFrame<f64>, derivative: &mut _| {
+            let group = self.group(group, frame, state, pieces);
+            (self.registers).dispatch(DerivativeAndSignals(group, derivative, &mut *signals))
+        };
+        self.equations.push(state, derivative, act);
     }
 
     /// Signals of all legs, the link torques only if asked for: no other signal is a force.
@@ -195,14 +247,16 @@ impl<const LEGS: usize> Motion<LEGS> {
         with_torques: bool,
         signals: &mut Glance<LEGS>,
     ) {
-        let frame = self.surface.frame(&state.body());
+        let frame = self.surface().frame(&state.body());
         for index in 0..const { groups_of(LEGS) } {
             let group = self.group(index, &frame, state, pieces);
             let signals = &mut *signals;
             if with_torques {
-                self.arch.dispatch(Signals::<true, LEGS>(group, signals));
+                self.registers
+                    .dispatch(Signals::<true, LEGS>(group, signals));
             } else {
-                self.arch.dispatch(Signals::<false, LEGS>(group, signals));
+                self.registers
+                    .dispatch(Signals::<false, LEGS>(group, signals));
             }
         }
     }
@@ -219,14 +273,14 @@ impl<const LEGS: usize> Motion<LEGS> {
             index,
             state,
             frame,
-            motion: &self.groups[index],
+            motion: &self.equations.groups[index],
             pieces: &pieces.groups[index],
         }
     }
 
     /// Loads of all legs.
     pub fn loads(&self, state: &State<f64, LEGS>, pieces: &Pieces<LEGS>) -> [LegLoads<f64>; LEGS] {
-        let frame = self.surface.frame(&state.body());
+        let frame = self.surface().frame(&state.body());
         let groups: [_; GROUPS] = std::array::from_fn(|index| {
             let group = self.group(index, &frame, state, pieces);
             group.action::<true, true>().loads
@@ -241,7 +295,7 @@ struct Group<'a, const LEGS: usize> {
     state: &'a State<f64, LEGS>,
     frame: &'a BodyFrame<f64>,
     motion: &'a LegMotion<Quad>,
-    pieces: &'a GroupPieces,
+    pieces: &'a GroupPieces<Quad>,
 }
 
 impl<const LEGS: usize> Group<'_, LEGS> {
@@ -261,7 +315,7 @@ impl<const LEGS: usize> Group<'_, LEGS> {
 // whole quads of them, which is what makes the compiler see the lanes.
 
 /// Force on the body and torque about its CG, in vehicle axes.
-type Push = [Vector3<Quad>; 2];
+type Push<S> = [Vector3<S>; 2];
 
 /// Writes the derivative of the legs and returns how they push the body.
 struct Derivative<'a, const LEGS: usize>(Group<'a, LEGS>, &'a mut State<f64, LEGS>);
@@ -275,7 +329,7 @@ struct DerivativeAndSignals<'a, const LEGS: usize>(
 struct Signals<'a, const FORCES: bool, const LEGS: usize>(Group<'a, LEGS>, &'a mut Glance<LEGS>);
 
 impl<const LEGS: usize> NullaryFnOnce for Derivative<'_, LEGS> {
-    type Output = Push;
+    type Output = Push<Quad>;
 
     #[inline(always)]
     fn call(self) -> Self::Output {
@@ -287,7 +341,7 @@ impl<const LEGS: usize> NullaryFnOnce for Derivative<'_, LEGS> {
 }
 
 impl<const LEGS: usize> NullaryFnOnce for DerivativeAndSignals<'_, LEGS> {
-    type Output = Push;
+    type Output = Push<Quad>;
 
     #[inline(always)]
     fn call(self) -> Self::Output {

@@ -10,7 +10,8 @@ mod stage;
 use nalgebra::{Matrix3, Vector4, Vector6};
 use num_traits::{One, Zero};
 
-use crate::quad::{GROUPS, Quad, groups_of};
+use crate::formation::{Formation, LegsAbreast};
+use crate::quad::Quad;
 use crate::scalar::Real;
 
 pub use stage::System;
@@ -142,20 +143,20 @@ impl<S: Real> LegResponse<S> {
 
 /// How all forces answer at one state.
 #[derive(Debug, Clone, Copy)]
-pub struct Response<const LEGS: usize> {
+pub struct Response<F: Formation<LEGS>, const LEGS: usize> {
     /// Attitude B, vehicle to ground.
-    pub rotation: Matrix3<f64>,
+    pub rotation: Matrix3<F::Body>,
     /// Its quaternion (w, x, y, z), of any length.
-    pub quaternion: Vector4<f64>,
+    pub quaternion: Vector4<F::Body>,
     /// Mass, slug.
-    pub mass: f64,
+    pub mass: F::Body,
     /// Inertia of the body about the CG, slug·ft².
-    pub inertia: Matrix3<f64>,
-    /// The legs, side by side.
-    pub groups: [LegResponse<Quad>; GROUPS],
+    pub inertia: Matrix3<F::Body>,
+    /// The legs.
+    pub groups: F::Groups<LegResponse<F::Leg>>,
 }
 
-impl<const LEGS: usize> Response<LEGS> {
+impl<const LEGS: usize> Response<LegsAbreast, LEGS> {
     /// Rate (1/s) that no decay of a velocity exceeds: the trace of the damping matrix over the inertia.
     #[inline(always)]
     pub fn greatest_rate(&self) -> f64 {
@@ -170,7 +171,7 @@ impl<const LEGS: usize> Response<LEGS> {
         );
         let per_inertia = body.map(|inertia| Quad::constant(1.0 / inertia));
         let mut rates = Quad::zero();
-        for leg in &self.groups[..const { groups_of(LEGS) }] {
+        for leg in &self.groups {
             let per_link = Quad::one() / leg.inertia[0];
             rates += leg.link_damping.max(Quad::zero()) * per_link;
             for answer in leg.answers() {

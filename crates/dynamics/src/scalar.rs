@@ -20,6 +20,9 @@ pub trait Real:
     + ClosedMulAssign
     + ClosedDivAssign
 {
+    /// Lanes, each a number of its own.
+    const LANES: usize;
+
     /// The same constant in every lane.
     fn constant(value: f64) -> Self;
     /// Square root.
@@ -32,6 +35,8 @@ pub trait Real:
     fn signed_like(self, magnitude: Self) -> Self;
     /// `below` where `self` < 0, else `above`.
     fn where_negative(self, below: Self, above: Self) -> Self;
+    /// `at_zero` where `self` is 0, else `elsewhere`.
+    fn where_zero(self, at_zero: Self, elsewhere: Self) -> Self;
     /// Nearest whole number.
     fn round(self) -> Self;
     /// Whether no lane is farther from 0 than `limit`.
@@ -65,14 +70,18 @@ pub trait Real:
         let square = reduced * reduced;
         let fourth = square * square;
         let eighth = fourth * fourth;
-        let polynomial = |c: &[f64; 8]| {
-            let pair = |k: usize| Self::constant(c[k]) * square + Self::constant(c[k + 1]);
-            (pair(0) * fourth + pair(2)) * eighth + (pair(4) * fourth + pair(6))
-        };
-        let sine = reduced + reduced * square * polynomial(&SINE);
-        let cosine = Self::one() + square * polynomial(&COSINE);
+        let powers = [square, fourth, eighth];
+        let sine = reduced + reduced * square * polynomial(&SINE, powers);
+        let cosine = Self::one() + square * polynomial(&COSINE, powers);
         (sine, cosine)
     }
+}
+
+/// A polynomial, highest power first, from the first, second and fourth power of its variable.
+#[inline(always)]
+fn polynomial<S: Real>(c: &[f64; 8], [first, second, fourth]: [S; 3]) -> S {
+    let pair = |k: usize| S::constant(c[k]) * first + S::constant(c[k + 1]);
+    (pair(0) * second + pair(2)) * fourth + (pair(4) * second + pair(6))
 }
 
 /// Angle up to which there is nothing to reduce.
@@ -107,6 +116,8 @@ const COSINE: [f64; 8] = [
 ];
 
 impl Real for f64 {
+    const LANES: usize = 1;
+
     #[inline(always)]
     fn constant(value: f64) -> Self {
         value
@@ -135,6 +146,11 @@ impl Real for f64 {
     #[inline(always)]
     fn where_negative(self, below: Self, above: Self) -> Self {
         if self < 0.0 { below } else { above }
+    }
+
+    #[inline(always)]
+    fn where_zero(self, at_zero: Self, elsewhere: Self) -> Self {
+        if self == 0.0 { at_zero } else { elsewhere }
     }
 
     #[inline(always)]

@@ -1,10 +1,12 @@
 //! The integrated state: rigid body, legs, and the work done on their elements.
 
 use nalgebra::{Matrix3, Vector3, Vector4};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 use crate::quad::{LANES, MOST_LEGS, Quad, groups_of};
+use crate::registers::Lanes;
 use crate::scalar::Real;
+use crate::wide::Wide;
 
 /// State of a vehicle with `LEGS` legs, or its time derivative.
 ///
@@ -20,6 +22,8 @@ pub struct State<S, const LEGS: usize> {
     body: [S; BODY],
 }
 
+/// Numbers of the body.
+const BODY_NUMBERS: usize = 13;
 /// Thirteen, and three to fill registers.
 const BODY: usize = 16;
 const LEG: usize = 10;
@@ -121,9 +125,17 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// Writes leg `index`.
     #[inline(always)]
     pub fn set_leg(&mut self, index: usize, leg: &LegState<S>) {
-        for (row, component) in self.legs.iter_mut().zip(leg.components()) {
-            row[index] = component;
-        }
+        // Component by component: an array of them would go through memory.
+        self.legs[0][index] = leg.link_angle;
+        self.legs[1][index] = leg.link_rate;
+        self.legs[2][index] = leg.pad_angle;
+        self.legs[3][index] = leg.pad_rate;
+        self.legs[4][index] = leg.work[0];
+        self.legs[5][index] = leg.work[1];
+        self.legs[6][index] = leg.work[2];
+        self.legs[7][index] = leg.work[3];
+        self.legs[8][index] = leg.work[4];
+        self.legs[9][index] = leg.work[5];
     }
 
     /// All components zero.
@@ -150,7 +162,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// Leg `index`.
     #[inline(always)]
     pub fn leg(&self, index: usize) -> LegState<S> {
-        LegState::from_components(self.legs.map(|row| row[index]))
+        LegState::from_components(self.legs.each_ref().map(|row| row[index]))
     }
 
     /// Rates γ̇ of the links, rad/s.
@@ -247,7 +259,8 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         slopes: [&Self; TERMS],
         result: &mut Self,
     ) {
-        for i in 0..BODY {
+        let (body, legs) = const { (body_numbers::<S>(), columns::<S>(LEGS)) };
+        for i in 0..body {
             let mut sum = self.body[i];
             for k in 0..TERMS {
                 sum += weights[k] * slopes[k].body[i];
@@ -255,7 +268,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
             result.body[i] = sum;
         }
         for i in 0..LAST {
-            for leg in 0..const { groups_of(LEGS) * LANES } {
+            for leg in 0..legs {
                 let mut sum = self.legs[i][leg];
                 for k in 0..TERMS {
                     sum += weights[k] * slopes[k].legs[i][leg];
@@ -266,66 +279,162 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     }
 }
 
-impl<const LEGS: usize> State<f64, LEGS> {
+/// Numbers of a body to be summed: what fills registers, or what there is if each is a register of its own.
+const fn body_numbers<S: Real>() -> usize {
+    if S::LANES == 1 { BODY } else { BODY_NUMBERS }
+}
+
+/// Columns of legs to be summed, likewise.
+const fn columns<S: Real>(legs: usize) -> usize {
+    if S::LANES == 1 {
+        groups_of(legs) * LANES
+    } else {
+        legs
+    }
+}
+
+impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// self − other.
     #[inline(always)]
     pub fn minus(&self, other: &Self) -> Self {
-        self.advanced([-1.0], [other])
+        self.advanced([-S::one()], [other])
     }
 
     /// self/length.
     #[inline(always)]
-    pub fn over(&self, length: f64) -> Self {
-        Self::zero().advanced([1.0 / length], [self])
+    pub fn over(&self, length: S) -> Self {
+        Self::zero().advanced([S::one() / length], [self])
     }
 
     /// Writes what moves midway between self and `end` on the cubic between them, from the slopes at both and an
     /// eighth of the time between.
     #[inline(always)]
-    pub fn midway(&self, end: &Self, eighth: f64, [first, last]: [&Self; 2], middle: &mut Self) {
+    pub fn midway(&self, end: &Self, eighth: S, [first, last]: [&Self; 2], middle: &mut Self) {
+        let half = S::constant(0.5);
         Self::zero().advance_motion(
-            [0.5, 0.5, eighth, -eighth],
+            [half, half, eighth, -eighth],
             [self, end, first, last],
             middle,
         );
     }
 
     /// Sums by Simpson's rule what only accumulates over a step of length `h`: the work integrals, and the
-    /// rates of the pads that `sums_rate` names. Of the error of work, over h, it writes a guess.
+    /// rates of pads at rest, whose `hinge_gains` are 0. Of the error of work, over h, it writes a guess.
     #[inline(always)]
     pub fn accumulate(
         &mut self,
         before: &Self,
-        h: f64,
+        h: S,
         [first, middle, last]: [&Self; 3],
-        sums_rate: impl Fn(usize) -> bool,
+        hinge_gains: [S; LEGS],
         error: &mut Self,
     ) {
+        let sixth = S::constant(1.0 / 6.0);
         let sum = |i: usize, j: usize| {
             let ends = first.legs[i][j] + last.legs[i][j];
             let middle = middle.legs[i][j];
             (
-                (ends + 4.0 * middle) * (1.0 / 6.0),
-                (ends - 2.0 * middle) * (1.0 / 6.0),
+                (ends + S::constant(4.0) * middle) * sixth,
+                (ends - S::constant(2.0) * middle) * sixth,
             )
         };
-        for j in (0..LEGS).filter(|&j| sums_rate(j)) {
-            self.legs[PAD_RATE][j] = before.legs[PAD_RATE][j] + h * sum(PAD_RATE, j).0;
-            error.legs[PAD_RATE][j] = 0.0;
+        for (j, gain) in hinge_gains.into_iter().enumerate() {
+            let summed = before.legs[PAD_RATE][j] + h * sum(PAD_RATE, j).0;
+            self.legs[PAD_RATE][j] = gain.where_zero(summed, self.legs[PAD_RATE][j]);
+            error.legs[PAD_RATE][j] = gain.where_zero(S::zero(), error.legs[PAD_RATE][j]);
         }
         for i in LEG_MOTION..LEG {
             for j in 0..LEGS {
                 let (mean, past_midpoint) = sum(i, j);
                 self.legs[i][j] = before.legs[i][j] + h * mean;
-                error.legs[i][j] = SIMPSON_SHARE * past_midpoint;
+                error.legs[i][j] = S::constant(SIMPSON_SHARE) * past_midpoint;
+            }
+        }
+    }
+}
+
+impl<const N: usize, const LEGS: usize> State<Wide<N>, LEGS> {
+    /// [`State::error_norm`] of each lane, for a tolerance of 1.
+    #[inline(always)]
+    pub fn error_norms(&self, before: &Self, after: &Self) -> [f64; N] {
+        let mut worst = Wide::zero();
+        let mut sum = Wide::zero();
+        for i in 0..BODY_NUMBERS {
+            let scaled = scaled(self.body[i], before.body[i], after.body[i]);
+            worst = worst.max(scaled);
+            sum += scaled;
+        }
+        for i in 0..LEG_MOTION {
+            for j in 0..LEGS {
+                let scaled = scaled(self.legs[i][j], before.legs[i][j], after.legs[i][j]);
+                worst = worst.max(scaled);
+                sum += scaled;
+            }
+        }
+        std::array::from_fn(|lane| {
+            if sum.0[lane].is_nan() {
+                f64::INFINITY
+            } else {
+                worst.0[lane]
+            }
+        })
+    }
+
+    /// [`State::greatest_work`] of each lane.
+    #[inline(always)]
+    pub fn greatest_works(&self) -> Wide<N> {
+        let mut greatest = Wide::zero();
+        for row in &self.legs[LEG_MOTION..] {
+            for work in &row[..LEGS] {
+                greatest = greatest.max(work.abs());
+            }
+        }
+        greatest
+    }
+
+    /// Writes the state in each lane.
+    #[inline(always)]
+    pub fn deal<R: Lanes<N>>(&self, registers: R, states: [&mut State<f64, LEGS>; N]) {
+        let mut states = states.map(|state| (state.legs.as_flattened_mut(), &mut state.body[..]));
+        registers.deal(
+            self.legs.as_flattened(),
+            states.each_mut().map(|(legs, _)| &mut **legs),
+        );
+        registers.deal(&self.body, states.map(|(_, body)| body));
+    }
+
+    /// In lanes whose `mark` is zero, the numbers of another.
+    #[inline(always)]
+    pub fn replace(&mut self, mark: Wide<N>, other: &Self) {
+        for i in 0..BODY_NUMBERS {
+            self.body[i] = mark.where_zero(other.body[i], self.body[i]);
+        }
+        for i in 0..LEG {
+            for leg in 0..LEGS {
+                self.legs[i][leg] = mark.where_zero(other.legs[i][leg], self.legs[i][leg]);
             }
         }
     }
 
+    /// Puts a state into a lane.
+    #[inline(always)]
+    pub fn set_lane(&mut self, lane: usize, state: &State<f64, LEGS>) {
+        for (wide, one) in self.body[..BODY_NUMBERS].iter_mut().zip(&state.body) {
+            wide.0[lane] = *one;
+        }
+        for (wide, row) in self.legs.iter_mut().zip(&state.legs) {
+            for leg in 0..LEGS {
+                wide[leg].0[lane] = row[leg];
+            }
+        }
+    }
+}
+
+impl<const LEGS: usize> State<f64, LEGS> {
     /// The legs of a group of four, side by side.
     #[inline(always)]
     pub fn legs_abreast(&self, group: usize) -> LegState<Quad> {
-        let quad = |row: &[f64; MOST_LEGS]| Quad(std::array::from_fn(|i| row[group * LANES + i]));
+        let quad = |row: &[f64; MOST_LEGS]| Wide(std::array::from_fn(|i| row[group * LANES + i]));
         LegState::from_components(self.legs.each_ref().map(quad))
     }
 
@@ -347,7 +456,7 @@ impl<const LEGS: usize> State<f64, LEGS> {
         let mut sum = Quad::zero();
         let mut weigh = |error: &[f64], a: &[f64], b: &[f64]| {
             for ((error, a), b) in quads(error).zip(quads(a)).zip(quads(b)) {
-                let scaled = error.abs() / a.abs().max(b.abs()).max(Quad::one());
+                let scaled = scaled(error, a, b);
                 worst = worst.max(scaled);
                 sum += scaled;
             }
@@ -386,9 +495,15 @@ impl<const LEGS: usize> State<f64, LEGS> {
     }
 }
 
+/// An error over what it is weighed by: the component before or after, or one.
+#[inline(always)]
+fn scaled<S: Real>(error: S, before: S, after: S) -> S {
+    error.abs() / before.abs().max(after.abs()).max(S::one())
+}
+
 #[inline(always)]
 fn quads(values: &[f64]) -> impl Iterator<Item = Quad> {
-    values.as_chunks().0.iter().map(|&four| Quad(four))
+    values.as_chunks().0.iter().map(|&four| Wide(four))
 }
 
 /// The rotation matrix B, vehicle to ground (1), of a quaternion of any length but zero.

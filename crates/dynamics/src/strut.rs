@@ -4,8 +4,8 @@
 mod law;
 mod stance;
 
-use crate::quad::abreast;
 use crate::scalar::Real;
+use crate::wide::abreast;
 
 pub use law::StrutLaw;
 pub use stance::{GentleKinks, Stance};

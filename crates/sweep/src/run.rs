@@ -4,14 +4,16 @@
 //! goes to the journal as soon as it is known, and nothing of it stays in memory. No landing knows
 //! of another, so that results do not depend on the threads.
 
+use std::cell::Cell;
 use std::fmt;
 use std::num::NonZeroUsize;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use rayon::prelude::*;
+use touchdown_dynamics::landing::abreast::{Request, land_many};
 use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
@@ -207,7 +209,8 @@ impl Workers {
         })
     }
 
-    /// Computes one landing for every scene, in their order, of the vehicle that belongs to its index.
+    /// Computes one landing for every scene, in their order, of the vehicle that belongs to its index: several at a
+    /// time on each thread, side by side.
     ///
     /// # Errors
     /// When `cancel` became true; it is looked at before every landing.
@@ -220,13 +223,38 @@ impl Workers {
         cancel: &AtomicBool,
     ) -> Result<Vec<Landing<LEGS>>, RunError> {
         let stop = Stop::on(cancel);
-        self.each(scenes.len(), |case| {
-            stop.go_on()?;
-            let landing = land(vehicle(case), &scenes[case], settings);
-            observer.landing();
-            observer.point();
-            Ok(landing)
-        })
+        let unasked = AtomicUsize::new(0);
+        let found = Mutex::new(vec![None; scenes.len()]);
+        // No thread takes so many at once that another has none.
+        let share = scenes.len().div_ceil(self.threads());
+        self.pool.broadcast(|_| {
+            let under_way = Cell::new(0);
+            let next = || {
+                if under_way.get() == share || stop.go_on().is_err() {
+                    return None;
+                }
+                let key = unasked.fetch_add(1, Ordering::Relaxed);
+                let scene = *scenes.get(key)?;
+                under_way.set(under_way.get() + 1);
+                Some(Request {
+                    key,
+                    vehicle: vehicle(key),
+                    scene,
+                    settings: *settings,
+                })
+            };
+            land_many(next, |key: usize, landing| {
+                under_way.set(under_way.get() - 1);
+                observer.landing();
+                observer.point();
+                found.lock().unwrap_or_else(PoisonError::into_inner)[key] = Some(landing);
+            });
+        });
+        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        found
+            .into_iter()
+            .collect::<Option<_>>()
+            .ok_or(RunError::Cancelled)
     }
 
     fn each<T: Send>(
@@ -324,7 +352,13 @@ fn find<const LEGS: usize>(
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
+    use touchdown_dynamics::scene::CrushRule;
+
     use super::*;
+    use crate::measured_scenes::near_boundary;
+    use crate::vehicle_file::VehicleFile;
 
     fn workers(threads: usize) -> Workers {
         Workers::start(NonZeroUsize::new(threads)).unwrap()
@@ -336,6 +370,43 @@ mod tests {
         for threads in [1, 2, 3] {
             let squares = workers(threads).each(100, |n| Ok(n * n)).unwrap();
             assert_eq!(squares, expected);
+        }
+    }
+
+    /// Counts landings and cancels at one of them.
+    struct CancelsAt<'c>(usize, AtomicUsize, &'c AtomicBool);
+
+    impl Observer for CancelsAt<'_> {
+        fn landing(&self) {
+            if self.1.fetch_add(1, Ordering::Relaxed) + 1 == self.0 {
+                self.2.store(true, Ordering::Relaxed);
+            }
+        }
+    }
+
+    #[test]
+    fn cases_come_in_order_for_any_number_of_threads_and_stop_when_told() {
+        let file = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../sweeps/vehicles/surveyor-table-4-1.toml"
+        );
+        let vehicle: Vehicle<3> = VehicleFile::read(Path::new(file)).unwrap().vehicle;
+        let scenes = near_boundary(false).unwrap();
+        let settings = Settings::new(3e-4, 0.3, CrushRule::default()).unwrap();
+        let expected: Vec<_> = (scenes.iter())
+            .map(|scene| land(&vehicle, scene, &settings))
+            .collect();
+        for threads in [1, 2, 3] {
+            let cancel = AtomicBool::new(false);
+            let cases = |observer: &CancelsAt| {
+                workers(threads).cases(|_| &vehicle, &scenes, &settings, observer, &cancel)
+            };
+            let never = CancelsAt(0, AtomicUsize::new(0), &cancel);
+            assert_eq!(cases(&never).unwrap(), expected);
+            assert_eq!(never.1.into_inner(), scenes.len());
+            let soon = CancelsAt(3, AtomicUsize::new(0), &cancel);
+            assert!(matches!(cases(&soon), Err(RunError::Cancelled)));
+            assert!(soon.1.into_inner() < scenes.len());
         }
     }
 

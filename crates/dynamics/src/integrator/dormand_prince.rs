@@ -68,12 +68,7 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         last: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
     ) {
         self.length = h;
-        self.weights = Weights {
-            result: B.map(S::constant),
-            error: E.map(S::constant),
-            error_order: 5.0,
-            bump: D.map(S::constant),
-        };
+        self.weights = weights();
         let (y, stage) = (&self.before, &mut self.stage);
         let [k1, k3, k4, k5, k6, k7] = &mut self.slopes;
         // Stage 2 is needed for the next four only; it sits where the last one will be.
@@ -89,6 +84,17 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         derivative(stage, k6);
         y.advance(times(h, B), [&*k1, &*k3, &*k4, &*k5, &*k6], &mut self.after);
         last(&self.after, k7);
+    }
+}
+
+/// Weights of the slopes of an explicit step.
+#[inline(always)]
+pub fn weights<S: Real>() -> Weights<S> {
+    Weights {
+        result: B.map(S::constant),
+        error: E.map(S::constant),
+        error_order: 5.0,
+        bump: D.map(S::constant),
     }
 }
 

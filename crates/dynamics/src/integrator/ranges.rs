@@ -5,6 +5,7 @@ use num_traits::Zero;
 use crate::integrator::event::{Bounds, stray};
 use crate::quad::{LANES, Quad};
 use crate::scalar::Real;
+use crate::wide::Wide;
 
 /// Ranges of numbers that lie side by side in quads.
 #[derive(Debug, Clone)]
@@ -150,14 +151,14 @@ impl Farthest {
 /// The greater of two numbers, or the second where either is none: an instruction of the processor.
 #[inline(always)]
 fn greater(a: Quad, b: Quad) -> Quad {
-    Quad(std::array::from_fn(|i| {
+    Wide(std::array::from_fn(|i| {
         if a.0[i] > b.0[i] { a.0[i] } else { b.0[i] }
     }))
 }
 
 #[inline(always)]
 fn quads(numbers: &[[f64; LANES]]) -> impl Iterator<Item = Quad> {
-    numbers.iter().map(|&four| Quad(four))
+    numbers.iter().map(|&four| Wide(four))
 }
 
 #[cfg(test)]

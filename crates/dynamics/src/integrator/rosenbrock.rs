@@ -8,8 +8,10 @@
 //! What only accumulates (work integrals, rates of pads at rest on a stop) is left out of the stages and summed
 //! by Simpson's rule, which takes one more evaluation, in the middle.
 
+use crate::formation::Formation;
 use crate::integrator::step::{Step, Weights};
 use crate::response::System;
+use crate::scalar::Real;
 use crate::state::State;
 
 /// Evaluations of the derivative in a step.
@@ -65,66 +67,81 @@ const SLOPE: [[f64; 5]; 5] = [
     ],
 ];
 
-impl<const LEGS: usize> Step<f64, LEGS> {
+impl<S: Real, const LEGS: usize> Step<S, LEGS> {
     /// Takes a step of length `h` from `before`, where the derivative is the first slope; `system` is that of
     /// τ = [`GAMMA`] h. `derivative` writes the derivative at a state into its second argument; `middle` and `last` do
     /// so midway on the continuous output and at the end, where rates of pads at rest are yet those of the start.
     #[inline(always)]
-    pub fn take_implicit(
+    pub fn take_implicit<F: Formation<LEGS, Body = S>>(
         &mut self,
-        h: f64,
-        system: &System<'_, LEGS>,
-        derivative: impl Fn(&State<f64, LEGS>, &mut State<f64, LEGS>),
-        middle: impl FnOnce(&State<f64, LEGS>, &mut State<f64, LEGS>),
-        last: impl FnOnce(&State<f64, LEGS>, &mut State<f64, LEGS>),
+        h: S,
+        system: &System<'_, F, LEGS>,
+        derivative: impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
+        middle: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
+        last: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
     ) {
         self.length = h;
-        self.weights = Weights {
-            result: [0.0, 1.0, 0.0, 0.0, 0.0],
-            error: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
-            error_order: 4.0,
-            // The continuous output is the cubic between the ends.
-            bump: [0.0; 6],
-        };
+        self.weights = weights();
         let mut stages = [State::zero(); 6];
         system.solve(&self.slopes[0], &mut stages[0]);
-        self.take_stage::<1>(system, &mut stages, &derivative);
-        self.take_stage::<2>(system, &mut stages, &derivative);
-        self.take_stage::<3>(system, &mut stages, &derivative);
-        self.take_stage::<4>(system, &mut stages, &derivative);
-        self.take_stage::<5>(system, &mut stages, &derivative);
+        self.take_stage::<1, F>(system, &mut stages, &derivative);
+        self.take_stage::<2, F>(system, &mut stages, &derivative);
+        self.take_stage::<3, F>(system, &mut stages, &derivative);
+        self.take_stage::<4, F>(system, &mut stages, &derivative);
+        self.take_stage::<5, F>(system, &mut stages, &derivative);
         self.after = self.before;
         self.stage
-            .advance_motion([1.0], [&stages[5]], &mut self.after);
+            .advance_motion([S::one()], [&stages[5]], &mut self.after);
 
         // In place of its stages' slopes a step keeps its mean slope, that in the middle, and its error over h.
         let [first, mean, midway, error, _, end] = &mut self.slopes;
         last(&self.after, end);
-        self.before
-            .midway(&self.after, 0.125 * h, [&*first, &*end], &mut self.stage);
+        self.before.midway(
+            &self.after,
+            S::constant(0.125) * h,
+            [&*first, &*end],
+            &mut self.stage,
+        );
         middle(&self.stage, midway);
         *error = stages[5].over(h);
-        let summed = |j| system.is_pad_at_rest(j);
-        self.after
-            .accumulate(&self.before, h, [&*first, &*midway, &*end], summed, error);
+        self.after.accumulate(
+            &self.before,
+            h,
+            [&*first, &*midway, &*end],
+            system.hinge_gains(),
+            error,
+        );
         *mean = self.after.minus(&self.before).over(h);
     }
 
     /// Takes the stage that comes after `BEFORE` others.
     #[inline(always)]
-    fn take_stage<const BEFORE: usize>(
+    fn take_stage<const BEFORE: usize, F: Formation<LEGS, Body = S>>(
         &mut self,
-        system: &System<'_, LEGS>,
-        stages: &mut [State<f64, LEGS>; 6],
-        derivative: &impl Fn(&State<f64, LEGS>, &mut State<f64, LEGS>),
+        system: &System<'_, F, LEGS>,
+        stages: &mut [State<S, LEGS>; 6],
+        derivative: &impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
     ) {
-        let before: [&State<f64, LEGS>; BEFORE] = std::array::from_fn(|j| &stages[j]);
-        let weights: [f64; BEFORE] = std::array::from_fn(|j| STATE[BEFORE - 1][j]);
+        let before: [&State<S, LEGS>; BEFORE] = std::array::from_fn(|j| &stages[j]);
+        let weights: [S; BEFORE] = std::array::from_fn(|j| S::constant(STATE[BEFORE - 1][j]));
         self.before.advance_motion(weights, before, &mut self.stage);
         let slope = &mut self.slopes[4];
         derivative(&self.stage, slope);
-        let weights: [f64; BEFORE] = std::array::from_fn(|j| SLOPE[BEFORE - 1][j] / self.length);
+        let weights: [S; BEFORE] =
+            std::array::from_fn(|j| S::constant(SLOPE[BEFORE - 1][j]) / self.length);
         let given = slope.advanced_motion(weights, before);
         system.solve(&given, &mut stages[BEFORE]);
+    }
+}
+
+/// Weights of the slopes of an implicit step.
+#[inline(always)]
+pub fn weights<S: Real>() -> Weights<S> {
+    Weights {
+        result: [0.0, 1.0, 0.0, 0.0, 0.0].map(S::constant),
+        error: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0].map(S::constant),
+        error_order: 4.0,
+        // The continuous output is the cubic between the ends.
+        bump: [S::zero(); 6],
     }
 }

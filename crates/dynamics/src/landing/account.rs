@@ -1,5 +1,7 @@
 //! The account of a landing: energies, history, result.
 
+use std::ops::Deref;
+
 use super::Flight;
 use super::rates::final_rates;
 use crate::energy::{kinetic, released};
@@ -7,6 +9,7 @@ use crate::outcome::Outcome;
 use crate::record::{Energies, Instant, Landing, LegWork};
 use crate::stability::{Judge, calm_height};
 use crate::state::State;
+use crate::vehicle::Vehicle;
 
 /// When to report to whom.
 pub(super) struct History<O> {
@@ -45,7 +48,11 @@ impl<O> History<O> {
     }
 }
 
-impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
+where
+    V: Deref<Target = Vehicle<LEGS>>,
+    O: FnMut(&Instant<LEGS>),
+{
     /// Reports the instants that are due up to fraction `reach` of the step.
     pub(super) fn report(&mut self, reach: f64) {
         while self.history.interval.is_finite() && self.history.next() <= self.time_at(reach) {
@@ -65,7 +72,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
     }
 
     fn instant(&self, state: &State<f64, LEGS>, time: f64) -> Instant<LEGS> {
-        let mut judge = Judge::new(self.scene, calm_height(self.vehicle));
+        let mut judge = Judge::new(&self.scene, calm_height(&self.vehicle));
         let seen = judge
             .look(&self.motion, state)
             .unwrap_or_else(|_| judge.observe(&self.motion, state));
@@ -73,13 +80,13 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let loads = self.motion.loads(state, &self.pieces);
         let sets = std::array::from_fn(|j| self.modes[j].sets(&self.laws[j], &signals.leg(j)));
         let energies = [
-            kinetic(self.vehicle, state),
-            released(self.vehicle, &self.start, state),
+            kinetic(&self.vehicle, state),
+            released(&self.vehicle, &self.start, state),
         ];
         Instant::new(time, state, &seen, energies, &signals, &loads, sets)
     }
 
-    pub(super) fn conclude(self, outcome: Outcome) -> Landing<LEGS> {
+    pub(super) fn conclude(&self, outcome: Outcome) -> Landing<LEGS> {
         Landing {
             outcome,
             end_time: self.time,
@@ -87,16 +94,16 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             min_stability_time: self.least_angle.1,
             min_clearance: self.least_clearance,
             energies: Energies {
-                initial_kinetic: kinetic(self.vehicle, &self.start),
-                potential_change: released(self.vehicle, &self.start, &self.step.before),
+                initial_kinetic: kinetic(&self.vehicle, &self.start),
+                potential_change: released(&self.vehicle, &self.start, &self.step.before),
                 legs: std::array::from_fn(|j| LegWork::from_state(self.step.before.leg(j).work)),
-                final_kinetic: kinetic(self.vehicle, &self.step.before),
+                final_kinetic: kinetic(&self.vehicle, &self.step.before),
             },
             max_strut_force: self.peaks.force,
             max_stroke: self.peaks.stroke,
             final_rates: final_rates(
-                self.vehicle,
-                self.scene,
+                &self.vehicle,
+                &self.scene,
                 &self.motion,
                 &self.step.before,
                 &self.pieces,

@@ -3,6 +3,7 @@
 
 use pulp::NullaryFnOnce;
 
+use crate::formation::LegsAbreast;
 use crate::integrator::rosenbrock::GAMMA;
 use crate::integrator::step::Step;
 use crate::motion::{Glance, Motion, Pieces, Signal};
@@ -14,7 +15,7 @@ pub(super) struct Advance<'a, const LEGS: usize> {
     pub(super) motion: &'a Motion<LEGS>,
     pub(super) pieces: &'a Pieces<LEGS>,
     /// How forces answer at its start, when it is to be taken implicitly.
-    pub(super) response: Option<&'a Response<LEGS>>,
+    pub(super) response: Option<&'a Response<LegsAbreast, LEGS>>,
     /// Length of the step, s.
     pub(super) length: f64,
     pub(super) tolerance: f64,
@@ -51,17 +52,25 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
                 motion.evaluate(state, pieces, slope, &mut *self.middle);
             };
             step.take_implicit(self.length, &system, derivative, middle, last);
-            let midway = step.pad_rates_at(0.5);
-            for (j, rate) in midway.into_iter().enumerate() {
-                (self.middle).set(j, Signal::PadRate, rate);
-                (self.signals).set(j, Signal::PadRate, step.after.leg(j).pad_rate);
-            }
+            tell_pad_rates(step, [&mut *self.middle, &mut *self.signals]);
         } else {
             step.take_explicit(self.length, derivative, last);
         }
         let error = step.error();
         let motion = error.error_norm(&step.before, &step.after, self.tolerance);
         motion.max(error.greatest_work() / self.greatest_work_error)
+    }
+}
+
+/// Rates of pads at rest are known only once an implicit step is taken: writes those of its middle and end.
+#[inline(always)]
+pub(super) fn tell_pad_rates<const LEGS: usize>(
+    step: &Step<f64, LEGS>,
+    [middle, end]: [&mut Glance<LEGS>; 2],
+) {
+    for (j, rate) in step.pad_rates_at(0.5).into_iter().enumerate() {
+        middle.set(j, Signal::PadRate, rate);
+        end.set(j, Signal::PadRate, step.after.leg(j).pad_rate);
     }
 }
 

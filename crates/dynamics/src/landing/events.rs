@@ -1,5 +1,7 @@
 //! When a law changes its active piece, and what holds from then on.
 
+use std::ops::Deref;
+
 use super::Flight;
 use super::advance;
 use crate::integrator::cubic::{Foresight, Prospect};
@@ -7,11 +9,17 @@ use crate::integrator::event::{Node, Seen, Watch, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::record::Instant;
+use crate::registers::Registers;
+use crate::vehicle::Vehicle;
 
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
 
-impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
+where
+    V: Deref<Target = Vehicle<LEGS>>,
+    O: FnMut(&Instant<LEGS>),
+{
     /// The first point of the step at which a law changes its active piece.
     pub(super) fn find_event(&mut self) -> Option<Node<Glance<LEGS>>> {
         let [before, start, end] = [
@@ -19,12 +27,12 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
             self.signals.now(),
             self.signals.ahead(),
         ];
-        let arch = self.motion.arch();
+        let registers = self.motion.registers();
         let length = self.step.length;
         let suspects = &mut self.suspects;
         if let Some(earlier) = &self.earlier
             && (self.ranges).keep(
-                arch,
+                registers,
                 [before, start, end],
                 length / earlier.length,
                 length,
@@ -37,7 +45,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Glance<LEGS>| {
             looks += 1;
-            arch.dispatch(advance::Look {
+            registers.dispatch(advance::Look {
                 motion: &self.motion,
                 pieces: &self.pieces,
                 step: &self.step,
@@ -67,7 +75,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
                 look(0.5, &mut self.middle);
                 self.is_middle_seen = true;
             }
-            (self.ranges).watch_suspects(arch, [start, &self.middle, end], suspects);
+            (self.ranges).watch_suspects(registers, [start, &self.middle, end], suspects);
             if are_laws_new {
                 foresight = foresee(suspects);
             }
@@ -114,6 +122,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
     fn choose_pieces(&mut self, j: usize) {
         let (mode, laws) = (&self.modes[j], &self.laws[j]);
         self.pieces.set_leg(j, &mode.pieces(laws));
+        self.changes += 1;
         self.ranges.set(j, &mode.ranges(laws));
         self.stiffness.forget();
     }
@@ -122,7 +131,7 @@ impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
     /// Only the first, because the ranges of the others change with it.
     pub(super) fn cross(&mut self) -> Result<bool, Outcome> {
         let signals = self.signals.now();
-        let exits = self.ranges.exits(self.motion.arch(), signals);
+        let exits = self.ranges.exits(self.motion.registers(), signals);
         for (leg, exit) in exits.iter().enumerate() {
             if let Some((signal, exit)) = *exit {
                 self.events += 1;

@@ -5,10 +5,13 @@
 //! over one is of lower order than a step that ends there. So steps aim a little past the first kink that
 //! is foreseen, and end where it is located on their dense output.
 
+use std::ops::Deref;
+
 use super::Flight;
 use crate::integrator::event::{Bounds, Node, Signals, Watch, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::record::Instant;
+use crate::vehicle::Vehicle;
 
 /// Share of a step within which its end is moved to a kink.
 const WITHIN: [f64; 2] = [0.03, 0.98];
@@ -17,7 +20,11 @@ const PAST: f64 = 1e-4;
 /// Share of a step within which a kink is located: so little beyond it does not show in the error of a step.
 const RESOLUTION: f64 = 1e-3;
 
-impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
+where
+    V: Deref<Target = Vehicle<LEGS>>,
+    O: FnMut(&Instant<LEGS>),
+{
     /// Length of a step (s) that is to be `length` long, but ends a little past the first kink that is
     /// foreseen within it.
     pub(super) fn past_kink(&mut self, length: f64) -> f64 {

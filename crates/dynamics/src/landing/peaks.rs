@@ -1,11 +1,14 @@
 //! The greatest force and stroke of each strut, within steps as at their ends.
 
+use std::ops::Deref;
+
 use super::Flight;
 use crate::integrator::cubic::greatest;
 use crate::integrator::event::{FAR_LONGER, falls};
 use crate::integrator::parabola::Parabola;
 use crate::motion::{Glance, Signal};
 use crate::record::Instant;
+use crate::vehicle::Vehicle;
 
 /// Parabolas laid toward a greatest force between the ends of a step.
 const REFINEMENTS: usize = 2;
@@ -93,7 +96,11 @@ fn force<const LEGS: usize>(signals: &Glance<LEGS>, leg: usize) -> f64 {
     signals.of(leg, Signal::StrutForce).abs()
 }
 
-impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
+where
+    V: Deref<Target = Vehicle<LEGS>>,
+    O: FnMut(&Instant<LEGS>),
+{
     /// Takes note of the struts over the step up to fraction `reach`, where the signals are `end`, or those at the end
     /// of the step.
     #[inline(always)]

@@ -1,18 +1,21 @@
 //! The ranges in which the legs' signals have to stay for the active pieces to hold.
 
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
+
+use crate::registers::{Four, Registers};
 
 use crate::integrator::event::{Bounds, Exit, Watch};
 use crate::integrator::ranges::Ranges;
 use crate::motion::{Glance, Signal};
 use crate::quad::{GROUPS, LANES, Quad};
+use crate::wide::Wide;
 
 /// Quads of signals that have ranges.
 const QUADS: usize = Signal::RANGED * GROUPS;
 /// Those of them that hold signals whose rates are signals too.
 const RATED: usize = Signal::RATED * GROUPS;
 /// How far beyond their ranges signals get, while nothing is known of it.
-const NOWHERE: [Quad; QUADS] = [Quad([0.0; LANES]); QUADS];
+const NOWHERE: [Quad; QUADS] = [Wide([0.0; LANES]); QUADS];
 
 /// Ranges of all legs' signals, laid out as the signals are.
 #[derive(Debug, Clone)]
@@ -47,10 +50,10 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     /// The first signal of each leg that has left its range, and on which side.
     pub(super) fn exits(
         &self,
-        arch: Arch,
+        registers: Four,
         signals: &Glance<LEGS>,
     ) -> [Option<(Signal, Exit)>; LEGS] {
-        if arch.dispatch(Hold(&self.0, signals)) {
+        if registers.dispatch(Hold(&self.0, signals)) {
             return [None; LEGS];
         }
         std::array::from_fn(|leg| {
@@ -68,14 +71,14 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     #[inline(always)]
     pub(super) fn keep(
         &self,
-        arch: Arch,
+        registers: Four,
         looks: [&Glance<LEGS>; 3],
         ratio: f64,
         length: f64,
         watches: &mut Vec<Watch>,
     ) -> bool {
         let mut reach = NOWHERE;
-        let is_kept = arch.dispatch(KeepByRates(&self.0, looks, [ratio, length], &mut reach));
+        let is_kept = registers.dispatch(KeepByRates(&self.0, looks, [ratio, length], &mut reach));
         if !is_kept {
             self.watch(&reach, watches);
         }
@@ -87,12 +90,12 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     #[inline(always)]
     pub(super) fn watch_suspects(
         &self,
-        arch: Arch,
+        registers: Four,
         looks: [&Glance<LEGS>; 3],
         watches: &mut Vec<Watch>,
     ) {
         let mut reach = NOWHERE;
-        arch.dispatch(Keep(&self.0, looks, &mut reach));
+        registers.dispatch(Keep(&self.0, looks, &mut reach));
         self.watch(&reach, watches);
     }
 

@@ -1,5 +1,6 @@
 //! When steps are stiff, and how the forces answer then.
 
+use crate::formation::LegsAbreast;
 use crate::motion::{Motion, Pieces};
 use crate::response::Response;
 use crate::state::State;
@@ -18,7 +19,7 @@ const STEPS_NEAR: u32 = 4;
 
 /// Whether steps are stiff, looked at as seldom as it may be.
 pub(super) struct Stiffness<const LEGS: usize> {
-    response: Response<LEGS>,
+    response: Response<LegsAbreast, LEGS>,
     limit: f64,
     /// Explicit steps to come before looking again.
     mild_steps: u32,
@@ -38,22 +39,27 @@ impl<const LEGS: usize> Stiffness<LEGS> {
         self.mild_steps = 0;
     }
 
-    /// How forces answer at `state`, if a step of this length (s) from there is stiff.
-    pub(super) fn over(
+    /// How forces answer where a step was found to be stiff last.
+    pub(super) fn response(&self) -> &Response<LegsAbreast, LEGS> {
+        &self.response
+    }
+
+    /// Whether a step of this length (s) from `state` is stiff.
+    pub(super) fn exceeds(
         &mut self,
         length: f64,
         motion: &Motion<LEGS>,
         state: &State<f64, LEGS>,
         pieces: &Pieces<LEGS>,
-    ) -> Option<&Response<LEGS>> {
+    ) -> bool {
         if self.mild_steps > 0 {
             self.mild_steps -= 1;
-            return None;
+            return false;
         }
         motion.respond(state, pieces, &mut self.response);
         let stiffness = length * self.response.greatest_rate() / self.limit;
         if stiffness > 1.0 {
-            return Some(&self.response);
+            return true;
         }
         let steps = if stiffness < FAR {
             STEPS_FAR
@@ -61,6 +67,6 @@ impl<const LEGS: usize> Stiffness<LEGS> {
             STEPS_NEAR
         };
         self.mild_steps = steps - 1;
-        None
+        false
     }
 }

@@ -1,11 +1,14 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
+use std::ops::Deref;
+
 use super::Flight;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
 use crate::motion::Footing;
 use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
+use crate::vehicle::Vehicle;
 
 /// Parabolas laid toward a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
@@ -43,7 +46,11 @@ impl<const LEGS: usize> Outlook<LEGS> {
     }
 }
 
-impl<O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'_, O, LEGS> {
+impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
+where
+    V: Deref<Target = Vehicle<LEGS>>,
+    O: FnMut(&Instant<LEGS>),
+{
     /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls.
     pub(super) fn judge(
         &mut self,

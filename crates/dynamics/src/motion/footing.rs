@@ -4,8 +4,12 @@ use nalgebra::Vector3;
 use pulp::NullaryFnOnce;
 
 use super::{Glance, Motion, Signal};
-use crate::quad::{Abreast, LANES, MOST_LEGS, groups_of};
+use crate::kinematics::BodyFrame;
+use crate::products::times;
+use crate::quad::{LANES, MOST_LEGS, Quad, groups_of};
+use crate::registers::Registers;
 use crate::state::State;
+use crate::wide::Abreast;
 
 /// Feet and hardpoints of a vehicle over the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +42,8 @@ impl<const LEGS: usize> Motion<LEGS> {
             depth: 0.0,
             hardpoint_depths: [0.0; LEGS],
         };
-        self.arch.dispatch(FootingAt(self, state, &mut footing));
+        self.registers
+            .dispatch(FootingAt(self, state, &mut footing));
         footing
     }
 }
@@ -56,14 +61,14 @@ impl<const LEGS: usize> NullaryFnOnce for FootingAt<'_, LEGS> {
     #[inline(always)]
     fn call(self) {
         let Self(motion, state, footing) = self;
-        let body = motion.surface.frame(&state.body());
-        let frame = body.shared();
+        let body = motion.surface().frame(&state.body());
+        let frame: BodyFrame<Quad> = body.shared();
         let mut feet = [Vector3::zeros(); MOST_LEGS];
         let mut depths = [0.0; MOST_LEGS];
         for index in 0..const { groups_of(LEGS) } {
-            let geometry = &motion.groups[index].geometry;
+            let geometry = &motion.equations.groups[index].geometry;
             let link_angle = state.legs_abreast(index).link_angle;
-            let pivots = frame.rotation * geometry.pivot(link_angle);
+            let pivots = times(&frame.rotation, &geometry.pivot(link_angle));
             let hardpoints = frame.depth + frame.normal.dot(&geometry.lower_hardpoint());
             for lane in 0..LANES {
                 feet[index * LANES + lane] = Vector3::lane(&pivots, lane);

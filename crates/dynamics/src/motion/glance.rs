@@ -44,6 +44,12 @@ impl<const LEGS: usize> Glance<LEGS> {
         self.rows[signal as usize][leg] = value;
     }
 
+    /// All its numbers.
+    #[inline(always)]
+    pub(super) fn numbers_mut(&mut self) -> &mut [f64] {
+        self.rows.as_flattened_mut()
+    }
+
     /// Writes the signals of a group of four.
     #[inline(always)]
     pub(super) fn set_abreast(&mut self, group: usize, legs: &LegSignals<Quad>) {

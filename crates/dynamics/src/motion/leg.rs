@@ -5,11 +5,12 @@ use nalgebra::Vector3;
 use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
 use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity};
-use crate::quad::abreast;
+use crate::products::times;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::LegState;
 use crate::vehicle::Leg;
+use crate::wide::abreast;
 
 /// Constants of the equations of one leg.
 #[derive(Debug, Clone, Copy)]
@@ -246,7 +247,7 @@ impl<S: Real> LegMotion<S> {
             derivative.link_angle,
             pad_speed,
         );
-        let foot = body.rotation * self.geometry.off_leg_plane(&pose.pivot);
+        let foot = times(&body.rotation, &self.geometry.off_leg_plane(&pose.pivot));
         let signals = [
             outer,
             inner,

@@ -1,30 +1,28 @@
 //! How the forces on a leg answer small changes of the motion.
 
 use nalgebra::{Matrix3, Vector3, Vector4, Vector6};
+use num_traits::{One, Zero};
 use pulp::NullaryFnOnce;
 
 use super::leg::LegMotion;
 use super::pieces::{GroupPieces, Pressed};
-use super::{Group, LegPieces, Motion, Pieces};
+use super::{Equations, Group, LegPieces, Motion, Pieces};
+use crate::formation::{Formation, LegsAbreast};
 use crate::friction::FrictionPiece;
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
 };
-use crate::quad::{Abreast, Quad, groups_of};
+use crate::quad::Quad;
+use crate::registers::Registers;
 use crate::response::{Answer, Coordinates, LegResponse, Response};
 use crate::scalar::Real;
 use crate::state::{LegState, State};
+use crate::wide::Abreast;
 
 impl<const LEGS: usize> Motion<LEGS> {
     /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
-    pub fn response(&self) -> Response<LEGS> {
-        Response {
-            rotation: Matrix3::identity(),
-            quaternion: Vector4::x(),
-            mass: 1.0 / self.inverse_mass,
-            inertia: self.inertia,
-            groups: std::array::from_fn(|_| LegResponse::none()),
-        }
+    pub fn response(&self) -> Response<LegsAbreast, LEGS> {
+        self.equations.response()
     }
 
     /// Writes how the forces answer at a state.
@@ -32,17 +30,48 @@ impl<const LEGS: usize> Motion<LEGS> {
         &self,
         state: &State<f64, LEGS>,
         pieces: &Pieces<LEGS>,
-        response: &mut Response<LEGS>,
+        response: &mut Response<LegsAbreast, LEGS>,
     ) {
+        let frame = self.equations.face(state, response);
+        for (index, response) in response.groups.iter_mut().enumerate() {
+            let group = self.group(index, &frame, state, pieces);
+            self.registers.dispatch(GroupResponse(group, response));
+        }
+    }
+}
+
+impl<F: Formation<LEGS>, const LEGS: usize> Equations<F, LEGS> {
+    /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
+    #[inline(always)]
+    pub(super) fn response(&self) -> Response<F, LEGS> {
+        let (zero, one) = (F::Body::zero(), F::Body::one());
+        Response {
+            rotation: Matrix3::from([[zero; 3]; 3]),
+            quaternion: Vector4::from([one, zero, zero, zero]),
+            mass: self.mass(),
+            inertia: self.inertia,
+            groups: F::groups(|_| LegResponse::none()),
+        }
+    }
+
+    /// Mass, slug.
+    #[inline(always)]
+    pub(super) fn mass(&self) -> F::Body {
+        F::Body::one() / self.inverse_mass
+    }
+
+    /// Writes how the body lies at a state; the frame in which its legs answer.
+    #[inline(always)]
+    pub(super) fn face(
+        &self,
+        state: &State<F::Body, LEGS>,
+        response: &mut Response<F, LEGS>,
+    ) -> BodyFrame<F::Body> {
         let body = state.body();
         let frame = self.surface.frame(&body);
         response.rotation = frame.rotation;
         response.quaternion = body.quaternion;
-        for index in 0..const { groups_of(LEGS) } {
-            let group = self.group(index, &frame, state, pieces);
-            self.arch
-                .dispatch(GroupResponse(group, &mut response.groups[index]));
-        }
+        frame
     }
 }
 
@@ -70,7 +99,7 @@ impl<S: Real> LegMotion<S> {
     /// Writes how the forces on this leg answer: the derivatives of what [`Self::action`] computes, but for attitude
     /// factors and for levers of the body.
     #[inline(always)]
-    fn respond(
+    pub(super) fn respond(
         &self,
         body: &BodyFrame<S>,
         leg: &LegState<S>,

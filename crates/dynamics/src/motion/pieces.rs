@@ -3,8 +3,10 @@
 use crate::crush::PressureLine;
 use crate::friction::FrictionPiece;
 use crate::hinge::HingePiece;
-use crate::quad::{Abreast, GROUPS, LANES, Quad, abreast};
+use crate::quad::{GROUPS, LANES, Quad};
+use crate::scalar::Real;
 use crate::strut::{LinkPiece, StrutPiece};
+use crate::wide::{Abreast, abreast};
 
 /// Coefficients of the active piece of every law of one leg.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +39,7 @@ abreast!(LegPieces {
 
 impl LegPieces<f64> {
     /// Of a leg that is not there: it neither pushes nor moves.
-    fn absent() -> Self {
+    pub(super) fn absent() -> Self {
         Self {
             pad: [PressureLine::slack(); 2],
             block: PressureLine::slack(),
@@ -57,31 +59,45 @@ pub(super) struct Pressed {
     pub(super) blocks: bool,
 }
 
-/// Coefficients of four legs, side by side.
+impl Pressed {
+    /// Of the legs with these coefficients.
+    #[inline(always)]
+    pub(super) fn of<S: Real>(legs: &LegPieces<S>) -> Self {
+        let [outer, inner] = &legs.pad;
+        Self {
+            pads: !(outer.is_slack() && inner.is_slack()),
+            blocks: !legs.block.is_slack(),
+        }
+    }
+}
+
+/// Coefficients of a group of legs, side by side.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct GroupPieces {
-    pub(super) legs: LegPieces<Quad>,
+pub(super) struct GroupPieces<S> {
+    pub(super) legs: LegPieces<S>,
     pub(super) pressed: Pressed,
+}
+
+impl<S: Real> GroupPieces<S> {
+    pub(super) fn new(legs: LegPieces<S>) -> Self {
+        Self {
+            pressed: Pressed::of(&legs),
+            legs,
+        }
+    }
 }
 
 /// Coefficients of all legs, side by side.
 #[derive(Debug, Clone, Copy)]
 pub struct Pieces<const LEGS: usize> {
     /// As many groups as there can be; lanes beyond the last leg hold none.
-    pub(super) groups: [GroupPieces; GROUPS],
+    pub(super) groups: [GroupPieces<Quad>; GROUPS],
 }
 
 impl<const LEGS: usize> Pieces<LEGS> {
     /// Lays the coefficients of the legs side by side. Lanes beyond the last leg hold none.
     pub fn new(legs: &[LegPieces<f64>; LEGS]) -> Self {
-        let pressed = Pressed {
-            pads: false,
-            blocks: false,
-        };
-        let absent = GroupPieces {
-            legs: LegPieces::absent().shared(),
-            pressed,
-        };
+        let absent = GroupPieces::new(LegPieces::absent().shared());
         let mut pieces = Self {
             groups: [absent; GROUPS],
         };
@@ -95,10 +111,11 @@ impl<const LEGS: usize> Pieces<LEGS> {
     pub fn set_leg(&mut self, leg: usize, pieces: &LegPieces<f64>) {
         let GroupPieces { legs, pressed } = &mut self.groups[leg / LANES];
         pieces.set_lane(legs, leg % LANES);
-        let [outer, inner] = &legs.pad;
-        *pressed = Pressed {
-            pads: !(outer.is_slack() && inner.is_slack()),
-            blocks: !legs.block.is_slack(),
-        };
+        *pressed = Pressed::of(legs);
+    }
+
+    /// The coefficients of leg `leg`.
+    pub(super) fn leg(&self, leg: usize) -> LegPieces<f64> {
+        LegPieces::lane(&self.groups[leg / LANES].legs, leg % LANES)
     }
 }

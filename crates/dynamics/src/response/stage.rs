@@ -5,33 +5,32 @@ use nalgebra::{Matrix6, Vector3, Vector4, Vector6};
 use num_traits::{One, Zero};
 
 use super::{LegResponse, Response, none, product};
-use crate::quad::{GROUPS, LANES, Quad, groups_of};
+use crate::formation::Formation;
+use crate::products::{times, transposed_times};
 use crate::scalar::Real;
 use crate::state::{Body, LegState, State, quaternion_rate};
 
-impl<const LEGS: usize> Response<LEGS> {
+impl<F: Formation<LEGS>, const LEGS: usize> Response<F, LEGS> {
     /// The equations of an implicit stage of weight τ (s).
     #[inline(always)]
-    pub fn over(&self, tau: f64) -> System<'_, LEGS> {
-        let mut matrix = Matrix6::zeros();
+    pub fn over(&self, tau: F::Body) -> System<'_, F, LEGS> {
+        let mut matrix = Matrix6::from([[F::Body::zero(); 6]; 6]);
         for i in 0..3 {
             matrix[(i, i)] = self.mass;
             for k in 0..3 {
                 matrix[(3 + i, 3 + k)] = self.inertia[(i, k)];
             }
         }
-        let mut legs = [Eliminated::nothing(); GROUPS];
-        for (group, leg) in legs.iter_mut().enumerate().take(groups_of(LEGS)) {
-            let body = leg.eliminate(&self.groups[group], Quad::constant(tau));
-            for lane in 0..LANES.min(LEGS - group * LANES) {
-                for i in 0..36 {
-                    matrix[i] += body[i].0[lane];
-                }
+        let mut legs = F::groups(|_| Eliminated::nothing());
+        for group in 0..F::GROUPS {
+            let body = legs[group].eliminate(&self.groups[group], F::shared(tau));
+            for column in 0..6 {
+                F::add(&mut matrix.data.0[column], &body.data.0[column]);
             }
         }
         // L U in place, with ones on the diagonal of L and the inverse of that of U.
         for pivot in 0..6 {
-            let inverse = 1.0 / matrix[(pivot, pivot)];
+            let inverse = F::Body::one() / matrix[(pivot, pivot)];
             matrix[(pivot, pivot)] = inverse;
             for row in pivot + 1..6 {
                 matrix[(row, pivot)] *= inverse;
@@ -55,22 +54,22 @@ impl<const LEGS: usize> Response<LEGS> {
 
 /// Rows and columns of link and pad, eliminated from the equations of an implicit stage.
 #[derive(Debug, Clone, Copy)]
-struct Eliminated {
+struct Eliminated<S> {
     /// τ of the pad angle: τ/(1 − τ ∂(dα/dt)/∂α), s.
-    pad_tau: Quad,
+    pad_tau: S,
     /// Forces on the body, times τ, per rate of link and of the pad against it.
-    columns: [Vector6<Quad>; 2],
+    columns: [Vector6<S>; 2],
     /// Inverse of what is between link and pad.
-    inverse: [[Quad; 2]; 2],
+    inverse: [[S; 2]; 2],
     /// What they move at per velocity of the body, the other way round.
-    rows: [Vector6<Quad>; 2],
+    rows: [Vector6<S>; 2],
 }
 
-impl Eliminated {
+impl<S: Real> Eliminated<S> {
     /// No legs.
     #[inline(always)]
     fn nothing() -> Self {
-        let zero = Quad::zero();
+        let zero = S::zero();
         Self {
             pad_tau: zero,
             columns: [none(); 2],
@@ -79,24 +78,24 @@ impl Eliminated {
         }
     }
 
-    /// Eliminates four legs: what that leaves of them in the body's equations.
+    /// Eliminates a group of legs: what that leaves of them in the body's equations.
     #[inline(always)]
-    fn eliminate(&mut self, leg: &LegResponse<Quad>, tau: Quad) -> Matrix6<Quad> {
+    fn eliminate(&mut self, leg: &LegResponse<S>, tau: S) -> Matrix6<S> {
         let [follows, fades] = leg.pad_speed;
         let [link_inertia, pad_inertia] = leg.inertia;
         let squared = tau * tau;
         let link_way = tau * leg.link_moves;
-        let pad_tau = tau / (Quad::one() - tau * fades);
+        let pad_tau = tau / (S::one() - tau * fades);
         let pad_way = pad_tau * follows;
         let (link_torque, hinge_torque) = (&leg.link_torque, &leg.hinge_torque);
 
-        let mut body = Matrix6::from([[Quad::zero(); 6]; 6]);
+        let mut body = Matrix6::from([[S::zero(); 6]; 6]);
         let mut columns = [none(); 2];
         let mut rows = [link_torque.body * -squared, hinge_torque.body * -squared];
         let damping = leg.link_damping - link_way * link_torque.link;
         let hinge = tau * (link_way * hinge_torque.link + pad_way * hinge_torque.pad);
         let mut own = [
-            [link_inertia + tau * damping, Quad::zero()],
+            [link_inertia + tau * damping, S::zero()],
             [-hinge, pad_inertia - tau * pad_way * hinge_torque.pad],
         ];
         for answer in leg.answers() {
@@ -124,7 +123,7 @@ impl Eliminated {
             }
         }
         let [[a, b], [c, d]] = own;
-        let per_determinant = Quad::one() / (a * d - b * c);
+        let per_determinant = S::one() / (a * d - b * c);
         let inverse = [
             [d * per_determinant, -(b * per_determinant)],
             [-(c * per_determinant), a * per_determinant],
@@ -159,21 +158,21 @@ impl Eliminated {
 /// The equations (1/τ − J) u = r of an implicit stage, factored: J is the derivative of the motion as far as
 /// forces answer, u and r are states.
 #[derive(Debug, Clone, Copy)]
-pub struct System<'a, const LEGS: usize> {
-    response: &'a Response<LEGS>,
-    tau: f64,
-    factors: Matrix6<f64>,
-    legs: [Eliminated; GROUPS],
+pub struct System<'a, F: Formation<LEGS>, const LEGS: usize> {
+    response: &'a Response<F, LEGS>,
+    tau: F::Body,
+    factors: Matrix6<F::Body>,
+    legs: F::Groups<Eliminated<F::Leg>>,
 }
 
-impl<const LEGS: usize> System<'_, LEGS> {
+impl<F: Formation<LEGS>, const LEGS: usize> System<'_, F, LEGS> {
     /// Writes u with (1/τ − J) u = r. What works and pads at rest on their stops accumulate is left out.
     #[inline(always)]
-    pub fn solve(&self, r: &State<f64, LEGS>, u: &mut State<f64, LEGS>) {
+    pub fn solve(&self, r: &State<F::Body, LEGS>, u: &mut State<F::Body, LEGS>) {
         let tau = self.tau;
         let response = self.response;
         let given = r.body();
-        let translation = response.rotation.tr_mul(&given.position);
+        let translation = transposed_times(&response.rotation, &given.position);
         let turn = turn(&response.quaternion, &given.quaternion);
         let known = Vector6::new(
             translation.x,
@@ -183,18 +182,14 @@ impl<const LEGS: usize> System<'_, LEGS> {
             turn.y,
             turn.z,
         );
-        let push = response.rotation.tr_mul(&given.velocity) * response.mass;
-        let twist = response.inertia * given.rate;
+        let push = transposed_times(&response.rotation, &given.velocity) * response.mass;
+        let twist = times(&response.inertia, &given.rate);
         let mut body = Vector6::new(push.x, push.y, push.z, twist.x, twist.y, twist.z);
-        let mut rates = [[Quad::zero(); 2]; GROUPS];
-        for (group, rates) in rates.iter_mut().enumerate().take(groups_of(LEGS)) {
-            let legs = r.legs_abreast(group);
-            let forces = self.legs_push(group, &known, &legs, rates);
-            for lane in 0..LANES.min(LEGS - group * LANES) {
-                for i in 0..6 {
-                    body[i] += forces[i].0[lane];
-                }
-            }
+        let mut rates = F::groups(|_| [F::Leg::zero(); 2]);
+        for group in 0..F::GROUPS {
+            let legs = F::legs(r, group);
+            let forces = self.legs_push(group, &known, &legs, &mut rates[group]);
+            F::add(&mut body.data.0[0], &forces.data.0[0]);
         }
         body *= tau;
         let f = &self.factors;
@@ -211,7 +206,7 @@ impl<const LEGS: usize> System<'_, LEGS> {
                 body[row] -= product;
             }
         }
-        let velocity = response.rotation * Vector3::new(body[0], body[1], body[2]);
+        let velocity = times(&response.rotation, &Vector3::new(body[0], body[1], body[2]));
         let rate = Vector3::new(body[3], body[4], body[5]);
         let turning = quaternion_rate(&response.quaternion, &rate);
         u.set_body(&Body {
@@ -220,17 +215,16 @@ impl<const LEGS: usize> System<'_, LEGS> {
             quaternion: (given.quaternion + turning) * tau,
             rate,
         });
-        for (group, rates) in rates.iter().enumerate().take(groups_of(LEGS)) {
-            let legs = self.legs_follow(group, &body, &r.legs_abreast(group), rates);
-            u.set_legs_abreast(group, &legs);
+        for group in 0..F::GROUPS {
+            let legs = self.legs_follow(group, &body, &F::legs(r, group), &rates[group]);
+            F::set_legs(u, group, &legs);
         }
     }
 
-    /// Whether the pad of leg `index` is at rest on a stop, so that nothing depends on its rate.
+    /// The gain of each leg's hinge: 0 where its pad is at rest on a stop, so that nothing depends on its rate.
     #[inline(always)]
-    pub fn is_pad_at_rest(&self, index: usize) -> bool {
-        let leg = &self.response.groups[index / LANES];
-        leg.hinge_gain.0[index % LANES] == 0.0
+    pub fn hinge_gains(&self) -> [F::Body; LEGS] {
+        F::one_by_one(|group| self.response.groups[group].hinge_gain)
     }
 
     /// Forces of a group of legs on the body, with the body's velocities yet to be found, over τ; `rates` become
@@ -239,17 +233,16 @@ impl<const LEGS: usize> System<'_, LEGS> {
     fn legs_push(
         &self,
         group: usize,
-        known: &Vector6<f64>,
-        given: &LegState<Quad>,
-        rates: &mut [Quad; 2],
-    ) -> Vector6<Quad> {
+        known: &Vector6<F::Body>,
+        given: &LegState<F::Leg>,
+        rates: &mut [F::Leg; 2],
+    ) -> Vector6<F::Leg> {
         let (leg, eliminated) = (&self.response.groups[group], &self.legs[group]);
-        let tau = Quad::constant(self.tau);
-        let tau_known = known * self.tau;
-        let known = wide(&tau_known);
+        let tau = F::shared(self.tau);
+        let known = F::shared_six(&(known * self.tau));
         let link = given.link_angle * tau;
         let pad = given.pad_angle * eliminated.pad_tau;
-        let mut forces: Vector6<Quad> = none();
+        let mut forces: Vector6<F::Leg> = none();
         let mut on_link = leg.inertia[0] * given.link_rate + leg.link_torque.dot(&known, link, pad);
         let in_link = given.pad_rate - given.link_rate;
         let mut on_pad = leg.inertia[1] * in_link + leg.hinge_torque.dot(&known, link, pad);
@@ -275,12 +268,12 @@ impl<const LEGS: usize> System<'_, LEGS> {
     fn legs_follow(
         &self,
         group: usize,
-        body: &Vector6<f64>,
-        given: &LegState<Quad>,
-        rates: &[Quad; 2],
-    ) -> LegState<Quad> {
+        body: &Vector6<F::Body>,
+        given: &LegState<F::Leg>,
+        rates: &[F::Leg; 2],
+    ) -> LegState<F::Leg> {
         let (leg, eliminated) = (&self.response.groups[group], &self.legs[group]);
-        let known = wide(body);
+        let known = F::shared_six(body);
         let [mut link_rate, mut pad_in_link] = *rates;
         link_rate -= product(&eliminated.rows[0], &known);
         if leg.swings_pads {
@@ -289,38 +282,24 @@ impl<const LEGS: usize> System<'_, LEGS> {
         let pad_rate = pad_in_link + link_rate;
         let [follows, _] = leg.pad_speed;
         LegState {
-            link_angle: (given.link_angle + leg.link_moves * link_rate) * Quad::constant(self.tau),
+            link_angle: (given.link_angle + leg.link_moves * link_rate) * F::shared(self.tau),
             link_rate,
             pad_angle: (given.pad_angle + follows * pad_rate) * eliminated.pad_tau,
             pad_rate,
-            work: [Quad::zero(); 6],
+            work: [F::Leg::zero(); 6],
         }
     }
-}
-
-/// The same in all lanes.
-#[inline(always)]
-fn wide(v: &Vector6<f64>) -> Vector6<Quad> {
-    let constant = Quad::constant;
-    Vector6::new(
-        constant(v[0]),
-        constant(v[1]),
-        constant(v[2]),
-        constant(v[3]),
-        constant(v[4]),
-        constant(v[5]),
-    )
 }
 
 /// Rotation (vehicle axes) that a change of the quaternion (w, x, y, z) amounts to: twice the vector part of
 /// q⁻¹ ∘ δq.
 #[inline(always)]
-fn turn(quaternion: &Vector4<f64>, change: &Vector4<f64>) -> Vector3<f64> {
+fn turn<S: Real>(quaternion: &Vector4<S>, change: &Vector4<S>) -> Vector3<S> {
     let (w, x, y, z) = (quaternion.x, quaternion.y, quaternion.z, quaternion.w);
     let d = change;
     Vector3::new(
         w * d.y - x * d.x - y * d.w + z * d.z,
         w * d.z + x * d.w - y * d.x - z * d.y,
         w * d.w - x * d.z + y * d.y - z * d.x,
-    ) * (2.0 / (w * w + x * x + y * y + z * z))
+    ) * (S::constant(2.0) / (w * w + x * x + y * y + z * z))
 }

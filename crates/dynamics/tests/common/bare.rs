@@ -1,9 +1,10 @@
 //! The equations of motion and one Runge-Kutta step without the landing around them.
 
 use touchdown_dynamics::contact::{LegLaws, LegMode};
+use touchdown_dynamics::formation::LegsAbreast;
 use touchdown_dynamics::integrator::rosenbrock::GAMMA;
 use touchdown_dynamics::integrator::step::Step;
-use touchdown_dynamics::motion::{Glance, Motion, Pieces, Signal};
+use touchdown_dynamics::motion::{Glance, Motion, MotionsAbreast, Pieces, Signal};
 use touchdown_dynamics::response::Response;
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
@@ -67,6 +68,15 @@ impl<const LEGS: usize> Bare<LEGS> {
         self.motion.derivative(state, &self.pieces, slope);
     }
 
+    /// The equations of motion in lanes, this vehicle in each.
+    pub fn abreast<const N: usize>(&self) -> MotionsAbreast<N, LEGS> {
+        let mut motions = MotionsAbreast::new(&self.motion);
+        for lane in 0..N {
+            motions.set_pieces(lane, &self.pieces);
+        }
+        motions
+    }
+
     /// The same in registers of one or two numbers.
     pub fn in_narrow_registers(self) -> Self {
         Self {
@@ -81,7 +91,7 @@ impl<const LEGS: usize> Bare<LEGS> {
     }
 
     /// How the forces answer at a state.
-    pub fn response(&self, state: &State<f64, LEGS>) -> Response<LEGS> {
+    pub fn response(&self, state: &State<f64, LEGS>) -> Response<LegsAbreast, LEGS> {
         let mut response = self.motion.response();
         self.motion.respond(state, &self.pieces, &mut response);
         response

@@ -1,8 +1,10 @@
 //! Cost and error of single landings, on one thread.
 
+use std::hint::black_box;
 use std::time::Instant as Clock;
 
 use rayon::prelude::*;
+use touchdown_dynamics::landing::abreast::{Request, land_many};
 use touchdown_dynamics::landing::{land, land_observed};
 use touchdown_dynamics::record::Instant;
 use touchdown_dynamics::scene::{Scene, Settings};
@@ -15,6 +17,8 @@ use crate::failure::Failure;
 /// Times at which trajectories are compared, in intervals of 0.1 s.
 const COMPARED: [usize; 2] = [3, 10];
 const INTERVAL: f64 = 0.1;
+/// How often the landings are repeated in lanes.
+const REPEATED: usize = 5;
 
 /// Landings with their converged answers.
 pub struct Landings<'v> {
@@ -35,6 +39,10 @@ struct Seen {
 pub struct Measured {
     /// Time of a landing, µs: median and mean.
     pub time: [f64; 2],
+    /// The same, mean, side by side in the lanes of registers.
+    pub time_abreast: f64,
+    /// Share of the lanes that were taken.
+    pub occupancy: f64,
     /// Steps, evaluations and events of a landing, mean.
     pub steps: f64,
     /// Evaluations of the equations of motion, whole or in part.
@@ -74,6 +82,7 @@ impl<'v> Landings<'v> {
             let counts = [landing.steps, landing.evaluations, landing.events];
             sums.iter_mut().zip(counts).for_each(|(sum, n)| *sum += n);
         }
+        let (time_abreast, occupancy) = self.measure_abreast(&settings);
         let found: Vec<Seen> = self
             .scenes
             .par_iter()
@@ -102,6 +111,8 @@ impl<'v> Landings<'v> {
                 median_and_worst(times.clone())[0],
                 times.iter().sum::<f64>() / count,
             ],
+            time_abreast,
+            occupancy,
             steps,
             evaluations,
             events,
@@ -113,6 +124,34 @@ impl<'v> Landings<'v> {
                     .collect(),
             ),
         })
+    }
+}
+
+impl Landings<'_> {
+    /// Mean time of a landing in the lanes of registers, µs, and the share of lanes that were taken, over so many
+    /// landings that few of them are the last ones.
+    fn measure_abreast(&self, settings: &Settings) -> (f64, f64) {
+        let scenes = self
+            .scenes
+            .iter()
+            .cycle()
+            .take(REPEATED * self.scenes.len());
+        let count = scenes.clone().count() as f64;
+        let mut requests = scenes.map(|scene| Request {
+            key: (),
+            vehicle: self.vehicle,
+            scene: *scene,
+            settings: *settings,
+        });
+        let clock = Clock::now();
+        let occupancy = land_many(
+            || requests.next(),
+            |(), landing| {
+                black_box(landing);
+            },
+        );
+        let time = clock.elapsed().as_secs_f64() * 1e6;
+        (time / count, occupancy.share())
     }
 }
 

@@ -1,0 +1,307 @@
+//! Numbers side by side, a lane of a register for each.
+//!
+//! The equations are straight lines of arithmetic, the same for every leg of a vehicle and for every landing, so
+//! [`Wide`] runs them abreast. Each lane is computed exactly as a single `f64` would be, with the same operations in
+//! the same order and none contracted, so a landing comes out the same, bit for bit, whatever registers a processor
+//! has and whatever lies beside it.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use nalgebra::SMatrix;
+use num_traits::{One, Zero};
+
+use crate::scalar::Real;
+
+/// So many numbers, each a lane of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(32))]
+pub struct Wide<const N: usize>(pub [f64; N]);
+
+impl<const N: usize> Wide<N> {
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self(self.0.map(f))
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self(std::array::from_fn(|i| f(self.0[i], other.0[i])))
+    }
+}
+
+macro_rules! lanewise {
+    ($($operator:ident $method:ident $assign:ident $assign_method:ident)*) => {$(
+        impl<const N: usize> $operator for Wide<N> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, $operator::$method)
+            }
+        }
+
+        impl<const N: usize> $assign for Wide<N> {
+            #[inline(always)]
+            fn $assign_method(&mut self, other: Self) {
+                *self = $operator::$method(*self, other);
+            }
+        }
+    )*};
+}
+
+lanewise! {
+    Add add AddAssign add_assign
+    Sub sub SubAssign sub_assign
+    Mul mul MulAssign mul_assign
+    Div div DivAssign div_assign
+}
+
+impl<const N: usize> Neg for Wide<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(Neg::neg)
+    }
+}
+
+impl<const N: usize> Zero for Wide<N> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self([0.0; N])
+    }
+
+    #[inline(always)]
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl<const N: usize> One for Wide<N> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self([1.0; N])
+    }
+}
+
+impl<const N: usize> Real for Wide<N> {
+    const LANES: usize = N;
+
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Self([value; N])
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.zip(other, Real::max)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.map(f64::abs)
+    }
+
+    #[inline(always)]
+    fn signed_like(self, magnitude: Self) -> Self {
+        self.zip(magnitude, Real::signed_like)
+    }
+
+    #[inline(always)]
+    fn where_negative(self, below: Self, above: Self) -> Self {
+        Self(std::array::from_fn(|i| {
+            self.0[i].where_negative(below.0[i], above.0[i])
+        }))
+    }
+
+    #[inline(always)]
+    fn where_zero(self, at_zero: Self, elsewhere: Self) -> Self {
+        Self(std::array::from_fn(|i| {
+            self.0[i].where_zero(at_zero.0[i], elsewhere.0[i])
+        }))
+    }
+
+    #[inline(always)]
+    fn round(self) -> Self {
+        self.map(Real::round)
+    }
+
+    #[inline(always)]
+    fn is_within(self, limit: f64) -> bool {
+        self.0
+            .iter()
+            .fold(true, |within, x| within & (x.abs() <= limit))
+    }
+
+    #[inline(always)]
+    fn by_parity(self, even: Self, odd: Self) -> Self {
+        Self(std::array::from_fn(|i| {
+            self.0[i].by_parity(even.0[i], odd.0[i])
+        }))
+    }
+}
+
+/// What can be laid side by side.
+pub trait Abreast: Sized {
+    /// So many of them, their numbers in lanes.
+    type Wide<const N: usize>;
+
+    /// Lays them side by side.
+    fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N>;
+
+    /// The one in a lane.
+    fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self;
+
+    /// Lays itself into a lane in place of what is there.
+    fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize);
+
+    /// The same in all lanes.
+    #[inline(always)]
+    fn shared<const N: usize>(&self) -> Self::Wide<N> {
+        Self::abreast([self; N])
+    }
+}
+
+impl Abreast for f64 {
+    type Wide<const N: usize> = Wide<N>;
+
+    #[inline(always)]
+    fn abreast<const N: usize>(ones: [&Self; N]) -> Wide<N> {
+        Wide(ones.map(|value| *value))
+    }
+
+    #[inline(always)]
+    fn lane<const N: usize>(wide: &Wide<N>, lane: usize) -> Self {
+        wide.0[lane]
+    }
+
+    #[inline(always)]
+    fn set_lane<const N: usize>(&self, wide: &mut Wide<N>, lane: usize) {
+        wide.0[lane] = *self;
+    }
+}
+
+impl<T: Abreast, const M: usize> Abreast for [T; M] {
+    type Wide<const N: usize> = [T::Wide<N>; M];
+
+    #[inline(always)]
+    fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N> {
+        std::array::from_fn(|i| T::abreast(ones.map(|values| &values[i])))
+    }
+
+    #[inline(always)]
+    fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self {
+        std::array::from_fn(|i| T::lane(&wide[i], lane))
+    }
+
+    #[inline(always)]
+    fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize) {
+        for (one, wide) in self.iter().zip(wide) {
+            one.set_lane(wide, lane);
+        }
+    }
+}
+
+impl<const R: usize, const C: usize> Abreast for SMatrix<f64, R, C> {
+    type Wide<const N: usize> = SMatrix<Wide<N>, R, C>;
+
+    #[inline(always)]
+    fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N> {
+        SMatrix::from_fn(|row, column| f64::abreast(ones.map(|matrix| &matrix[(row, column)])))
+    }
+
+    #[inline(always)]
+    fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self {
+        wide.map(|component| component.0[lane])
+    }
+
+    #[inline(always)]
+    fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize) {
+        for (one, wide) in self.iter().zip(wide.iter_mut()) {
+            one.set_lane(wide, lane);
+        }
+    }
+}
+
+/// Implements [`Abreast`] for structures over the number type, field by field.
+macro_rules! abreast {
+    ($($name:ident { $($field:ident),* $(,)? })*) => {$(
+        impl $crate::wide::Abreast for $name<f64> {
+            type Wide<const N: usize> = $name<$crate::wide::Wide<N>>;
+
+            #[inline(always)]
+            fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N> {
+                $name {
+                    $($field: $crate::wide::Abreast::abreast(ones.map(|one| &one.$field)),)*
+                }
+            }
+
+            #[inline(always)]
+            fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self {
+                $name {
+                    $($field: $crate::wide::Abreast::lane(&wide.$field, lane),)*
+                }
+            }
+
+            #[inline(always)]
+            fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize) {
+                $($crate::wide::Abreast::set_lane(&self.$field, &mut wide.$field, lane);)*
+            }
+        }
+    )*};
+}
+pub(crate) use abreast;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LANES: usize = 4;
+    const SAMPLES: [f64; 8] = [-3.7, -1.0, -0.25, 0.0, 1e-9, 0.8, 2.0, 1234.5];
+
+    /// Every operation, on each lane, gives the bits it gives on a number alone.
+    #[test]
+    fn lanes_are_what_numbers_alone_are() {
+        fn all<S: Real>(a: S, b: S, c: S) -> Vec<S> {
+            let (sine, cosine) = (a * b).sin_cos();
+            let mut sum = a;
+            sum += b;
+            sum *= c;
+            sum -= a;
+            sum /= c + S::constant(7000.0);
+            vec![
+                a + b,
+                a - b,
+                a * b,
+                a / (b + S::constant(9.0)),
+                -a,
+                sum,
+                a.abs().sqrt(),
+                a.max(b),
+                a.signed_like(b.abs()),
+                a.where_negative(b, c),
+                a.where_zero(b, c),
+                a.round(),
+                a.round().by_parity(b, c),
+                sine,
+                cosine,
+            ]
+        }
+        for shift in 0..SAMPLES.len() {
+            let pick = |k: usize| SAMPLES[(k + shift) % SAMPLES.len()];
+            let wide = |k: usize| Wide::<LANES>(std::array::from_fn(|i| pick(i + k)));
+            let abreast = all(wide(0), wide(2), wide(5));
+            for lane in 0..LANES {
+                let alone = all(pick(lane), pick(lane + 2), pick(lane + 5));
+                for (wide, one) in abreast.iter().zip(alone) {
+                    assert_eq!(wide.0[lane].to_bits(), one.to_bits());
+                }
+            }
+        }
+    }
+}
