@@ -113,7 +113,7 @@ impl<F: Formation<LEGS>, const LEGS: usize> Equations<F, LEGS> {
     }
 }
 
-/// What legs do. A trait and no closure, so that it is inlined where it must be compiled for wide registers.
+/// What legs do. A trait, as closures are not always inlined where they have to be compiled for wide registers.
 trait Legs<F: Formation<LEGS>, const LEGS: usize> {
     /// How a group of legs pushes the body over which the surface lies like this; writes their derivative.
     fn push(
@@ -124,6 +124,7 @@ trait Legs<F: Formation<LEGS>, const LEGS: usize> {
     ) -> Push<F::Leg>;
 }
 
+/// Closures do where they dispatch what is wide themselves.
 impl<F, A, const LEGS: usize> Legs<F, LEGS> for A
 where
     F: Formation<LEGS>,
