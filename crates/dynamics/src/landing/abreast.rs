@@ -22,8 +22,8 @@ use steps::{Kind, Place, Spare, Steps};
 
 /// Landings under way per lane: so many that the lanes of explicit or of implicit steps can nearly always be filled.
 const UNDER_WAY: usize = 3;
-/// Lanes that must be taken for a step in all of them to be worth its while, in fours: a step of four lanes takes as
-/// long as three steps alone.
+/// Of every four lanes so many must be taken for a step in all of them to be worth its while: it takes as long as
+/// three steps alone.
 const WORTH: usize = 3;
 
 /// A landing to be computed.
