@@ -39,16 +39,19 @@ impl Search {
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
-    pub fn all_bands<Stop>(
+    pub async fn all_bands<Stop>(
         &self,
-        mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+        mut land: impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         let Scanned {
             mut samples,
             spent,
             loose,
-        } = self.confirmed_scan(false, &mut land)?;
-        let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
+        } = self.confirmed_scan(false, &mut land).await?;
+        let mut sample = async |speed| {
+            let trial = land(speed, Variation::Given).await?;
+            Ok(Sample { speed, trial })
+        };
         let mut looks = Looks::default();
         let mut spared = Spared {
             left_out: self.left_out(false, &samples),
@@ -60,7 +63,7 @@ impl Search {
         let mut found = Vec::new();
         for suspect in hidden::suspects(&samples, self.scan_step) {
             let ends = [&samples[suspect.index], &samples[suspect.index + 1]];
-            let look = hidden::look(ends, suspect.otherwise, &mut sample)?;
+            let look = hidden::look(ends, suspect.otherwise, &mut sample).await?;
             let has_found = look.iter().any(|s| s.class() != ends[0].class());
             looks
                 .of(ends[0].class(), suspect.otherwise)
@@ -73,7 +76,7 @@ impl Search {
         let mut spent = spent;
         for pair in samples.windows(2) {
             let narrowing = self.narrowing(true);
-            let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample)?;
+            let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample).await?;
             between.append(&mut narrowed.samples);
             looks.gaps += narrowed.looks;
             spared.interpolated += narrowed.interpolated;
@@ -93,7 +96,7 @@ impl Search {
         for pair in samples.windows(2) {
             if pair[0].class() != pair[1].class() {
                 let ends = [&pair[0], &pair[1]];
-                let certainty = self.tested(ends, &mut boundary, &mut land)?;
+                let certainty = self.tested(ends, &mut boundary, &mut land).await?;
                 certainties.push((pair[1].speed, certainty));
             }
         }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::at_once::at_once;
 use crate::boundary::Extent;
 use crate::certainty::Doubt;
 use crate::refine::Refinement;
@@ -20,8 +21,9 @@ const SEARCH: Search = Search {
 };
 
 fn survey(class: impl Fn(f64) -> Class) -> Boundary {
-    let Ok(found) =
-        SEARCH.boundary(|speed, _| Ok::<_, Infallible>(Trial::example(class(speed), 10)));
+    let Ok(found) = at_once(
+        SEARCH.boundary(async |speed, _| Ok::<_, Infallible>(Trial::example(class(speed), 10))),
+    );
     found
 }
 
@@ -67,8 +69,9 @@ fn first_transition_is_the_same_in_both_extents() {
         extent: Extent::First,
         ..SEARCH
     };
-    let Ok(alone) =
-        first.boundary(|speed, _| Ok::<_, Infallible>(Trial::example(re_entrant(speed), 10)));
+    let Ok(alone) = at_once(
+        first.boundary(async |speed, _| Ok::<_, Infallible>(Trial::example(re_entrant(speed), 10))),
+    );
     assert_eq!(survey(re_entrant).transition, alone.transition);
     assert!(alone.bands.is_empty());
 }
@@ -90,7 +93,7 @@ fn a_third_class_inside_a_bracket_is_a_band_of_its_own() {
 #[test]
 fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
     let angle = |v: f64| 0.2 * ((v - 13.1).abs() - 0.02);
-    let Ok(found) = SEARCH.all_bands(|speed, _| {
+    let Ok(found) = at_once(SEARCH.all_bands(async |speed, _| {
         let class = if angle(speed) > 0.0 {
             Class::Stable
         } else {
@@ -106,7 +109,7 @@ fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
             margins,
             ..Trial::example(class, 1)
         })
-    });
+    }));
     assert_eq!(found.looks.toppling.finds, 1);
     assert!(found.looks.all().looks <= 5, "{:?}", found.looks);
     let band = &found.bands[1];

@@ -111,13 +111,13 @@ impl Search {
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
-    pub fn boundary<Stop>(
+    pub async fn boundary<Stop>(
         &self,
-        land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         match self.extent {
-            Extent::First => self.first_transition(land),
-            Extent::All => self.all_bands(land),
+            Extent::First => self.first_transition(land).await,
+            Extent::All => self.all_bands(land).await,
         }
     }
 
@@ -126,28 +126,34 @@ impl Search {
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
-    pub fn first_transition<Stop>(
+    pub async fn first_transition<Stop>(
         &self,
-        mut land: impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+        mut land: impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         let Scanned {
             mut samples,
             spent: replaced,
             loose,
-        } = self.confirmed_scan(true, &mut land)?;
-        let mut sample = |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
+        } = self.confirmed_scan(true, &mut land).await?;
+        let mut sample = async |speed| {
+            let trial = land(speed, Variation::Given).await?;
+            Ok(Sample { speed, trial })
+        };
         let left_out = self.left_out(true, &samples);
         let mut narrowed = Narrowed::default();
         if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
             let (low, high) = (&samples[index - 1], &samples[index]);
-            narrowed = self.narrowing(false).between(low, high, &mut sample)?;
+            narrowed = self
+                .narrowing(false)
+                .between(low, high, &mut sample)
+                .await?;
             samples.append(&mut narrowed.samples);
             samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
         let mut boundary = Boundary::of(&samples);
         if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
             let ends = [&samples[index - 1], &samples[index]];
-            let certainty = self.tested(ends, &mut boundary, &mut land)?;
+            let certainty = self.tested(ends, &mut boundary, &mut land).await?;
             if let Some(found) = &mut boundary.transition {
                 found.certainty = certainty;
             }
@@ -166,21 +172,21 @@ impl Search {
     }
 
     /// Puts a change to the test and counts the landings that this took.
-    pub(crate) fn tested<Stop>(
+    pub(crate) async fn tested<Stop>(
         &self,
         ends: [&Sample; 2],
         boundary: &mut Boundary,
-        land: &mut impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Certainty, Stop> {
         let tests = boundary.tests;
-        let mut counted = |speed, variation| {
-            let trial = land(speed, variation)?;
+        let mut counted = async |speed, variation| {
+            let trial = land(speed, variation).await?;
             boundary.landings += 1;
             boundary.tests += 1;
             boundary.evaluations += trial.evaluations;
             Ok(trial)
         };
-        let certainty = certainty::test(self.doubt, ends, self.scan_step, &mut counted)?;
+        let certainty = certainty::test(self.doubt, ends, self.scan_step, &mut counted).await?;
         if self.doubt == Doubt::Doubtful && boundary.tests == tests {
             boundary.spared.untested += 1;
         }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::at_once::at_once;
 use crate::certainty::LEAST_LANDINGS;
 use std::convert::Infallible;
 
@@ -16,7 +17,7 @@ pub(crate) const SEARCH: Search = Search {
 
 fn find(search: Search, class: impl Fn(f64) -> Class) -> Boundary {
     let found: Result<_, Infallible> =
-        search.first_transition(|speed, _| Ok(Trial::example(class(speed), 10)));
+        at_once(search.first_transition(async |speed, _| Ok(Trial::example(class(speed), 10))));
     match found {
         Ok(boundary) => boundary,
     }
@@ -97,14 +98,14 @@ fn none_when_all_is_stable_and_the_upper_end_is_looked_at() {
 #[test]
 fn stops_when_told_to() {
     let mut landings = 0;
-    let stopped = SEARCH.first_transition(|_, _| {
+    let stopped = at_once(SEARCH.first_transition(async |_, _| {
         landings += 1;
         if landings > 3 {
             Err("stop")
         } else {
             Ok(Trial::example(Class::Stable, 1))
         }
-    });
+    }));
     assert_eq!((stopped, landings), (Err("stop"), 4));
 }
 
@@ -112,8 +113,9 @@ fn stops_when_told_to() {
 fn a_transition_that_margins_make_certain_is_counted_as_untested() {
     let find = |doubt| {
         let search = Search { doubt, ..SEARCH };
-        let land = |speed, _| Ok::<_, Infallible>(Sample::example(speed, 1.4 - 0.1 * speed).trial);
-        let Ok(found) = search.boundary(land);
+        let land =
+            async |speed, _| Ok::<_, Infallible>(Sample::example(speed, 1.4 - 0.1 * speed).trial);
+        let Ok(found) = at_once(search.boundary(land));
         found
     };
     let [all, doubtful] = [Doubt::All, Doubt::Doubtful].map(find);

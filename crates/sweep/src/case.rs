@@ -3,8 +3,8 @@
 //! Values are written into the documents as they were read, and what changed is read again: every
 //! check applies to every point.
 
-use std::borrow::Cow;
 use std::fmt;
+use std::sync::Arc;
 
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
@@ -20,9 +20,9 @@ use crate::{search_input, settings_input, vehicle_file};
 
 /// What is landed at one point, how, and where its transition is searched.
 #[derive(Debug, Clone)]
-pub struct Case<'s, const LEGS: usize> {
+pub struct Case<const LEGS: usize> {
     /// The vehicle.
-    pub vehicle: Cow<'s, Vehicle<LEGS>>,
+    pub vehicle: Arc<Vehicle<LEGS>>,
     /// The scene; where the speed is searched, at the lowest of the search.
     pub scene: Scene,
     /// What is asked.
@@ -59,7 +59,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
     ///
     /// # Errors
     /// When values that are valid one by one are not valid together.
-    pub fn case(&self, point: usize) -> Result<Case<'_, LEGS>, CaseFault> {
+    pub fn case(&self, point: usize) -> Result<Case<LEGS>, CaseFault> {
         self.case_at(&self.design.coordinates(point))
     }
 
@@ -67,7 +67,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
     ///
     /// # Errors
     /// When it is not valid.
-    pub fn case_at(&self, coordinates: &[f64]) -> Result<Case<'_, LEGS>, CaseFault> {
+    pub fn case_at(&self, coordinates: &[f64]) -> Result<Case<LEGS>, CaseFault> {
         self.case_of(&self.axes, coordinates)
     }
 
@@ -80,7 +80,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         point: usize,
         parameter: &Parameter,
         value: f64,
-    ) -> Result<Case<'_, LEGS>, CaseFault> {
+    ) -> Result<Case<LEGS>, CaseFault> {
         let mut axes = self.axes.clone();
         let mut coordinates = self.design.coordinates(point);
         match axes.iter().position(|axis| axis == parameter) {
@@ -111,11 +111,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         }
     }
 
-    fn case_of(
-        &self,
-        axes: &[Parameter],
-        coordinates: &[f64],
-    ) -> Result<Case<'_, LEGS>, CaseFault> {
+    fn case_of(&self, axes: &[Parameter], coordinates: &[f64]) -> Result<Case<LEGS>, CaseFault> {
         let (job, settings) = self.job_and_settings(axes, coordinates)?;
         let mut conditions = self.conditions(axes, coordinates);
         if let Job::Boundary(search) = job {
@@ -143,13 +139,13 @@ impl<const LEGS: usize> Sweep<LEGS> {
         &self,
         axes: &[Parameter],
         coordinates: &[f64],
-    ) -> Result<Cow<'_, Vehicle<LEGS>>, CaseFault> {
+    ) -> Result<Arc<Vehicle<LEGS>>, CaseFault> {
         if !varies(axes, Home::Vehicle) {
-            return Ok(Cow::Borrowed(&self.vehicle.vehicle));
+            return Ok(Arc::new(self.vehicle.vehicle.clone()));
         }
         let document = written(&self.vehicle.document, axes, Home::Vehicle, coordinates);
         VehicleFile::from_document(document)
-            .map(|file| Cow::Owned(file.vehicle))
+            .map(|file| Arc::new(file.vehicle))
             .map_err(in_part(Home::Vehicle))
     }
 

@@ -119,11 +119,11 @@ impl Variation {
 
 /// Puts the change between two neighbouring landings to the test, if it is one that `doubt` means.
 /// The interval is widened by `widest` at most (ft/s) to either side.
-pub(crate) fn test<Stop>(
+pub(crate) async fn test<Stop>(
     doubt: Doubt,
     [low, high]: [&Sample; 2],
     widest: f64,
-    land: &mut impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+    land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Certainty, Stop> {
     match doubt {
         Doubt::None => return Ok(Certainty::Untested),
@@ -134,10 +134,10 @@ pub(crate) fn test<Stop>(
     let mut agreed = [low.speed, high.speed];
     for (end, sample, sign) in [(0, low, -1.0), (1, high, 1.0)] {
         let class = sample.class();
-        let mut agree = |speed: f64, given: bool| -> Result<bool, Stop> {
+        let mut agree = async |speed: f64, given: bool| -> Result<bool, Stop> {
             let given = given.then_some(Variation::Given);
             for variation in given.into_iter().chain(VARIATIONS) {
-                if land(speed, variation)?.outcome.class() != class {
+                if land(speed, variation).await?.outcome.class() != class {
                     return Ok(false);
                 }
             }
@@ -145,7 +145,7 @@ pub(crate) fn test<Stop>(
         };
         let mut reach = 0.0;
         let mut next = width;
-        while reach < widest && !agree(agreed[end], reach > 0.0)? {
+        while reach < widest && !agree(agreed[end], reach > 0.0).await? {
             reach = next.min(widest);
             agreed[end] = (sample.speed + sign * reach).max(0.0);
             next *= 2.0;

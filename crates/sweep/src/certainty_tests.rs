@@ -1,11 +1,12 @@
 use super::*;
+use crate::at_once::at_once;
 use std::convert::Infallible;
 use touchdown_dynamics::scene::CrushRule;
 
 /// Tests the change at 1 ft/s of landings whose transition moves by `shift` at looser tolerance.
 fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
     let mut landings = 0;
-    let mut land = |speed: f64, variation: Variation| {
+    let mut land = async |speed: f64, variation: Variation| {
         landings += 1;
         let moved = match variation {
             Variation::Tolerance(factor) if factor > 1.0 => shift,
@@ -18,7 +19,7 @@ fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
         Sample::example(0.9995, jump),
         Sample::example(1.0005, -jump),
     );
-    let Ok(certainty) = test(doubt, [&low, &high], 0.25, &mut land);
+    let Ok(certainty) = at_once(test(doubt, [&low, &high], 0.25, &mut land));
     (certainty, landings)
 }
 

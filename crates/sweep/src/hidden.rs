@@ -94,10 +94,10 @@ fn dips(around: &[Sample], coordinates: impl Fn(&Sample) -> Option<[f64; 2]>) ->
 
 /// Searches the least margin against ending `otherwise` between two landings that end alike, by golden
 /// section, until a landing ends in another class or the landings are spent; returns them all.
-pub(crate) fn look<Stop>(
+pub(crate) async fn look<Stop>(
     [low, high]: [&Sample; 2],
     otherwise: Class,
-    sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
+    sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
 ) -> Result<Vec<Sample>, Stop> {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let (mut a, mut b) = (low.speed, high.speed);
@@ -119,7 +119,7 @@ pub(crate) fn look<Stop>(
                 continue;
             }
         };
-        let landing = sample(speed)?;
+        let landing = sample(speed).await?;
         inner[index] = coordinates(&landing, otherwise);
         let is_over = landing.class() != low.class() || inner[index].is_none();
         landings.push(landing);
@@ -133,6 +133,7 @@ pub(crate) fn look<Stop>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::at_once::at_once;
     use crate::trial::Trial;
     use std::convert::Infallible;
 
@@ -199,8 +200,8 @@ mod tests {
         let topples = |speed: f64| at(speed, (speed - 0.3).abs() - 0.01);
         let bottoms = |speed: f64| leaving(Class::Stable, speed, (speed - 0.3).abs() - 0.01);
         let find = |land: &dyn Fn(f64) -> Sample, class| {
-            let mut sample = |speed| Ok::<_, Infallible>(land(speed));
-            let Ok(landings) = look([&land(0.0), &land(1.0)], class, &mut sample);
+            let mut sample = async |speed| Ok::<_, Infallible>(land(speed));
+            let Ok(landings) = at_once(look([&land(0.0), &land(1.0)], class, &mut sample));
             assert!(landings.iter().any(|l| l.class() == class));
             assert!(landings.len() <= LANDINGS);
         };

@@ -23,44 +23,52 @@ pub(crate) struct Scanned {
 
 impl Search {
     /// Scans the range, or as much of it as lies below the first change away from a stable landing.
-    pub(crate) fn confirmed_scan<Stop>(
+    pub(crate) async fn confirmed_scan<Stop>(
         &self,
         to_first: bool,
-        land: &mut impl FnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Scanned, Stop> {
-        let mut scan = |variation| {
-            let mut sample = |speed| land(speed, variation).map(|trial| Sample { speed, trial });
-            self.scanned(to_first, &mut sample)
-        };
         if self.scan_looseness == 1.0 {
             return Ok(Scanned {
-                samples: scan(Variation::Given)?,
+                samples: self.scan_at(Variation::Given, to_first, land).await?,
                 spent: [0; 2],
                 loose: 0,
             });
         }
-        let mut samples = scan(Variation::Tolerance(self.scan_looseness))?;
+        let looser = Variation::Tolerance(self.scan_looseness);
+        let mut samples = self.scan_at(looser, to_first, land).await?;
         let loose = samples.len() as u64;
         let mut spent = [0; 2];
         let mut is_confirmed = true;
         for index in ends_of_changes(&samples) {
             let speed = samples[index].speed;
-            let trial = land(speed, Variation::Given)?;
+            let trial = land(speed, Variation::Given).await?;
             is_confirmed &= trial.outcome.class() == samples[index].class();
             let replaced = std::mem::replace(&mut samples[index], Sample { speed, trial });
             count(&mut spent, &replaced);
         }
         if !is_confirmed {
             samples.iter().for_each(|sample| count(&mut spent, sample));
-            let mut sample =
-                |speed| land(speed, Variation::Given).map(|trial| Sample { speed, trial });
-            samples = self.scanned(to_first, &mut sample)?;
+            samples = self.scan_at(Variation::Given, to_first, land).await?;
         }
         Ok(Scanned {
             samples,
             spent,
             loose,
         })
+    }
+
+    async fn scan_at<Stop>(
+        &self,
+        variation: Variation,
+        to_first: bool,
+        land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Vec<Sample>, Stop> {
+        let mut sample = async |speed| {
+            let trial = land(speed, variation).await?;
+            Ok(Sample { speed, trial })
+        };
+        self.scanned(to_first, &mut sample).await
     }
 }
 
@@ -89,6 +97,7 @@ mod tests {
     use std::convert::Infallible;
 
     use super::*;
+    use crate::at_once::at_once;
     use crate::boundary::tests::SEARCH;
     use crate::boundary::{Boundary, Extent};
 
@@ -100,7 +109,7 @@ mod tests {
 
     /// Searches where landings topple from `true_speed` on, at a looser tolerance from `loose_speed`.
     fn find(search: Search, true_speed: f64, loose_speed: f64) -> Boundary {
-        let found: Result<_, Infallible> = search.boundary(|speed, variation| {
+        let found: Result<_, Infallible> = at_once(search.boundary(async |speed, variation| {
             let from = match variation {
                 Variation::Tolerance(_) => loose_speed,
                 _ => true_speed,
@@ -114,7 +123,7 @@ mod tests {
                 class,
                 if variation == Variation::Given { 10 } else { 1 },
             ))
-        });
+        }));
         let Ok(boundary) = found;
         boundary
     }

@@ -69,21 +69,21 @@ pub(crate) struct Narrowed {
 
 impl Narrowing {
     /// Narrows down the change of class between two landings and any other that is met on the way.
-    pub(crate) fn between<Stop>(
+    pub(crate) async fn between<Stop>(
         &self,
         low: &Sample,
         high: &Sample,
-        sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
+        sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
     ) -> Result<Narrowed, Stop> {
         if low.class() == high.class() {
             return Ok(Narrowed::default());
         }
         let lattice = Lattice::new(low.speed, high.speed, self.tolerance);
         let mut nodes = Vec::new();
-        let mut land = |index| {
+        let mut land = async |index| {
             let node = Node {
                 index,
-                sample: sample(lattice.speed(index))?,
+                sample: sample(lattice.speed(index)).await?,
             };
             nodes.push(node.clone());
             Ok(node)
@@ -94,7 +94,7 @@ impl Narrowing {
         };
         let ends = [node(0, low), node(lattice.parts(), high)];
         let [from, to] = ends.clone();
-        self.narrow(from, to, &mut land)?;
+        self.narrow(from, to, &mut land).await?;
         let mut narrowed = Narrowed::default();
         let is_regular = is_regular(&ends, &nodes);
         if self.refinement == Refinement::Margin {
@@ -112,18 +112,21 @@ impl Narrowing {
                     ..*self
                 };
                 let [from, to] = ends.clone();
-                halving.narrow(from, to, &mut |index| {
+                let mut land = async |index| {
                     let node = Node {
                         index,
-                        sample: sample(lattice.speed(index))?,
+                        sample: sample(lattice.speed(index)).await?,
                     };
                     nodes.push(node.clone());
                     Ok(node)
-                })?;
+                };
+                halving.narrow(from, to, &mut land).await?;
             }
-            narrowed.looks = self.look_again(&ends, &mut nodes, &mut |index| {
-                sample(lattice.speed(index)).map(|sample| Node { index, sample })
-            })?;
+            let mut land = async |index| {
+                let sample = sample(lattice.speed(index)).await?;
+                Ok(Node { index, sample })
+            };
+            narrowed.looks = self.look_again(&ends, &mut nodes, &mut land).await?;
         }
         narrowed.samples = nodes.into_iter().map(|node| node.sample).collect();
         Ok(narrowed)
@@ -132,11 +135,11 @@ impl Narrowing {
     /// Where a margin jumps or turns back inside the interval, there may be more changes than the
     /// one that was narrowed down: lands at the thirds of each wide gap between like landings, and
     /// narrows what it finds.
-    fn look_again<Stop>(
+    async fn look_again<Stop>(
         &self,
         ends: &[Node; 2],
         found: &mut Vec<Node>,
-        land: &mut impl FnMut(u64) -> Result<Node, Stop>,
+        land: &mut impl AsyncFnMut(u64) -> Result<Node, Stop>,
     ) -> Result<Tried, Stop> {
         let mut nodes: Vec<Node> = ends.iter().chain(found.iter()).cloned().collect();
         nodes.sort_by_key(|node| node.index);
@@ -151,29 +154,29 @@ impl Narrowing {
         for gap in gaps {
             let [below, above] = [&gap[0], &gap[1]];
             let width = above.index - below.index;
-            let mut kept = |index| {
-                let node = land(index)?;
+            let mut kept = async |index| {
+                let node = land(index).await?;
                 found.push(node.clone());
                 Ok(node)
             };
             let thirds = [
-                kept(below.index + width / 3)?,
-                kept(above.index - width / 3)?,
+                kept(below.index + width / 3).await?,
+                kept(above.index - width / 3).await?,
             ];
             looks.count(thirds.iter().any(|node| node.class() != below.class()));
             let [first, second] = &thirds;
             for [low, high] in [[below, first], [first, second], [second, above]] {
-                self.narrow(low.clone(), high.clone(), &mut kept)?;
+                self.narrow(low.clone(), high.clone(), &mut kept).await?;
             }
         }
         Ok(looks)
     }
 
-    fn narrow<Stop>(
+    async fn narrow<Stop>(
         &self,
         mut low: Node,
         mut high: Node,
-        land: &mut impl FnMut(u64) -> Result<Node, Stop>,
+        land: &mut impl AsyncFnMut(u64) -> Result<Node, Stop>,
     ) -> Result<(), Stop> {
         let most = libm::log2((high.index - low.index) as f64).ceil() as i32 + SLACK;
         let mut landings = 0;
@@ -186,14 +189,14 @@ impl Narrowing {
             landings += 1;
             // What is left must be within reach of halving.
             let widest = libm::ldexp(1.0, most - landings);
-            let node = land(place(aim, low.index, high.index, widest))?;
+            let node = land(place(aim, low.index, high.index, widest)).await?;
             if node.class() == low.class() {
                 outside = Some(std::mem::replace(&mut low, node));
             } else if node.class() == high.class() {
                 outside = Some(std::mem::replace(&mut high, node));
             } else {
                 if self.to_all {
-                    self.narrow(node.clone(), high, land)?;
+                    Box::pin(self.narrow(node.clone(), high, land)).await?;
                 }
                 high = node;
                 outside = None;

@@ -1,4 +1,5 @@
 use super::*;
+use crate::at_once::at_once;
 use crate::trial::Trial;
 use std::convert::Infallible;
 
@@ -12,8 +13,8 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
         to_all: true,
     };
     let (low, high) = (sample(0.0), sample(0.25));
-    let mut land = |speed| Ok::<_, Infallible>(sample(speed));
-    let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
+    let mut land = async |speed| Ok::<_, Infallible>(sample(speed));
+    let Ok(narrowed) = at_once(narrowing.between(&low, &high, &mut land));
     let mut samples = narrowed.samples;
     let landings = match narrowed.spent[0] {
         0 => samples.len() - 2 * narrowed.looks.looks as usize,
@@ -92,9 +93,9 @@ fn an_irregular_interval_is_looked_at_again() {
             tolerance: 0.001,
             to_all: true,
         };
-        let mut land = |speed| Ok::<_, Infallible>(Sample::example(speed, margin(speed)));
+        let mut land = async |speed| Ok::<_, Infallible>(Sample::example(speed, margin(speed)));
         let (low, high) = (Sample::example(0.0, 0.2), Sample::example(0.25, -0.05));
-        let Ok(narrowed) = narrowing.between(&low, &high, &mut land);
+        let Ok(narrowed) = at_once(narrowing.between(&low, &high, &mut land));
         let mut samples = narrowed.samples;
         samples.extend([low, high]);
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));

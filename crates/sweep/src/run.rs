@@ -1,43 +1,46 @@
 //! Landings on every core.
 //!
-//! Work is shared out point by point, so that all cores are busy to the end. What a point came to
-//! goes to the journal as soon as it is known, and nothing of it stays in memory. No landing knows
-//! of another, so that results do not depend on the threads.
+//! Many points are searched at a time, and landings are shared out one by one, so that all cores, and the lanes of
+//! their registers, are busy to the end. What a point came to goes to the journal as soon as it is known, and
+//! nothing of it stays in memory. No landing knows of another, so that results do not depend on the threads.
 
 use std::cell::Cell;
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, sync_channel};
-use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::sync::mpsc::channel;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::prelude::*;
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::landing::abreast::{Request, land_many};
-use touchdown_dynamics::landing::{Landing, land};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::case::{Case, CaseFault};
 use crate::certainty::Variation;
+use crate::exchange::{Asker, Closes, Exchange};
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::known::Known;
 use crate::landing_table;
 use crate::scene_input::SceneFault;
+use crate::searches::search_all;
 use crate::sensitivity;
 use crate::shard::Shard;
 use crate::sweep_file::{Job, Sweep};
 use crate::trial::{Scales, Trial};
 
+/// Points that are searched at a time for each thread: a few more than it has landings under way.
+const SEARCHES: usize = 16;
+
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
-    /// A point of the grid, by its number, is about to be computed by this thread.
+    /// A point of the grid, by its number, is about to be computed, beside others.
     fn begin(&self, _point: usize) {}
     /// A landing has been computed.
     fn landing(&self) {}
-    /// A point of the grid, or a case, is done by this thread.
-    fn point(&self) {}
+    /// A point of the grid, or a case, by its number, is done.
+    fn point(&self, _point: usize) {}
 }
 
 /// Nobody.
@@ -121,13 +124,13 @@ impl Workers {
         if known.is_enough {
             return Ok(());
         }
-        let work = |point| {
+        let search = async |point, asker: Asker<_, LEGS>| {
             observer.begin(point);
-            let finding = find(sweep, point, observer, &stop)?;
-            observer.point();
+            let finding = find(sweep, point, &asker, observer, &stop).await?;
+            observer.point(point);
             Ok(finding)
         };
-        let streamed = self.stream(points, &stop, work, |finished| {
+        let found = self.search(points, &stop, search, |finished| {
             if let Some((point, finding)) = finished {
                 journal.add(point, &finding.encode())?;
                 if known.is_enough_with(sweep, point, finding) {
@@ -136,12 +139,12 @@ impl Workers {
             }
             journal.tick()
         });
-        let streamed = match (known.is_enough, streamed) {
+        let found = match (known.is_enough, found) {
             (true, Err(RunError::Cancelled)) if !cancel.load(Ordering::Relaxed) => Ok(()),
-            (_, streamed) => streamed,
+            (_, found) => found,
         };
         // Also when the run was stopped, but not over the error that stopped it.
-        streamed.and(journal.finish().map_err(RunError::Journal))
+        found.and(journal.finish().map_err(RunError::Journal))
     }
 
     /// Finds what the sweep asks at some points, in their order.
@@ -155,57 +158,48 @@ impl Workers {
     ) -> Result<Vec<Finding>, RunError> {
         let never = AtomicBool::new(false);
         let stop = Stop::on(&never);
-        self.each(points.len(), |index| find(sweep, points[index], &(), &stop))
+        let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
+        let search = async |index: usize, asker: Asker<_, LEGS>| {
+            find(sweep, points[index], &asker, &(), &stop).await
+        };
+        self.search(0..points.len(), &stop, search, |finished| {
+            found.extend(finished);
+            Ok(())
+        })?;
+        found.sort_by_key(|(index, _)| *index);
+        Ok(found.into_iter().map(|(_, finding)| finding).collect())
     }
 
-    /// Gives points to threads as they become free, and results to `keep` as they become known;
-    /// `keep` is also called when nothing is known for a while.
-    fn stream<T: Send>(
+    /// Searches points with `search`, many at a time, and gives what each came to to `keep`; all threads land for
+    /// them. `keep` is also called every now and then when nothing is new.
+    ///
+    /// # Errors
+    /// The first that a search or `keep` gave up with, or that the run was stopped.
+    fn search<T, const LEGS: usize>(
         &self,
-        points: impl Iterator<Item = usize> + Send,
+        points: impl Iterator<Item = usize>,
         stop: &Stop,
-        work: impl Fn(usize) -> Result<T, RunError> + Sync,
+        search: impl for<'e> AsyncFn(usize, Asker<'e, Arc<Vehicle<LEGS>>, LEGS>) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
-        const LONGEST_SILENCE: Duration = Duration::from_millis(100);
-        let points = Mutex::new(points);
-        let next = || points.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let (send, receive) = sync_channel(2 * self.threads());
+        let exchange = Exchange::between(self.threads());
+        let (send, landed) = channel();
         self.pool.in_place_scope(|scope| {
-            // Ends with this closure, so that nobody waits to send what nobody receives.
-            let receive = receive;
-            for _ in 0..self.threads() {
-                let send = send.clone();
-                let (next, work) = (&next, &work);
-                scope.spawn(move |_| {
-                    while let Some(point) = next() {
-                        let result = work(point);
-                        let is_last = result.is_err();
-                        if send.send((point, result)).is_err() || is_last {
-                            break;
-                        }
-                    }
+            let exchange = &exchange;
+            scope.spawn_broadcast(move |_, _| {
+                exchange.land(|key, landing| {
+                    // Nobody waits for the landings of a run that has come to an end.
+                    let _ = send.send((key, landing));
                 });
-            }
-            drop(send);
-            let mut ended = Ok(());
-            loop {
-                let kept = match receive.recv_timeout(LONGEST_SILENCE) {
-                    Ok((point, Ok(result))) => keep(Some((point, result))),
-                    Err(RecvTimeoutError::Timeout) => keep(None),
-                    Err(RecvTimeoutError::Disconnected) => return ended,
-                    Ok((_, Err(error))) => {
-                        stop.stop();
-                        // The first error says why the others were stopped.
-                        ended = ended.and(Err(error));
-                        continue;
-                    }
-                };
-                if let Err(error) = kept {
-                    stop.stop();
-                    return Err(RunError::Journal(error));
+            });
+            let _rest = Closes(exchange);
+            let at_a_time = SEARCHES * self.threads();
+            search_all(points, at_a_time, (exchange, &landed), search, |finished| {
+                if finished.is_none() {
+                    stop.go_on()?;
                 }
-            }
+                keep(finished).map_err(RunError::Journal)
+            })
         })
     }
 
@@ -246,7 +240,7 @@ impl Workers {
             land_many(next, |key: usize, landing| {
                 under_way.set(under_way.get() - 1);
                 observer.landing();
-                observer.point();
+                observer.point(key);
                 found.lock().unwrap_or_else(PoisonError::into_inner)[key] = Some(landing);
             });
         });
@@ -255,20 +249,6 @@ impl Workers {
             .into_iter()
             .collect::<Option<_>>()
             .ok_or(RunError::Cancelled)
-    }
-
-    fn each<T: Send>(
-        &self,
-        count: usize,
-        work: impl Fn(usize) -> Result<T, RunError> + Sync + Send,
-    ) -> Result<Vec<T>, RunError> {
-        self.pool.install(|| {
-            (0..count)
-                .into_par_iter()
-                .with_max_len(1)
-                .map(work)
-                .collect()
-        })
     }
 }
 
@@ -297,25 +277,26 @@ impl<'c> Stop<'c> {
 }
 
 /// What a sweep asks at a point.
-fn find<const LEGS: usize>(
+async fn find<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
     point: usize,
+    asker: &Asker<'_, Arc<Vehicle<LEGS>>, LEGS>,
     observer: &impl Observer,
-    stop: &Stop,
+    stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
     let invalid = |fault| RunError::Point {
         place: sweep.place(point),
         fault,
     };
     let case = sweep.case(point).map_err(invalid)?;
-    let landed = |vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings| {
+    let landed = async |vehicle: &Arc<Vehicle<LEGS>>, scene, settings| {
         stop.go_on()?;
-        let landing = land(vehicle, scene, settings);
+        let landing = asker.land(Arc::clone(vehicle), scene, settings).await;
         observer.landing();
         Ok(landing)
     };
     let Job::Boundary(search) = case.job else {
-        let landing = landed(&case.vehicle, &case.scene, &case.settings)?;
+        let landing = landed(&case.vehicle, case.scene, case.settings).await?;
         let cells = landing_table::columns(&landing)
             .into_iter()
             .map(|(_, cell)| cell);
@@ -324,7 +305,7 @@ fn find<const LEGS: usize>(
             outcome: landing.outcome,
         });
     };
-    let mut trial = |case: &Case<LEGS>, speed, variation: Variation| {
+    let mut trial = async |case: &Case<LEGS>, speed, variation: Variation| {
         let varied = case
             .scene
             .with_horizontal_velocity(speed)
@@ -336,14 +317,17 @@ fn find<const LEGS: usize>(
                 allowed: fault.allowed,
             }))
         })?;
-        let landing = landed(&case.vehicle, &varied, &settings)?;
+        let landing = landed(&case.vehicle, varied, settings).await?;
         Ok(Trial::of(landing, &Scales::of(&case.vehicle)))
     };
-    let boundary = search.boundary(|speed, variation| trial(&case, speed, variation))?;
+    let boundary = search
+        .boundary(async |speed, variation| trial(&case, speed, variation).await)
+        .await?;
     if sweep.sensitivity.is_empty() {
         return Ok(Finding::Boundary(boundary));
     }
-    let sensitivity = sensitivity::of_point(sweep, point, (&case, &search), &boundary, &mut trial)?;
+    let searched = (&case, &search);
+    let sensitivity = sensitivity::of_point(sweep, point, searched, &boundary, &mut trial).await?;
     Ok(Finding::Sensitive {
         boundary,
         sensitivity,
@@ -354,6 +338,7 @@ fn find<const LEGS: usize>(
 mod tests {
     use std::path::Path;
 
+    use touchdown_dynamics::landing::land;
     use touchdown_dynamics::scene::CrushRule;
 
     use super::*;
@@ -364,13 +349,15 @@ mod tests {
         Workers::start(NonZeroUsize::new(threads)).unwrap()
     }
 
-    #[test]
-    fn results_come_in_order_for_any_number_of_threads() {
-        let expected: Vec<usize> = (0..100).map(|n| n * n).collect();
-        for threads in [1, 2, 3] {
-            let squares = workers(threads).each(100, |n| Ok(n * n)).unwrap();
-            assert_eq!(squares, expected);
-        }
+    /// The vehicle, scenes and settings of short landings.
+    fn short_landings() -> (Arc<Vehicle<3>>, Vec<Scene>, Settings) {
+        let file = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../sweeps/vehicles/surveyor-table-4-1.toml"
+        );
+        let vehicle = VehicleFile::read(Path::new(file)).unwrap().vehicle;
+        let settings = Settings::new(3e-4, 0.05, CrushRule::default()).unwrap();
+        (Arc::new(vehicle), near_boundary(false).unwrap(), settings)
     }
 
     /// Counts landings and cancels at one of them.
@@ -386,13 +373,7 @@ mod tests {
 
     #[test]
     fn cases_come_in_order_for_any_number_of_threads_and_stop_when_told() {
-        let file = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../sweeps/vehicles/surveyor-table-4-1.toml"
-        );
-        let vehicle: Vehicle<3> = VehicleFile::read(Path::new(file)).unwrap().vehicle;
-        let scenes = near_boundary(false).unwrap();
-        let settings = Settings::new(3e-4, 0.3, CrushRule::default()).unwrap();
+        let (vehicle, scenes, settings) = short_landings();
         let expected: Vec<_> = (scenes.iter())
             .map(|scene| land(&vehicle, scene, &settings))
             .collect();
@@ -411,19 +392,34 @@ mod tests {
     }
 
     #[test]
-    fn every_point_is_kept_once_for_any_number_of_threads() {
+    fn searches_get_the_landings_that_they_ask_for_and_every_point_is_kept_once() {
+        let (vehicle, scenes, settings) = short_landings();
+        let land = |point: usize| land(&vehicle, &scenes[point % scenes.len()], &settings);
+        // As many landings as they may, and none too.
+        let landings = |point| (point..point + point % 5).collect::<Vec<usize>>();
+        let expected: Vec<(usize, Vec<Landing<3>>)> = (0..100)
+            .map(|point| (point, landings(point).into_iter().map(land).collect()))
+            .collect();
         let cancel = AtomicBool::new(false);
         for threads in [1, 2, 3] {
+            let stop = Stop::on(&cancel);
+            let search = async |point: usize, asker: Asker<_, 3>| {
+                let mut landed = Vec::new();
+                for landing in landings(point) {
+                    let scene = scenes[landing % scenes.len()];
+                    landed.push(asker.land(Arc::clone(&vehicle), scene, settings).await);
+                }
+                Ok(landed)
+            };
             let mut kept = Vec::new();
-            let keep = |finished: Option<(usize, usize)>| {
+            let keep = |finished: Option<_>| {
                 kept.extend(finished);
                 Ok(())
             };
-            let stop = Stop::on(&cancel);
-            let streamed = workers(threads).stream(0..1000, &stop, |n| Ok(n * n), keep);
-            assert!(streamed.is_ok());
-            kept.sort_unstable();
-            let expected: Vec<_> = (0..1000).map(|n| (n, n * n)).collect();
+            workers(threads)
+                .search(0..100, &stop, search, keep)
+                .unwrap();
+            kept.sort_by_key(|(point, _)| *point);
             assert_eq!(kept, expected);
         }
     }
@@ -440,21 +436,30 @@ mod tests {
                 _ => Ok(()),
             }
         };
-        let work = |n| stop.go_on().map(|()| n);
-        let streamed = workers(2).stream(0.., &stop, work, keep);
-        assert!(matches!(streamed, Err(RunError::Journal(_))));
+        let search = async |point, _: Asker<_, 3>| Ok(point);
+        let ended = workers(2).search(0.., &stop, search, keep);
+        assert!(matches!(ended, Err(RunError::Journal(_))));
         assert_eq!(kept, 5);
     }
 
     #[test]
     fn cancelling_stops_before_the_next_landing() {
+        let (vehicle, scenes, settings) = short_landings();
         let cancel = AtomicBool::new(false);
-        let outcome = workers(1).each(100, |n| {
-            Stop::on(&cancel).go_on()?;
-            cancel.store(n == 3, Ordering::Relaxed);
-            assert!(n <= 3);
-            Ok(())
-        });
-        assert!(matches!(outcome, Err(RunError::Cancelled)));
+        let landings = AtomicUsize::new(0);
+        let stop = Stop::on(&cancel);
+        let search = async |point: usize, asker: Asker<_, 3>| {
+            loop {
+                stop.go_on()?;
+                let scene = scenes[point % scenes.len()];
+                asker.land(Arc::clone(&vehicle), scene, settings).await;
+                if landings.fetch_add(1, Ordering::Relaxed) == 50 {
+                    cancel.store(true, Ordering::Relaxed);
+                }
+            }
+        };
+        let ended = workers(2).search(0.., &stop, search, |_: Option<(usize, ())>| Ok(()));
+        assert!(matches!(ended, Err(RunError::Cancelled)));
+        assert_eq!(landings.into_inner(), 51);
     }
 }

@@ -48,22 +48,22 @@ const STRIDE: f64 = 4.0;
 impl Search {
     /// Scans the range, or as much of it as lies below the first change away from a stable landing;
     /// returns the landings from below.
-    pub(crate) fn scanned<Stop>(
+    pub(crate) async fn scanned<Stop>(
         &self,
         to_first: bool,
-        sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
+        sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
     ) -> Result<Vec<Sample>, Stop> {
         let steps = self.scan_count() - 1;
         let mut walk = Walk {
-            land: |index| sample(self.scan_speed(index)),
+            land: async |index| sample(self.scan_speed(index)).await,
             to_first,
             samples: Vec::new(),
         };
-        let mut low = walk.to(0)?;
+        let mut low = walk.to(0).await?;
         let mut is_over = to_first && low.class != Class::Stable;
         while !is_over && low.index < steps {
-            let high = walk.to((low.index + self.stride()).min(steps))?;
-            is_over = walk.between(&low, &high)?;
+            let high = walk.to((low.index + self.stride()).min(steps)).await?;
+            is_over = walk.between(&low, &high).await?;
             low = high;
         }
         let mut samples = walk.samples;
@@ -108,10 +108,10 @@ struct Place {
 
 impl<F, Stop> Walk<F>
 where
-    F: FnMut(u64) -> Result<Sample, Stop>,
+    F: AsyncFnMut(u64) -> Result<Sample, Stop>,
 {
-    fn to(&mut self, index: u64) -> Result<Place, Stop> {
-        let sample = (self.land)(index)?;
+    async fn to(&mut self, index: u64) -> Result<Place, Stop> {
+        let sample = (self.land)(index).await?;
         let class = sample.class();
         let trial = &sample.trial;
         let margin = trial.margins.bottoming;
@@ -127,7 +127,7 @@ where
     }
 
     /// Looks between two landings; whether the first change was all there was to find, and is found.
-    fn between(&mut self, low: &Place, high: &Place) -> Result<bool, Stop> {
+    async fn between(&mut self, low: &Place, high: &Place) -> Result<bool, Stop> {
         if high.index - low.index == 1 {
             return Ok(self.to_first && high.class != Class::Stable);
         }
@@ -135,8 +135,9 @@ where
         if low.class == high.class && are_quiet {
             return Ok(false);
         }
-        let middle = self.to(low.index + (high.index - low.index) / 2)?;
-        Ok(self.between(low, &middle)? || self.between(&middle, high)?)
+        let middle = self.to(low.index + (high.index - low.index) / 2).await?;
+        Ok(Box::pin(self.between(low, &middle)).await?
+            || Box::pin(self.between(&middle, high)).await?)
     }
 }
 

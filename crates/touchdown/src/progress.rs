@@ -111,7 +111,7 @@ impl Observer for Progress {
         }
     }
 
-    fn point(&self) {
+    fn point(&self, _point: usize) {
         self.done.fetch_add(1, Ordering::Relaxed);
         if let Show::Bar(bar) = &self.show {
             bar.inc(1);

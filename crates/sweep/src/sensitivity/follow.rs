@@ -24,35 +24,35 @@ pub(crate) struct Near {
 impl Near {
     /// Middle of the bracket between a landing that is stable and one that ends as it should, both
     /// landed at; `None` where there is no such change within reach.
-    pub(crate) fn follow<Stop>(
+    pub(crate) async fn follow<Stop>(
         &self,
-        sample: &mut impl FnMut(f64) -> Result<Sample, Stop>,
+        sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
     ) -> Result<Option<f64>, Stop> {
         let lowest = (self.around - self.reach).max(0.0);
         let highest = self.around + self.reach;
         let below = (self.around - self.within).clamp(lowest, highest);
         let above = (self.around + self.within).clamp(lowest, highest);
-        let mut low = sample(below)?;
+        let mut low = sample(below).await?;
         let mut beyond = None;
         let mut stride = 2.0 * self.within;
         while low.class() != Class::Stable {
             if low.speed <= lowest {
                 return Ok(None);
             }
-            let next = sample((low.speed - stride).max(lowest))?;
+            let next = sample((low.speed - stride).max(lowest)).await?;
             beyond = Some(std::mem::replace(&mut low, next));
             stride *= 2.0;
         }
         let mut high = match beyond {
             Some(sample) => sample,
-            None => sample(above)?,
+            None => sample(above).await?,
         };
         stride = 2.0 * self.within;
         while high.class() == Class::Stable {
             if high.speed >= highest {
                 return Ok(None);
             }
-            let next = sample((high.speed + stride).min(highest))?;
+            let next = sample((high.speed + stride).min(highest)).await?;
             low = std::mem::replace(&mut high, next);
             stride *= 2.0;
         }
@@ -61,7 +61,7 @@ impl Near {
             tolerance: self.width,
             to_all: false,
         };
-        let mut samples = narrowing.between(&low, &high, sample)?.samples;
+        let mut samples = narrowing.between(&low, &high, sample).await?.samples;
         samples.extend([low, high]);
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         let change = first_unstable(&samples).filter(|index| *index > 0);
@@ -74,6 +74,7 @@ impl Near {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::at_once::at_once;
     use crate::trial::Trial;
     use std::convert::Infallible;
 
@@ -97,11 +98,11 @@ mod tests {
             to,
             width: 1e-4,
         };
-        let mut sample = |speed| {
+        let mut sample = async |speed| {
             landings += 1;
             Ok::<_, Infallible>(land(speed))
         };
-        let Ok(found) = near.follow(&mut sample);
+        let Ok(found) = at_once(near.follow(&mut sample));
         (found, landings)
     }
 

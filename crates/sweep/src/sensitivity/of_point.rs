@@ -22,17 +22,13 @@ const EXPECTED: f64 = 1.0 / 16.0;
 /// Scale of angles and of rates of turn, deg and deg/s.
 const ANGULAR_SCALE: f64 = 30.0;
 
-/// Lands a case at a horizontal speed (ft/s) with a variation.
-type Land<'l, const LEGS: usize, Stop> =
-    dyn FnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop> + 'l;
-
 /// The sensitivities that a sweep asks for at a point, whose `case` was searched and has a `boundary`.
-pub(crate) fn of_point<const LEGS: usize, Stop>(
+pub(crate) async fn of_point<const LEGS: usize, Stop>(
     sweep: &Sweep<LEGS>,
     point: usize,
     (case, search): (&Case<LEGS>, &Search),
     boundary: &Boundary,
-    land: &mut Land<LEGS, Stop>,
+    land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sensitivity, Stop> {
     let nowhere = |speed, dependence| {
         let step = None;
@@ -50,8 +46,8 @@ pub(crate) fn of_point<const LEGS: usize, Stop>(
         return Ok(nowhere(None, Dependence::Disputed));
     }
     let [mut landings, mut evaluations] = [0, 0];
-    let mut counted = |case: &Case<LEGS>, speed, variation| {
-        let trial = land(case, speed, variation)?;
+    let mut counted = async |case: &Case<LEGS>, speed, variation| {
+        let trial = land(case, speed, variation).await?;
         landings += 1;
         evaluations += trial.evaluations;
         Ok(trial)
@@ -64,7 +60,10 @@ pub(crate) fn of_point<const LEGS: usize, Stop>(
         to: transition.to,
         width,
     };
-    let found = match near.follow(&mut |speed| sample(case, speed, &mut counted))? {
+    let found = match near
+        .follow(&mut async |speed| sample(case, speed, &mut counted).await)
+        .await?
+    {
         // Landing at its ends once more gave something else.
         None => nowhere(None, Dependence::Disputed),
         Some(speed) => {
@@ -74,11 +73,14 @@ pub(crate) fn of_point<const LEGS: usize, Stop>(
                 width,
                 resolution: width + case.settings.tolerance() * speed,
             };
-            let slope = |parameter| known.slope(sweep, point, search, parameter, &mut counted);
-            let slopes = sweep.sensitivity.iter().map(slope);
+            let mut slopes = Vec::with_capacity(sweep.sensitivity.len());
+            for parameter in &sweep.sensitivity {
+                let slope = known.slope(sweep, point, search, parameter, &mut counted);
+                slopes.push(slope.await?);
+            }
             Sensitivity {
                 speed: Some(speed),
-                slopes: slopes.collect::<Result<_, _>>()?,
+                slopes,
                 ..Sensitivity::default()
             }
         }
@@ -90,12 +92,13 @@ pub(crate) fn of_point<const LEGS: usize, Stop>(
     })
 }
 
-fn sample<const LEGS: usize, Stop>(
+async fn sample<const LEGS: usize, Stop>(
     case: &Case<LEGS>,
     speed: f64,
-    land: &mut Land<LEGS, Stop>,
+    land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sample, Stop> {
-    land(case, speed, Variation::Given).map(|trial| Sample { speed, trial })
+    let trial = land(case, speed, Variation::Given).await?;
+    Ok(Sample { speed, trial })
 }
 
 /// The transition of a point.
@@ -112,13 +115,13 @@ struct Known {
 
 impl Known {
     /// How the transition depends on a parameter.
-    fn slope<const LEGS: usize, Stop>(
+    async fn slope<const LEGS: usize, Stop>(
         &self,
         sweep: &Sweep<LEGS>,
         point: usize,
         search: &Search,
         parameter: &Parameter,
-        land: &mut Land<LEGS, Stop>,
+        land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Slope, Stop> {
         let scaled = |value| Some((value, scale(parameter, value)?));
         let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
@@ -154,9 +157,12 @@ impl Known {
                 to: self.to,
                 width: self.width,
             };
-            match near.follow(&mut |speed| sample(&case, speed, land))? {
+            match near
+                .follow(&mut async |speed| sample(&case, speed, land).await)
+                .await?
+            {
                 Some(speed) => speeds[place] = speed,
-                None => return gone(&case, search, land).map(found),
+                None => return gone(&case, search, land).await.map(found),
             }
             within = 0.25 * (speeds[3] - speeds[2]).abs();
         }
@@ -173,17 +179,19 @@ fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
 }
 
 /// What became of a transition that is no longer near: an ordinary search tells.
-fn gone<const LEGS: usize, Stop>(
+async fn gone<const LEGS: usize, Stop>(
     case: &Case<LEGS>,
     search: &Search,
-    land: &mut Land<LEGS, Stop>,
+    land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Dependence, Stop> {
     let search = Search {
         extent: Extent::First,
         doubt: Doubt::None,
         ..*search
     };
-    let boundary = search.boundary(|speed, variation| land(case, speed, variation))?;
+    let boundary = search
+        .boundary(async |speed, variation| land(case, speed, variation).await)
+        .await?;
     Ok(match boundary.transition {
         Some(_) => Dependence::Jumps,
         None => Dependence::Vanishes,

@@ -1,10 +1,10 @@
-//! Which landings are under way: of them are those that panic, and those that take forever.
+//! Which landings are under way: among them are those that panic, and those that take forever.
 
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::thread::{self, ThreadId};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use touchdown_sweep::run::Observer;
@@ -15,7 +15,7 @@ const GLANCE: Duration = Duration::from_secs(1);
 /// An observer that stands before another and knows what is under way.
 pub struct Guard<'o, O> {
     observer: &'o O,
-    underway: Mutex<HashMap<ThreadId, (usize, Instant)>>,
+    underway: Mutex<HashMap<usize, Instant>>,
 }
 
 impl<'o, O: Observer> Guard<'o, O> {
@@ -31,7 +31,7 @@ impl<'o, O: Observer> Guard<'o, O> {
     /// within `patience`.
     ///
     /// # Errors
-    /// The landings that panicked.
+    /// The landings under way when one panicked.
     pub fn over<T>(
         &self,
         patience: Duration,
@@ -48,7 +48,7 @@ impl<'o, O: Observer> Guard<'o, O> {
                     }
                 }
             });
-            // Threads that go on do so to the end of the work: what is still under way then, panicked.
+            // Other threads end what they have begun with: what is still under way then, lay beside what panicked.
             let done = catch_unwind(AssertUnwindSafe(work));
             drop(end);
             done.map_err(|_| self.older_than(Duration::ZERO))
@@ -57,21 +57,20 @@ impl<'o, O: Observer> Guard<'o, O> {
 
     fn older_than(&self, age: Duration) -> Vec<usize> {
         let underway = self.underway();
-        let old = underway
-            .values()
-            .filter(|(_, since)| since.elapsed() >= age);
-        old.map(|(point, _)| *point).collect()
+        let old = underway.iter().filter(|(_, since)| since.elapsed() >= age);
+        let mut old: Vec<usize> = old.map(|(point, _)| *point).collect();
+        old.sort_unstable();
+        old
     }
 
-    fn underway(&self) -> MutexGuard<'_, HashMap<ThreadId, (usize, Instant)>> {
+    fn underway(&self) -> MutexGuard<'_, HashMap<usize, Instant>> {
         self.underway.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 impl<O: Observer> Observer for Guard<'_, O> {
     fn begin(&self, point: usize) {
-        let now = Instant::now();
-        self.underway().insert(thread::current().id(), (point, now));
+        self.underway().insert(point, Instant::now());
         self.observer.begin(point);
     }
 
@@ -79,9 +78,9 @@ impl<O: Observer> Observer for Guard<'_, O> {
         self.observer.landing();
     }
 
-    fn point(&self) {
-        self.underway().remove(&thread::current().id());
-        self.observer.point();
+    fn point(&self, point: usize) {
+        self.underway().remove(&point);
+        self.observer.point(point);
     }
 }
 
@@ -92,12 +91,12 @@ mod tests {
     const LONG: Duration = Duration::from_secs(100);
 
     #[test]
-    fn landings_that_panic_are_known() {
+    fn landings_that_panic_are_among_those_known() {
         let guard = Guard::before(&());
         let land = |point: usize| {
             guard.begin(point);
             assert_ne!(point, 2);
-            guard.point();
+            guard.point(point);
         };
         assert_eq!(guard.over(LONG, |_| (), || [0, 1].map(land)), Ok([(); 2]));
         assert_eq!(
@@ -114,7 +113,7 @@ mod tests {
             guard.begin(7);
             // Forever: until somebody has despaired of it.
             let old = despaired.recv();
-            guard.point();
+            guard.point(7);
             old
         };
         let despair = |old: &[usize]| despair.send(old.to_vec()).unwrap();

@@ -28,7 +28,7 @@ const SWEEP: &str = include_str!("../../../../sweeps/stress/wild.toml");
 const JOURNAL: &str = "stress-wild.journal";
 const CASES: &str = "stress-cases.csv";
 const VEHICLE: &str = "stress-vehicle.toml";
-/// Longest time for a landing: with all steps that it may take, fifty times what it needs.
+/// Longest time for a landing: several times what it needs, with all steps that it may take and others beside it.
 const FOREVER: Duration = Duration::from_secs(300);
 
 /// The sweep that comes with the program, with another count, seed and tolerance.
@@ -131,7 +131,10 @@ fn land(bench: &Bench, sweep: &Sweep<LEGS>, opened: &mut Opened) -> Result<Durat
             bench.folder.path(JOURNAL).display()
         ))),
         Ok(Err(other)) => Err(other.into()),
-        Err(panicked) => Err(Failure::running(give_up(&panicked, "panicked"))),
+        Err(beside) => Err(Failure::running(give_up(
+            &beside,
+            "panicked, or one beside it did",
+        ))),
     }
 }
 
