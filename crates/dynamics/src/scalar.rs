@@ -23,6 +23,11 @@ pub trait Real:
     /// Lanes, each a number of its own.
     const LANES: usize;
 
+    /// For every round of a loop over such numbers: keeps the compiler from taking several rounds at a time in the
+    /// lanes of a register where each number fills one by itself.
+    #[inline(always)]
+    fn one_round() {}
+
     /// The same constant in every lane.
     fn constant(value: f64) -> Self;
     /// Square root.

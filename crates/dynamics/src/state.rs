@@ -262,6 +262,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     ) {
         let (body, legs) = const { (body_numbers::<S>(), columns::<S>(LEGS)) };
         for i in 0..body {
+            S::one_round();
             let mut sum = self.body[i];
             for k in 0..TERMS {
                 sum += weights[k] * slopes[k].body[i];
@@ -270,6 +271,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         }
         for i in 0..LAST {
             for leg in 0..legs {
+                S::one_round();
                 let mut sum = self.legs[i][leg];
                 for k in 0..TERMS {
                     sum += weights[k] * slopes[k].legs[i][leg];
@@ -346,6 +348,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         }
         for i in LEG_MOTION..LEG {
             for j in 0..LEGS {
+                S::one_round();
                 let (mean, past_midpoint) = sum(i, j);
                 self.legs[i][j] = before.legs[i][j] + h * mean;
                 error.legs[i][j] = S::constant(SIMPSON_SHARE) * past_midpoint;

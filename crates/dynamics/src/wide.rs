@@ -87,6 +87,12 @@ impl<const N: usize> One for Wide<N> {
 impl<const N: usize> Real for Wide<N> {
     const LANES: usize = N;
 
+    /// Rounds that are taken together have their numbers gathered from everywhere, at several times the cost.
+    #[inline(always)]
+    fn one_round() {
+        std::hint::black_box(());
+    }
+
     #[inline(always)]
     fn constant(value: f64) -> Self {
         Self([value; N])

@@ -4,6 +4,7 @@
 //! between neighbouring landings of different class is narrowed down. Whatever third class that
 //! meets becomes a band of its own.
 
+use futures::future::try_join_all;
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -41,14 +42,14 @@ impl Search {
     /// Only what `land` gives up with, at once.
     pub async fn all_bands<Stop>(
         &self,
-        mut land: impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         let Scanned {
             mut samples,
             spent,
             loose,
-        } = self.confirmed_scan(false, &mut land).await?;
-        let mut sample = async |speed| {
+        } = self.confirmed_scan(false, &land).await?;
+        let sample = async |speed| {
             let trial = land(speed, Variation::Given).await?;
             Ok(Sample { speed, trial })
         };
@@ -61,22 +62,25 @@ impl Search {
         };
 
         let mut found = Vec::new();
-        for suspect in hidden::suspects(&samples, self.scan_step) {
+        let suspects = hidden::suspects(&samples, self.scan_step);
+        let looked = suspects.iter().map(|suspect| {
             let ends = [&samples[suspect.index], &samples[suspect.index + 1]];
-            let look = hidden::look(ends, suspect.otherwise, &mut sample).await?;
-            let has_found = look.iter().any(|s| s.class() != ends[0].class());
-            looks
-                .of(ends[0].class(), suspect.otherwise)
-                .count(has_found);
+            hidden::look(ends, suspect.otherwise, &sample)
+        });
+        for (suspect, look) in suspects.iter().zip(try_join_all(looked).await?) {
+            let class = samples[suspect.index].class();
+            let has_found = look.iter().any(|s| s.class() != class);
+            looks.of(class, suspect.otherwise).count(has_found);
             found.extend(look);
         }
         insert(&mut samples, found);
 
         let mut between = Vec::new();
         let mut spent = spent;
-        for pair in samples.windows(2) {
-            let narrowing = self.narrowing(true);
-            let mut narrowed = narrowing.between(&pair[0], &pair[1], &mut sample).await?;
+        let narrowing = self.narrowing(true);
+        let pairs = samples.windows(2);
+        let narrowed = pairs.map(|pair| narrowing.between(&pair[0], &pair[1], &sample));
+        for mut narrowed in try_join_all(narrowed).await? {
             between.append(&mut narrowed.samples);
             looks.gaps += narrowed.looks;
             spared.interpolated += narrowed.interpolated;
@@ -92,14 +96,15 @@ impl Search {
         };
         boundary.landings += spent[0];
         boundary.evaluations += spent[1];
-        let mut certainties = Vec::new();
-        for pair in samples.windows(2) {
-            if pair[0].class() != pair[1].class() {
-                let ends = [&pair[0], &pair[1]];
-                let certainty = self.tested(ends, &mut boundary, &mut land).await?;
-                certainties.push((pair[1].speed, certainty));
-            }
-        }
+        let changes = || {
+            let pairs = samples.windows(2).map(|pair| [&pair[0], &pair[1]]);
+            pairs.filter(|[low, high]| low.class() != high.class())
+        };
+        let tests = try_join_all(changes().map(|ends| self.tested(ends, &land))).await?;
+        tests.iter().for_each(|tested| boundary.count(tested));
+        let certainties: Vec<(f64, Certainty)> = (changes().zip(&tests))
+            .map(|([_, high], tested)| (high.speed, tested.certainty))
+            .collect();
         for (band, (_, certainty)) in boundary.bands.iter_mut().zip(&certainties) {
             band.certainty = *certainty;
         }

@@ -1,10 +1,10 @@
 use super::*;
-use crate::at_once::at_once;
 use crate::boundary::Extent;
 use crate::certainty::Doubt;
 use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::trial::Margins;
+use futures::executor::block_on;
 use std::convert::Infallible;
 use touchdown_dynamics::outcome::Class;
 
@@ -21,7 +21,7 @@ const SEARCH: Search = Search {
 };
 
 fn survey(class: impl Fn(f64) -> Class) -> Boundary {
-    let Ok(found) = at_once(
+    let Ok(found) = block_on(
         SEARCH.boundary(async |speed, _| Ok::<_, Infallible>(Trial::example(class(speed), 10))),
     );
     found
@@ -69,7 +69,7 @@ fn first_transition_is_the_same_in_both_extents() {
         extent: Extent::First,
         ..SEARCH
     };
-    let Ok(alone) = at_once(
+    let Ok(alone) = block_on(
         first.boundary(async |speed, _| Ok::<_, Infallible>(Trial::example(re_entrant(speed), 10))),
     );
     assert_eq!(survey(re_entrant).transition, alone.transition);
@@ -93,7 +93,7 @@ fn a_third_class_inside_a_bracket_is_a_band_of_its_own() {
 #[test]
 fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
     let angle = |v: f64| 0.2 * ((v - 13.1).abs() - 0.02);
-    let Ok(found) = at_once(SEARCH.all_bands(async |speed, _| {
+    let Ok(found) = block_on(SEARCH.all_bands(async |speed, _| {
         let class = if angle(speed) > 0.0 {
             Class::Stable
         } else {

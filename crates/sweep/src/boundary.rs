@@ -4,6 +4,8 @@
 //! bisection over the whole range could then settle on any of the changes, so the range is
 //! scanned upward in steps first and only the step in which the outcome changes is narrowed down.
 
+use std::cell::Cell;
+
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::Class;
 
@@ -113,7 +115,7 @@ impl Search {
     /// Only what `land` gives up with, at once.
     pub async fn boundary<Stop>(
         &self,
-        land: impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         match self.extent {
             Extent::First => self.first_transition(land).await,
@@ -128,14 +130,14 @@ impl Search {
     /// Only what `land` gives up with, at once.
     pub async fn first_transition<Stop>(
         &self,
-        mut land: impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         let Scanned {
             mut samples,
             spent: replaced,
             loose,
-        } = self.confirmed_scan(true, &mut land).await?;
-        let mut sample = async |speed| {
+        } = self.confirmed_scan(true, &land).await?;
+        let sample = async |speed| {
             let trial = land(speed, Variation::Given).await?;
             Ok(Sample { speed, trial })
         };
@@ -143,19 +145,17 @@ impl Search {
         let mut narrowed = Narrowed::default();
         if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
             let (low, high) = (&samples[index - 1], &samples[index]);
-            narrowed = self
-                .narrowing(false)
-                .between(low, high, &mut sample)
-                .await?;
+            narrowed = self.narrowing(false).between(low, high, &sample).await?;
             samples.append(&mut narrowed.samples);
             samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
         let mut boundary = Boundary::of(&samples);
         if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
             let ends = [&samples[index - 1], &samples[index]];
-            let certainty = self.tested(ends, &mut boundary, &mut land).await?;
+            let tested = self.tested(ends, &land).await?;
+            boundary.count(&tested);
             if let Some(found) = &mut boundary.transition {
-                found.certainty = certainty;
+                found.certainty = tested.certainty;
             }
         }
         boundary.looks.gaps = narrowed.looks;
@@ -171,26 +171,27 @@ impl Search {
         Ok(boundary)
     }
 
-    /// Puts a change to the test and counts the landings that this took.
+    /// Puts a change to the test.
     pub(crate) async fn tested<Stop>(
         &self,
         ends: [&Sample; 2],
-        boundary: &mut Boundary,
-        land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Certainty, Stop> {
-        let tests = boundary.tests;
-        let mut counted = async |speed, variation| {
+        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Tested, Stop> {
+        let spent = Cell::new([0, 0]);
+        let counted = async |speed, variation| {
             let trial = land(speed, variation).await?;
-            boundary.landings += 1;
-            boundary.tests += 1;
-            boundary.evaluations += trial.evaluations;
+            let [landings, evaluations] = spent.get();
+            spent.set([landings + 1, evaluations + trial.evaluations]);
             Ok(trial)
         };
-        let certainty = certainty::test(self.doubt, ends, self.scan_step, &mut counted).await?;
-        if self.doubt == Doubt::Doubtful && boundary.tests == tests {
-            boundary.spared.untested += 1;
-        }
-        Ok(certainty)
+        let certainty = certainty::test(self.doubt, ends, self.scan_step, &counted).await?;
+        let [landings, evaluations] = spent.get();
+        Ok(Tested {
+            certainty,
+            is_spared: self.doubt == Doubt::Doubtful && landings == 0,
+            landings,
+            evaluations,
+        })
     }
 
     pub(crate) fn narrowing(&self, to_all: bool) -> Narrowing {
@@ -209,7 +210,25 @@ impl Search {
     }
 }
 
+/// A change that was put to the test.
+pub(crate) struct Tested {
+    /// What came of it.
+    pub(crate) certainty: Certainty,
+    /// Whether its margins told that there was no need to.
+    is_spared: bool,
+    landings: u64,
+    evaluations: u64,
+}
+
 impl Boundary {
+    /// Counts what a test took.
+    pub(crate) fn count(&mut self, tested: &Tested) {
+        self.landings += tested.landings;
+        self.tests += tested.landings;
+        self.evaluations += tested.evaluations;
+        self.spared.untested += u64::from(tested.is_spared);
+    }
+
     /// What a search found that took these landings, in order: the first transition and the cost.
     pub(crate) fn of(samples: &[Sample]) -> Self {
         let transition = first_unstable(samples).map(|index| Transition {

@@ -1,6 +1,6 @@
 use super::*;
-use crate::at_once::at_once;
 use crate::certainty::LEAST_LANDINGS;
+use futures::executor::block_on;
 use std::convert::Infallible;
 
 pub(crate) const SEARCH: Search = Search {
@@ -17,7 +17,7 @@ pub(crate) const SEARCH: Search = Search {
 
 fn find(search: Search, class: impl Fn(f64) -> Class) -> Boundary {
     let found: Result<_, Infallible> =
-        at_once(search.first_transition(async |speed, _| Ok(Trial::example(class(speed), 10))));
+        block_on(search.first_transition(async |speed, _| Ok(Trial::example(class(speed), 10))));
     match found {
         Ok(boundary) => boundary,
     }
@@ -97,16 +97,16 @@ fn none_when_all_is_stable_and_the_upper_end_is_looked_at() {
 
 #[test]
 fn stops_when_told_to() {
-    let mut landings = 0;
-    let stopped = at_once(SEARCH.first_transition(async |_, _| {
-        landings += 1;
-        if landings > 3 {
+    let landings = std::cell::Cell::new(0);
+    let stopped = block_on(SEARCH.first_transition(async |_, _| {
+        landings.set(landings.get() + 1);
+        if landings.get() > 3 {
             Err("stop")
         } else {
             Ok(Trial::example(Class::Stable, 1))
         }
     }));
-    assert_eq!((stopped, landings), (Err("stop"), 4));
+    assert_eq!((stopped, landings.get()), (Err("stop"), 4));
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn a_transition_that_margins_make_certain_is_counted_as_untested() {
         let search = Search { doubt, ..SEARCH };
         let land =
             async |speed, _| Ok::<_, Infallible>(Sample::example(speed, 1.4 - 0.1 * speed).trial);
-        let Ok(found) = at_once(search.boundary(land));
+        let Ok(found) = block_on(search.boundary(land));
         found
     };
     let [all, doubtful] = [Doubt::All, Doubt::Doubtful].map(find);

@@ -123,7 +123,7 @@ pub(crate) async fn test<Stop>(
     doubt: Doubt,
     [low, high]: [&Sample; 2],
     widest: f64,
-    land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
+    land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Certainty, Stop> {
     match doubt {
         Doubt::None => return Ok(Certainty::Untested),
@@ -134,7 +134,7 @@ pub(crate) async fn test<Stop>(
     let mut agreed = [low.speed, high.speed];
     for (end, sample, sign) in [(0, low, -1.0), (1, high, 1.0)] {
         let class = sample.class();
-        let mut agree = async |speed: f64, given: bool| -> Result<bool, Stop> {
+        let agree = async |speed: f64, given: bool| -> Result<bool, Stop> {
             let given = given.then_some(Variation::Given);
             for variation in given.into_iter().chain(VARIATIONS) {
                 if land(speed, variation).await?.outcome.class() != class {

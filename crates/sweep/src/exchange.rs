@@ -1,45 +1,51 @@
 //! Where searches ask for landings, and threads find them.
 //!
-//! A search has to know one landing before it asks for the next, while lanes want many landings at a time. So
+//! A search has to know some landings before it asks for the next, while lanes want many landings at a time. So
 //! many searches go on at a time, all of them on one thread, as next to nothing of the time is theirs; what
 //! they ask for waits here for the threads that land side by side.
 
-use std::cell::{Cell, RefCell};
-use std::collections::VecDeque;
-use std::future::poll_fn;
+use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::ops::Deref;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
-use std::task::Poll;
 
+use futures::channel::oneshot;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::landing::abreast::{Request, land_many};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// Landings that were asked for and nobody has begun with.
-pub(crate) struct Exchange<V> {
+pub(crate) struct Exchange<V, const LEGS: usize> {
     threads: usize,
-    queue: Mutex<Queue<V>>,
+    queue: Mutex<Queue<V, LEGS>>,
     changed: Condvar,
     /// How many are in the queue: threads look here before every step.
     waiting: AtomicUsize,
 }
 
-struct Queue<V> {
-    requests: VecDeque<Request<usize, V>>,
+/// A landing that a search waits for.
+type Asked<V, const LEGS: usize> = Request<oneshot::Sender<Landing<LEGS>>, V>;
+
+struct Queue<V, const LEGS: usize> {
+    /// By the number of the search, and in what order they were asked for: what was begun with is to be ended first.
+    asked: BTreeMap<(usize, u64), Asked<V, LEGS>>,
+    /// How many were ever asked for.
+    count: u64,
     /// Landings that threads have begun with.
     under_way: usize,
     is_closed: bool,
 }
 
-impl<V> Exchange<V> {
+impl<V, const LEGS: usize> Exchange<V, LEGS> {
     /// An exchange for so many threads that land.
     pub(crate) fn between(threads: usize) -> Self {
         Self {
             threads,
             queue: Mutex::new(Queue {
-                requests: VecDeque::new(),
+                asked: BTreeMap::new(),
+                count: 0,
                 under_way: 0,
                 is_closed: false,
             }),
@@ -48,29 +54,54 @@ impl<V> Exchange<V> {
         }
     }
 
-    fn queue(&self) -> MutexGuard<'_, Queue<V>> {
+    fn queue(&self) -> MutexGuard<'_, Queue<V, LEGS>> {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Asks for a landing.
-    pub(crate) fn ask(&self, request: Request<usize, V>) {
-        self.queue().requests.push_back(request);
-        self.waiting.fetch_add(1, Ordering::Relaxed);
-        self.changed.notify_one();
+    /// Asks for a landing of the `search`-th search and waits for it; `None` when the exchange was closed.
+    pub(crate) async fn landing(
+        &self,
+        search: usize,
+        vehicle: V,
+        scene: Scene,
+        settings: Settings,
+    ) -> Option<Landing<LEGS>> {
+        let (key, landing) = oneshot::channel();
+        self.ask(
+            search,
+            Request {
+                key,
+                vehicle,
+                scene,
+                settings,
+            },
+        );
+        landing.await.ok()
+    }
+
+    fn ask(&self, search: usize, request: Asked<V, LEGS>) {
+        let mut queue = self.queue();
+        if !queue.is_closed {
+            let place = (search, queue.count);
+            queue.asked.insert(place, request);
+            queue.count += 1;
+            self.waiting.fetch_add(1, Ordering::Relaxed);
+            self.changed.notify_one();
+        }
     }
 
     /// Lets all threads go once they have ended what they have begun with.
     pub(crate) fn close(&self) {
         let mut queue = self.queue();
         queue.is_closed = true;
-        queue.requests.clear();
+        queue.asked.clear();
         self.waiting.store(0, Ordering::Relaxed);
         self.changed.notify_all();
     }
 
     /// Waits until a landing is asked for; false when none will be.
     fn wait(&self) -> bool {
-        let is_idle = |queue: &mut Queue<V>| !queue.is_closed && queue.requests.is_empty();
+        let is_idle = |queue: &mut Queue<V, LEGS>| !queue.is_closed && queue.asked.is_empty();
         let queue = (self.changed)
             .wait_while(self.queue(), is_idle)
             .unwrap_or_else(PoisonError::into_inner);
@@ -79,23 +110,23 @@ impl<V> Exchange<V> {
 
     /// The next landing for a thread that has so many under way. It gets no more than its share, so that none has
     /// many while another has few.
-    fn take(&self, under_way: usize) -> Option<Request<usize, V>> {
+    fn take(&self, under_way: usize) -> Option<Asked<V, LEGS>> {
         if self.waiting.load(Ordering::Relaxed) == 0 {
             return None;
         }
         let mut queue = self.queue();
-        let all = queue.requests.len() + queue.under_way;
+        let all = queue.asked.len() + queue.under_way;
         if under_way >= all.div_ceil(self.threads) {
             return None;
         }
-        let request = queue.requests.pop_front()?;
+        let (_, request) = queue.asked.pop_first()?;
         queue.under_way += 1;
         self.waiting.fetch_sub(1, Ordering::Relaxed);
         Some(request)
     }
 
-    /// Lands what is asked for until the exchange is closed; `done` gets each landing with its key.
-    pub(crate) fn land<const LEGS: usize>(&self, mut done: impl FnMut(usize, Landing<LEGS>))
+    /// Lands what is asked for until the exchange is closed.
+    pub(crate) fn land(&self)
     where
         V: Deref<Target = Vehicle<LEGS>>,
     {
@@ -108,47 +139,22 @@ impl<V> Exchange<V> {
                 under_way.set(under_way.get() + 1);
                 Some(request)
             };
-            land_many(next, |key, landing| {
+            land_many(next, |search: oneshot::Sender<_>, landing| {
                 under_way.set(under_way.get() - 1);
                 self.queue().under_way -= 1;
-                done(key, landing);
+                // Nobody waits for the landings of a search that was given up.
+                let _ = search.send(landing);
             });
         }
     }
 }
 
 /// Closes an exchange in the end, come what may.
-pub(crate) struct Closes<'e, V>(pub(crate) &'e Exchange<V>);
+pub(crate) struct Closes<'e, V, const LEGS: usize>(pub(crate) &'e Exchange<V, LEGS>);
 
-impl<V> Drop for Closes<'_, V> {
+impl<V, const LEGS: usize> Drop for Closes<'_, V, LEGS> {
     fn drop(&mut self) {
         self.0.close();
-    }
-}
-
-/// By which one search gets its landings.
-pub(crate) struct Asker<'e, V, const LEGS: usize> {
-    pub(crate) exchange: &'e Exchange<V>,
-    /// What its landings are told by.
-    pub(crate) key: usize,
-    /// Where the landing goes that it asked for.
-    pub(crate) answer: &'e RefCell<Option<Landing<LEGS>>>,
-}
-
-impl<V, const LEGS: usize> Asker<'_, V, LEGS> {
-    /// Computes a landing, while other searches go on.
-    pub(crate) async fn land(&self, vehicle: V, scene: Scene, settings: Settings) -> Landing<LEGS> {
-        self.exchange.ask(Request {
-            key: self.key,
-            vehicle,
-            scene,
-            settings,
-        });
-        poll_fn(|_| match self.answer.take() {
-            Some(landing) => Poll::Ready(landing),
-            None => Poll::Pending,
-        })
-        .await
     }
 }
 
@@ -160,7 +166,7 @@ mod tests {
     use crate::measured_scenes::near_boundary;
 
     /// What no landing bears.
-    struct Broken;
+    struct Broken(usize);
 
     impl Deref for Broken {
         type Target = Vehicle<3>;
@@ -170,10 +176,10 @@ mod tests {
         }
     }
 
-    fn request(key: usize) -> Request<usize, Broken> {
+    fn request(name: usize) -> Asked<Broken, 3> {
         Request {
-            key,
-            vehicle: Broken,
+            key: oneshot::channel().0,
+            vehicle: Broken(name),
             scene: near_boundary(false).unwrap()[0],
             settings: Settings::new(3e-4, 0.05, CrushRule::default()).unwrap(),
         }
@@ -182,24 +188,27 @@ mod tests {
     #[test]
     fn a_thread_that_panics_lets_the_others_go() {
         let exchange = Exchange::between(2);
-        exchange.ask(request(0));
+        exchange.ask(0, request(0));
         let panicked = std::thread::scope(|scope| {
-            let threads = [(), ()].map(|()| scope.spawn(|| exchange.land::<3>(|_, _| {})));
+            let threads = [(), ()].map(|()| scope.spawn(|| exchange.land()));
             threads.map(|thread| thread.join().is_err())
         });
         assert_eq!(panicked.iter().filter(|panicked| **panicked).count(), 1);
     }
 
     #[test]
-    fn threads_get_what_was_asked_first_and_no_more_than_their_share() {
+    fn threads_get_the_first_searches_first_and_no_more_than_their_share() {
         let exchange = Exchange::between(2);
         assert!(exchange.take(0).is_none());
-        (0..3).for_each(|key| exchange.ask(request(key)));
-        let take = |under_way| exchange.take(under_way).map(|request| request.key);
-        assert_eq!([take(0), take(1), take(2)], [Some(0), Some(1), None]);
-        assert_eq!([take(0), take(1)], [Some(2), None]);
-        exchange.ask(request(3));
+        for (name, search) in [(0, 2), (1, 1), (2, 1)] {
+            exchange.ask(search, request(name));
+        }
+        let take = |under_way| exchange.take(under_way).map(|request| request.vehicle.0);
+        assert_eq!([take(0), take(1), take(2)], [Some(1), Some(2), None]);
+        assert_eq!([take(0), take(1)], [Some(0), None]);
+        exchange.ask(3, request(3));
         exchange.close();
+        exchange.ask(3, request(3));
         assert_eq!((take(0), exchange.wait()), (None, false));
     }
 }

@@ -97,7 +97,7 @@ fn dips(around: &[Sample], coordinates: impl Fn(&Sample) -> Option<[f64; 2]>) ->
 pub(crate) async fn look<Stop>(
     [low, high]: [&Sample; 2],
     otherwise: Class,
-    sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
+    sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
 ) -> Result<Vec<Sample>, Stop> {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let (mut a, mut b) = (low.speed, high.speed);
@@ -133,8 +133,8 @@ pub(crate) async fn look<Stop>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::at_once::at_once;
     use crate::trial::Trial;
+    use futures::executor::block_on;
     use std::convert::Infallible;
 
     fn at(speed: f64, least_angle: f64) -> Sample {
@@ -200,8 +200,8 @@ mod tests {
         let topples = |speed: f64| at(speed, (speed - 0.3).abs() - 0.01);
         let bottoms = |speed: f64| leaving(Class::Stable, speed, (speed - 0.3).abs() - 0.01);
         let find = |land: &dyn Fn(f64) -> Sample, class| {
-            let mut sample = async |speed| Ok::<_, Infallible>(land(speed));
-            let Ok(landings) = at_once(look([&land(0.0), &land(1.0)], class, &mut sample));
+            let sample = async |speed| Ok::<_, Infallible>(land(speed));
+            let Ok(landings) = block_on(look([&land(0.0), &land(1.0)], class, &sample));
             assert!(landings.iter().any(|l| l.class() == class));
             assert!(landings.len() <= LANDINGS);
         };

@@ -7,7 +7,7 @@
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`looks`], [`certainty`], [`spared`] |
 //! | how much its place depends on the input | [`sensitivity`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
-//! | do so on every core | `searches`, `exchange`, [`run`] |
+//! | do so on every core | `exchange`, [`run`] |
 //! | measure what it costs | [`measured_scenes`] |
 //! | tell | [`findings`], [`tally`], [`probabilities`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
@@ -16,8 +16,6 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-#[cfg(test)]
-mod at_once;
 mod axis_input;
 pub mod bands;
 pub mod bands_table;
@@ -65,7 +63,6 @@ pub mod scan;
 pub mod scene_file;
 pub mod scene_input;
 mod search_input;
-mod searches;
 pub mod section;
 pub mod sensitivity;
 pub mod settings_input;

@@ -5,6 +5,7 @@
 //! landed at again at the tolerance itself, before the change is narrowed down at that. Should one of
 //! them end otherwise, the whole scan is made again at the tolerance itself.
 
+use futures::future::try_join_all;
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::Search;
@@ -26,7 +27,7 @@ impl Search {
     pub(crate) async fn confirmed_scan<Stop>(
         &self,
         to_first: bool,
-        land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Scanned, Stop> {
         if self.scan_looseness == 1.0 {
             return Ok(Scanned {
@@ -40,9 +41,11 @@ impl Search {
         let loose = samples.len() as u64;
         let mut spent = [0; 2];
         let mut is_confirmed = true;
-        for index in ends_of_changes(&samples) {
+        let ends = ends_of_changes(&samples);
+        let again = (ends.iter()).map(|index| land(samples[*index].speed, Variation::Given));
+        let again = try_join_all(again).await?;
+        for (index, trial) in ends.into_iter().zip(again) {
             let speed = samples[index].speed;
-            let trial = land(speed, Variation::Given).await?;
             is_confirmed &= trial.outcome.class() == samples[index].class();
             let replaced = std::mem::replace(&mut samples[index], Sample { speed, trial });
             count(&mut spent, &replaced);
@@ -62,13 +65,13 @@ impl Search {
         &self,
         variation: Variation,
         to_first: bool,
-        land: &mut impl AsyncFnMut(f64, Variation) -> Result<Trial, Stop>,
+        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Vec<Sample>, Stop> {
-        let mut sample = async |speed| {
+        let sample = async |speed| {
             let trial = land(speed, variation).await?;
             Ok(Sample { speed, trial })
         };
-        self.scanned(to_first, &mut sample).await
+        self.scanned(to_first, &sample).await
     }
 }
 
@@ -97,9 +100,9 @@ mod tests {
     use std::convert::Infallible;
 
     use super::*;
-    use crate::at_once::at_once;
     use crate::boundary::tests::SEARCH;
     use crate::boundary::{Boundary, Extent};
+    use futures::executor::block_on;
 
     const LOOSE: Search = Search {
         extent: Extent::All,
@@ -109,7 +112,7 @@ mod tests {
 
     /// Searches where landings topple from `true_speed` on, at a looser tolerance from `loose_speed`.
     fn find(search: Search, true_speed: f64, loose_speed: f64) -> Boundary {
-        let found: Result<_, Infallible> = at_once(search.boundary(async |speed, variation| {
+        let found: Result<_, Infallible> = block_on(search.boundary(async |speed, variation| {
             let from = match variation {
                 Variation::Tolerance(_) => loose_speed,
                 _ => true_speed,

@@ -73,7 +73,7 @@ impl Narrowing {
         &self,
         low: &Sample,
         high: &Sample,
-        sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
     ) -> Result<Narrowed, Stop> {
         if low.class() == high.class() {
             return Ok(Narrowed::default());

@@ -1,6 +1,6 @@
 use super::*;
-use crate::at_once::at_once;
 use crate::trial::Trial;
+use futures::executor::block_on;
 use std::convert::Infallible;
 
 const HALVINGS: usize = 8;
@@ -13,8 +13,8 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
         to_all: true,
     };
     let (low, high) = (sample(0.0), sample(0.25));
-    let mut land = async |speed| Ok::<_, Infallible>(sample(speed));
-    let Ok(narrowed) = at_once(narrowing.between(&low, &high, &mut land));
+    let land = async |speed| Ok::<_, Infallible>(sample(speed));
+    let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
     let mut samples = narrowed.samples;
     let landings = match narrowed.spent[0] {
         0 => samples.len() - 2 * narrowed.looks.looks as usize,
@@ -93,9 +93,9 @@ fn an_irregular_interval_is_looked_at_again() {
             tolerance: 0.001,
             to_all: true,
         };
-        let mut land = async |speed| Ok::<_, Infallible>(Sample::example(speed, margin(speed)));
+        let land = async |speed| Ok::<_, Infallible>(Sample::example(speed, margin(speed)));
         let (low, high) = (Sample::example(0.0, 0.2), Sample::example(0.25, -0.05));
-        let Ok(narrowed) = at_once(narrowing.between(&low, &high, &mut land));
+        let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
         let mut samples = narrowed.samples;
         samples.extend([low, high]);
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));

@@ -8,8 +8,12 @@ use std::cell::Cell;
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::task::{Poll, ready};
+
+use futures::executor::block_on;
+use futures::future::poll_fn;
+use futures::stream::{self, StreamExt};
 
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::landing::abreast::{Request, land_many};
@@ -18,20 +22,19 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::case::{Case, CaseFault};
 use crate::certainty::Variation;
-use crate::exchange::{Asker, Closes, Exchange};
+use crate::exchange::{Closes, Exchange};
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::known::Known;
 use crate::landing_table;
 use crate::scene_input::SceneFault;
-use crate::searches::search_all;
 use crate::sensitivity;
 use crate::shard::Shard;
 use crate::sweep_file::{Job, Sweep};
 use crate::trial::{Scales, Trial};
 
 /// Points that are searched at a time for each thread: a few more than it has landings under way.
-const SEARCHES: usize = 16;
+const SEARCHES: usize = 20;
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
@@ -124,9 +127,9 @@ impl Workers {
         if known.is_enough {
             return Ok(());
         }
-        let search = async |point, asker: Asker<_, LEGS>| {
+        let search = async |point, exchange: &Exchange<_, LEGS>| {
             observer.begin(point);
-            let finding = find(sweep, point, &asker, observer, &stop).await?;
+            let finding = find(sweep, point, exchange, observer, &stop).await?;
             observer.point(point);
             Ok(finding)
         };
@@ -159,8 +162,8 @@ impl Workers {
         let never = AtomicBool::new(false);
         let stop = Stop::on(&never);
         let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        let search = async |index: usize, asker: Asker<_, LEGS>| {
-            find(sweep, points[index], &asker, &(), &stop).await
+        let search = async |index: usize, exchange: &Exchange<_, LEGS>| {
+            find(sweep, points[index], exchange, &(), &stop).await
         };
         self.search(0..points.len(), &stop, search, |finished| {
             found.extend(finished);
@@ -179,27 +182,26 @@ impl Workers {
         &self,
         points: impl Iterator<Item = usize>,
         stop: &Stop,
-        search: impl for<'e> AsyncFn(usize, Asker<'e, Arc<Vehicle<LEGS>>, LEGS>) -> Result<T, RunError>,
+        search: impl AsyncFn(usize, &Exchange<Arc<Vehicle<LEGS>>, LEGS>) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
-        let exchange = Exchange::between(self.threads());
-        let (send, landed) = channel();
+        let exchange = &Exchange::between(self.threads());
         self.pool.in_place_scope(|scope| {
-            let exchange = &exchange;
-            scope.spawn_broadcast(move |_, _| {
-                exchange.land(|key, landing| {
-                    // Nobody waits for the landings of a run that has come to an end.
-                    let _ = send.send((key, landing));
-                });
-            });
+            scope.spawn_broadcast(move |_, _| exchange.land());
             let _rest = Closes(exchange);
-            let at_a_time = SEARCHES * self.threads();
-            search_all(points, at_a_time, (exchange, &landed), search, |finished| {
-                if finished.is_none() {
-                    stop.go_on()?;
+            let search = &search;
+            let searches =
+                points.map(|point| async move { (point, search(point, exchange).await) });
+            let mut searches = stream::iter(searches).buffer_unordered(SEARCHES * self.threads());
+            block_on(poll_fn(|context| {
+                // Whenever a search has got a landing.
+                stop.go_on()?;
+                keep(None).map_err(RunError::Journal)?;
+                while let Some((point, result)) = ready!(searches.poll_next_unpin(context)) {
+                    keep(Some((point, result?))).map_err(RunError::Journal)?;
                 }
-                keep(finished).map_err(RunError::Journal)
-            })
+                Poll::Ready(Ok(()))
+            }))
         })
     }
 
@@ -280,7 +282,7 @@ impl<'c> Stop<'c> {
 async fn find<const LEGS: usize>(
     sweep: &Sweep<LEGS>,
     point: usize,
-    asker: &Asker<'_, Arc<Vehicle<LEGS>>, LEGS>,
+    exchange: &Exchange<Arc<Vehicle<LEGS>>, LEGS>,
     observer: &impl Observer,
     stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
@@ -291,7 +293,9 @@ async fn find<const LEGS: usize>(
     let case = sweep.case(point).map_err(invalid)?;
     let landed = async |vehicle: &Arc<Vehicle<LEGS>>, scene, settings| {
         stop.go_on()?;
-        let landing = asker.land(Arc::clone(vehicle), scene, settings).await;
+        let vehicle = Arc::clone(vehicle);
+        let landing = exchange.landing(point, vehicle, scene, settings).await;
+        let landing = landing.ok_or(RunError::Cancelled)?;
         observer.landing();
         Ok(landing)
     };
@@ -305,7 +309,7 @@ async fn find<const LEGS: usize>(
             outcome: landing.outcome,
         });
     };
-    let mut trial = async |case: &Case<LEGS>, speed, variation: Variation| {
+    let trial = async |case: &Case<LEGS>, speed, variation: Variation| {
         let varied = case
             .scene
             .with_horizontal_velocity(speed)
@@ -327,7 +331,7 @@ async fn find<const LEGS: usize>(
         return Ok(Finding::Boundary(boundary));
     }
     let searched = (&case, &search);
-    let sensitivity = sensitivity::of_point(sweep, point, searched, &boundary, &mut trial).await?;
+    let sensitivity = sensitivity::of_point(sweep, point, searched, &boundary, &trial).await?;
     Ok(Finding::Sensitive {
         boundary,
         sensitivity,
@@ -403,11 +407,12 @@ mod tests {
         let cancel = AtomicBool::new(false);
         for threads in [1, 2, 3] {
             let stop = Stop::on(&cancel);
-            let search = async |point: usize, asker: Asker<_, 3>| {
+            let search = async |point: usize, exchange: &Exchange<_, 3>| {
                 let mut landed = Vec::new();
                 for landing in landings(point) {
                     let scene = scenes[landing % scenes.len()];
-                    landed.push(asker.land(Arc::clone(&vehicle), scene, settings).await);
+                    let landing = exchange.landing(point, Arc::clone(&vehicle), scene, settings);
+                    landed.push(landing.await.unwrap());
                 }
                 Ok(landed)
             };
@@ -436,7 +441,7 @@ mod tests {
                 _ => Ok(()),
             }
         };
-        let search = async |point, _: Asker<_, 3>| Ok(point);
+        let search = async |point, _: &Exchange<_, 3>| Ok(point);
         let ended = workers(2).search(0.., &stop, search, keep);
         assert!(matches!(ended, Err(RunError::Journal(_))));
         assert_eq!(kept, 5);
@@ -448,11 +453,12 @@ mod tests {
         let cancel = AtomicBool::new(false);
         let landings = AtomicUsize::new(0);
         let stop = Stop::on(&cancel);
-        let search = async |point: usize, asker: Asker<_, 3>| {
+        let search = async |point: usize, exchange: &Exchange<_, 3>| {
             loop {
                 stop.go_on()?;
                 let scene = scenes[point % scenes.len()];
-                asker.land(Arc::clone(&vehicle), scene, settings).await;
+                let landing = exchange.landing(point, Arc::clone(&vehicle), scene, settings);
+                assert!(landing.await.is_some());
                 if landings.fetch_add(1, Ordering::Relaxed) == 50 {
                     cancel.store(true, Ordering::Relaxed);
                 }

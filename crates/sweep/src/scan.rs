@@ -21,6 +21,9 @@
 //! of the points the scan by 0.25 ft/s is reproduced but for three bands of failures between stable landings, with 0.46 of its
 //! landings and 0.69 of its evaluations (figures 0.53, level grid 0.52).
 
+use std::cell::RefCell;
+
+use futures::future::{try_join, try_join_all};
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Search, first_unstable};
@@ -47,26 +50,33 @@ const STRIDE: f64 = 4.0;
 
 impl Search {
     /// Scans the range, or as much of it as lies below the first change away from a stable landing;
-    /// returns the landings from below.
+    /// returns the landings from below. Asks for many landings at a time where all of them are needed.
     pub(crate) async fn scanned<Stop>(
         &self,
         to_first: bool,
-        sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
     ) -> Result<Vec<Sample>, Stop> {
         let steps = self.scan_count() - 1;
-        let mut walk = Walk {
+        let walk = Walk {
             land: async |index| sample(self.scan_speed(index)).await,
             to_first,
-            samples: Vec::new(),
+            samples: RefCell::default(),
         };
-        let mut low = walk.to(0).await?;
-        let mut is_over = to_first && low.class != Class::Stable;
-        while !is_over && low.index < steps {
-            let high = walk.to((low.index + self.stride()).min(steps)).await?;
-            is_over = walk.between(&low, &high).await?;
-            low = high;
+        if to_first {
+            let mut low = walk.to(0).await?;
+            let mut is_over = low.class != Class::Stable;
+            while !is_over && low.index < steps {
+                let high = walk.to((low.index + self.stride()).min(steps)).await?;
+                is_over = walk.between(&low, &high).await?;
+                low = high;
+            }
+        } else {
+            let strides = (0..steps).step_by(self.stride() as usize).chain([steps]);
+            let places = try_join_all(strides.map(|index| walk.to(index))).await?;
+            let pairs = places.windows(2);
+            try_join_all(pairs.map(|pair| walk.between(&pair[0], &pair[1]))).await?;
         }
-        let mut samples = walk.samples;
+        let mut samples = walk.samples.into_inner();
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         Ok(samples)
     }
@@ -95,7 +105,7 @@ impl Search {
 struct Walk<F> {
     land: F,
     to_first: bool,
-    samples: Vec<Sample>,
+    samples: RefCell<Vec<Sample>>,
 }
 
 /// A place of the scan that was landed at.
@@ -108,9 +118,9 @@ struct Place {
 
 impl<F, Stop> Walk<F>
 where
-    F: AsyncFnMut(u64) -> Result<Sample, Stop>,
+    F: AsyncFn(u64) -> Result<Sample, Stop>,
 {
-    async fn to(&mut self, index: u64) -> Result<Place, Stop> {
+    async fn to(&self, index: u64) -> Result<Place, Stop> {
         let sample = (self.land)(index).await?;
         let class = sample.class();
         let trial = &sample.trial;
@@ -122,12 +132,12 @@ where
             is_soon: is_clear && trial.duration < SOON,
             is_upright: is_clear && trial.least_angle > UPRIGHT,
         };
-        self.samples.push(sample);
+        self.samples.borrow_mut().push(sample);
         Ok(place)
     }
 
     /// Looks between two landings; whether the first change was all there was to find, and is found.
-    async fn between(&mut self, low: &Place, high: &Place) -> Result<bool, Stop> {
+    async fn between(&self, low: &Place, high: &Place) -> Result<bool, Stop> {
         if high.index - low.index == 1 {
             return Ok(self.to_first && high.class != Class::Stable);
         }
@@ -136,8 +146,13 @@ where
             return Ok(false);
         }
         let middle = self.to(low.index + (high.index - low.index) / 2).await?;
-        Ok(Box::pin(self.between(low, &middle)).await?
-            || Box::pin(self.between(&middle, high)).await?)
+        let below = Box::pin(self.between(low, &middle));
+        let above = Box::pin(self.between(&middle, high));
+        if self.to_first {
+            return Ok(below.await? || above.await?);
+        }
+        try_join(below, above).await?;
+        Ok(false)
     }
 }
 

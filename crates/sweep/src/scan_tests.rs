@@ -1,9 +1,9 @@
 use super::*;
-use crate::at_once::at_once;
 use crate::boundary::Extent;
 use crate::certainty::Doubt;
 use crate::refine::Refinement;
 use crate::trial::Trial;
+use futures::executor::block_on;
 use std::convert::Infallible;
 
 const SEARCH: Search = Search {
@@ -20,7 +20,7 @@ const SEARCH: Search = Search {
 
 /// Scans landings that last so long and end in such a class at a speed; returns them.
 fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<Sample> {
-    let mut sample = async |speed| {
+    let sample = async |speed| {
         let (duration, class) = land(speed);
         let mut trial = Trial {
             duration,
@@ -29,7 +29,7 @@ fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -
         trial.margins.bottoming = Some(0.5);
         Ok::<_, Infallible>(Sample { speed, trial })
     };
-    let Ok(samples) = at_once(search.scanned(to_first, &mut sample));
+    let Ok(samples) = block_on(search.scanned(to_first, &sample));
     samples
 }
 
@@ -88,13 +88,13 @@ fn long_landings_are_never_passed_over() {
 fn landings_next_to_a_stop_and_failures_are_never_passed_over() {
     for class in [Class::Stable, Class::Unstable, Class::Bottomed] {
         for (margin, count) in [(0.06, 8), (0.04, 101), (-0.04, 101), (-0.06, 8)] {
-            let mut sample = async |speed| {
+            let sample = async |speed| {
                 let mut trial = Trial::example(class, 1);
                 trial.duration = 0.5;
                 trial.margins.bottoming = Some(margin);
                 Ok::<_, Infallible>(Sample { speed, trial })
             };
-            let Ok(samples) = at_once(SEARCH.scanned(false, &mut sample));
+            let Ok(samples) = block_on(SEARCH.scanned(false, &sample));
             assert_eq!(samples.len(), count, "{class:?} at {margin}");
         }
     }

@@ -14,6 +14,8 @@ use crate::methods::Method;
 use crate::motion::Motion;
 use crate::outcome::Outcome;
 use crate::record::{Instant, Landing};
+#[cfg(target_arch = "x86_64")]
+use crate::registers::Eight;
 use crate::registers::{Four, Lanes};
 use crate::scene::{Scene, Settings};
 use crate::vehicle::Vehicle;
@@ -21,9 +23,9 @@ use crate::vehicle::Vehicle;
 use steps::{Kind, Place, Spare, Steps};
 
 /// Landings under way per lane: so many that the lanes of explicit or of implicit steps can nearly always be filled.
-const UNDER_WAY: usize = 3;
-/// Of every four lanes so many must be taken for a step in all of them to be worth its while: it takes as long as
-/// three steps alone.
+const UNDER_WAY: usize = 2;
+/// So many lanes must be taken for a step in all of them to be worth its while, four or eight: it takes as long as so
+/// many steps alone.
 const WORTH: usize = 3;
 
 /// A landing to be computed.
@@ -65,7 +67,10 @@ pub fn land_many<V, K, const LEGS: usize>(
 where
     V: Deref<Target = Vehicle<LEGS>>,
 {
-    // Eight abreast, where there are registers for them, are no faster: scripts/profile.md.
+    #[cfg(target_arch = "x86_64")]
+    if let Some(registers) = Eight::try_new() {
+        return land_abreast(registers, next, done);
+    }
     let registers = Four::new();
     if registers.are_whole() {
         return land_abreast(registers, next, done);
@@ -324,7 +329,7 @@ where
         } else {
             (Kind::Explicit, self.explicit.taken())
         };
-        if 4 * taken < WORTH * N {
+        if taken < WORTH {
             self.step_alone(done);
         } else {
             self.occupancy.steps += taken as u64;

@@ -106,6 +106,7 @@ impl<S: Real> Eliminated<S> {
             let force = answer.force.body * tau;
             for k in 0..6 {
                 for i in 0..6 {
+                    S::one_round();
                     body[(i, k)] -= force[i] * reach[k];
                 }
             }
@@ -135,12 +136,14 @@ impl<S: Real> Eliminated<S> {
         }
         for k in 0..6 {
             for i in 0..6 {
+                S::one_round();
                 body[(i, k)] -= columns[0][i] * solved[0][k];
             }
         }
         if leg.swings_pads {
             for k in 0..6 {
                 for i in 0..6 {
+                    S::one_round();
                     body[(i, k)] -= columns[1][i] * solved[1][k];
                 }
             }

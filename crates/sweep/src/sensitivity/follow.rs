@@ -26,7 +26,7 @@ impl Near {
     /// landed at; `None` where there is no such change within reach.
     pub(crate) async fn follow<Stop>(
         &self,
-        sample: &mut impl AsyncFnMut(f64) -> Result<Sample, Stop>,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
     ) -> Result<Option<f64>, Stop> {
         let lowest = (self.around - self.reach).max(0.0);
         let highest = self.around + self.reach;
@@ -74,8 +74,8 @@ impl Near {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::at_once::at_once;
     use crate::trial::Trial;
+    use futures::executor::block_on;
     use std::convert::Infallible;
 
     /// Toppling from 11.4 ft/s, with a margin that runs through zero there, and bottoming from 12.5.
@@ -90,7 +90,7 @@ mod tests {
     }
 
     fn follow(around: f64, within: f64, to: Class) -> (Option<f64>, usize) {
-        let mut landings = 0;
+        let landings = std::cell::Cell::new(0);
         let near = Near {
             around,
             within,
@@ -98,12 +98,12 @@ mod tests {
             to,
             width: 1e-4,
         };
-        let mut sample = async |speed| {
-            landings += 1;
+        let sample = async |speed| {
+            landings.set(landings.get() + 1);
             Ok::<_, Infallible>(land(speed))
         };
-        let Ok(found) = at_once(near.follow(&mut sample));
-        (found, landings)
+        let Ok(found) = block_on(near.follow(&sample));
+        (found, landings.get())
     }
 
     #[test]

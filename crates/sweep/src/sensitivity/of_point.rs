@@ -1,5 +1,8 @@
 //! The sensitivities of one point, from perturbed inputs and their transitions.
 
+use std::cell::Cell;
+
+use futures::future::try_join_all;
 use touchdown_dynamics::outcome::Class;
 
 use super::follow::Near;
@@ -28,7 +31,7 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
     point: usize,
     (case, search): (&Case<LEGS>, &Search),
     boundary: &Boundary,
-    land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
+    land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sensitivity, Stop> {
     let nowhere = |speed, dependence| {
         let step = None;
@@ -45,11 +48,11 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
     if let Certainty::Disputed(_) = transition.certainty {
         return Ok(nowhere(None, Dependence::Disputed));
     }
-    let [mut landings, mut evaluations] = [0, 0];
-    let mut counted = async |case: &Case<LEGS>, speed, variation| {
+    let [landings, evaluations] = [Cell::new(0), Cell::new(0)];
+    let counted = async |case: &Case<LEGS>, speed, variation| {
         let trial = land(case, speed, variation).await?;
-        landings += 1;
-        evaluations += trial.evaluations;
+        landings.set(landings.get() + 1);
+        evaluations.set(evaluations.get() + trial.evaluations);
         Ok(trial)
     };
     let width = FINER * search.tolerance;
@@ -61,7 +64,7 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
         width,
     };
     let found = match near
-        .follow(&mut async |speed| sample(case, speed, &mut counted).await)
+        .follow(&async |speed| sample(case, speed, &counted).await)
         .await?
     {
         // Landing at its ends once more gave something else.
@@ -73,11 +76,8 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
                 width,
                 resolution: width + case.settings.tolerance() * speed,
             };
-            let mut slopes = Vec::with_capacity(sweep.sensitivity.len());
-            for parameter in &sweep.sensitivity {
-                let slope = known.slope(sweep, point, search, parameter, &mut counted);
-                slopes.push(slope.await?);
-            }
+            let slope = |parameter| known.slope(sweep, point, search, parameter, &counted);
+            let slopes = try_join_all(sweep.sensitivity.iter().map(slope)).await?;
             Sensitivity {
                 speed: Some(speed),
                 slopes,
@@ -86,8 +86,8 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
         }
     };
     Ok(Sensitivity {
-        landings,
-        evaluations,
+        landings: landings.get(),
+        evaluations: evaluations.get(),
         ..found
     })
 }
@@ -95,7 +95,7 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
 async fn sample<const LEGS: usize, Stop>(
     case: &Case<LEGS>,
     speed: f64,
-    land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
+    land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sample, Stop> {
     let trial = land(case, speed, Variation::Given).await?;
     Ok(Sample { speed, trial })
@@ -121,7 +121,7 @@ impl Known {
         point: usize,
         search: &Search,
         parameter: &Parameter,
-        land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
+        land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Slope, Stop> {
         let scaled = |value| Some((value, scale(parameter, value)?));
         let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
@@ -158,7 +158,7 @@ impl Known {
                 width: self.width,
             };
             match near
-                .follow(&mut async |speed| sample(&case, speed, land).await)
+                .follow(&async |speed| sample(&case, speed, land).await)
                 .await?
             {
                 Some(speed) => speeds[place] = speed,
@@ -182,7 +182,7 @@ fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
 async fn gone<const LEGS: usize, Stop>(
     case: &Case<LEGS>,
     search: &Search,
-    land: &mut impl AsyncFnMut(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
+    land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Dependence, Stop> {
     let search = Search {
         extent: Extent::First,

@@ -2,9 +2,9 @@ use std::convert::Infallible;
 use std::path::Path;
 
 use super::*;
-use crate::at_once::at_once;
 use crate::boundary::Transition;
 use crate::sweep_file::Job;
+use futures::executor::block_on;
 
 #[test]
 fn scales_are_magnitudes_but_of_angles() {
@@ -29,19 +29,19 @@ fn dependence_on_friction(landed: Landed, certainty: Certainty) -> Slope {
     let Job::Boundary(search) = case.job else {
         panic!("the sweep searches boundaries");
     };
-    let mut land = async |case: &Case<3>, speed, _: Variation| {
+    let land = async |case: &Case<3>, speed, _: Variation| {
         let friction = case.scene.conditions().pad_friction;
         Ok::<_, Infallible>(Trial::example(landed(friction, speed), 1))
     };
     let here = async |speed, variation| land(&case, speed, variation).await;
-    let Ok(mut boundary) = at_once(search.boundary(here));
+    let Ok(mut boundary) = block_on(search.boundary(here));
     if let Some(found) = &mut boundary.transition {
         *found = Transition {
             certainty,
             ..*found
         };
     }
-    let Ok(found) = at_once(of_point(&sweep, 0, (&case, &search), &boundary, &mut land));
+    let Ok(found) = block_on(of_point(&sweep, 0, (&case, &search), &boundary, &land));
     found.slopes[0]
 }
 
