@@ -33,7 +33,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
-use advance::{Advance, Cut, Look, Start};
+use advance::{Advance, Cut, Look, Start, Within};
 use peaks::StrutPeaks;
 use ranges::SignalRanges;
 use stiffness::Stiffness;
@@ -143,8 +143,8 @@ struct Flight<V, O, const LEGS: usize> {
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
     pieces: Pieces<LEGS>,
-    /// How often they have changed.
-    changes: u64,
+    /// How often those of each leg have changed.
+    changes: [u64; LEGS],
     ranges: SignalRanges<LEGS>,
     /// Signals that may have left their range within the last step.
     suspects: Vec<Watch>,
@@ -204,7 +204,7 @@ where
             laws,
             modes,
             pieces,
-            changes: 1,
+            changes: [1; LEGS],
             suspects: Vec::with_capacity(LEGS * Signal::RANGED),
             kinks: [None; LEGS],
             kink_watches: Vec::with_capacity(2 * LEGS),
@@ -433,6 +433,17 @@ where
             step: &mut self.step,
             theta,
         });
+    }
+
+    /// What moves at fraction θ of the step.
+    fn motion_at(&self, theta: f64) -> State<f64, LEGS> {
+        let mut state = State::zero();
+        self.motion.registers().dispatch(Within {
+            step: &self.step,
+            theta,
+            state: &mut state,
+        });
+        state
     }
 
     /// The signals at fraction θ of the step.

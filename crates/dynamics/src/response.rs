@@ -10,8 +10,7 @@ mod stage;
 use nalgebra::{Matrix3, Vector4, Vector6};
 use num_traits::{One, Zero};
 
-use crate::formation::{Formation, LegsAbreast};
-use crate::quad::Quad;
+use crate::formation::Formation;
 use crate::scalar::Real;
 
 pub use stage::System;
@@ -156,10 +155,10 @@ pub struct Response<F: Formation<LEGS>, const LEGS: usize> {
     pub groups: F::Groups<LegResponse<F::Leg>>,
 }
 
-impl<const LEGS: usize> Response<LegsAbreast, LEGS> {
+impl<F: Formation<LEGS>, const LEGS: usize> Response<F, LEGS> {
     /// Rate (1/s) that no decay of a velocity exceeds: the trace of the damping matrix over the inertia.
     #[inline(always)]
-    pub fn greatest_rate(&self) -> f64 {
+    pub fn greatest_rate(&self) -> F::Body {
         let (mass, inertia) = (self.mass, &self.inertia);
         let body = Vector6::new(
             mass,
@@ -169,21 +168,23 @@ impl<const LEGS: usize> Response<LegsAbreast, LEGS> {
             inertia[(1, 1)],
             inertia[(2, 2)],
         );
-        let per_inertia = body.map(|inertia| Quad::constant(1.0 / inertia));
-        let mut rates = Quad::zero();
-        for leg in &self.groups {
-            let per_link = Quad::one() / leg.inertia[0];
-            rates += leg.link_damping.max(Quad::zero()) * per_link;
+        let per_inertia: [F::Leg; 6] = std::array::from_fn(|i| F::shared(F::Body::one() / body[i]));
+        let mut greatest = [F::Body::zero()];
+        for group in 0..F::GROUPS {
+            let leg = &self.groups[group];
+            let per_link = F::Leg::one() / leg.inertia[0];
+            let mut rates = leg.link_damping.max(F::Leg::zero()) * per_link;
             for answer in leg.answers() {
                 let (force, velocity) = (&answer.force, &answer.velocity);
                 let mut rate = force.link * velocity.link * per_link;
-                for i in 0..6 {
-                    rate += force.body[i] * velocity.body[i] * per_inertia[i];
+                for (i, per_inertia) in per_inertia.iter().enumerate() {
+                    rate += force.body[i] * velocity.body[i] * *per_inertia;
                 }
-                rates += (-rate).max(Quad::zero());
+                rates += (-rate).max(F::Leg::zero());
             }
+            F::add(&mut greatest, &[rates]);
         }
-        rates.0.iter().sum()
+        greatest[0]
     }
 }
 

@@ -5,7 +5,10 @@ use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::trial::Margins;
 use futures::executor::block_on;
+use futures::future::poll_fn;
+use std::cell::Cell;
 use std::convert::Infallible;
+use std::task::Poll;
 use touchdown_dynamics::outcome::Class;
 
 const SEARCH: Search = Search {
@@ -125,4 +128,45 @@ fn one_class_is_one_band_and_not_stable_at_the_start_a_transition_there() {
     let transition = found.transition.unwrap();
     assert_eq!((transition.low, transition.high), (0.0, 0.0));
     assert_eq!(survey(|_| Class::Stable).transition, None);
+}
+
+/// Comes back later.
+async fn later() {
+    let mut has_waited = false;
+    let wait = poll_fn(|context| {
+        if has_waited {
+            return Poll::Ready(());
+        }
+        has_waited = true;
+        context.waker().wake_by_ref();
+        Poll::Pending
+    });
+    wait.await;
+}
+
+#[test]
+fn a_search_asks_for_many_landings_at_once_and_finds_the_same() {
+    let margin = |v: f64| (v - 12.1) * (v - 16.3) * (v - 20.0) * -0.01;
+    for scan in [Scan::Full, Scan::Skipping] {
+        let search = Search {
+            scan,
+            doubt: Doubt::All,
+            scan_looseness: 10.0,
+            ..SEARCH
+        };
+        let trial = |speed: f64| Sample::example(speed, margin(speed)).trial;
+        let [waiting, most] = [Cell::new(0), Cell::new(0)];
+        let Ok(found) = block_on(search.boundary(async |speed, _| {
+            waiting.set(waiting.get() + 1);
+            most.set(most.get().max(waiting.get()));
+            later().await;
+            waiting.set(waiting.get() - 1);
+            Ok::<_, Infallible>(trial(speed))
+        }));
+        let Ok(alone) =
+            block_on(search.boundary(async |speed, _| Ok::<_, Infallible>(trial(speed))));
+        assert_eq!(found, alone);
+        assert_eq!(found.bands.len(), 4);
+        assert!(most.get() >= 7, "{}", most.get());
+    }
 }

@@ -14,7 +14,6 @@ use std::task::{Poll, ready};
 use futures::executor::block_on;
 use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
-
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::landing::abreast::{Request, land_many};
 use touchdown_dynamics::scene::{Scene, Settings};
@@ -33,8 +32,9 @@ use crate::shard::Shard;
 use crate::sweep_file::{Job, Sweep};
 use crate::trial::{Scales, Trial};
 
-/// Points that are searched at a time for each thread: a few more than it has landings under way.
-const SEARCHES: usize = 20;
+/// Points that are searched at a time for each thread: as many as it has landings under way, should each ask for one at a
+/// time.
+const SEARCHES: usize = 16;
 
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {

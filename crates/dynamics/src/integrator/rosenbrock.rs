@@ -69,26 +69,26 @@ const SLOPE: [[f64; 5]; 5] = [
 
 impl<S: Real, const LEGS: usize> Step<S, LEGS> {
     /// Takes a step of length `h` from `before`, where the derivative is the first slope; `system` is that of
-    /// τ = [`GAMMA`] h. `derivative` writes the derivative at a state into its second argument; `middle` and `last` do
+    /// τ = [`GAMMA`] h, and `stages` are overwritten. `derivative` writes the derivative at a state into its second argument; `middle` and `last` do
     /// so midway on the continuous output and at the end, where rates of pads at rest are yet those of the start.
     #[inline(always)]
     pub fn take_implicit<F: Formation<LEGS, Body = S>>(
         &mut self,
         h: S,
         system: &System<'_, F, LEGS>,
+        stages: &mut [State<S, LEGS>; 6],
         derivative: impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
         middle: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
         last: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
     ) {
         self.length = h;
         self.weights = weights();
-        let mut stages = [State::zero(); 6];
         system.solve(&self.slopes[0], &mut stages[0]);
-        self.take_stage::<1, F>(system, &mut stages, &derivative);
-        self.take_stage::<2, F>(system, &mut stages, &derivative);
-        self.take_stage::<3, F>(system, &mut stages, &derivative);
-        self.take_stage::<4, F>(system, &mut stages, &derivative);
-        self.take_stage::<5, F>(system, &mut stages, &derivative);
+        self.take_stage::<1, F>(system, stages, &derivative);
+        self.take_stage::<2, F>(system, stages, &derivative);
+        self.take_stage::<3, F>(system, stages, &derivative);
+        self.take_stage::<4, F>(system, stages, &derivative);
+        self.take_stage::<5, F>(system, stages, &derivative);
         self.after = self.before;
         self.stage
             .advance_motion([S::one()], [&stages[5]], &mut self.after);

@@ -124,8 +124,10 @@ struct Sortie<V, K, const LEGS: usize> {
     course: Course<LEGS>,
     attempt: Attempt,
     kind: Kind,
-    /// Changes of its coefficients that its lane has seen.
-    changes_seen: u64,
+    /// Whether the step is known to be of that kind.
+    is_sure: bool,
+    /// Changes of the coefficients of each leg that its lane has seen.
+    changes_seen: [u64; LEGS],
 }
 
 impl<V: Deref<Target = Vehicle<LEGS>>, K, const LEGS: usize> Sortie<V, K, LEGS> {
@@ -135,12 +137,22 @@ impl<V: Deref<Target = Vehicle<LEGS>>, K, const LEGS: usize> Sortie<V, K, LEGS> 
     /// The outcome, if no further step is to be taken.
     fn aim(&mut self) -> Result<(), Outcome> {
         self.attempt = self.flight.aim(&mut self.course)?;
+        // After an implicit step the next is taken for one too: in lanes it shows whether that was right.
+        self.is_sure = false;
+        if self.kind == Kind::Explicit {
+            self.make_sure();
+        }
+        Ok(())
+    }
+
+    /// Finds out of what kind the next step is.
+    fn make_sure(&mut self) {
+        self.is_sure = true;
         self.kind = if self.flight.is_stiff(self.attempt.length) {
             Kind::Implicit
         } else {
             Kind::Explicit
         };
-        Ok(())
     }
 
     /// Goes on to the end of the step just taken in its lane, or to what comes before, and gets ready for the next.
@@ -153,6 +165,11 @@ impl<V: Deref<Target = Vehicle<LEGS>>, K, const LEGS: usize> Sortie<V, K, LEGS> 
         lane: usize,
     ) -> Result<Way, Outcome> {
         let flight = &mut self.flight;
+        if !self.is_sure && !(flight.stiffness).exceeds_at(steps.rate(lane), self.attempt.length) {
+            self.kind = Kind::Explicit;
+            self.is_sure = true;
+            return Ok(Way::Back);
+        }
         flight.evaluations += self.kind.evaluations();
         flight.is_middle_seen = self.kind == Kind::Implicit;
         flight.step.length = self.attempt.length;
@@ -173,6 +190,9 @@ impl<V: Deref<Target = Vehicle<LEGS>>, K, const LEGS: usize> Sortie<V, K, LEGS> 
     /// # Errors
     /// The outcome, when the landing has ended.
     fn step_alone(&mut self) -> Result<(), Outcome> {
+        if !self.is_sure {
+            self.make_sure();
+        }
         let flight = &mut self.flight;
         let error = flight.take(self.attempt.length, self.kind == Kind::Implicit);
         flight.go_on(&mut self.course, self.attempt, error)?;
@@ -232,7 +252,9 @@ impl<V, K, const N: usize, const LEGS: usize> Row<V, K, N, LEGS> {
             };
             let flight = &sortie.flight;
             self.steps.set_motion(lane, &flight.motion);
-            self.steps.set_pieces(lane, &flight.pieces);
+            for leg in 0..LEGS {
+                self.steps.set_pieces(lane, leg, &flight.pieces);
+            }
             self.steps.set_start(lane, &flight.step);
             self.steps.set_length(lane, sortie.attempt.length);
             sortie.changes_seen = flight.changes;
@@ -298,7 +320,8 @@ where
                 length: 0.0,
             },
             kind: Kind::Explicit,
-            changes_seen: 0,
+            is_sure: false,
+            changes_seen: [0; LEGS],
         });
         self.under_way += 1;
         self.go_on_or_end(sortie, Sortie::aim, done);
@@ -373,10 +396,12 @@ where
                         Way::On => *goes_on = true,
                         Way::Elsewhere => row.steps.set_start(lane, &sortie.flight.step),
                     }
-                    if sortie.changes_seen != sortie.flight.changes {
-                        row.steps.set_pieces(lane, &sortie.flight.pieces);
-                        sortie.changes_seen = sortie.flight.changes;
+                    for leg in 0..LEGS {
+                        if sortie.changes_seen[leg] != sortie.flight.changes[leg] {
+                            row.steps.set_pieces(lane, leg, &sortie.flight.pieces);
+                        }
                     }
+                    sortie.changes_seen = sortie.flight.changes;
                     row.steps.set_length(lane, sortie.attempt.length);
                     row.seats[lane].sortie = Some(sortie);
                 }

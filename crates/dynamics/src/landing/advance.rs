@@ -51,7 +51,8 @@ impl<const LEGS: usize> NullaryFnOnce for Advance<'_, LEGS> {
             let middle = |state: &State<f64, LEGS>, slope: &mut State<f64, LEGS>| {
                 motion.evaluate(state, pieces, slope, &mut *self.middle);
             };
-            step.take_implicit(self.length, &system, derivative, middle, last);
+            let mut stages = [State::zero(); 6];
+            step.take_implicit(self.length, &system, &mut stages, derivative, middle, last);
             tell_pad_rates(step, [&mut *self.middle, &mut *self.signals]);
         } else {
             step.take_explicit(self.length, derivative, last);
@@ -99,6 +100,22 @@ impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
             ..
         } = self;
         motion.look(&state, pieces, with_torques, signals);
+    }
+}
+
+/// What moves at fraction θ of a step.
+pub(super) struct Within<'a, const LEGS: usize> {
+    pub(super) step: &'a Step<f64, LEGS>,
+    pub(super) theta: f64,
+    pub(super) state: &'a mut State<f64, LEGS>,
+}
+
+impl<const LEGS: usize> NullaryFnOnce for Within<'_, LEGS> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        *self.state = self.step.motion_at(self.theta);
     }
 }
 

@@ -122,7 +122,7 @@ where
     fn choose_pieces(&mut self, j: usize) {
         let (mode, laws) = (&self.modes[j], &self.laws[j]);
         self.pieces.set_leg(j, &mode.pieces(laws));
-        self.changes += 1;
+        self.changes[j] += 1;
         self.ranges.set(j, &mode.ranges(laws));
         self.stiffness.forget();
     }

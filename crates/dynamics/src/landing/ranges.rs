@@ -103,6 +103,13 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     fn watch(&self, reach: &[Quad; QUADS], watches: &mut Vec<Watch>) {
         watches.clear();
         for (quad, reach) in reach.iter().enumerate() {
+            if reach
+                .0
+                .iter()
+                .fold(true, |stays, reach| stays & (*reach < 0.0))
+            {
+                continue;
+            }
             for (lane, reach) in reach.0.iter().enumerate() {
                 let signal = quad * LANES + lane;
                 let range = self.0.get(signal);

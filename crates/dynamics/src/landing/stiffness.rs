@@ -57,7 +57,12 @@ impl<const LEGS: usize> Stiffness<LEGS> {
             return false;
         }
         motion.respond(state, pieces, &mut self.response);
-        let stiffness = length * self.response.greatest_rate() / self.limit;
+        self.exceeds_at(self.response.greatest_rate(), length)
+    }
+
+    /// The same where no velocity decays faster than at a `rate` (1/s).
+    pub(super) fn exceeds_at(&mut self, rate: f64, length: f64) -> bool {
+        let stiffness = length * rate / self.limit;
         if stiffness > 1.0 {
             return true;
         }

@@ -71,7 +71,7 @@ where
                     let depth = self.motion.surface().depth(&body.position);
                     judge.observe_footing(&Footing::told(self.signals.ahead(), depth), &body)
                 } else {
-                    judge.observe(&self.motion, &self.step.motion_at(theta))
+                    judge.observe(&self.motion, &self.motion_at(theta))
                 }
             };
             let node = |theta: f64| Node {
@@ -112,7 +112,7 @@ where
             if let Some(verdict) = judge.verdict(&exit.signals, self.least_angle.0) {
                 return Some((exit.theta, verdict));
             }
-            match (outlook.judge).look(&self.motion, &self.step.motion_at(exit.theta)) {
+            match (outlook.judge).look(&self.motion, &self.motion_at(exit.theta)) {
                 Err(verdict) => return Some((exit.theta, verdict)),
                 Ok(observation) => {
                     self.note_observation(&observation, self.time_at(exit.theta));
@@ -186,7 +186,7 @@ where
             let Some(theta) = parabola.lowest(least(self)) else {
                 return;
             };
-            let seen = judge.observe(&self.motion, &self.step.motion_at(theta));
+            let seen = judge.observe(&self.motion, &self.motion_at(theta));
             self.note_observation(&seen, self.time_at(theta));
             parabola = parabola.about((theta, number(&seen)));
         }

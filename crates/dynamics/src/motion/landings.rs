@@ -70,12 +70,11 @@ impl<const N: usize, const LEGS: usize> MotionsAbreast<N, LEGS> {
         }
     }
 
-    /// Puts coefficients in force in a lane.
-    pub fn set_pieces(&mut self, lane: usize, pieces: &Pieces<LEGS>) {
-        for (j, legs) in self.pieces.iter_mut().enumerate() {
-            pieces.leg(j).set_lane(&mut legs.legs, lane);
-            legs.pressed = Pressed::of(&legs.legs);
-        }
+    /// Puts coefficients of leg `leg` in force in a lane.
+    pub fn set_pieces(&mut self, lane: usize, leg: usize, pieces: &Pieces<LEGS>) {
+        let GroupPieces { legs, pressed } = &mut self.pieces[leg];
+        pieces.leg(leg).set_lane(legs, lane);
+        *pressed = Pressed::of(legs);
     }
 
     /// Writes the time derivatives of the states.

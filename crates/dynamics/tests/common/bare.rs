@@ -72,7 +72,9 @@ impl<const LEGS: usize> Bare<LEGS> {
     pub fn abreast<const N: usize>(&self) -> MotionsAbreast<N, LEGS> {
         let mut motions = MotionsAbreast::new(&self.motion);
         for lane in 0..N {
-            motions.set_pieces(lane, &self.pieces);
+            for leg in 0..LEGS {
+                motions.set_pieces(lane, leg, &self.pieces);
+            }
         }
         motions
     }
@@ -125,7 +127,8 @@ impl<const LEGS: usize> Bare<LEGS> {
             derivative(state, slope);
         };
         let system = response.over(GAMMA * length);
-        step.take_implicit(length, &system, derivative, middle, derivative);
+        let mut stages = [State::zero(); 6];
+        step.take_implicit(length, &system, &mut stages, derivative, middle, derivative);
         (step, midway)
     }
 

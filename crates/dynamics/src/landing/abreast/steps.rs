@@ -79,10 +79,14 @@ pub(super) struct Steps<const N: usize, const LEGS: usize> {
     motions: MotionsAbreast<N, LEGS>,
     response: Response<LandingsAbreast<N>, LEGS>,
     step: Step<Wide<N>, LEGS>,
+    /// Stages of implicit steps.
+    stages: [State<Wide<N>, LEGS>; 6],
     lengths: Wide<N>,
     /// Signals midway through implicit steps, and at the ends.
     middle: GlancesAbreast<N, LEGS>,
     signals: GlancesAbreast<N, LEGS>,
+    /// Rates (1/s) that no decay exceeds at the starts of implicit steps.
+    rates: Wide<N>,
     /// Errors of the motion for a tolerance of 1, and of the works, ft·lb.
     errors: [f64; N],
     work_errors: Wide<N>,
@@ -96,9 +100,11 @@ impl<const N: usize, const LEGS: usize> Steps<N, LEGS> {
             response: motions.response(),
             motions,
             step: Step::from(State::zero(), State::zero()),
+            stages: [State::zero(); 6],
             lengths: Wide([0.0; N]),
             middle: GlancesAbreast::blank(),
             signals: GlancesAbreast::blank(),
+            rates: Wide([0.0; N]),
             errors: [0.0; N],
             work_errors: Wide([0.0; N]),
         }
@@ -109,9 +115,9 @@ impl<const N: usize, const LEGS: usize> Steps<N, LEGS> {
         self.motions.set_motion(lane, motion);
     }
 
-    /// Puts the coefficients that are in force into a lane.
-    pub(super) fn set_pieces(&mut self, lane: usize, pieces: &Pieces<LEGS>) {
-        self.motions.set_pieces(lane, pieces);
+    /// Puts the coefficients of a leg that are in force into a lane.
+    pub(super) fn set_pieces(&mut self, lane: usize, leg: usize, pieces: &Pieces<LEGS>) {
+        self.motions.set_pieces(lane, leg, pieces);
     }
 
     /// Puts the start of a step into a lane.
@@ -123,6 +129,11 @@ impl<const N: usize, const LEGS: usize> Steps<N, LEGS> {
     /// Puts the length of a step (s) into a lane.
     pub(super) fn set_length(&mut self, lane: usize, length: f64) {
         self.lengths.0[lane] = length;
+    }
+
+    /// Rate (1/s) that no decay in a lane exceeds at the start of the implicit step there.
+    pub(super) fn rate(&self, lane: usize) -> f64 {
+        self.rates.0[lane]
     }
 
     /// Error of the step in a lane in units of the tolerance, `work` ft·lb being allowed to a work.
@@ -211,9 +222,11 @@ impl<R: Lanes<N>, const IMPLICIT: bool, const N: usize, const LEGS: usize> Nulla
             motions,
             response,
             step,
+            stages,
             lengths,
             middle,
             signals,
+            rates,
             errors,
             work_errors,
         } = self.steps;
@@ -226,11 +239,12 @@ impl<R: Lanes<N>, const IMPLICIT: bool, const N: usize, const LEGS: usize> Nulla
         };
         if IMPLICIT {
             motions.respond(&step.before, response);
+            *rates = response.greatest_rate();
             let system = response.over(Wide([GAMMA; N]) * *lengths);
             let midway = |states: &State<Wide<N>, LEGS>, slopes: &mut State<Wide<N>, LEGS>| {
                 registers.dispatch(Evaluate(motions, states, slopes, middle));
             };
-            step.take_implicit(*lengths, &system, derivative, midway, last);
+            step.take_implicit(*lengths, &system, stages, derivative, midway, last);
         } else {
             step.take_explicit(*lengths, derivative, last);
         }
