@@ -49,10 +49,7 @@ impl Search {
             spent,
             loose,
         } = self.confirmed_scan(false, &land).await?;
-        let sample = async |speed| {
-            let trial = land(speed, Variation::Given).await?;
-            Ok(Sample { speed, trial })
-        };
+        let sample = async |speed| Sample::at(speed, land(speed, Variation::Given)).await;
         let mut looks = Looks::default();
         let mut spared = Spared {
             left_out: self.left_out(false, &samples),

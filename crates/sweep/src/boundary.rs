@@ -109,7 +109,7 @@ impl Search {
     }
 
     /// Searches as much of the range as [`Search::extent`] says with `land`, which lands at a given
-    /// horizontal speed with a variation.
+    /// horizontal speed with a variation. Asks for several landings at a time where all of them are needed.
     ///
     /// # Errors
     /// Only what `land` gives up with, at once.
@@ -137,10 +137,7 @@ impl Search {
             spent: replaced,
             loose,
         } = self.confirmed_scan(true, &land).await?;
-        let sample = async |speed| {
-            let trial = land(speed, Variation::Given).await?;
-            Ok(Sample { speed, trial })
-        };
+        let sample = async |speed| Sample::at(speed, land(speed, Variation::Given)).await;
         let left_out = self.left_out(true, &samples);
         let mut narrowed = Narrowed::default();
         if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {

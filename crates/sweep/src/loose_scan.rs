@@ -67,10 +67,7 @@ impl Search {
         to_first: bool,
         land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Vec<Sample>, Stop> {
-        let sample = async |speed| {
-            let trial = land(speed, variation).await?;
-            Ok(Sample { speed, trial })
-        };
+        let sample = async |speed| Sample::at(speed, land(speed, variation)).await;
         self.scanned(to_first, &sample).await
     }
 }

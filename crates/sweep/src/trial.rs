@@ -122,6 +122,15 @@ pub struct Sample {
 }
 
 impl Sample {
+    /// A landing at a speed (ft/s), once it has come to its end.
+    pub(crate) async fn at<Stop>(
+        speed: f64,
+        landing: impl Future<Output = Result<Trial, Stop>>,
+    ) -> Result<Self, Stop> {
+        let trial = landing.await?;
+        Ok(Self { speed, trial })
+    }
+
     /// The class of its outcome.
     pub fn class(&self) -> Class {
         self.trial.outcome.class()

@@ -64,7 +64,7 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
         width,
     };
     let found = match near
-        .follow(&async |speed| sample(case, speed, &counted).await)
+        .follow(&async |speed| Sample::at(speed, counted(case, speed, Variation::Given)).await)
         .await?
     {
         // Landing at its ends once more gave something else.
@@ -90,15 +90,6 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
         evaluations: evaluations.get(),
         ..found
     })
-}
-
-async fn sample<const LEGS: usize, Stop>(
-    case: &Case<LEGS>,
-    speed: f64,
-    land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
-) -> Result<Sample, Stop> {
-    let trial = land(case, speed, Variation::Given).await?;
-    Ok(Sample { speed, trial })
 }
 
 /// The transition of a point.
@@ -158,7 +149,9 @@ impl Known {
                 width: self.width,
             };
             match near
-                .follow(&async |speed| sample(&case, speed, land).await)
+                .follow(&async |speed| {
+                    Sample::at(speed, land(&case, speed, Variation::Given)).await
+                })
                 .await?
             {
                 Some(speed) => speeds[place] = speed,
