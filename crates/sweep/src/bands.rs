@@ -4,10 +4,10 @@
 //! between neighbouring landings of different class is narrowed down. Whatever third class that
 //! meets becomes a band of its own.
 
-use futures::future::try_join_all;
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::{Class, Outcome};
 
+use crate::at_once::at_once;
 use crate::boundary::{Boundary, Search};
 use crate::certainty::{Certainty, Variation};
 use crate::hidden;
@@ -64,7 +64,7 @@ impl Search {
             let ends = [&samples[suspect.index], &samples[suspect.index + 1]];
             hidden::look(ends, suspect.otherwise, &sample)
         });
-        for (suspect, look) in suspects.iter().zip(try_join_all(looked).await?) {
+        for (suspect, look) in suspects.iter().zip(at_once(looked).await?) {
             let class = samples[suspect.index].class();
             let has_found = look.iter().any(|s| s.class() != class);
             looks.of(class, suspect.otherwise).count(has_found);
@@ -77,7 +77,7 @@ impl Search {
         let narrowing = self.narrowing(true);
         let pairs = samples.windows(2);
         let narrowed = pairs.map(|pair| narrowing.between(&pair[0], &pair[1], &sample));
-        for mut narrowed in try_join_all(narrowed).await? {
+        for mut narrowed in at_once(narrowed).await? {
             between.append(&mut narrowed.samples);
             looks.gaps += narrowed.looks;
             spared.interpolated += narrowed.interpolated;
@@ -97,7 +97,7 @@ impl Search {
             let pairs = samples.windows(2).map(|pair| [&pair[0], &pair[1]]);
             pairs.filter(|[low, high]| low.class() != high.class())
         };
-        let tests = try_join_all(changes().map(|ends| self.tested(ends, &land))).await?;
+        let tests = at_once(changes().map(|ends| self.tested(ends, &land))).await?;
         tests.iter().for_each(|tested| boundary.count(tested));
         let certainties: Vec<(f64, Certainty)> = (changes().zip(&tests))
             .map(|([_, high], tested)| (high.speed, tested.certainty))

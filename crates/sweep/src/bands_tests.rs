@@ -145,11 +145,16 @@ async fn later() {
 }
 
 #[test]
-fn a_search_asks_for_many_landings_at_once_and_finds_the_same() {
+fn a_search_asks_for_many_landings_at_once_but_not_all_and_finds_the_same() {
     let margin = |v: f64| (v - 12.1) * (v - 16.3) * (v - 20.0) * -0.01;
-    for scan in [Scan::Full, Scan::Skipping] {
+    for (scan, scan_step) in [
+        (Scan::Full, 0.25),
+        (Scan::Skipping, 0.25),
+        (Scan::Full, 0.01),
+    ] {
         let search = Search {
             scan,
+            scan_step,
             doubt: Doubt::All,
             scan_looseness: 10.0,
             ..SEARCH
@@ -167,6 +172,7 @@ fn a_search_asks_for_many_landings_at_once_and_finds_the_same() {
             block_on(search.boundary(async |speed, _| Ok::<_, Infallible>(trial(speed))));
         assert_eq!(found, alone);
         assert_eq!(found.bands.len(), 4);
-        assert!(most.get() >= 7, "{}", most.get());
+        // Not of more at once for a finer scan: each takes room.
+        assert!((7..=32).contains(&most.get()), "{}", most.get());
     }
 }

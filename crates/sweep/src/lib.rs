@@ -7,7 +7,7 @@
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`looks`], [`certainty`], [`spared`] |
 //! | how much its place depends on the input | [`sensitivity`] |
 //! | keep it whatever happens | [`journal`], [`header`], [`point_set`], [`shard`], [`merge`], [`library`] |
-//! | do so on every core | `exchange`, [`run`] |
+//! | do so on every core | `at_once`, `exchange`, [`run`] |
 //! | measure what it costs | [`measured_scenes`] |
 //! | tell | [`findings`], [`tally`], [`probabilities`], [`tables`], [`results`], [`bands_table`], [`history`], [`landing_table`], [`deposit`] |
 //!
@@ -16,6 +16,7 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+mod at_once;
 mod axis_input;
 pub mod bands;
 pub mod bands_table;

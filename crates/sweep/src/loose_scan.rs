@@ -5,9 +5,9 @@
 //! landed at again at the tolerance itself, before the change is narrowed down at that. Should one of
 //! them end otherwise, the whole scan is made again at the tolerance itself.
 
-use futures::future::try_join_all;
 use touchdown_dynamics::outcome::Class;
 
+use crate::at_once::at_once;
 use crate::boundary::Search;
 use crate::certainty::Variation;
 use crate::trial::{Sample, Trial};
@@ -43,7 +43,7 @@ impl Search {
         let mut is_confirmed = true;
         let ends = ends_of_changes(&samples);
         let again = (ends.iter()).map(|index| land(samples[*index].speed, Variation::Given));
-        let again = try_join_all(again).await?;
+        let again = at_once(again).await?;
         for (index, trial) in ends.into_iter().zip(again) {
             let speed = samples[index].speed;
             is_confirmed &= trial.outcome.class() == samples[index].class();

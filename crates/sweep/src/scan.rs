@@ -23,9 +23,10 @@
 
 use std::cell::RefCell;
 
-use futures::future::{try_join, try_join_all};
+use futures::future::try_join;
 use touchdown_dynamics::outcome::Class;
 
+use crate::at_once::at_once;
 use crate::boundary::{Search, first_unstable};
 use crate::trial::Sample;
 
@@ -60,21 +61,22 @@ impl Search {
         let walk = Walk {
             land: async |index| sample(self.scan_speed(index)).await,
             to_first,
+            stride: self.stride(),
             samples: RefCell::default(),
         };
         if to_first {
             let mut low = walk.to(0).await?;
             let mut is_over = low.class != Class::Stable;
             while !is_over && low.index < steps {
-                let high = walk.to((low.index + self.stride()).min(steps)).await?;
+                let high = walk.to((low.index + walk.stride).min(steps)).await?;
                 is_over = walk.between(&low, &high).await?;
                 low = high;
             }
         } else {
-            let strides = (0..steps).step_by(self.stride() as usize).chain([steps]);
-            let places = try_join_all(strides.map(|index| walk.to(index))).await?;
+            let strides = (0..steps).step_by(walk.stride as usize).chain([steps]);
+            let places = at_once(strides.map(|index| walk.to(index))).await?;
             let pairs = places.windows(2);
-            try_join_all(pairs.map(|pair| walk.between(&pair[0], &pair[1]))).await?;
+            at_once(pairs.map(|pair| walk.between(&pair[0], &pair[1]))).await?;
         }
         let mut samples = walk.samples.into_inner();
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
@@ -105,6 +107,8 @@ impl Search {
 struct Walk<F> {
     land: F,
     to_first: bool,
+    /// Steps from one landing to the next, before any between them is looked at.
+    stride: u64,
     samples: RefCell<Vec<Sample>>,
 }
 
@@ -148,11 +152,12 @@ where
         let middle = self.to(low.index + (high.index - low.index) / 2).await?;
         let below = Box::pin(self.between(low, &middle));
         let above = Box::pin(self.between(&middle, high));
-        if self.to_first {
-            return Ok(below.await? || above.await?);
+        if !self.to_first && high.index - low.index > self.stride / 4 {
+            // Quarters of a stride at once, and not more however many steps there are in it.
+            try_join(below, above).await?;
+            return Ok(false);
         }
-        try_join(below, above).await?;
-        Ok(false)
+        Ok(below.await? || above.await?)
     }
 }
 

@@ -2,11 +2,11 @@
 
 use std::cell::Cell;
 
-use futures::future::try_join_all;
 use touchdown_dynamics::outcome::Class;
 
 use super::follow::Near;
 use super::{Dependence, Sensitivity, Slope, difference};
+use crate::at_once::at_once;
 use crate::boundary::{Boundary, Extent, Search};
 use crate::case::Case;
 use crate::certainty::{Certainty, Doubt, Variation};
@@ -77,7 +77,7 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
                 resolution: width + case.settings.tolerance() * speed,
             };
             let slope = |parameter| known.slope(sweep, point, search, parameter, &counted);
-            let slopes = try_join_all(sweep.sensitivity.iter().map(slope)).await?;
+            let slopes = at_once(sweep.sensitivity.iter().map(slope)).await?;
             Sensitivity {
                 speed: Some(speed),
                 slopes,
