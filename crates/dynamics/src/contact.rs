@@ -15,7 +15,7 @@ use crate::motion::{LegPieces, LegSignals, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::scene::CrushRule;
 use crate::strut::{GentleKinks, Stance, StrutLaw};
-use crate::vehicle::Leg;
+use crate::vehicle::{Leg, LegDesign};
 
 pub use choice::Choice;
 
@@ -27,8 +27,8 @@ const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
 const PAD_ARRIVAL: f64 = 1e-12;
 const PAD_ARRIVAL_SHARE: f64 = 0.01;
 
-/// The laws of one leg.
-#[derive(Debug, Clone)]
+/// The laws of one leg. A clone shares its tables.
+#[derive(Debug, Clone, PartialEq)]
 pub struct LegLaws {
     pad: CrushLaw,
     block: CrushLaw,
@@ -41,7 +41,14 @@ pub struct LegLaws {
 impl LegLaws {
     /// The laws of a leg under a crush rule.
     pub fn new(leg: &Leg, rule: CrushRule) -> Self {
-        let design = leg.design();
+        Self {
+            rule,
+            ..leg.laws().clone()
+        }
+    }
+
+    /// The laws of a leg that is designed like this, under the default rule.
+    pub(crate) fn of(design: &LegDesign) -> Self {
         Self {
             pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
             block: CrushLaw::new(&design.block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD),
@@ -51,7 +58,7 @@ impl LegLaws {
                 outer: design.footpad.maximum_angle,
                 arrival: PAD_ARRIVAL,
             },
-            rule,
+            rule: CrushRule::default(),
             friction: FrictionProfile::default(),
         }
     }

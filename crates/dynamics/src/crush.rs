@@ -4,6 +4,8 @@
 //! the elastic line E (I − P) with E the slope of the first segment and P the plastic set. Between
 //! events an element is on one straight line of pressure against interference.
 
+use std::sync::Arc;
+
 use crate::integrator::event::{Bounds, Exit};
 use crate::profile::{Profile, Segment};
 use crate::scalar::Real;
@@ -47,10 +49,10 @@ impl<S: Real> PressureLine<S> {
 }
 
 /// Crush law of one kind of element.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct CrushLaw {
     elastic_slope: f64,
-    segments: Vec<Segment>,
+    segments: Arc<[Segment]>,
     pressure_threshold: f64,
 }
 
@@ -69,7 +71,7 @@ impl CrushLaw {
 
     /// The law of a profile, with the least I − P (ft) that gives pressure.
     pub fn new(profile: &Profile, pressure_threshold: f64) -> Self {
-        let segments = profile.segments();
+        let segments: Arc<[Segment]> = profile.segments().into();
         Self {
             elastic_slope: segments[0].slope,
             segments,

@@ -77,7 +77,7 @@ impl<S: Real> HingePiece<S> {
 }
 
 /// The stops of one footpad, rad.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stops {
     /// Least angle.
     pub inner: f64,

@@ -17,7 +17,6 @@ use std::ops::Deref;
 
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
-use crate::integrator::event::Watch;
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::integrator::{dormand_prince, rosenbrock};
@@ -35,7 +34,7 @@ use crate::vehicle::Vehicle;
 use account::History;
 use advance::{Advance, Cut, Look, Start, Within};
 use peaks::StrutPeaks;
-use ranges::SignalRanges;
+use ranges::{SignalRanges, Watches};
 use stiffness::Stiffness;
 use trail::Trail;
 use verdict::Outlook;
@@ -147,10 +146,9 @@ struct Flight<V, O, const LEGS: usize> {
     changes: [u64; LEGS],
     ranges: SignalRanges<LEGS>,
     /// Signals that may have left their range within the last step.
-    suspects: Vec<Watch>,
+    suspects: Watches,
     /// The gentle kinks next to each strut that works.
     kinks: [Option<GentleKinks>; LEGS],
-    kink_watches: Vec<Watch>,
     time: f64,
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
@@ -205,9 +203,8 @@ where
             modes,
             pieces,
             changes: [1; LEGS],
-            suspects: Vec::with_capacity(LEGS * Signal::RANGED),
+            suspects: Watches::new(),
             kinks: [None; LEGS],
-            kink_watches: Vec::with_capacity(2 * LEGS),
             time: 0.0,
             step: Step::from(state, State::zero()),
             signals: Trail::new(),

@@ -1,5 +1,6 @@
 //! Stability angle, critical feet and the quantities outcomes are judged by (2.7, model chapter 7).
 
+use arrayvec::ArrayVec;
 use libm::{atan2, hypot};
 use nalgebra::Vector3;
 use num_traits::Zero;
@@ -119,7 +120,7 @@ pub struct Judge<const LEGS: usize> {
     plane: Plane,
     feet: CriticalFeet,
     ranges: Ranges<QUADS>,
-    watches: Vec<Watch>,
+    watches: ArrayVec<Watch, { QUADS * LANES }>,
 }
 
 impl<const LEGS: usize> Judge<LEGS> {
@@ -136,7 +137,7 @@ impl<const LEGS: usize> Judge<LEGS> {
                 positive: 1,
             },
             ranges: Ranges::free(),
-            watches: Vec::with_capacity(LEGS + 1 + CALM),
+            watches: ArrayVec::new(),
         }
     }
 

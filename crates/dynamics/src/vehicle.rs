@@ -7,6 +7,7 @@
 use libm::{asin, sin};
 use nalgebra::{Matrix3, SymmetricEigen};
 
+use crate::contact::LegLaws;
 use crate::invalid::{Invalid, non_negative, positive, require};
 use crate::profile::Profile;
 
@@ -140,6 +141,7 @@ pub struct Block {
 pub struct Leg {
     design: LegDesign,
     extended_angle: f64,
+    laws: LegLaws,
 }
 
 impl Leg {
@@ -223,6 +225,7 @@ impl Leg {
             |v| v < 90.0 && v > extended_deg,
         )?;
         Ok(Self {
+            laws: LegLaws::of(&design),
             design,
             extended_angle,
         })
@@ -231,6 +234,11 @@ impl Leg {
     /// The leg as designed.
     pub fn design(&self) -> &LegDesign {
         &self.design
+    }
+
+    /// Its laws, made of the design once for all landings.
+    pub(crate) fn laws(&self) -> &LegLaws {
+        &self.laws
     }
 
     /// Lower-link angle γ at which the strut has its extended length, rad: where γ starts.

@@ -360,7 +360,7 @@ mod tests {
             "/../../sweeps/vehicles/surveyor-table-4-1.toml"
         );
         let vehicle = VehicleFile::read(Path::new(file)).unwrap().vehicle;
-        let settings = Settings::new(3e-4, 0.05, CrushRule::default()).unwrap();
+        let settings = Settings::new(3e-4, 0.3, CrushRule::default()).unwrap();
         (Arc::new(vehicle), near_boundary(false).unwrap(), settings)
     }
 
@@ -378,6 +378,8 @@ mod tests {
     #[test]
     fn cases_come_in_order_for_any_number_of_threads_and_stop_when_told() {
         let (vehicle, scenes, settings) = short_landings();
+        // More than all threads have under way.
+        let scenes = scenes.repeat(5);
         let expected: Vec<_> = (scenes.iter())
             .map(|scene| land(&vehicle, scene, &settings))
             .collect();

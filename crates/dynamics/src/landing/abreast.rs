@@ -119,7 +119,8 @@ type Nobody<const LEGS: usize> = fn(&Instant<LEGS>);
 
 /// A landing under way.
 struct Sortie<V, K, const LEGS: usize> {
-    key: K,
+    /// What its result is told by, until it is.
+    key: Option<K>,
     flight: Flight<V, Nobody<LEGS>, LEGS>,
     course: Course<LEGS>,
     attempt: Attempt,
@@ -231,7 +232,7 @@ impl<V, K, const N: usize, const LEGS: usize> Row<V, K, N, LEGS> {
                 sortie: None,
                 spare: Box::new(Spare::new()),
             }),
-            waiting: Vec::new(),
+            waiting: Vec::with_capacity(UNDER_WAY * N),
         }
     }
 
@@ -269,6 +270,8 @@ struct Fleet<R, V, K, const N: usize, const LEGS: usize> {
     under_way: usize,
     explicit: Row<V, K, N, LEGS>,
     implicit: Row<V, K, N, LEGS>,
+    /// Those that have ended, whose places others take.
+    ended: Vec<Box<Sortie<V, K, LEGS>>>,
     occupancy: Occupancy,
 }
 
@@ -283,6 +286,7 @@ where
             under_way: 0,
             explicit: Row::new(motion),
             implicit: Row::new(motion),
+            ended: Vec::with_capacity(UNDER_WAY * N),
             occupancy: Occupancy::default(),
         }
     }
@@ -311,8 +315,8 @@ where
             Ok(course) => course,
             Err(outcome) => return done(key, flight.conclude(outcome)),
         };
-        let sortie = Box::new(Sortie {
-            key,
+        let sortie = Sortie {
+            key: Some(key),
             flight,
             course,
             attempt: Attempt {
@@ -322,7 +326,14 @@ where
             kind: Kind::Explicit,
             is_sure: false,
             changes_seen: [0; LEGS],
-        });
+        };
+        let sortie = match self.ended.pop() {
+            Some(mut place) => {
+                *place = sortie;
+                place
+            }
+            None => Box::new(sortie),
+        };
         self.under_way += 1;
         self.go_on_or_end(sortie, Sortie::aim, done);
     }
@@ -336,11 +347,22 @@ where
     ) {
         match act(&mut sortie) {
             Ok(()) => self.row(sortie.kind).waiting.push(sortie),
-            Err(outcome) => {
-                self.under_way -= 1;
-                done(sortie.key, sortie.flight.conclude(outcome));
-            }
+            Err(outcome) => self.end(sortie, outcome, done),
         }
+    }
+
+    /// Tells the result of a landing.
+    fn end(
+        &mut self,
+        mut sortie: Box<Sortie<V, K, LEGS>>,
+        outcome: Outcome,
+        done: &mut impl FnMut(K, Landing<LEGS>),
+    ) {
+        if let Some(key) = sortie.key.take() {
+            self.under_way -= 1;
+            done(key, sortie.flight.conclude(outcome));
+        }
+        self.ended.push(sortie);
     }
 
     /// Takes a step of the kind that fills more lanes, or one of each landing alone where that is faster.
@@ -406,10 +428,7 @@ where
                     row.seats[lane].sortie = Some(sortie);
                 }
                 Ok(_) => self.row(sortie.kind).waiting.push(sortie),
-                Err(outcome) => {
-                    self.under_way -= 1;
-                    done(sortie.key, sortie.flight.conclude(outcome));
-                }
+                Err(outcome) => self.end(sortie, outcome, done),
             }
         }
         self.row(kind).steps.go_on(registers, goes_on);

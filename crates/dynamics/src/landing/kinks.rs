@@ -7,9 +7,12 @@
 
 use std::ops::Deref;
 
+use arrayvec::ArrayVec;
+
 use super::Flight;
 use crate::integrator::event::{Bounds, Node, Signals, Watch, first_exit};
 use crate::motion::{Glance, Signal};
+use crate::quad::MOST_LEGS;
 use crate::record::Instant;
 use crate::vehicle::Vehicle;
 
@@ -97,19 +100,18 @@ where
         let start = node(0.0, told(signals.now()));
         let middle = node(0.5, look(0.5));
         let end = node(1.0, told(signals.ahead()));
-        self.kink_watches.clear();
+        let mut watches = ArrayVec::<Watch, { 2 * MOST_LEGS }>::new();
         for (j, kinks) in self.kinks.iter().enumerate() {
             let ranges = kinks.map(|kinks| [kinks.strokes, kinks.link_rates]);
             for (k, range) in ranges.into_iter().flatten().enumerate() {
                 let signal = 2 * j + k;
                 if range.exit(start.signals.get(signal)).is_none() {
-                    self.kink_watches.push(Watch { signal, range });
+                    watches.push(Watch { signal, range });
                 }
             }
         }
-        let watches = &self.kink_watches;
         let nodes = [&start, &middle, &end].map(Node::seen);
-        let kink = first_exit(nodes, watches, RESOLUTION, |theta, signals| {
+        let kink = first_exit(nodes, &watches, RESOLUTION, |theta, signals| {
             *signals = look(theta);
         });
         kink.map(|kink| kink.theta)

@@ -1,5 +1,6 @@
 //! The ranges in which the legs' signals have to stay for the active pieces to hold.
 
+use arrayvec::ArrayVec;
 use pulp::NullaryFnOnce;
 
 use crate::registers::{Four, Registers};
@@ -16,6 +17,9 @@ const QUADS: usize = Signal::RANGED * GROUPS;
 const RATED: usize = Signal::RATED * GROUPS;
 /// How far beyond their ranges signals get, while nothing is known of it.
 const NOWHERE: [Quad; QUADS] = [Wide([0.0; LANES]); QUADS];
+
+/// Signals to be watched, as many as there can be.
+pub(super) type Watches = ArrayVec<Watch, { QUADS * LANES }>;
 
 /// Ranges of all legs' signals, laid out as the signals are.
 #[derive(Debug, Clone)]
@@ -75,7 +79,7 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
         looks: [&Glance<LEGS>; 3],
         ratio: f64,
         length: f64,
-        watches: &mut Vec<Watch>,
+        watches: &mut Watches,
     ) -> bool {
         let mut reach = NOWHERE;
         let is_kept = registers.dispatch(KeepByRates(&self.0, looks, [ratio, length], &mut reach));
@@ -92,7 +96,7 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
         &self,
         registers: Four,
         looks: [&Glance<LEGS>; 3],
-        watches: &mut Vec<Watch>,
+        watches: &mut Watches,
     ) {
         let mut reach = NOWHERE;
         registers.dispatch(Keep(&self.0, looks, &mut reach));
@@ -100,7 +104,7 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     }
 
     /// Watches those signals that reach beyond their ranges.
-    fn watch(&self, reach: &[Quad; QUADS], watches: &mut Vec<Watch>) {
+    fn watch(&self, reach: &[Quad; QUADS], watches: &mut Watches) {
         watches.clear();
         for (quad, reach) in reach.iter().enumerate() {
             if reach

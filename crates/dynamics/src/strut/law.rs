@@ -1,11 +1,13 @@
 //! The law of one strut (42)-(45), cut into stretches of stroke over which it keeps one piece.
 
+use std::sync::Arc;
+
 use super::{Kinked, STOP_STROKE, StrutPiece};
 use crate::profile::Profile;
 use crate::vehicle;
 
 /// A stretch of stroke over which tables and spring law keep one piece.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct StrokeSegment {
     upper: f64,
     /// Beyond the elastic limit.
@@ -21,9 +23,9 @@ struct StrokeSegment {
 }
 
 /// The law of one strut.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StrutLaw {
-    segments: Vec<StrokeSegment>,
+    segments: Arc<[StrokeSegment]>,
     structural_stiffness: f64,
     preload: f64,
     spring_constant: f64,
