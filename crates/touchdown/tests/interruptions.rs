@@ -14,15 +14,16 @@ use common::{Bench, Done, SWEEP};
 use touchdown_sweep::journal::{InOrder, Records};
 
 /// Points of [`sweep`].
-const POINTS: usize = 21;
+const POINTS: usize = 93;
 
-/// Twenty-one points over roll and the strut's damping, all bands, that take a second or so.
+/// Ninety-three points over roll and the strut's damping, all bands: the first is in the journal long before the last is
+/// computed.
 fn sweep() -> String {
     SWEEP
         .replace(
             "roll_deg = { from = -10, to = 10, step = 10 }",
             "vehicle.strut.compression_damping = [45, 54, 60]\n\
-             roll_deg = { from = -15, to = 15, step = 5 }",
+             roll_deg = { from = -15, to = 15, step = 1 }",
         )
         .replace(
             "tolerance_fps = 0.1",
@@ -62,21 +63,24 @@ fn signal(child: &Child, name: &str) {
     assert!(kill.success());
 }
 
-fn journal_length(bench: &Bench) -> u64 {
-    fs::metadata(bench.path("results/sweep.journal")).map_or(0, |file| file.len())
+/// The journal of a sweep that is computed as a whole.
+const JOURNAL: &str = "results/sweep.journal";
+
+/// Whether a journal has more than its head, whose length its first bytes announce: the file grows while it is written.
+fn has_points(bench: &Bench, journal: &str) -> bool {
+    const OVERHEAD: usize = 12;
+    let Ok(journal) = fs::read(bench.path(journal)) else {
+        return false;
+    };
+    (journal.get(4..8)).is_some_and(|announced| {
+        let announced = u32::from_le_bytes(announced.try_into().unwrap());
+        journal.len() > OVERHEAD + announced as usize
+    })
 }
 
-/// Bytes of the journal's head, as its first bytes announce them: the file grows while it is written.
-fn head_length(bench: &Bench) -> Option<u64> {
-    const OVERHEAD: u64 = 12;
-    let journal = fs::read(bench.path("results/sweep.journal")).ok()?;
-    let announced = journal.get(4..8)?.try_into().ok()?;
-    Some(OVERHEAD + u64::from(u32::from_le_bytes(announced)))
-}
-
-/// Waits until points are in the journal.
-fn wait_for_points(bench: &Bench, child: &mut Child) {
-    while head_length(bench).is_none_or(|head| journal_length(bench) <= head) {
+/// Waits until points are in a journal.
+fn wait_for_points(bench: &Bench, journal: &str, child: &mut Child) {
+    while !has_points(bench, journal) {
         assert!(child.try_wait().unwrap().is_none(), "ended at once");
         std::thread::sleep(Duration::from_millis(1));
     }
@@ -88,7 +92,7 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
     for name in ["-INT", "-TERM"] {
         let bench = bench();
         let mut sweep = start(&bench, &["--threads", "1"]);
-        wait_for_points(&bench, &mut sweep);
+        wait_for_points(&bench, JOURNAL, &mut sweep);
         signal(&sweep, name);
         let done = Done::from(sweep.wait_with_output().unwrap());
         assert_eq!(done.code, Some(130), "{}", done.err);
@@ -98,7 +102,7 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
         let resumed = bench.run(&["sweep", "sweep.toml", "--resume", "--threads", "2"]);
         assert_eq!(resumed.code, Some(0), "{}", resumed.err);
         assert!(
-            resumed.err.contains("of 21 points are in"),
+            resumed.err.contains(&format!("of {POINTS} points are in")),
             "{}",
             resumed.err
         );
@@ -109,7 +113,7 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
 
 /// How many points are in the journal, whole; `None` when it is gone.
 fn journaled_points(bench: &Bench) -> Option<usize> {
-    let journal = bench.path("results/sweep.journal");
+    let journal = bench.path(JOURNAL);
     if !journal.exists() {
         return None;
     }
@@ -153,7 +157,7 @@ fn killed_again_and_again_it_loses_nothing_and_changes_nothing() {
 fn two_processes_cannot_write_one_journal() {
     let bench = bench();
     let mut first = start(&bench, &[]);
-    wait_for_points(&bench, &mut first);
+    wait_for_points(&bench, JOURNAL, &mut first);
     let second = bench.run(&["sweep", "sweep.toml"]);
     assert_eq!(second.code, Some(1), "{}", second.err);
     assert!(second.err.contains("another process"), "{}", second.err);
@@ -164,7 +168,7 @@ fn two_processes_cannot_write_one_journal() {
 fn another_input_is_refused_with_what_differs() {
     let bench = bench();
     let mut first = start(&bench, &[]);
-    wait_for_points(&bench, &mut first);
+    wait_for_points(&bench, JOURNAL, &mut first);
     first.kill().unwrap();
     first.wait().unwrap();
     bench.write(
@@ -185,7 +189,7 @@ fn a_folder_removed_while_running_is_told() {
     let bench = Bench::new();
     bench.write("sweep.toml", &SWEEP.replace("step = 10", "step = 0.0001"));
     let mut sweep = start(&bench, &[]);
-    wait_for_points(&bench, &mut sweep);
+    wait_for_points(&bench, JOURNAL, &mut sweep);
     fs::remove_dir_all(bench.path("results")).unwrap();
     let done = Done::from(sweep.wait_with_output().unwrap());
     assert_eq!(done.code, Some(1), "{}", done.err);
@@ -202,7 +206,7 @@ fn shards_computed_anywhere_and_killed_make_the_same_results() {
         bench.run(&arguments.each_ref().map(String::as_str))
     };
     let mut killed = start(&bench, &["--shard", "2/3", "--threads", "1"]);
-    std::thread::sleep(Duration::from_millis(100));
+    wait_for_points(&bench, "results/sweep.2-of-3.journal", &mut killed);
     killed.kill().unwrap();
     killed.wait().unwrap();
     assert_eq!(run("1/3").code, Some(0));
