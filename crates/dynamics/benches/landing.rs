@@ -138,7 +138,7 @@ impl<const N: usize> NullaryFnOnce for Derive<'_, N> {
 
     #[inline(always)]
     fn call(self) {
-        self.0.derivative(self.1, self.2);
+        self.0.derivative::<false>(self.1, self.2);
     }
 }
 

@@ -116,6 +116,26 @@ impl LegMode {
         self.hinge.longest_step(pad_rate)
     }
 
+    /// Angle α of the footpad, rad, that has turned like this.
+    pub fn pad_angle(&self, laws: &LegLaws, turn: f64) -> f64 {
+        self.hinge.angle(laws.stops, turn)
+    }
+
+    /// Whether the hinge of the footpad does something else than in another mode.
+    pub fn has_other_hinge(&self, other: &Self) -> bool {
+        self.hinge != other.hinge
+    }
+
+    /// What the footpad has turned by at an angle α, rad.
+    pub fn pad_turn(&self, laws: &LegLaws, angle: f64) -> f64 {
+        self.hinge.turn(laws.stops, angle)
+    }
+
+    /// Whether the leg hangs in the air, its link still.
+    pub fn is_hanging(&self) -> bool {
+        self.stance.is_hanging()
+    }
+
     /// Whether either pad section is in contact.
     pub fn pad_in_contact(&self) -> bool {
         self.pad.iter().any(Crush::in_contact)
@@ -222,7 +242,7 @@ impl LegMode {
             ),
             self.stance.rate_bounds(&laws.strut),
             self.stance.torque_bounds(),
-            self.hinge.angle_bounds(laws.stops),
+            self.hinge.turn_bounds(laws.stops),
             self.hinge.rate_bounds(),
             self.hinge.speed_bounds(),
             only(pad_loaded, Bounds::above(LEAST_PAD_INCLINATION)),
@@ -302,7 +322,7 @@ impl LegMode {
                     .cross_rate(&laws.strut, before.on_surface(), stroke, rate);
             }
             Signal::LinkTorque => self.stance.cross_torque(exit),
-            Signal::PadAngle => self.hinge.cross_angle(exit),
+            Signal::PadTurn => self.hinge.cross_turn(exit),
             Signal::PadRate => self.hinge.cross_rate(),
             Signal::HingeSpeed => self.hinge.cross_speed(exit),
             Signal::StrokeRate

@@ -3,6 +3,12 @@
 //! Beyond a stop and moving outward, dα/dt = α̇ (1 − 1000·overrun), so that α comes to rest 0.001 rad
 //! beyond it, while the state α̇ keeps integrating and holds the pad there until it changes sign.
 //! |dα/dt| never exceeds 100 rad/s.
+//!
+//! That has a closed form: overrun = (1 − e^(−1000 Θ))/1000, with Θ = ∫|α̇| dt what α̇ has turned since the stop. So
+//! a pad that presses on a stop has a *turn* in place of its angle, stop ± Θ, which follows α̇ and is not stiff.
+//! Methods that choose pieces anew at every evaluation take dα/dt as it is written.
+
+use libm::log1p;
 
 use crate::integrator::event::{Bounds, Exit};
 use crate::scalar::Real;
@@ -10,11 +16,12 @@ use crate::wide::abreast;
 
 /// Fading of the rate beyond a stop, 1/rad: its inverse is the greatest overrun.
 const FADING: f64 = 1000.0;
+/// E-foldings of the distance from the resting place that one step takes at most: in one of 16 the force of a pad on its
+/// way to its stop hides between two stages, and with 8 its share of the error still shows at tight tolerances.
+const E_FOLDINGS: f64 = 4.0;
 /// Greatest |dα/dt|, rad/s.
 const FASTEST: f64 = 100.0;
-/// E-foldings of the distance from the resting place that one step takes at most.
-const E_FOLDINGS: f64 = 2.0;
-/// Slacks of the guards on angle (rad), rate state (rad/s) and hinge speed (rad/s).
+/// Slacks of the guards on turn (rad), rate state (rad/s) and hinge speed (rad/s).
 const ANGLE_SLACK: f64 = 1e-14;
 const RATE_SLACK: f64 = 1e-10;
 const SPEED_SLACK: f64 = 1e-9;
@@ -27,6 +34,10 @@ pub struct HingePiece<S> {
     fading: S,
     follow: S,
     clip: S,
+    /// −1 or +1 where the pad presses on its inner or outer stop and follows α̇ by the closed form, else 0.
+    pressed: S,
+    /// That stop, rad.
+    stop: S,
 }
 
 abreast!(HingePiece {
@@ -34,6 +45,8 @@ abreast!(HingePiece {
     fading,
     follow,
     clip,
+    pressed,
+    stop,
 });
 
 impl<S: Real> HingePiece<S> {
@@ -45,7 +58,25 @@ impl<S: Real> HingePiece<S> {
             fading: zero,
             follow: zero,
             clip: zero,
+            pressed: zero,
+            stop: zero,
         }
+    }
+
+    /// Whether a pad presses on a stop.
+    #[inline(always)]
+    pub fn is_pressed(&self) -> bool {
+        !self.pressed.is_zero()
+    }
+
+    /// Angle α of a pad that has turned like this, rad.
+    #[inline(always)]
+    pub fn angle(&self, turn: S) -> S {
+        let fading = S::constant(FADING) * self.pressed;
+        let left = (fading * (self.stop - turn)).exp();
+        let overrun = (S::one() - left) * S::constant(1.0 / FADING);
+        self.pressed
+            .where_zero(turn, self.stop + self.pressed * overrun)
     }
 
     /// Hinge speed before the clip, rad/s.
@@ -54,12 +85,27 @@ impl<S: Real> HingePiece<S> {
         self.gain_at(angle) * rate
     }
 
-    /// Change of dα/dt per α̇ and per α (1/s) at this α (rad) and α̇ (rad/s).
+    /// How fast the pad turns, rad/s: dα/dt, or α̇ where it presses on a stop.
     #[inline(always)]
-    pub fn speed_changes(&self, angle: S, rate: S) -> [S; 2] {
+    pub fn turning(&self, speed: S, rate: S) -> S {
+        self.pressed.where_zero(speed, rate)
+    }
+
+    /// What the pad turns at per α̇, and besides (rad/s), while its hinge does the same.
+    #[inline(always)]
+    pub fn turning_by_rate(&self) -> [S; 2] {
+        let by_rate = self.pressed.where_zero(self.follow * self.gain, S::one());
+        [by_rate, self.clip]
+    }
+
+    /// Change of that with α̇, and of α with the turn, at this α (rad).
+    #[inline(always)]
+    pub fn turn_changes(&self, angle: S) -> [S; 2] {
+        let gain = self.gain_at(angle);
+        let one = S::one();
         [
-            self.follow * self.gain_at(angle),
-            self.follow * self.fading * rate,
+            self.pressed.where_zero(self.follow * gain, one),
+            self.pressed.where_zero(one, gain),
         ]
     }
 
@@ -99,6 +145,14 @@ impl Side {
         match self {
             Self::Inner => -1.0,
             Self::Outer => 1.0,
+        }
+    }
+
+    /// The stop on this side, rad.
+    fn of(self, stops: Stops) -> f64 {
+        match self {
+            Self::Inner => stops.inner,
+            Self::Outer => stops.outer,
         }
     }
 }
@@ -158,6 +212,19 @@ impl Hinge {
 
     /// Coefficients of the active piece.
     pub fn piece(&self, stops: Stops) -> HingePiece<f64> {
+        let written = self.piece_as_written(stops);
+        match self.zone {
+            Zone::Pressing(side) if self.clip == 0.0 => HingePiece {
+                pressed: side.sign(),
+                stop: side.of(stops),
+                ..written
+            },
+            _ => written,
+        }
+    }
+
+    /// The same without the closed form: what a pad has turned is its angle.
+    pub fn piece_as_written(&self, stops: Stops) -> HingePiece<f64> {
         let (gain, fading) = match self.zone {
             Zone::Free | Zone::Returning(_) => (1.0, 0.0),
             Zone::Pressing(Side::Outer) => (1.0 + FADING * stops.outer, -FADING),
@@ -170,16 +237,36 @@ impl Hinge {
             fading,
             follow,
             clip: FASTEST * self.clip,
+            pressed: 0.0,
+            stop: 0.0,
         }
     }
 
-    /// Range of α over which the active piece holds.
-    pub fn angle_bounds(&self, stops: Stops) -> Bounds {
+    /// Angle α of a pad that has turned like this, rad.
+    pub fn angle(&self, stops: Stops, turn: f64) -> f64 {
+        self.piece(stops).angle(turn)
+    }
+
+    /// The turn of a pad at this angle α, rad.
+    pub fn turn(&self, stops: Stops, angle: f64) -> f64 {
+        let HingePiece { pressed, stop, .. } = self.piece(stops);
+        if pressed == 0.0 {
+            return angle;
+        }
+        // No turn is enough for more than that, which is past its arrival.
+        let overrun = (pressed * (angle - stop)).min(1.0 / FADING - 0.5 * stops.arrival);
+        stop - pressed * log1p(-FADING * overrun) / FADING
+    }
+
+    /// Range of the turn over which the active piece holds.
+    pub fn turn_bounds(&self, stops: Stops) -> Bounds {
+        // As far as α is from its stop when it has arrived, or when it has only turned so far without the closed form.
         let resting = 1.0 / FADING - stops.arrival;
+        let arrived = |side: Side| self.turn(stops, side.of(stops) + side.sign() * resting);
         match self.zone {
             Zone::Free => Bounds::between(stops.inner, stops.outer),
-            Zone::Pressing(Side::Outer) => Bounds::below(stops.outer + resting),
-            Zone::Pressing(Side::Inner) => Bounds::above(stops.inner - resting),
+            Zone::Pressing(side @ Side::Outer) => Bounds::below(arrived(side)),
+            Zone::Pressing(side @ Side::Inner) => Bounds::above(arrived(side)),
             Zone::Held(_) => Bounds::FREE,
             Zone::Returning(Side::Outer) => Bounds::above(stops.outer),
             Zone::Returning(Side::Inner) => Bounds::below(stops.inner),
@@ -217,8 +304,8 @@ impl Hinge {
         .widened(SPEED_SLACK)
     }
 
-    /// The longest step that follows the pad into a stop, s: beyond it α would overshoot its resting
-    /// place by less than the tolerance, yet far enough to seem fast again, and switch to and fro.
+    /// The longest step that follows the pad into a stop, s, at a rate state α̇ (rad/s): in longer ones it would arrive
+    /// unseen, and what it does to the forces with it.
     pub fn longest_step(&self, rate: f64) -> f64 {
         match self.zone {
             Zone::Pressing(_) if self.clip == 0.0 => E_FOLDINGS / (FADING * rate.abs()),
@@ -226,8 +313,8 @@ impl Hinge {
         }
     }
 
-    /// The angle left its range.
-    pub fn cross_angle(&mut self, exit: Exit) {
+    /// The turn left its range.
+    pub fn cross_turn(&mut self, exit: Exit) {
         match self.zone {
             Zone::Free => {
                 self.zone = Zone::Pressing(match exit {

@@ -4,6 +4,7 @@ pub mod abreast;
 mod account;
 mod advance;
 mod events;
+mod fly;
 mod kinks;
 mod peaks;
 mod ranges;
@@ -21,7 +22,7 @@ use crate::integrator::step::Step;
 use crate::integrator::step_control::{SHORTEST, StepControl};
 use crate::integrator::{dormand_prince, rosenbrock};
 use crate::methods::{self, Method};
-use crate::motion::{Glance, Motion, Pieces, Signal};
+use crate::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
@@ -32,7 +33,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
-use advance::{Advance, Cut, Look, Start, Within};
+use advance::{Advance, Between, Evaluate, Look, Within};
 use peaks::StrutPeaks;
 use ranges::{SignalRanges, Watches};
 use stiffness::Stiffness;
@@ -141,6 +142,8 @@ struct Flight<V, O, const LEGS: usize> {
     locates_kinks: bool,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
+    /// Whether all legs hang in the air.
+    hangs: bool,
     pieces: Pieces<LEGS>,
     /// How often those of each leg have changed.
     changes: [u64; LEGS],
@@ -152,6 +155,8 @@ struct Flight<V, O, const LEGS: usize> {
     time: f64,
     /// The present state and its derivative are the start of the step.
     step: Step<f64, LEGS>,
+    /// How the present step goes on if it is one of free flight.
+    free: Option<FreeFlight<LEGS>>,
     signals: Trail<LEGS>,
     /// The signals in the middle of the step, if it is implicit or was looked into.
     middle: Glance<LEGS>,
@@ -200,6 +205,7 @@ where
             locates_kinks: settings.tolerance() <= KINKS_LOCATED,
             ranges: SignalRanges::new(&std::array::from_fn(|j| modes[j].ranges(&laws[j]))),
             laws,
+            hangs: modes.iter().all(LegMode::is_hanging),
             modes,
             pieces,
             changes: [1; LEGS],
@@ -207,6 +213,7 @@ where
             kinks: [None; LEGS],
             time: 0.0,
             step: Step::from(state, State::zero()),
+            free: None,
             signals: Trail::new(),
             middle: Glance::blank(),
             is_middle_seen: false,
@@ -228,10 +235,13 @@ where
         let mut landing = || {
             let mut course = self.begin()?;
             loop {
+                self.fly(&mut course)?;
                 let attempt = self.aim(&mut course)?;
                 let is_stiff = self.is_stiff(attempt.length);
                 let error = self.take(attempt.length, is_stiff);
-                self.go_on(&mut course, attempt, error)?;
+                if self.accept(&mut course, attempt, error) {
+                    self.go_on(&mut course)?;
+                }
             }
         };
         let Err(outcome): Result<Infallible, _> = landing();
@@ -271,17 +281,10 @@ where
     /// The outcome, if no further step is to be taken.
     #[inline(always)]
     fn aim(&mut self, course: &mut Course<LEGS>) -> Result<Attempt, Outcome> {
-        let limit = self.settings.time_limit();
-        if course.attempts == MOST_STEPS {
-            return Err(Outcome::Failure(Failure::StepLimit));
-        }
-        course.attempts += 1;
-        if self.time > limit - SHORTEST {
-            return Err(Outcome::TimeExpired);
-        }
+        let left = self.time_left(course)?;
         let whole = (course.control.proposed())
             .min(self.longest_step())
-            .min(limit - self.time);
+            .min(left);
         let length = if self.locates_kinks {
             self.past_kink(whole)
         } else {
@@ -291,6 +294,23 @@ where
             return Err(Outcome::Failure(Failure::StepCollapse));
         }
         Ok(Attempt { whole, length })
+    }
+
+    /// Time left for another step, s.
+    ///
+    /// # Errors
+    /// The outcome, if no further step is to be taken.
+    #[inline(always)]
+    fn time_left(&self, course: &mut Course<LEGS>) -> Result<f64, Outcome> {
+        let limit = self.settings.time_limit();
+        if course.attempts == MOST_STEPS {
+            return Err(Outcome::Failure(Failure::StepLimit));
+        }
+        course.attempts += 1;
+        if self.time > limit - SHORTEST {
+            return Err(Outcome::TimeExpired);
+        }
+        Ok(limit - self.time)
     }
 
     /// Whether a step of this length (s) is stiff.
@@ -326,30 +346,31 @@ where
         WORK_SHARE * self.settings.tolerance() * self.energy
     }
 
-    /// Goes on to the end of a step that was good enough, or to the first event or verdict within it.
+    /// Whether a step was good enough.
+    #[inline(always)]
+    fn accept(&self, course: &mut Course<LEGS>, attempt: Attempt, error: f64) -> bool {
+        let Attempt { whole, length } = attempt;
+        let control = &mut course.control;
+        let is_good = control.accept(length, error, self.step.weights.error_order);
+        if is_good && length < whole {
+            control.keep(whole);
+        }
+        is_good
+    }
+
+    /// Goes on to the end of a step, or to the first event or verdict within it.
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
     #[inline(always)]
-    fn go_on(
-        &mut self,
-        course: &mut Course<LEGS>,
-        attempt: Attempt,
-        error: f64,
-    ) -> Result<Way, Outcome> {
+    fn go_on(&mut self, course: &mut Course<LEGS>) -> Result<Way, Outcome> {
         let Course {
             outlook,
             control,
             burst,
             ..
         } = course;
-        let Attempt { whole, length } = attempt;
-        if !control.accept(length, error, self.step.weights.error_order) {
-            return Ok(Way::Back);
-        }
-        if length < whole {
-            control.keep(whole);
-        }
+        let length = self.step.length;
         if !self.step.after.is_finite() {
             return Err(Outcome::Failure(Failure::NonFinite));
         }
@@ -426,17 +447,31 @@ where
 
     /// Goes to fraction θ of the step.
     fn go_to(&mut self, theta: f64) {
-        self.motion.registers().dispatch(Cut {
-            step: &mut self.step,
-            theta,
-        });
+        self.step.before = self.state_at(theta);
+    }
+
+    /// The course of the step.
+    fn between(&self) -> Between<'_, LEGS> {
+        Between {
+            step: &self.step,
+            free: self.free.as_ref(),
+        }
+    }
+
+    /// The state at fraction θ of the step.
+    fn state_at(&self, theta: f64) -> State<f64, LEGS> {
+        self.within::<true>(theta)
     }
 
     /// What moves at fraction θ of the step.
     fn motion_at(&self, theta: f64) -> State<f64, LEGS> {
+        self.within::<false>(theta)
+    }
+
+    fn within<const WHOLE: bool>(&self, theta: f64) -> State<f64, LEGS> {
         let mut state = State::zero();
-        self.motion.registers().dispatch(Within {
-            step: &self.step,
+        self.motion.registers().dispatch(Within::<WHOLE, LEGS> {
+            between: self.between(),
             theta,
             state: &mut state,
         });
@@ -449,7 +484,7 @@ where
         self.motion.registers().dispatch(Look {
             motion: &self.motion,
             pieces: &self.pieces,
-            step: &self.step,
+            between: self.between(),
             theta,
             with_torques: false,
             signals: &mut signals,
@@ -458,12 +493,27 @@ where
         signals
     }
 
-    /// Derivative and signals of the present state.
-    fn evaluate(&mut self) {
-        self.motion.registers().dispatch(Start {
+    /// Derivative and signals at the end of the step.
+    fn evaluate_end(&mut self) {
+        let [.., last] = &mut self.step.slopes;
+        self.motion.registers().dispatch(Evaluate {
             motion: &self.motion,
             pieces: &self.pieces,
-            step: &mut self.step,
+            state: &self.step.after,
+            slope: last,
+            signals: self.signals.ahead_mut(),
+        });
+        self.evaluations += 1;
+    }
+
+    /// Derivative and signals of the present state.
+    fn evaluate(&mut self) {
+        let [first, ..] = &mut self.step.slopes;
+        self.motion.registers().dispatch(Evaluate {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            state: &self.step.before,
+            slope: first,
             signals: self.signals.now_mut(),
         });
         self.evaluations += 1;

@@ -6,12 +6,14 @@
 //! computed abreast, four in a register where the processor has registers of that width.
 
 mod footing;
+mod free_flight;
 mod glance;
 mod landings;
 mod leg;
 mod leg_response;
 mod pieces;
 mod signal;
+mod stops;
 
 use nalgebra::{Matrix3, Vector3};
 use pulp::NullaryFnOnce;
@@ -31,6 +33,7 @@ use leg::{LegAction, LegMotion};
 use pieces::GroupPieces;
 
 pub use footing::Footing;
+pub use free_flight::FreeFlight;
 pub use glance::Glance;
 pub use landings::{GlancesAbreast, MotionsAbreast};
 pub use pieces::{LegPieces, Pieces};
@@ -203,11 +206,14 @@ impl<const LEGS: usize> Motion<LEGS> {
         pieces: &Pieces<LEGS>,
         derivative: &mut State<f64, LEGS>,
     ) {
+        let bent = self.bend(state, pieces);
+        let bent = bent.as_ref().unwrap_or(state);
         let act = |group, frame: &BodyFrame<f64>, derivative: &mut _| {
-            let group = self.group(group, frame, state, pieces);
+            let group = self.group(group, frame, bent, pieces);
             self.registers.dispatch(Derivative(group, derivative))
         };
-        self.equations.push(state, derivative, act);
+        self.equations.push(bent, derivative, act);
+        self.turn(state, pieces, derivative);
     }
 
     /// Writes the time derivative of the state and the signals of all legs.
@@ -219,11 +225,15 @@ impl<const LEGS: usize> Motion<LEGS> {
         derivative: &mut State<f64, LEGS>,
         signals: &mut Glance<LEGS>,
     ) {
+        let bent = self.bend(state, pieces);
+        let bent = bent.as_ref().unwrap_or(state);
         let act = |group, frame: &BodyFrame<f64>, derivative: &mut _| {
-            let group = self.group(group, frame, state, pieces);
+            let group = self.group(group, frame, bent, pieces);
             (self.registers).dispatch(DerivativeAndSignals(group, derivative, &mut *signals))
         };
-        self.equations.push(state, derivative, act);
+        self.equations.push(bent, derivative, act);
+        self.turn(state, pieces, derivative);
+        self.tell_turns(state, pieces, signals);
     }
 
     /// Signals of all legs, the link torques only if asked for: no other signal is a force.
@@ -248,9 +258,11 @@ impl<const LEGS: usize> Motion<LEGS> {
         with_torques: bool,
         signals: &mut Glance<LEGS>,
     ) {
-        let frame = self.surface().frame(&state.body());
+        let bent = self.bend(state, pieces);
+        let bent = bent.as_ref().unwrap_or(state);
+        let frame = self.surface().frame(&bent.body());
         for index in 0..const { groups_of(LEGS) } {
-            let group = self.group(index, &frame, state, pieces);
+            let group = self.group(index, &frame, bent, pieces);
             let signals = &mut *signals;
             if with_torques {
                 self.registers
@@ -260,6 +272,7 @@ impl<const LEGS: usize> Motion<LEGS> {
                     .dispatch(Signals::<false, LEGS>(group, signals));
             }
         }
+        self.tell_turns(state, pieces, signals);
     }
 
     #[inline(always)]
@@ -281,6 +294,8 @@ impl<const LEGS: usize> Motion<LEGS> {
 
     /// Loads of all legs.
     pub fn loads(&self, state: &State<f64, LEGS>, pieces: &Pieces<LEGS>) -> [LegLoads<f64>; LEGS] {
+        let bent = self.bend(state, pieces);
+        let state = bent.as_ref().unwrap_or(state);
         let frame = self.surface().frame(&state.body());
         let groups: [_; GROUPS] = std::array::from_fn(|index| {
             let group = self.group(index, &frame, state, pieces);

@@ -154,8 +154,7 @@ pub struct Instant<const LEGS: usize> {
 }
 
 impl<const LEGS: usize> Instant<LEGS> {
-    /// The instant at `time`, with `energies` kinetic and released, and the `sets` of each leg's
-    /// outboard section, inboard section and block.
+    /// The instant at `time`, with `energies` kinetic and released, and what the laws tell of the `feet`.
     pub(crate) fn new(
         time: f64,
         state: &State<f64, LEGS>,
@@ -163,7 +162,7 @@ impl<const LEGS: usize> Instant<LEGS> {
         energies: [f64; 2],
         signals: &Glance<LEGS>,
         loads: &[LegLoads<f64>; LEGS],
-        sets: [[f64; 3]; LEGS],
+        feet: [Foot; LEGS],
     ) -> Self {
         let body = state.body();
         let q = body.quaternion;
@@ -180,11 +179,11 @@ impl<const LEGS: usize> Instant<LEGS> {
             potential_change,
             legs: std::array::from_fn(|j| {
                 let leg = state.leg(j);
-                let [outer, inner, block] = sets[j];
+                let [outer, inner, block] = feet[j].sets;
                 LegInstant {
                     link_angle: leg.link_angle,
                     link_rate: leg.link_rate,
-                    pad_angle: leg.pad_angle,
+                    pad_angle: feet[j].pad_angle,
                     pad_rate: leg.pad_rate,
                     stroke: signals.of(j, Signal::Stroke),
                     strut_force: loads[j].strut,
@@ -199,6 +198,15 @@ impl<const LEGS: usize> Instant<LEGS> {
             }),
         }
     }
+}
+
+/// What only the laws of a leg can tell of its foot.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Foot {
+    /// Footpad angle α, rad.
+    pub(crate) pad_angle: f64,
+    /// Plastic sets of outboard section, inboard section and block, ft.
+    pub(crate) sets: [f64; 3],
 }
 
 /// One leg at one instant.

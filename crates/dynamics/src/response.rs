@@ -90,8 +90,8 @@ pub struct LegResponse<S> {
     pub link_damping: S,
     /// dγ/dt per link rate: 1, or 0 where the link is frozen.
     pub link_moves: S,
-    /// Change of dα/dt per α̇, and per α (1/s).
-    pub pad_speed: [S; 2],
+    /// Change of the pad's turn per α̇ and time, and of α per turn: beyond a stop α falls behind.
+    pub pad_turn: [S; 2],
     /// Speed of the hinge before its clip per α̇: 0 of a pad at rest on a stop.
     pub hinge_gain: S,
     /// Whether any pad of the group is not at rest on a stop.
@@ -111,7 +111,7 @@ impl<S: Real> LegResponse<S> {
             hinge_torque: Coordinates::zero(),
             link_damping: zero,
             link_moves: zero,
-            pad_speed: [zero; 2],
+            pad_turn: [zero; 2],
             hinge_gain: zero,
             swings_pads: false,
             inertia: [S::one(); 2],

@@ -46,6 +46,8 @@ pub trait Real:
     fn round(self) -> Self;
     /// Whether no lane is farther from 0 than `limit`.
     fn is_within(self, limit: f64) -> bool;
+    /// e to this power, number by number: for what is seldom asked for.
+    fn exp(self) -> Self;
     /// `even` where `self`, a whole number, is even, else `odd`.
     fn by_parity(self, even: Self, odd: Self) -> Self;
 
@@ -168,6 +170,10 @@ impl Real for f64 {
     #[inline(always)]
     fn is_within(self, limit: f64) -> bool {
         self.abs() <= limit
+    }
+
+    fn exp(self) -> Self {
+        libm::exp(self)
     }
 
     #[inline(always)]

@@ -31,7 +31,8 @@ const LEG: usize = 10;
 /// Where γ and γ̇ are among the components of a leg.
 const LINK_ANGLE: usize = 0;
 const LINK_RATE: usize = 1;
-/// Where α̇ is.
+/// Where the pad's turn and α̇ are.
+const PAD_TURN: usize = 2;
 const PAD_RATE: usize = 3;
 /// Error of Simpson's rule as a share of its difference from the midpoint rule: h²f⁗/(120 f″), as much as where f
 /// swings by 3.5 rad within the step.
@@ -59,8 +60,9 @@ pub struct LegState<S> {
     pub link_angle: S,
     /// Its rate γ̇, rad/s.
     pub link_rate: S,
-    /// Footpad angle α, rad.
-    pub pad_angle: S,
+    /// Footpad angle α, rad; of a pad that presses on a stop the angle to which α̇ would have turned it
+    /// without one (`hinge`).
+    pub pad_turn: S,
     /// Its rate state α̇, rad/s.
     pub pad_rate: S,
     /// Work done on strut, pad (crush, friction), block (crush, friction) and stop, ft·lb.
@@ -74,7 +76,7 @@ impl<S: Real> LegState<S> {
         [
             self.link_angle,
             self.link_rate,
-            self.pad_angle,
+            self.pad_turn,
             self.pad_rate,
             w[0],
             w[1],
@@ -90,7 +92,7 @@ impl<S: Real> LegState<S> {
         Self {
             link_angle: c[0],
             link_rate: c[1],
-            pad_angle: c[2],
+            pad_turn: c[2],
             pad_rate: c[3],
             work: [c[4], c[5], c[6], c[7], c[8], c[9]],
         }
@@ -129,7 +131,7 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         // Component by component: an array of them would go through memory.
         self.legs[0][index] = leg.link_angle;
         self.legs[1][index] = leg.link_rate;
-        self.legs[2][index] = leg.pad_angle;
+        self.legs[2][index] = leg.pad_turn;
         self.legs[3][index] = leg.pad_rate;
         self.legs[4][index] = leg.work[0];
         self.legs[5][index] = leg.work[1];
@@ -164,6 +166,24 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     #[inline(always)]
     pub fn leg(&self, index: usize) -> LegState<S> {
         LegState::from_components(self.legs.each_ref().map(|row| row[index]))
+    }
+
+    /// What the pad of a leg has turned by, rad.
+    #[inline(always)]
+    pub fn pad_turn(&self, leg: usize) -> S {
+        self.legs[PAD_TURN][leg]
+    }
+
+    /// Writes what the pad of a leg has turned by, rad.
+    #[inline(always)]
+    pub fn set_pad_turn(&mut self, leg: usize, turn: S) {
+        self.legs[PAD_TURN][leg] = turn;
+    }
+
+    /// Rate α̇ of the pad of a leg, rad/s.
+    #[inline(always)]
+    pub fn pad_rate(&self, leg: usize) -> S {
+        self.legs[PAD_RATE][leg]
     }
 
     /// Rates γ̇ of the links, rad/s.

@@ -15,7 +15,7 @@ pub fn extended_legs<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> [LegState<f6
         LegState {
             link_angle: angle,
             link_rate: 0.0,
-            pad_angle: angle,
+            pad_turn: angle,
             pad_rate: 0.0,
             work: [0.0; 6],
         }
@@ -48,7 +48,7 @@ pub fn touchdown<const LEGS: usize>(
         .flat_map(|j| {
             let geometry = motion.geometry(j);
             let leg_frame = geometry.frame(&frame);
-            let pose = geometry.pose(&leg_frame, legs[j].link_angle, legs[j].pad_angle);
+            let pose = geometry.pose(&leg_frame, legs[j].link_angle, legs[j].pad_turn);
             pose.pad_interference.map(|i| i * pose.pad_inclination)
         })
         .fold(f64::NEG_INFINITY, f64::max);

@@ -144,6 +144,13 @@ impl<const N: usize> Real for Wide<N> {
             .fold(true, |within, x| within & (x.abs() <= limit))
     }
 
+    #[cold]
+    #[inline(never)]
+    fn exp(self) -> Self {
+        // Most lanes have nothing to ask.
+        self.map(|x| if x == 0.0 { 1.0 } else { Real::exp(x) })
+    }
+
     #[inline(always)]
     fn by_parity(self, even: Self, odd: Self) -> Self {
         Self(std::array::from_fn(|i| {

@@ -1,14 +1,15 @@
-//! Motions that have a closed form: ballistic flight, torque-free spin about a principal axis, and
-//! a vehicle that falls onto its body blocks.
+//! Motions that have a closed form: ballistic flight, torque-free rotation, legs that hang, pads that press on a stop of
+//! their hinge, and a vehicle that falls onto its body blocks.
 
 mod common;
 
 use std::f64::consts::PI;
 
-use common::bare::Bare;
+use common::bare::{Bare, distance};
 use common::scenes::history;
 use common::{PRINCIPAL, level, level_scene, settings, surveyor, surveyor_leg, table_4_1};
 use nalgebra::{Unit, UnitQuaternion, Vector3, Vector4};
+use touchdown_dynamics::hinge::{Hinge, Stops};
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
@@ -80,6 +81,144 @@ fn spin_about_each_principal_axis() {
         let expected = (start * turn).to_rotation_matrix();
         let off = rotation(&end.quaternion) - expected.matrix();
         assert!(off.norm() < 1e-11, "{axis}: {off}");
+    }
+}
+
+/// A vehicle that tumbles in the air, its links and pads still moving.
+fn tumbling(vehicle: &Vehicle<3>) -> State<f64, 3> {
+    let mut legs = extended_legs(vehicle);
+    for (leg, rate) in legs.iter_mut().zip([0.7, 0.4, 1.3]) {
+        leg.link_rate = rate;
+        leg.pad_rate = -0.5 * rate;
+    }
+    let body = Body {
+        position: Vector3::new(1.0, -2.0, -50.0),
+        velocity: Vector3::new(3.0, -11.0, 14.0),
+        quaternion: Vector4::new(0.9, 0.1, -0.2, 0.3),
+        rate: Vector3::new(2.0, -1.5, 3.0),
+    };
+    State::new(&body, legs)
+}
+
+#[test]
+fn free_flight_is_where_fine_steps_lead() {
+    let vehicle = table_4_1();
+    let mut bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 0.0));
+    let start = tumbling(&vehicle);
+    bare.lift_off(&start);
+    let flight = bare.free_flight(&start);
+    let reach = flight.reach(0.25);
+    assert!((0.005..0.25).contains(&reach), "{reach} s");
+    let mut end = start;
+    for part in 1..=4 {
+        let time = 0.25 * reach * f64::from(part);
+        flight.write(time, &mut end);
+        let marched = bare.march(&start, time, 50 * part);
+        let off = distance(&end, &marched);
+        assert!(off < 1e-13, "{off} after {time} s");
+        for j in 0..3 {
+            let (work, expected) = (end.leg(j).work, marched.leg(j).work);
+            let off = work.iter().zip(expected).map(|(a, b)| (a - b).abs());
+            let worst = off.fold(0.0, f64::max);
+            assert!(
+                worst < 1e-9 * expected[STOP],
+                "leg {j}: {work:?}, {expected:?}"
+            );
+        }
+    }
+    assert_ne!(end.leg(0).pad_turn, start.leg(0).pad_turn);
+    assert!(end.leg(0).link_rate < 0.95 * start.leg(0).link_rate);
+}
+
+/// Where the work of a link on its stop is among the work integrals of a leg.
+const STOP: usize = 5;
+
+/// To its reach a flight is summed to the last bit, so it may be flown in any parts.
+#[test]
+fn a_flight_in_parts_is_the_same_flight() {
+    let vehicle = table_4_1();
+    let mut bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 0.0));
+    let start = tumbling(&vehicle);
+    bare.lift_off(&start);
+    let reach = bare.free_flight(&start).reach(0.25);
+    let fly = |parts: u32| {
+        let mut state = start;
+        for _ in 0..parts {
+            let flight = bare.free_flight(&state);
+            flight.write(reach / f64::from(parts), &mut state);
+        }
+        state
+    };
+    let whole = fly(1);
+    for parts in [2, 3, 7] {
+        let off = distance(&fly(parts), &whole);
+        assert!(off < 5e-15, "{off} in {parts} parts");
+    }
+}
+
+/// A vehicle that slides off its slope and tumbles about no principal axis flies the same at a coarse tolerance.
+#[test]
+fn free_flight_knows_no_tolerance() {
+    let vehicle = table_4_1();
+    let scene = Scene::new(Conditions {
+        vertical_velocity: 0.0,
+        slope: PI / 4.0,
+        angular_velocity: [0.2, -0.1, 0.3],
+        ..level(180.0, 0.0, 20.0)
+    })
+    .unwrap();
+    let [coarse, fine] = [1e-3, 1e-10].map(|tolerance| {
+        let settings = Settings::new(tolerance, 1.0, CrushRule::PivotRate).unwrap();
+        let (landing, instants) = history(&vehicle, &scene, &settings, 0.1);
+        assert_eq!(landing.pad_contact, [None; 3]);
+        instants
+    });
+    assert_eq!(coarse.len(), 11);
+    for (one, other) in coarse.iter().zip(&fine) {
+        assert!((one.position - other.position).norm() < 1e-12);
+        let off = one.attitude.matrix() - other.attitude.matrix();
+        assert!(off.norm() < 1e-13, "{} s: {off}", one.time);
+    }
+}
+
+const STOPS: Stops = Stops {
+    inner: 0.013,
+    outer: 0.785,
+    arrival: 1e-9,
+};
+
+/// dα/dt = α̇ (1 − 1000·overrun) (model, chapter 5), with an α̇ that swells and fades, in steps of a classical Runge-Kutta
+/// method much shorter than the millisecond it takes a pad to come to rest.
+#[test]
+fn a_pad_on_its_stop_lags_behind_its_rate_as_the_model_has_it() {
+    for (stop, outward) in [(STOPS.outer, 1.0), (STOPS.inner, -1.0)] {
+        let rate = |time: f64| outward * 5.0 * (1.0 + (2000.0 * time).sin());
+        let turned = |time: f64| outward * 5.0 * (time + (1.0 - (2000.0 * time).cos()) / 2000.0);
+        let written = |time: f64, angle: f64| {
+            let overrun = outward * (angle - stop);
+            rate(time) * (1.0 - 1000.0 * overrun)
+        };
+        let start = stop + outward * 1e-4;
+        let hinge = Hinge::at(STOPS, start, rate(0.0));
+        let from = hinge.turn(STOPS, start);
+        assert!((hinge.angle(STOPS, from) - start).abs() < 1e-16);
+
+        let length = 1e-6;
+        let mut angle = start;
+        for k in 0..1000 {
+            let time = length * f64::from(k);
+            let half = time + 0.5 * length;
+            let k1 = written(time, angle);
+            let k2 = written(half, angle + 0.5 * length * k1);
+            let k3 = written(half, angle + 0.5 * length * k2);
+            let k4 = written(time + length, angle + length * k3);
+            angle += length / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+            let now = time + length;
+            let found = hinge.angle(STOPS, from + turned(now));
+            assert!((found - angle).abs() < 1e-12, "{now} s: {found}, {angle}");
+        }
+        let overrun = outward * (angle - stop);
+        assert!((0.0008..0.001).contains(&overrun), "{overrun} rad");
     }
 }
 

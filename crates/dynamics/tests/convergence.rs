@@ -54,7 +54,7 @@ fn implicit_steps_are_of_order_four() {
     let (mut bare, mut state) = smooth_stretch();
     for j in 0..3 {
         let mut leg = state.leg(j);
-        leg.pad_angle = PAD_AT_REST;
+        leg.pad_turn = PAD_AT_REST;
         leg.pad_rate = 1000.0;
         state.set_leg(j, &leg);
     }

@@ -123,7 +123,7 @@ fn the_ranges_of_a_leg_stand_in_the_order_of_its_signals() {
         assert_eq!(range(element).exit(1e-5), Some(Exit::Above), "{element:?}");
     }
     // Between the stops, below the clip; and nothing else matters in the air.
-    let pad = range(Signal::PadAngle);
+    let pad = range(Signal::PadTurn);
     let limits = [0.74f64, 0.76, 44.9, 45.1].map(|degrees| pad.exit(degrees.to_radians()));
     assert_eq!(limits, [Some(Exit::Below), None, None, Some(Exit::Above)]);
     let hinge = range(Signal::HingeSpeed);

@@ -26,7 +26,7 @@ fn states(start: &State<f64, 3>) -> Vec<State<f64, 3>> {
                 let mut leg = state.leg(j);
                 leg.link_angle -= 0.001 * k * (1.0 + j as f64);
                 leg.link_rate = (0.9 * k + j as f64).sin();
-                leg.pad_angle += 0.05 * (0.4 * k + j as f64).cos();
+                leg.pad_turn += 0.05 * (0.4 * k + j as f64).cos();
                 leg.pad_rate = (1.3 * k - j as f64).sin();
                 state.set_leg(j, &leg);
             }

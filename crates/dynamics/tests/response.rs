@@ -34,7 +34,7 @@ fn pressed(depth: f64, sliding: f64) -> (Bare<3>, State<f64, 3>) {
 const STILL: LegState<f64> = LegState {
     link_angle: 0.0,
     link_rate: 0.0,
-    pad_angle: 0.0,
+    pad_turn: 0.0,
     pad_rate: 0.0,
     work: [0.0; 6],
 };
@@ -70,7 +70,7 @@ fn changes(quaternion: &Vector4<f64>) -> Vec<State<f64, 3>> {
         of_kind(&|leg| leg.link_rate = 1.0);
         of_kind(&|leg| leg.pad_rate = 1.0);
         of_kind(&|leg| leg.link_angle = 1.0);
-        of_kind(&|leg| leg.pad_angle = 1.0);
+        of_kind(&|leg| leg.pad_turn = 1.0);
     }
     changes
 }

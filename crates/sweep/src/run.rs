@@ -107,6 +107,11 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
+    /// Does other work on these threads: what it does in parallel takes no others.
+    pub fn lend<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
+    }
+
     /// Finds what the sweep asks at every point of a shard that is not `done`, into the journal.
     ///
     /// # Errors

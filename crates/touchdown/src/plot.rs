@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use rayon::prelude::*;
 use touchdown_figures::picture::{self, Picture};
 use touchdown_figures::png;
 use touchdown_sweep::deposit::Folder;
@@ -85,19 +86,19 @@ fn files(
     pictures: &[Picture],
     forms: &[Form],
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let mut files = Vec::new();
-    for Picture { suffix, svg } in pictures {
-        for form in forms {
-            files.push(match form {
-                Form::Svg => (format!("{stem}{suffix}.svg"), svg.clone().into_bytes()),
-                Form::Png => (
-                    format!("{stem}{suffix}.png"),
-                    png::render(svg).map_err(Failure::running)?,
-                ),
-            });
-        }
-    }
-    Ok(files)
+    let draw = |Picture { suffix, svg }: &Picture, form: &Form| {
+        Ok(match form {
+            Form::Svg => (format!("{stem}{suffix}.svg"), svg.clone().into_bytes()),
+            Form::Png => (
+                format!("{stem}{suffix}.png"),
+                png::render(svg).map_err(Failure::running)?,
+            ),
+        })
+    };
+    pictures
+        .par_iter()
+        .flat_map_iter(|picture| forms.iter().map(move |form| draw(picture, form)))
+        .collect()
 }
 
 fn form_of(out: &Path) -> Result<Form, InputError> {

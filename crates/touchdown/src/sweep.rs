@@ -203,13 +203,9 @@ impl Night<'_> {
         let records = opened.journal.into_records()?;
         let count = sweep.design.count();
         let mut results = InOrder::new(vec![records], count, &self.options.out)?;
-        let written = sweep_results::write(
-            sweep,
-            &mut results,
-            self.folder,
-            circumstances,
-            self.options.format,
-        )?;
+        let (folder, format) = (self.folder, self.options.format);
+        let written = (self.workers)
+            .lend(|| sweep_results::write(sweep, &mut results, folder, circumstances, format))?;
         results.remove_journals()?;
         Ok(Done::Whole(Box::new(written)))
     }

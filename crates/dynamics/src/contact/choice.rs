@@ -68,7 +68,7 @@ impl LegLaws {
             value(Signal::Stroke),
             value(Signal::LinkRate),
         );
-        let hinge = Hinge::at(self.stops, value(Signal::PadAngle), value(Signal::PadRate));
+        let hinge = Hinge::at(self.stops, value(Signal::PadTurn), value(Signal::PadRate));
         let (strut, link) = stance.pieces(&self.strut);
         *pieces = LegPieces {
             pad: pad.map(|section| section.line),
@@ -77,7 +77,7 @@ impl LegLaws {
             block_friction: sliding(Signal::BlockSliding),
             strut,
             link,
-            hinge: hinge.piece(self.stops),
+            hinge: hinge.piece_as_written(self.stops),
         };
         Choice {
             sets: [pad[0].set, pad[1].set, block.set],

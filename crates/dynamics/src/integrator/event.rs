@@ -175,7 +175,7 @@ pub(super) fn stray<S: Real>(before: S, start: S, end: S, ratio: S) -> S {
 }
 
 /// A step so many times as long as the one before may bend as that one did not show.
-pub const FAR_LONGER: f64 = 5.0;
+pub const FAR_LONGER: f64 = 6.0;
 
 /// Whether a quantity falls throughout a step: it fell over the step before, and has slowed down by less than half.
 /// `ratio` is this step's length over that one's.

@@ -132,18 +132,19 @@ struct Sortie<V, K, const LEGS: usize> {
 }
 
 impl<V: Deref<Target = Vehicle<LEGS>>, K, const LEGS: usize> Sortie<V, K, LEGS> {
-    /// Gets ready for the next step.
+    /// Gets ready for the next step, after any free flight; whether it flew.
     ///
     /// # Errors
     /// The outcome, if no further step is to be taken.
-    fn aim(&mut self) -> Result<(), Outcome> {
+    fn aim(&mut self) -> Result<bool, Outcome> {
+        let flew = self.flight.fly(&mut self.course)?;
         self.attempt = self.flight.aim(&mut self.course)?;
         // After an implicit step the next is taken for one too: in lanes it shows whether that was right.
         self.is_sure = false;
         if self.kind == Kind::Explicit {
             self.make_sure();
         }
-        Ok(())
+        Ok(flew)
     }
 
     /// Finds out of what kind the next step is.
@@ -181,9 +182,13 @@ impl<V: Deref<Target = Vehicle<LEGS>>, K, const LEGS: usize> Sortie<V, K, LEGS> 
         }
         let tolerance = flight.settings.tolerance();
         let error = steps.error(lane, tolerance, flight.greatest_work_error());
-        let way = flight.go_on(&mut self.course, self.attempt, error)?;
-        self.aim()?;
-        Ok(way)
+        let way = if flight.accept(&mut self.course, self.attempt, error) {
+            flight.go_on(&mut self.course)?
+        } else {
+            Way::Back
+        };
+        let flew = self.aim()?;
+        Ok(if flew { Way::Elsewhere } else { way })
     }
 
     /// Takes a step alone and gets ready for the next.
@@ -196,8 +201,11 @@ impl<V: Deref<Target = Vehicle<LEGS>>, K, const LEGS: usize> Sortie<V, K, LEGS> 
         }
         let flight = &mut self.flight;
         let error = flight.take(self.attempt.length, self.kind == Kind::Implicit);
-        flight.go_on(&mut self.course, self.attempt, error)?;
-        self.aim()
+        if flight.accept(&mut self.course, self.attempt, error) {
+            flight.go_on(&mut self.course)?;
+        }
+        self.aim()?;
+        Ok(())
     }
 
     /// Where the numbers of its lane go.
@@ -335,7 +343,7 @@ where
             None => Box::new(sortie),
         };
         self.under_way += 1;
-        self.go_on_or_end(sortie, Sortie::aim, done);
+        self.go_on_or_end(sortie, |sortie| sortie.aim().map(|_| ()), done);
     }
 
     /// Lets a landing that is in no lane do something, and then wait for one.

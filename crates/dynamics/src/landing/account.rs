@@ -6,7 +6,7 @@ use super::Flight;
 use super::rates::final_rates;
 use crate::energy::{kinetic, released};
 use crate::outcome::Outcome;
-use crate::record::{Energies, Instant, Landing, LegWork};
+use crate::record::{Energies, Foot, Instant, Landing, LegWork};
 use crate::stability::{Judge, calm_height};
 use crate::state::State;
 use crate::vehicle::Vehicle;
@@ -58,7 +58,7 @@ where
         while self.history.interval.is_finite() && self.history.next() <= self.time_at(reach) {
             let time = self.history.next();
             let theta = ((time - self.time) / self.step.length).clamp(0.0, 1.0);
-            let instant = self.instant(&self.step.at(theta), time);
+            let instant = self.instant(&self.state_at(theta), time);
             self.history.report(&instant);
         }
     }
@@ -78,12 +78,15 @@ where
             .unwrap_or_else(|_| judge.observe(&self.motion, state));
         let signals = self.motion.signals(state, &self.pieces, false);
         let loads = self.motion.loads(state, &self.pieces);
-        let sets = std::array::from_fn(|j| self.modes[j].sets(&self.laws[j], &signals.leg(j)));
+        let feet = std::array::from_fn(|j| Foot {
+            pad_angle: self.modes[j].pad_angle(&self.laws[j], state.leg(j).pad_turn),
+            sets: self.modes[j].sets(&self.laws[j], &signals.leg(j)),
+        });
         let energies = [
             kinetic(&self.vehicle, state),
             released(&self.vehicle, &self.start, state),
         ];
-        Instant::new(time, state, &seen, energies, &signals, &loads, sets)
+        Instant::new(time, state, &seen, energies, &signals, &loads, feet)
     }
 
     pub(super) fn conclude(&self, outcome: Outcome) -> Landing<LEGS> {

@@ -6,7 +6,7 @@ use pulp::NullaryFnOnce;
 use crate::formation::LegsAbreast;
 use crate::integrator::rosenbrock::GAMMA;
 use crate::integrator::step::Step;
-use crate::motion::{Glance, Motion, Pieces, Signal};
+use crate::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
 use crate::response::Response;
 use crate::state::State;
 
@@ -75,11 +75,39 @@ pub(super) fn tell_pad_rates<const LEGS: usize>(
     }
 }
 
+/// The course of a step between its ends.
+#[derive(Clone, Copy)]
+pub(super) struct Between<'a, const LEGS: usize> {
+    pub(super) step: &'a Step<f64, LEGS>,
+    /// In free flight that is known exactly.
+    pub(super) free: Option<&'a FreeFlight<LEGS>>,
+}
+
+impl<const LEGS: usize> Between<'_, LEGS> {
+    /// Writes the state at fraction θ.
+    #[inline(always)]
+    fn write(&self, theta: f64, state: &mut State<f64, LEGS>) {
+        match self.free {
+            Some(flight) => flight.write(theta * self.step.length, state),
+            None => *state = self.step.at(theta),
+        }
+    }
+
+    /// Writes what moves at fraction θ; the work integrals are those before it.
+    #[inline(always)]
+    fn write_motion(&self, theta: f64, state: &mut State<f64, LEGS>) {
+        match self.free {
+            Some(flight) => flight.write(theta * self.step.length, state),
+            None => *state = self.step.motion_at(theta),
+        }
+    }
+}
+
 /// A look at the signals within a step.
 pub(super) struct Look<'a, const LEGS: usize> {
     pub(super) motion: &'a Motion<LEGS>,
     pub(super) pieces: &'a Pieces<LEGS>,
-    pub(super) step: &'a Step<f64, LEGS>,
+    pub(super) between: Between<'a, LEGS>,
     /// Fraction of the step.
     pub(super) theta: f64,
     pub(super) with_torques: bool,
@@ -91,7 +119,8 @@ impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
 
     #[inline(always)]
     fn call(self) {
-        let state = self.step.motion_at(self.theta);
+        let mut state = State::zero();
+        self.between.write_motion(self.theta, &mut state);
         let Self {
             motion,
             pieces,
@@ -103,52 +132,41 @@ impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
     }
 }
 
-/// What moves at fraction θ of a step.
-pub(super) struct Within<'a, const LEGS: usize> {
-    pub(super) step: &'a Step<f64, LEGS>,
+/// What moves at fraction θ of a step, or all of its state there.
+pub(super) struct Within<'a, const WHOLE: bool, const LEGS: usize> {
+    pub(super) between: Between<'a, LEGS>,
     pub(super) theta: f64,
     pub(super) state: &'a mut State<f64, LEGS>,
 }
 
-impl<const LEGS: usize> NullaryFnOnce for Within<'_, LEGS> {
+impl<const WHOLE: bool, const LEGS: usize> NullaryFnOnce for Within<'_, WHOLE, LEGS> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        *self.state = self.step.motion_at(self.theta);
+        if WHOLE {
+            self.between.write(self.theta, self.state);
+        } else {
+            self.between.write_motion(self.theta, self.state);
+        }
     }
 }
 
-/// A step cut short: its start moves to where it is at fraction θ.
-pub(super) struct Cut<'a, const LEGS: usize> {
-    pub(super) step: &'a mut Step<f64, LEGS>,
-    pub(super) theta: f64,
-}
-
-impl<const LEGS: usize> NullaryFnOnce for Cut<'_, LEGS> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        self.step.before = self.step.at(self.theta);
-    }
-}
-
-/// Derivative and signals at the start of a step to come.
-pub(super) struct Start<'a, const LEGS: usize> {
+/// Derivative and signals at a state.
+pub(super) struct Evaluate<'a, const LEGS: usize> {
     pub(super) motion: &'a Motion<LEGS>,
     pub(super) pieces: &'a Pieces<LEGS>,
-    pub(super) step: &'a mut Step<f64, LEGS>,
+    pub(super) state: &'a State<f64, LEGS>,
+    pub(super) slope: &'a mut State<f64, LEGS>,
     pub(super) signals: &'a mut Glance<LEGS>,
 }
 
-impl<const LEGS: usize> NullaryFnOnce for Start<'_, LEGS> {
+impl<const LEGS: usize> NullaryFnOnce for Evaluate<'_, LEGS> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Step { before, slopes, .. } = self.step;
         self.motion
-            .evaluate(before, self.pieces, &mut slopes[0], self.signals);
+            .evaluate(self.state, self.pieces, self.slope, self.signals);
     }
 }

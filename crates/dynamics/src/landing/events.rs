@@ -4,6 +4,7 @@ use std::ops::Deref;
 
 use super::Flight;
 use super::advance;
+use crate::contact::LegMode;
 use crate::integrator::cubic::{Foresight, Prospect};
 use crate::integrator::event::{Node, Seen, Watch, first_exit};
 use crate::motion::{Glance, Signal};
@@ -42,13 +43,17 @@ where
             return None;
         }
         let with_torques = self.ranges.has(Signal::LinkTorque);
+        let between = advance::Between {
+            step: &self.step,
+            free: self.free.as_ref(),
+        };
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Glance<LEGS>| {
             looks += 1;
             registers.dispatch(advance::Look {
                 motion: &self.motion,
                 pieces: &self.pieces,
-                step: &self.step,
+                between,
                 theta,
                 with_torques,
                 signals,
@@ -123,6 +128,7 @@ where
         let (mode, laws) = (&self.modes[j], &self.laws[j]);
         self.pieces.set_leg(j, &mode.pieces(laws));
         self.changes[j] += 1;
+        self.hangs = self.modes.iter().all(LegMode::is_hanging);
         self.ranges.set(j, &mode.ranges(laws));
         self.stiffness.forget();
     }
@@ -137,11 +143,24 @@ where
                 self.events += 1;
                 let laws = &self.laws[leg];
                 let signals = self.signals.now().leg(leg);
+                let before = self.modes[leg];
                 self.modes[leg].cross(laws, leg, signal, exit, &signals)?;
+                self.turn_pad(leg, &before);
                 self.choose_pieces(leg);
             }
         }
         Ok(exits.iter().any(Option::is_some))
+    }
+
+    /// Tells the turn of a pad anew whose hinge did something else before.
+    fn turn_pad(&mut self, leg: usize, before: &LegMode) {
+        let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
+        if !mode.has_other_hinge(before) {
+            return;
+        }
+        let mut state = self.step.before.leg(leg);
+        state.pad_turn = mode.pad_turn(laws, before.pad_angle(laws, state.pad_turn));
+        self.step.before.set_leg(leg, &state);
     }
 
     fn note_contacts(&mut self) {

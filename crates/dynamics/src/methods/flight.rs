@@ -4,7 +4,7 @@ use crate::energy::{kinetic, released};
 use crate::landing::final_rates;
 use crate::motion::{Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
-use crate::record::{Energies, Instant, Landing, LegWork};
+use crate::record::{Energies, Foot, Instant, Landing, LegWork};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, calm_height};
 use crate::state::State;
@@ -216,7 +216,11 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             kinetic(self.vehicle, state),
             released(self.vehicle, &self.first, state),
         ];
-        let instant = Instant::new(time, state, &seen, energies, &look.signals, &loads, kept);
+        let feet = std::array::from_fn(|j| Foot {
+            pad_angle: state.leg(j).pad_turn,
+            sets: kept[j],
+        });
+        let instant = Instant::new(time, state, &seen, energies, &look.signals, &loads, feet);
         (self.observe)(&instant);
         self.last_report = time;
     }

@@ -73,7 +73,7 @@ pub fn difference<const LEGS: usize>(
     difference.clear();
     let legs: [_; LEGS] = std::array::from_fn(|j| (a.leg(j), b.leg(j)));
     difference.extend(legs.iter().map(|(a, b)| a.pad_rate - b.pad_rate));
-    difference.extend(legs.iter().map(|(a, b)| a.pad_angle - b.pad_angle));
+    difference.extend(legs.iter().map(|(a, b)| a.pad_turn - b.pad_turn));
     difference.extend(legs.iter().map(|(a, b)| a.link_rate - b.link_rate));
     difference.extend(legs.iter().map(|(a, b)| a.link_angle - b.link_angle));
     let [body_a, body_b] = [a.body(), b.body()];

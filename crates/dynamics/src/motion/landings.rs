@@ -15,7 +15,7 @@ use crate::wide::{Abreast, Wide};
 #[derive(Debug, Clone)]
 pub struct MotionsAbreast<const N: usize, const LEGS: usize> {
     equations: Equations<LandingsAbreast<N>, LEGS>,
-    pieces: [GroupPieces<Wide<N>>; LEGS],
+    pub(super) pieces: [GroupPieces<Wide<N>>; LEGS],
 }
 
 /// The signals of so many landings, laid out as in a [`Glance`].
@@ -31,6 +31,11 @@ impl<const N: usize, const LEGS: usize> GlancesAbreast<N, LEGS> {
         Self {
             rows: [[Wide([0.0; N]); MOST_LEGS]; Signal::COUNT],
         }
+    }
+
+    /// Writes a signal of leg `leg`.
+    pub(super) fn set(&mut self, leg: usize, signal: Signal, values: Wide<N>) {
+        self.rows[signal as usize][leg] = values;
     }
 
     /// Writes the signals of each landing.
@@ -77,34 +82,42 @@ impl<const N: usize, const LEGS: usize> MotionsAbreast<N, LEGS> {
         *pressed = Pressed::of(legs);
     }
 
-    /// Writes the time derivatives of the states.
+    /// Writes the time derivatives of the states. `STOPS` says whether pads press on stops ([`Self::press_stops`]):
+    /// known beforehand, it takes no branch among the equations, which would cost more than what is so seldom asked for.
     #[inline(always)]
-    pub fn derivative(
+    pub fn derivative<const STOPS: bool>(
         &self,
         states: &State<Wide<N>, LEGS>,
         derivatives: &mut State<Wide<N>, LEGS>,
     ) {
-        let legs = Deriving {
+        let legs = Deriving::<STOPS, N, LEGS> {
             motions: self,
             states,
         };
         self.equations.push(states, derivatives, legs);
+        if STOPS {
+            self.turn(states, derivatives);
+        }
     }
 
-    /// Writes the time derivatives of the states and the signals of all legs.
+    /// Writes the time derivatives of the states and the signals of all legs; `STOPS` as for [`Self::derivative`].
     #[inline(always)]
-    pub fn evaluate(
+    pub fn evaluate<const STOPS: bool>(
         &self,
         states: &State<Wide<N>, LEGS>,
         derivatives: &mut State<Wide<N>, LEGS>,
         glances: &mut GlancesAbreast<N, LEGS>,
     ) {
-        let legs = Evaluating {
+        let legs = Evaluating::<STOPS, N, LEGS> {
             motions: self,
             states,
-            glances,
+            glances: &mut *glances,
         };
         self.equations.push(states, derivatives, legs);
+        if STOPS {
+            self.turn(states, derivatives);
+            self.tell_turns(states, glances);
+        }
     }
 
     /// A response to be overwritten by [`Self::respond`].
@@ -127,7 +140,7 @@ impl<const N: usize, const LEGS: usize> MotionsAbreast<N, LEGS> {
         for (leg, GroupPieces { legs, pressed }) in self.pieces.iter().enumerate() {
             self.equations.groups[leg].respond(
                 &frame,
-                &states.leg(leg),
+                &self.bend(leg, states.leg(leg)),
                 legs,
                 *pressed,
                 &mut response.groups[leg],
@@ -136,24 +149,30 @@ impl<const N: usize, const LEGS: usize> MotionsAbreast<N, LEGS> {
     }
 
     #[inline(always)]
-    fn action<const SIGNALS: bool>(
+    fn action<const SIGNALS: bool, const STOPS: bool>(
         &self,
         leg: usize,
         frame: &BodyFrame<Wide<N>>,
         states: &State<Wide<N>, LEGS>,
     ) -> LegAction<Wide<N>> {
         let GroupPieces { legs, pressed } = &self.pieces[leg];
-        self.equations.groups[leg].action::<true, SIGNALS>(frame, &states.leg(leg), legs, *pressed)
+        let mut states = states.leg(leg);
+        if STOPS {
+            states = self.bend(leg, states);
+        }
+        self.equations.groups[leg].action::<true, SIGNALS>(frame, &states, legs, *pressed)
     }
 }
 
 /// Legs whose derivatives are asked for.
-struct Deriving<'a, const N: usize, const LEGS: usize> {
+struct Deriving<'a, const STOPS: bool, const N: usize, const LEGS: usize> {
     motions: &'a MotionsAbreast<N, LEGS>,
     states: &'a State<Wide<N>, LEGS>,
 }
 
-impl<const N: usize, const LEGS: usize> Legs<LandingsAbreast<N>, LEGS> for Deriving<'_, N, LEGS> {
+impl<const STOPS: bool, const N: usize, const LEGS: usize> Legs<LandingsAbreast<N>, LEGS>
+    for Deriving<'_, STOPS, N, LEGS>
+{
     #[inline(always)]
     fn push(
         &mut self,
@@ -161,20 +180,24 @@ impl<const N: usize, const LEGS: usize> Legs<LandingsAbreast<N>, LEGS> for Deriv
         frame: &BodyFrame<Wide<N>>,
         derivatives: &mut State<Wide<N>, LEGS>,
     ) -> Push<Wide<N>> {
-        let push = (self.motions).action::<false>(leg, frame, self.states).push;
+        let push = (self.motions)
+            .action::<false, STOPS>(leg, frame, self.states)
+            .push;
         derivatives.set_leg(leg, &push.derivative);
         [push.force, push.torque]
     }
 }
 
 /// Legs whose derivatives and signals are asked for.
-struct Evaluating<'a, const N: usize, const LEGS: usize> {
+struct Evaluating<'a, const STOPS: bool, const N: usize, const LEGS: usize> {
     motions: &'a MotionsAbreast<N, LEGS>,
     states: &'a State<Wide<N>, LEGS>,
     glances: &'a mut GlancesAbreast<N, LEGS>,
 }
 
-impl<const N: usize, const LEGS: usize> Legs<LandingsAbreast<N>, LEGS> for Evaluating<'_, N, LEGS> {
+impl<const STOPS: bool, const N: usize, const LEGS: usize> Legs<LandingsAbreast<N>, LEGS>
+    for Evaluating<'_, STOPS, N, LEGS>
+{
     #[inline(always)]
     fn push(
         &mut self,
@@ -183,7 +206,7 @@ impl<const N: usize, const LEGS: usize> Legs<LandingsAbreast<N>, LEGS> for Evalu
         derivatives: &mut State<Wide<N>, LEGS>,
     ) -> Push<Wide<N>> {
         let LegAction { push, signals, .. } =
-            (self.motions).action::<true>(leg, frame, self.states);
+            (self.motions).action::<true, STOPS>(leg, frame, self.states);
         derivatives.set_leg(leg, &push.derivative);
         for (row, signal) in self.glances.rows.iter_mut().zip(&signals) {
             row[leg] = *signal;

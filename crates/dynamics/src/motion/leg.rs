@@ -163,7 +163,8 @@ impl<S: Real> LegMotion<S> {
 
     /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
     /// computed of elements that are not `pressed`, and their signals mean nothing; without
-    /// `FORCES` nothing but the signals means anything, and of those not the link torque.
+    /// `FORCES` nothing but the signals means anything, and of those not the link torque. The pad's turn has
+    /// to be its angle (`stops`).
     #[inline(always)]
     pub(super) fn action<const FORCES: bool, const SIGNALS: bool>(
         &self,
@@ -173,7 +174,8 @@ impl<S: Real> LegMotion<S> {
         pressed: Pressed,
     ) -> LegAction<S> {
         let frame = self.geometry.frame(body);
-        let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_angle);
+        let pad_angle = leg.pad_turn;
+        let pose = self.geometry.pose(&frame, leg.link_angle, pad_angle);
         let link_length = self.geometry.link_length();
 
         // Footpad: normal force (29), torque about its hinge (52).
@@ -221,13 +223,13 @@ impl<S: Real> LegMotion<S> {
             .acceleration(link_torque * self.inverse_link_inertia, leg.link_rate);
 
         // Footpad hinge (69).
-        let unclipped = pieces.hinge.unclipped_speed(leg.pad_angle, leg.pad_rate);
+        let unclipped = pieces.hinge.unclipped_speed(pad_angle, leg.pad_rate);
         let pad_speed = pieces.hinge.speed(unclipped);
 
         let derivative = LegState {
             link_angle: pieces.link.moving * leg.link_rate,
             link_rate: link_acceleration,
-            pad_angle: pad_speed,
+            pad_turn: pad_speed,
             pad_rate: pad_torque * self.inverse_pad_inertia + link_acceleration,
             work: [
                 -strut * strut_rate,
@@ -263,7 +265,7 @@ impl<S: Real> LegMotion<S> {
             block.velocity.sliding_squared,
             leg.link_rate,
             if FORCES { surface_torque } else { S::zero() },
-            leg.pad_angle,
+            pad_angle,
             leg.pad_rate,
             unclipped,
             cos_pad,

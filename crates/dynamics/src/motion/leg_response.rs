@@ -32,6 +32,8 @@ impl<const LEGS: usize> Motion<LEGS> {
         pieces: &Pieces<LEGS>,
         response: &mut Response<LegsAbreast, LEGS>,
     ) {
+        let bent = self.bend(state, pieces);
+        let state = bent.as_ref().unwrap_or(state);
         let frame = self.equations.face(state, response);
         for (index, response) in response.groups.iter_mut().enumerate() {
             let group = self.group(index, &frame, state, pieces);
@@ -96,8 +98,8 @@ impl<const LEGS: usize> NullaryFnOnce for GroupResponse<'_, LEGS> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Writes how the forces on this leg answer: the derivatives of what [`Self::action`] computes, but for attitude
-    /// factors and for levers of the body.
+    /// Writes how the forces on this leg answer, the pad's turn being its angle: the derivatives of what
+    /// [`Self::action`] computes, but for attitude factors and for levers of the body.
     #[inline(always)]
     pub(super) fn respond(
         &self,
@@ -112,15 +114,16 @@ impl<S: Real> LegMotion<S> {
         response.inertia = [self.link_inertia, self.pad_inertia];
         response.link_moves = pieces.link.moving;
         response.link_damping = pieces.link.run_down() * self.link_inertia;
-        response.pad_speed = pieces.hinge.speed_changes(leg.pad_angle, leg.pad_rate);
-        response.hinge_gain = pieces.hinge.gain_at(leg.pad_angle);
+        let pad_angle = leg.pad_turn;
+        response.pad_turn = pieces.hinge.turn_changes(pad_angle);
+        response.hinge_gain = pieces.hinge.gain_at(pad_angle);
         response.swings_pads = !response.hinge_gain.is_zero();
         // Legs that hang in the air answer nothing else.
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return;
         }
         let frame = geometry.frame(body);
-        let pose = geometry.pose(&frame, leg.link_angle, leg.pad_angle);
+        let pose = geometry.pose(&frame, leg.link_angle, pad_angle);
         let posture = Posture {
             frame: &frame,
             pose: &pose,

@@ -1,5 +1,6 @@
 //! The coefficients that the equations of motion work with.
 
+use super::stops::press_stops;
 use crate::crush::PressureLine;
 use crate::friction::FrictionPiece;
 use crate::hinge::HingePiece;
@@ -52,11 +53,15 @@ impl LegPieces<f64> {
     }
 }
 
-/// Which kinds of elements carry pressure on any leg of a group.
+/// What presses on any leg of a group.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pressed {
+    /// A footpad on the surface.
     pub(super) pads: bool,
+    /// A block on the surface.
     pub(super) blocks: bool,
+    /// A footpad on a stop of its hinge.
+    pub(super) stops: bool,
 }
 
 impl Pressed {
@@ -67,6 +72,7 @@ impl Pressed {
         Self {
             pads: !(outer.is_slack() && inner.is_slack()),
             blocks: !legs.block.is_slack(),
+            stops: legs.hinge.is_pressed(),
         }
     }
 }
@@ -112,6 +118,12 @@ impl<const LEGS: usize> Pieces<LEGS> {
         let GroupPieces { legs, pressed } = &mut self.groups[leg / LANES];
         pieces.set_lane(legs, leg % LANES);
         *pressed = Pressed::of(legs);
+    }
+
+    /// Whether any pad presses on a stop.
+    #[inline(always)]
+    pub(super) fn press_stops(&self) -> bool {
+        press_stops(&self.groups)
     }
 
     /// The coefficients of leg `leg`.

@@ -32,8 +32,8 @@ pub enum Signal {
     LinkRate,
     /// Torque of the surface on the link, ft·lb.
     LinkTorque,
-    /// Pad angle α, rad.
-    PadAngle,
+    /// What the pad has turned by, rad: α, but of a pad that presses on a stop.
+    PadTurn,
     /// Pad rate state α̇, rad/s.
     PadRate,
     /// Hinge speed before the clip, rad/s.
@@ -78,7 +78,7 @@ impl Signal {
         Self::BlockSliding,
         Self::LinkRate,
         Self::LinkTorque,
-        Self::PadAngle,
+        Self::PadTurn,
         Self::PadRate,
         Self::HingeSpeed,
         Self::PadInclination,

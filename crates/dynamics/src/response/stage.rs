@@ -55,8 +55,6 @@ impl<F: Formation<LEGS>, const LEGS: usize> Response<F, LEGS> {
 /// Rows and columns of link and pad, eliminated from the equations of an implicit stage.
 #[derive(Debug, Clone, Copy)]
 struct Eliminated<S> {
-    /// τ of the pad angle: τ/(1 − τ ∂(dα/dt)/∂α), s.
-    pad_tau: S,
     /// Forces on the body, times τ, per rate of link and of the pad against it.
     columns: [Vector6<S>; 2],
     /// Inverse of what is between link and pad.
@@ -71,7 +69,6 @@ impl<S: Real> Eliminated<S> {
     fn nothing() -> Self {
         let zero = S::zero();
         Self {
-            pad_tau: zero,
             columns: [none(); 2],
             inverse: [[zero; 2]; 2],
             rows: [none(); 2],
@@ -81,12 +78,11 @@ impl<S: Real> Eliminated<S> {
     /// Eliminates a group of legs: what that leaves of them in the body's equations.
     #[inline(always)]
     fn eliminate(&mut self, leg: &LegResponse<S>, tau: S) -> Matrix6<S> {
-        let [follows, fades] = leg.pad_speed;
+        let [follows, bends] = leg.pad_turn;
         let [link_inertia, pad_inertia] = leg.inertia;
         let squared = tau * tau;
         let link_way = tau * leg.link_moves;
-        let pad_tau = tau / (S::one() - tau * fades);
-        let pad_way = pad_tau * follows;
+        let pad_way = tau * follows * bends;
         let (link_torque, hinge_torque) = (&leg.link_torque, &leg.hinge_torque);
 
         let mut body = Matrix6::from([[S::zero(); 6]; 6]);
@@ -149,7 +145,6 @@ impl<S: Real> Eliminated<S> {
             }
         }
         *self = Self {
-            pad_tau,
             columns,
             inverse,
             rows: solved,
@@ -244,7 +239,8 @@ impl<F: Formation<LEGS>, const LEGS: usize> System<'_, F, LEGS> {
         let tau = F::shared(self.tau);
         let known = F::shared_six(&(known * self.tau));
         let link = given.link_angle * tau;
-        let pad = given.pad_angle * eliminated.pad_tau;
+        let [_, bends] = leg.pad_turn;
+        let pad = given.pad_turn * tau * bends;
         let mut forces: Vector6<F::Leg> = none();
         let mut on_link = leg.inertia[0] * given.link_rate + leg.link_torque.dot(&known, link, pad);
         let in_link = given.pad_rate - given.link_rate;
@@ -283,11 +279,12 @@ impl<F: Formation<LEGS>, const LEGS: usize> System<'_, F, LEGS> {
             pad_in_link -= product(&eliminated.rows[1], &known);
         }
         let pad_rate = pad_in_link + link_rate;
-        let [follows, _] = leg.pad_speed;
+        let tau = F::shared(self.tau);
+        let [follows, _] = leg.pad_turn;
         LegState {
-            link_angle: (given.link_angle + leg.link_moves * link_rate) * F::shared(self.tau),
+            link_angle: (given.link_angle + leg.link_moves * link_rate) * tau,
             link_rate,
-            pad_angle: (given.pad_angle + follows * pad_rate) * eliminated.pad_tau,
+            pad_turn: (given.pad_turn + follows * pad_rate) * tau,
             pad_rate,
             work: [F::Leg::zero(); 6],
         }

@@ -64,6 +64,11 @@ impl Stance {
         }
     }
 
+    /// Whether the link hangs still.
+    pub fn is_hanging(&self) -> bool {
+        matches!(self, Self::Hanging { .. })
+    }
+
     /// Whether the leg is on its extension stop.
     pub fn is_extended(&self) -> bool {
         !matches!(self, Self::Working { .. })

@@ -2,9 +2,10 @@
 
 use touchdown_dynamics::contact::{LegLaws, LegMode};
 use touchdown_dynamics::formation::LegsAbreast;
+use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::integrator::rosenbrock::GAMMA;
 use touchdown_dynamics::integrator::step::Step;
-use touchdown_dynamics::motion::{Glance, Motion, MotionsAbreast, Pieces, Signal};
+use touchdown_dynamics::motion::{FreeFlight, Glance, Motion, MotionsAbreast, Pieces, Signal};
 use touchdown_dynamics::response::Response;
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
@@ -36,12 +37,13 @@ impl<const LEGS: usize> Bare<LEGS> {
 
     /// Puts in place the pieces that hold at a state.
     pub fn settle(&mut self, state: &State<f64, LEGS>) {
+        let mut state = *state;
         let mut modes: [LegMode; LEGS] = std::array::from_fn(|j| LegMode::untouched(&self.laws[j]));
         for _ in 0..32 {
             let mut derivative = State::zero();
             let mut signals = Glance::blank();
             self.motion
-                .evaluate(state, &self.pieces, &mut derivative, &mut signals);
+                .evaluate(&state, &self.pieces, &mut derivative, &mut signals);
             let mut changed = false;
             for (j, mode) in modes.iter_mut().enumerate() {
                 let ranges = mode.ranges(&self.laws[j]);
@@ -51,8 +53,11 @@ impl<const LEGS: usize> Bare<LEGS> {
                     .find_map(|(range, signal)| Some((signal, range.exit(signals.of(j, signal))?)));
                 if let Some((signal, exit)) = left {
                     changed = true;
-                    mode.cross(&self.laws[j], j, signal, exit, &signals.leg(j))
-                        .unwrap();
+                    let (laws, before) = (&self.laws[j], *mode);
+                    mode.cross(laws, j, signal, exit, &signals.leg(j)).unwrap();
+                    let mut leg = state.leg(j);
+                    leg.pad_turn = mode.pad_turn(laws, before.pad_angle(laws, leg.pad_turn));
+                    state.set_leg(j, &leg);
                 }
             }
             self.pieces = Pieces::new(&std::array::from_fn(|j| modes[j].pieces(&self.laws[j])));
@@ -61,6 +66,19 @@ impl<const LEGS: usize> Bare<LEGS> {
             }
         }
         panic!("laws do not settle");
+    }
+
+    /// Lets all pads touch and lift off again at a state in the air: links that move outward run down from then on.
+    pub fn lift_off(&mut self, state: &State<f64, LEGS>) {
+        let signals = self.signals(state);
+        self.pieces = Pieces::new(&std::array::from_fn(|j| {
+            let (laws, mut mode) = (&self.laws[j], LegMode::untouched(&self.laws[j]));
+            for exit in [Exit::Above, Exit::Below] {
+                mode.cross(laws, j, Signal::OuterInterference, exit, &signals.leg(j))
+                    .unwrap();
+            }
+            mode.pieces(laws)
+        }));
     }
 
     /// Writes the time derivative of a state.
@@ -97,6 +115,11 @@ impl<const LEGS: usize> Bare<LEGS> {
         let mut response = self.motion.response();
         self.motion.respond(state, &self.pieces, &mut response);
         response
+    }
+
+    /// The flight from a state on, all legs hanging.
+    pub fn free_flight(&self, state: &State<f64, LEGS>) -> FreeFlight<LEGS> {
+        self.motion.free_flight(state, &self.pieces)
     }
 
     /// One step of `length` seconds.

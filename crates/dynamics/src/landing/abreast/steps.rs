@@ -172,35 +172,39 @@ impl<const N: usize, const LEGS: usize> Steps<N, LEGS> {
 }
 
 /// Derivatives in all lanes.
-struct Derive<'a, const N: usize, const LEGS: usize>(
+struct Derive<'a, const STOPS: bool, const N: usize, const LEGS: usize>(
     &'a MotionsAbreast<N, LEGS>,
     &'a State<Wide<N>, LEGS>,
     &'a mut State<Wide<N>, LEGS>,
 );
 
-impl<const N: usize, const LEGS: usize> NullaryFnOnce for Derive<'_, N, LEGS> {
+impl<const STOPS: bool, const N: usize, const LEGS: usize> NullaryFnOnce
+    for Derive<'_, STOPS, N, LEGS>
+{
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        self.0.derivative(self.1, self.2);
+        self.0.derivative::<STOPS>(self.1, self.2);
     }
 }
 
 /// Derivatives and signals in all lanes.
-struct Evaluate<'a, const N: usize, const LEGS: usize>(
+struct Evaluate<'a, const STOPS: bool, const N: usize, const LEGS: usize>(
     &'a MotionsAbreast<N, LEGS>,
     &'a State<Wide<N>, LEGS>,
     &'a mut State<Wide<N>, LEGS>,
     &'a mut GlancesAbreast<N, LEGS>,
 );
 
-impl<const N: usize, const LEGS: usize> NullaryFnOnce for Evaluate<'_, N, LEGS> {
+impl<const STOPS: bool, const N: usize, const LEGS: usize> NullaryFnOnce
+    for Evaluate<'_, STOPS, N, LEGS>
+{
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        self.0.evaluate(self.1, self.2, self.3);
+        self.0.evaluate::<STOPS>(self.1, self.2, self.3);
     }
 }
 
@@ -231,18 +235,32 @@ impl<R: Lanes<N>, const IMPLICIT: bool, const N: usize, const LEGS: usize> Nulla
             work_errors,
         } = self.steps;
         let motions = &*motions;
+        let stops = motions.press_stops();
+        let evaluate = |states: &State<Wide<N>, LEGS>,
+                        slopes: &mut State<Wide<N>, LEGS>,
+                        signals: &mut GlancesAbreast<N, LEGS>| {
+            if stops {
+                registers.dispatch(Evaluate::<true, N, LEGS>(motions, states, slopes, signals));
+            } else {
+                registers.dispatch(Evaluate::<false, N, LEGS>(motions, states, slopes, signals));
+            }
+        };
         let derivative = |states: &State<Wide<N>, LEGS>, slopes: &mut State<Wide<N>, LEGS>| {
-            registers.dispatch(Derive(motions, states, slopes));
+            if stops {
+                registers.dispatch(Derive::<true, N, LEGS>(motions, states, slopes));
+            } else {
+                registers.dispatch(Derive::<false, N, LEGS>(motions, states, slopes));
+            }
         };
         let last = |states: &State<Wide<N>, LEGS>, slopes: &mut State<Wide<N>, LEGS>| {
-            registers.dispatch(Evaluate(motions, states, slopes, signals));
+            evaluate(states, slopes, signals);
         };
         if IMPLICIT {
             motions.respond(&step.before, response);
             *rates = response.greatest_rate();
             let system = response.over(Wide([GAMMA; N]) * *lengths);
             let midway = |states: &State<Wide<N>, LEGS>, slopes: &mut State<Wide<N>, LEGS>| {
-                registers.dispatch(Evaluate(motions, states, slopes, middle));
+                evaluate(states, slopes, middle);
             };
             step.take_implicit(*lengths, &system, stages, derivative, midway, last);
         } else {
