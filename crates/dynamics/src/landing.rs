@@ -12,6 +12,7 @@ mod rates;
 mod stiffness;
 mod trail;
 mod verdict;
+mod within;
 
 use std::convert::Infallible;
 use std::ops::Deref;
@@ -33,7 +34,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use account::History;
-use advance::{Advance, Between, Evaluate, Look, Within};
+use advance::{Advance, Evaluate};
 use peaks::StrutPeaks;
 use ranges::{SignalRanges, Watches};
 use stiffness::Stiffness;
@@ -443,54 +444,6 @@ where
     /// Time at fraction θ of the step, s.
     fn time_at(&self, theta: f64) -> f64 {
         self.time + theta * self.step.length
-    }
-
-    /// Goes to fraction θ of the step.
-    fn go_to(&mut self, theta: f64) {
-        self.step.before = self.state_at(theta);
-    }
-
-    /// The course of the step.
-    fn between(&self) -> Between<'_, LEGS> {
-        Between {
-            step: &self.step,
-            free: self.free.as_ref(),
-        }
-    }
-
-    /// The state at fraction θ of the step.
-    fn state_at(&self, theta: f64) -> State<f64, LEGS> {
-        self.within::<true>(theta)
-    }
-
-    /// What moves at fraction θ of the step.
-    fn motion_at(&self, theta: f64) -> State<f64, LEGS> {
-        self.within::<false>(theta)
-    }
-
-    fn within<const WHOLE: bool>(&self, theta: f64) -> State<f64, LEGS> {
-        let mut state = State::zero();
-        self.motion.registers().dispatch(Within::<WHOLE, LEGS> {
-            between: self.between(),
-            theta,
-            state: &mut state,
-        });
-        state
-    }
-
-    /// The signals at fraction θ of the step.
-    fn look_at(&mut self, theta: f64) -> Glance<LEGS> {
-        let mut signals = Glance::blank();
-        self.motion.registers().dispatch(Look {
-            motion: &self.motion,
-            pieces: &self.pieces,
-            between: self.between(),
-            theta,
-            with_torques: false,
-            signals: &mut signals,
-        });
-        self.evaluations += 1;
-        signals
     }
 
     /// Derivative and signals at the end of the step.

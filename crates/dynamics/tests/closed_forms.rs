@@ -85,8 +85,9 @@ fn spin_about_each_principal_axis() {
 }
 
 /// A vehicle that tumbles in the air, its links and pads still moving.
-fn tumbling(vehicle: &Vehicle<3>) -> State<f64, 3> {
-    let mut legs = extended_legs(vehicle);
+fn tumbling() -> (Bare<3>, State<f64, 3>) {
+    let vehicle = table_4_1();
+    let mut legs = extended_legs(&vehicle);
     for (leg, rate) in legs.iter_mut().zip([0.7, 0.4, 1.3]) {
         leg.link_rate = rate;
         leg.pad_rate = -0.5 * rate;
@@ -97,15 +98,15 @@ fn tumbling(vehicle: &Vehicle<3>) -> State<f64, 3> {
         quaternion: Vector4::new(0.9, 0.1, -0.2, 0.3),
         rate: Vector3::new(2.0, -1.5, 3.0),
     };
-    State::new(&body, legs)
+    let state = State::new(&body, legs);
+    let mut bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 0.0));
+    bare.lift_off(&state);
+    (bare, state)
 }
 
 #[test]
 fn free_flight_is_where_fine_steps_lead() {
-    let vehicle = table_4_1();
-    let mut bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 0.0));
-    let start = tumbling(&vehicle);
-    bare.lift_off(&start);
+    let (bare, start) = tumbling();
     let flight = bare.free_flight(&start);
     let reach = flight.reach(0.25);
     assert!((0.005..0.25).contains(&reach), "{reach} s");
@@ -136,10 +137,7 @@ const STOP: usize = 5;
 /// To its reach a flight is summed to the last bit, so it may be flown in any parts.
 #[test]
 fn a_flight_in_parts_is_the_same_flight() {
-    let vehicle = table_4_1();
-    let mut bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 0.0));
-    let start = tumbling(&vehicle);
-    bare.lift_off(&start);
+    let (bare, start) = tumbling();
     let reach = bare.free_flight(&start).reach(0.25);
     let fly = |parts: u32| {
         let mut state = start;

@@ -1,4 +1,4 @@
-//! A step tried and looked into, compiled for each kind of register: sums over slopes are as wide as
+//! A step tried, and what is evaluated at its ends, compiled for each kind of register: sums over slopes are as wide as
 //! the state.
 
 use pulp::NullaryFnOnce;
@@ -6,7 +6,7 @@ use pulp::NullaryFnOnce;
 use crate::formation::LegsAbreast;
 use crate::integrator::rosenbrock::GAMMA;
 use crate::integrator::step::Step;
-use crate::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
+use crate::motion::{Glance, Motion, Pieces, Signal};
 use crate::response::Response;
 use crate::state::State;
 
@@ -72,83 +72,6 @@ pub(super) fn tell_pad_rates<const LEGS: usize>(
     for (j, rate) in step.pad_rates_at(0.5).into_iter().enumerate() {
         middle.set(j, Signal::PadRate, rate);
         end.set(j, Signal::PadRate, step.after.leg(j).pad_rate);
-    }
-}
-
-/// The course of a step between its ends.
-#[derive(Clone, Copy)]
-pub(super) struct Between<'a, const LEGS: usize> {
-    pub(super) step: &'a Step<f64, LEGS>,
-    /// In free flight that is known exactly.
-    pub(super) free: Option<&'a FreeFlight<LEGS>>,
-}
-
-impl<const LEGS: usize> Between<'_, LEGS> {
-    /// Writes the state at fraction θ.
-    #[inline(always)]
-    fn write(&self, theta: f64, state: &mut State<f64, LEGS>) {
-        match self.free {
-            Some(flight) => flight.write(theta * self.step.length, state),
-            None => *state = self.step.at(theta),
-        }
-    }
-
-    /// Writes what moves at fraction θ; the work integrals are those before it.
-    #[inline(always)]
-    fn write_motion(&self, theta: f64, state: &mut State<f64, LEGS>) {
-        match self.free {
-            Some(flight) => flight.write(theta * self.step.length, state),
-            None => *state = self.step.motion_at(theta),
-        }
-    }
-}
-
-/// A look at the signals within a step.
-pub(super) struct Look<'a, const LEGS: usize> {
-    pub(super) motion: &'a Motion<LEGS>,
-    pub(super) pieces: &'a Pieces<LEGS>,
-    pub(super) between: Between<'a, LEGS>,
-    /// Fraction of the step.
-    pub(super) theta: f64,
-    pub(super) with_torques: bool,
-    pub(super) signals: &'a mut Glance<LEGS>,
-}
-
-impl<const LEGS: usize> NullaryFnOnce for Look<'_, LEGS> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let mut state = State::zero();
-        self.between.write_motion(self.theta, &mut state);
-        let Self {
-            motion,
-            pieces,
-            with_torques,
-            signals,
-            ..
-        } = self;
-        motion.look(&state, pieces, with_torques, signals);
-    }
-}
-
-/// What moves at fraction θ of a step, or all of its state there.
-pub(super) struct Within<'a, const WHOLE: bool, const LEGS: usize> {
-    pub(super) between: Between<'a, LEGS>,
-    pub(super) theta: f64,
-    pub(super) state: &'a mut State<f64, LEGS>,
-}
-
-impl<const WHOLE: bool, const LEGS: usize> NullaryFnOnce for Within<'_, WHOLE, LEGS> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        if WHOLE {
-            self.between.write(self.theta, self.state);
-        } else {
-            self.between.write_motion(self.theta, self.state);
-        }
     }
 }
 

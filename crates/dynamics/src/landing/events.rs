@@ -3,7 +3,7 @@
 use std::ops::Deref;
 
 use super::Flight;
-use super::advance;
+use super::within::{Between, Look};
 use crate::contact::LegMode;
 use crate::integrator::cubic::{Foresight, Prospect};
 use crate::integrator::event::{Node, Seen, Watch, first_exit};
@@ -43,14 +43,14 @@ where
             return None;
         }
         let with_torques = self.ranges.has(Signal::LinkTorque);
-        let between = advance::Between {
+        let between = Between {
             step: &self.step,
             free: self.free.as_ref(),
         };
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Glance<LEGS>| {
             looks += 1;
-            registers.dispatch(advance::Look {
+            registers.dispatch(Look {
                 motion: &self.motion,
                 pieces: &self.pieces,
                 between,
