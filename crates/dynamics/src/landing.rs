@@ -143,8 +143,6 @@ struct Flight<V, O, const LEGS: usize> {
     locates_kinks: bool,
     laws: [LegLaws; LEGS],
     modes: [LegMode; LEGS],
-    /// Whether all legs hang in the air.
-    hangs: bool,
     pieces: Pieces<LEGS>,
     /// How often those of each leg have changed.
     changes: [u64; LEGS],
@@ -206,7 +204,6 @@ where
             locates_kinks: settings.tolerance() <= KINKS_LOCATED,
             ranges: SignalRanges::new(&std::array::from_fn(|j| modes[j].ranges(&laws[j]))),
             laws,
-            hangs: modes.iter().all(LegMode::is_hanging),
             modes,
             pieces,
             changes: [1; LEGS],

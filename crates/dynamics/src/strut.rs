@@ -15,7 +15,7 @@ const SMOOTHING_RATE: f64 = 0.2;
 /// Stroke at and below which an extending leg is on its stop, ft.
 const STOP_STROKE: f64 = 1e-6;
 /// Rate that an airborne link's γ̇ runs down to, rad/s.
-pub(crate) const RESIDUAL_RATE: f64 = 0.001;
+const RESIDUAL_RATE: f64 = 0.001;
 
 /// Coefficients of the active piece of the strut law: with spring F_s = p0 + p1 δ + q m(δ)(δ − δ_E)
 /// and resistance R = ν|F_s| + d(δ) l̇², F = F_s ∓ c R against the motion, c = 1 − (1 − |γ̇|/0.2)³.
@@ -197,9 +197,15 @@ impl<S: Real> LinkPiece<S> {
         self.run_down
     }
 
+    /// What there is of a link rate γ̇ (rad/s) to run down, rad/s.
+    #[inline(always)]
+    pub fn surplus(&self, link_rate: S) -> S {
+        link_rate - S::constant(RESIDUAL_RATE)
+    }
+
     /// Link acceleration γ̈, rad/s².
     #[inline(always)]
     pub fn acceleration(&self, torque_over_inertia: S, link_rate: S) -> S {
-        self.free * torque_over_inertia - self.run_down * (link_rate - S::constant(RESIDUAL_RATE))
+        self.free * torque_over_inertia - self.run_down * self.surplus(link_rate)
     }
 }

@@ -185,7 +185,7 @@ const STOPS: Stops = Stops {
     arrival: 1e-9,
 };
 
-/// dα/dt = α̇ (1 − 1000·overrun) (model, chapter 5), with an α̇ that swells and fades, in steps of a classical Runge-Kutta
+/// dα/dt = α̇ (1 − 1000·overrun) (model chapter 6), with an α̇ that swells and fades, in steps of a classical Runge-Kutta
 /// method much shorter than the millisecond it takes a pad to come to rest.
 #[test]
 fn a_pad_on_its_stop_lags_behind_its_rate_as_the_model_has_it() {

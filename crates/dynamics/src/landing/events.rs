@@ -128,7 +128,6 @@ where
         let (mode, laws) = (&self.modes[j], &self.laws[j]);
         self.pieces.set_leg(j, &mode.pieces(laws));
         self.changes[j] += 1;
-        self.hangs = self.modes.iter().all(LegMode::is_hanging);
         self.ranges.set(j, &mode.ranges(laws));
         self.stiffness.forget();
     }

@@ -3,6 +3,7 @@
 use std::ops::Deref;
 
 use super::{Course, Flight};
+use crate::contact::LegMode;
 use crate::integrator::step_control::{LONGEST, SHORTEST};
 use crate::outcome::{Failure, Outcome};
 use crate::record::Instant;
@@ -24,7 +25,7 @@ where
     #[inline(always)]
     pub(super) fn fly(&mut self, course: &mut Course<LEGS>) -> Result<bool, Outcome> {
         let mut flew = false;
-        while self.hangs {
+        while self.modes.iter().all(LegMode::is_hanging) {
             flew = true;
             self.fly_on(course)?;
         }

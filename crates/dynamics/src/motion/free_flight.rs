@@ -1,5 +1,5 @@
-//! Free flight in closed form: no leg is on the surface, so the body falls and turns free of torque, and legs that hang
-//! keep their links still while their rates run down (model chapter 5).
+//! Free flight in closed form: no leg is on the surface, so the body falls (55) and turns free of torque (60), and legs
+//! that hang keep their links still while their rates run down (model chapter 5), those of their pads with them (69).
 //!
 //! The CG follows its parabola, rates of links an exponential, turns of pads its integral. The rotation of a body
 //! with three different moments of inertia is in elliptic functions; here it is the power series of (60) and of the
@@ -11,7 +11,6 @@ use nalgebra::{Matrix3, Vector3, Vector4};
 use super::{Motion, Pieces};
 use crate::quad::LANES;
 use crate::state::{Body, State, quaternion_rate};
-use crate::strut::RESIDUAL_RATE;
 
 /// Terms of the series, that of order zero not counted.
 const ORDER: usize = 10;
@@ -22,8 +21,9 @@ const ROUNDING: f64 = 1e-17;
 #[derive(Debug, Clone, Copy)]
 pub struct FreeFlight<const LEGS: usize> {
     start: State<f64, LEGS>,
+    /// ft/s², along z of the ground axes.
     gravity: f64,
-    /// Derivatives of the angular velocity and of the quaternion, order by order, over factorials.
+    /// Derivatives of the angular velocity (rad/s, body axes) and of the quaternion, order by order in s, over factorials.
     rates: [Vector3<f64>; ORDER + 1],
     quaternions: [Vector4<f64>; ORDER + 1],
     legs: [HangingLeg; LEGS],
@@ -37,7 +37,7 @@ struct HangingLeg {
     surplus: f64,
     /// Moment of inertia of the link, slug·ft².
     inertia: f64,
-    /// The pad turns at follows·α̇ + steady.
+    /// The pad turns at follows·α̇ + steady, rad/s.
     follows: f64,
     steady: f64,
 }
@@ -63,7 +63,7 @@ impl<const LEGS: usize> Motion<LEGS> {
                 let [follows, steady] = leg.hinge.turning_by_rate();
                 HangingLeg {
                     run_down: leg.link.run_down(),
-                    surplus: state.leg(j).link_rate - RESIDUAL_RATE,
+                    surplus: leg.link.surplus(state.leg(j).link_rate),
                     inertia: self.equations.groups[j / LANES].link_inertia.0[j % LANES],
                     follows,
                     steady,
@@ -127,7 +127,7 @@ impl<const LEGS: usize> FreeFlight<LEGS> {
         }
     }
 
-    /// Writes the state so many seconds on.
+    /// Writes the state so many seconds on, work integrals included.
     #[cold]
     #[inline(never)]
     pub fn write(&self, time: f64, state: &mut State<f64, LEGS>) {

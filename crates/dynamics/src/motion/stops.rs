@@ -1,11 +1,10 @@
-//! Pads that press on a stop of their hinge, where the angle α falls behind what α̇ has turned (`hinge`).
+//! Pads that press on a stop of their hinge, where the angle α falls behind what α̇ has turned (`hinge`; model chapter 6).
 //!
 //! The equations of a leg take the angle. Seldom does a pad press on a stop, so that is told here, beside them:
 //! before, angles in place of turns, and after, how fast the turns go on.
 
 use super::pieces::GroupPieces;
 use super::{Glance, GlancesAbreast, Motion, MotionsAbreast, Pieces, Signal};
-use crate::formation::{Formation, LegsAbreast};
 use crate::hinge::HingePiece;
 use crate::state::{LegState, State};
 use crate::wide::Wide;
@@ -18,7 +17,7 @@ impl<const LEGS: usize> Motion<LEGS> {
         state: &State<f64, LEGS>,
         pieces: &Pieces<LEGS>,
     ) -> Option<State<f64, LEGS>> {
-        (pieces.press_stops()).then(|| bend::<LegsAbreast, LEGS>(state, &pieces.groups))
+        pieces.press_stops().then(|| bent(state, pieces))
     }
 
     /// Puts right how fast turns go on.
@@ -30,7 +29,7 @@ impl<const LEGS: usize> Motion<LEGS> {
         derivative: &mut State<f64, LEGS>,
     ) {
         if pieces.press_stops() {
-            turn::<LegsAbreast, LEGS>(state, &pieces.groups, derivative);
+            turn(state, pieces, derivative);
         }
     }
 
@@ -117,30 +116,27 @@ pub(super) fn press_stops<S>(groups: &[GroupPieces<S>]) -> bool {
 
 #[cold]
 #[inline(never)]
-fn bend<F: Formation<LEGS>, const LEGS: usize>(
-    state: &State<F::Body, LEGS>,
-    groups: &[GroupPieces<F::Leg>],
-) -> State<F::Body, LEGS> {
+fn bent<const LEGS: usize>(state: &State<f64, LEGS>, pieces: &Pieces<LEGS>) -> State<f64, LEGS> {
     let mut bent = *state;
-    for (index, group) in groups.iter().enumerate() {
-        let mut legs = F::legs(state, index);
+    for (index, group) in pieces.groups.iter().enumerate() {
+        let mut legs = state.legs_abreast(index);
         legs.pad_turn = group.legs.hinge.angle(legs.pad_turn);
-        F::set_legs(&mut bent, index, &legs);
+        bent.set_legs_abreast(index, &legs);
     }
     bent
 }
 
 #[cold]
 #[inline(never)]
-fn turn<F: Formation<LEGS>, const LEGS: usize>(
-    state: &State<F::Body, LEGS>,
-    groups: &[GroupPieces<F::Leg>],
-    derivative: &mut State<F::Body, LEGS>,
+fn turn<const LEGS: usize>(
+    state: &State<f64, LEGS>,
+    pieces: &Pieces<LEGS>,
+    derivative: &mut State<f64, LEGS>,
 ) {
-    for (index, group) in groups.iter().enumerate() {
-        let rate = F::legs(state, index).pad_rate;
-        let mut legs = F::legs(derivative, index);
+    for (index, group) in pieces.groups.iter().enumerate() {
+        let rate = state.legs_abreast(index).pad_rate;
+        let mut legs = derivative.legs_abreast(index);
         legs.pad_turn = group.legs.hinge.turning(legs.pad_turn, rate);
-        F::set_legs(derivative, index, &legs);
+        derivative.set_legs_abreast(index, &legs);
     }
 }
