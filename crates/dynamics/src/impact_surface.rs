@@ -60,7 +60,7 @@ pub struct Approach {
 
 /// The surface found, and the touchdown on it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ImpactSurface<const LEGS: usize> {
+pub struct ImpactSurface<const LEGS: usize = 3> {
     /// Slope θs, rad, ≥ 0.
     pub slope: f64,
     /// Rotation ζ about Z from the given to the customary ground axes (87), rad; `None` on level

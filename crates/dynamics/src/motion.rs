@@ -67,7 +67,7 @@ abreast!(LegLoads {
 
 /// The equations of motion of one vehicle on one surface.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion<const LEGS: usize> {
+pub struct Motion<const LEGS: usize = 3> {
     /// What registers the processor has.
     registers: Four,
     equations: Equations<LegsAbreast, LEGS>,

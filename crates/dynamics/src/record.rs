@@ -60,7 +60,7 @@ impl LegWork {
 
 /// Energy account of a landing, ft·lb.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Energies<const LEGS: usize> {
+pub struct Energies<const LEGS: usize = 3> {
     /// Kinetic energy at first contact: body and lower links.
     pub initial_kinetic: f64,
     /// Potential energy released since, M g times the descent of the CG.
@@ -85,7 +85,7 @@ impl<const LEGS: usize> Energies<LEGS> {
 
 /// Rates at the end of a landing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FinalRates<const LEGS: usize> {
+pub struct FinalRates<const LEGS: usize = 3> {
     /// Rate of the stability angle σ, rad/s; `None` where all feet stand on one side.
     pub stability_angle: Option<f64>,
     /// Rates of the strokes of the struts, ft/s.
@@ -96,7 +96,7 @@ pub struct FinalRates<const LEGS: usize> {
 
 /// What one landing came to.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Landing<const LEGS: usize> {
+pub struct Landing<const LEGS: usize = 3> {
     /// How it ended.
     pub outcome: Outcome,
     /// When, s after first contact.
@@ -130,7 +130,7 @@ pub struct Landing<const LEGS: usize> {
 
 /// State and loads at one instant of a landing, for histories. Foot, pound, second, radian.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Instant<const LEGS: usize> {
+pub struct Instant<const LEGS: usize = 3> {
     /// Time after first contact, s.
     pub time: f64,
     /// CG in ground axes, ft.

@@ -54,7 +54,7 @@ pub enum Plane {
 
 /// What outcomes are judged by, at one instant.
 #[derive(Debug, Clone, Copy)]
-pub struct Observation<const LEGS: usize> {
+pub struct Observation<const LEGS: usize = 3> {
     /// What has a range: the side of each foot, positive to the left of the plane; σ; what has to calm down.
     ranged: [[f64; LANES]; QUADS],
     /// Stability angle σ, rad (79); positive inboard of the critical feet.
@@ -113,7 +113,7 @@ pub enum Verdict {
 
 /// How stability is being judged: plane, critical feet, and which limits the motion is within.
 #[derive(Debug, Clone)]
-pub struct Judge<const LEGS: usize> {
+pub struct Judge<const LEGS: usize = 3> {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
     slope_side: f64,
     calm_height: f64,

@@ -15,7 +15,7 @@ use crate::wide::Wide;
 /// [`LegState`] are how the physics reads and writes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub struct State<S, const LEGS: usize> {
+pub struct State<S, const LEGS: usize = 3> {
     /// Component by component, so that the legs' numbers of one kind lie side by side. What is
     /// beyond the last leg stays zero.
     legs: [[S; MOST_LEGS]; LEG],

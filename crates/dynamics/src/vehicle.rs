@@ -13,7 +13,7 @@ use crate::profile::Profile;
 
 /// Mass properties and legs of a lander with `LEGS` legs.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Vehicle<const LEGS: usize> {
+pub struct Vehicle<const LEGS: usize = 3> {
     mass: f64,
     gravity: f64,
     center_of_gravity_height: f64,

@@ -63,7 +63,7 @@ fn repository(path: &str) -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
 }
 
-type Landings = (Vehicle<3>, Vec<Scene>);
+type Landings = (Vehicle, Vec<Scene>);
 
 /// Landings of the level grid at one speed after another.
 fn landings() -> Result<Landings, Box<dyn Error>> {
@@ -80,7 +80,7 @@ fn land(
     (vehicle, scenes): &Landings,
     workers: &Workers,
     tolerance: f64,
-) -> Result<Vec<Landing<3>>, Box<dyn Error>> {
+) -> Result<Vec<Landing>, Box<dyn Error>> {
     let limit = Settings::DEFAULT_TIME_LIMIT;
     let settings = Settings::new(tolerance, limit, CrushRule::default())?;
     let never = AtomicBool::new(false);
@@ -103,7 +103,7 @@ fn thousand_landings(bencher: Bencher, threads: &str) {
     tell(measured());
 }
 
-fn landing_errors(found: &[Landing<3>], converged: &[Landing<3>]) -> String {
+fn landing_errors(found: &[Landing], converged: &[Landing]) -> String {
     let pairs = || found.iter().zip(converged);
     let others = pairs().filter(|(a, b)| a.outcome.class() != b.outcome.class());
     let mut errors: Vec<f64> = pairs()
@@ -130,7 +130,7 @@ fn landing_errors(found: &[Landing<3>], converged: &[Landing<3>]) -> String {
 fn level_vehicle_grid(bencher: Bencher, threads: &str) {
     let measured = || {
         let workers = workers(threads)?;
-        let sweep: Sweep<3> = Sweep::read(&repository("scripts/level-grid.toml"))?;
+        let sweep: Sweep = Sweep::read(&repository("scripts/level-grid.toml"))?;
         let points: Vec<usize> = (0..sweep.design.count()).collect();
         let mut found = Ok(Vec::new());
         bencher

@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [file, count] = arguments.as_slice() else {
         return Err("name a sweep file and a number of points".into());
     };
-    let sweep: Sweep<3> = Sweep::read(Path::new(file))?;
+    let sweep: Sweep = Sweep::read(Path::new(file))?;
     let points: Vec<usize> = (0..sweep.design.count().min(count.parse()?)).collect();
     let found = Workers::start(None)?.points(&sweep, &points)?;
     for (point, finding) in points.iter().zip(&found) {

@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         &file,
         SWEEP.replace("roll_deg = { from = -60, to = 60, step = 5 }", &axis),
     )?;
-    let sweep: Sweep<3> = Sweep::read(&file)?;
+    let sweep: Sweep = Sweep::read(&file)?;
 
     let start = Instant::now();
     let mut journals = Vec::new();

@@ -18,7 +18,7 @@ pub const COLUMNS: [&str; 9] = [
 ];
 
 /// Heading of the table of bands.
-pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
+pub fn heading(sweep: &Sweep) -> Vec<String> {
     sweep.heading(COLUMNS)
 }
 
@@ -27,11 +27,7 @@ pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
 /// `outcome` is the class that the band's landings share, `kind` how the one nearest to its middle
 /// ended; `bracket_width_fps` and `certainty` belong to `to_fps` and are empty at the end of the range.
 /// Where `certainty` is `disputed`, small changes decide between the two speeds that follow.
-pub fn rows<const LEGS: usize>(
-    sweep: &Sweep<LEGS>,
-    point: usize,
-    boundary: &Boundary,
-) -> Vec<Vec<String>> {
+pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>> {
     let coordinates = sweep.coordinates_written(point);
     let row = |(index, band): (usize, &Band)| {
         let width = band.bracket_width;
@@ -59,7 +55,7 @@ mod tests {
     #[test]
     fn a_row_for_every_band() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+        let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
         let band = |from, to, class, outcome, bracket_width: Option<f64>| Band {
             from,
             to,

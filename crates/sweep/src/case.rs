@@ -20,9 +20,9 @@ use crate::{search_input, settings_input, vehicle_file};
 
 /// What is landed at one point, how, and where its transition is searched.
 #[derive(Debug, Clone)]
-pub struct Case<const LEGS: usize> {
+pub struct Case {
     /// The vehicle.
-    pub vehicle: Arc<Vehicle<LEGS>>,
+    pub vehicle: Arc<Vehicle>,
     /// The scene; where the speed is searched, at the lowest of the search.
     pub scene: Scene,
     /// What is asked.
@@ -54,12 +54,12 @@ impl fmt::Display for CaseFault {
     }
 }
 
-impl<const LEGS: usize> Sweep<LEGS> {
+impl Sweep {
     /// The input of a point.
     ///
     /// # Errors
     /// When values that are valid one by one are not valid together.
-    pub fn case(&self, point: usize) -> Result<Case<LEGS>, CaseFault> {
+    pub fn case(&self, point: usize) -> Result<Case, CaseFault> {
         self.case_at(&self.design.coordinates(point))
     }
 
@@ -67,7 +67,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
     ///
     /// # Errors
     /// When it is not valid.
-    pub fn case_at(&self, coordinates: &[f64]) -> Result<Case<LEGS>, CaseFault> {
+    pub fn case_at(&self, coordinates: &[f64]) -> Result<Case, CaseFault> {
         self.case_of(&self.axes, coordinates)
     }
 
@@ -80,7 +80,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         point: usize,
         parameter: &Parameter,
         value: f64,
-    ) -> Result<Case<LEGS>, CaseFault> {
+    ) -> Result<Case, CaseFault> {
         let mut axes = self.axes.clone();
         let mut coordinates = self.design.coordinates(point);
         match axes.iter().position(|axis| axis == parameter) {
@@ -111,7 +111,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         }
     }
 
-    fn case_of(&self, axes: &[Parameter], coordinates: &[f64]) -> Result<Case<LEGS>, CaseFault> {
+    fn case_of(&self, axes: &[Parameter], coordinates: &[f64]) -> Result<Case, CaseFault> {
         let (job, settings) = self.job_and_settings(axes, coordinates)?;
         let mut conditions = self.conditions(axes, coordinates);
         if let Job::Boundary(search) = job {
@@ -139,7 +139,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
         &self,
         axes: &[Parameter],
         coordinates: &[f64],
-    ) -> Result<Arc<Vehicle<LEGS>>, CaseFault> {
+    ) -> Result<Arc<Vehicle>, CaseFault> {
         if !varies(axes, Home::Vehicle) {
             return Ok(Arc::new(self.vehicle.vehicle.clone()));
         }

@@ -12,6 +12,7 @@ use crate::input_error::{InputError, Place};
 use crate::landing_table;
 use crate::parameter::Parameter;
 use crate::scene_input::{NAMES, NamedConditions};
+use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 
 /// Columns that every table of cases must have.
@@ -28,18 +29,18 @@ const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
 
 /// The cases of a table, in its order.
 #[derive(Debug, Clone)]
-pub struct Cases<const LEGS: usize> {
+pub struct Cases {
     /// Their names, from the column `case`.
     pub names: Vec<String>,
     /// Their scenes.
     pub scenes: Vec<Scene>,
     /// Their vehicles: one for all, or one for each.
-    vehicles: Vec<Vehicle<LEGS>>,
+    vehicles: Vec<Vehicle>,
 }
 
-impl<const LEGS: usize> Cases<LEGS> {
+impl Cases {
     /// The vehicle of a case.
-    pub fn vehicle(&self, case: usize) -> &Vehicle<LEGS> {
+    pub fn vehicle(&self, case: usize) -> &Vehicle {
         &self.vehicles[if self.vehicles.len() == 1 { 0 } else { case }]
     }
 }
@@ -50,21 +51,14 @@ impl<const LEGS: usize> Cases<LEGS> {
 ///
 /// # Errors
 /// Names file, line, row, column and value of the first thing wrong, and what is allowed.
-pub fn read<const LEGS: usize>(
-    path: &Path,
-    vehicle: &VehicleFile<LEGS>,
-) -> Result<Cases<LEGS>, InputError> {
+pub fn read(path: &Path, vehicle: &VehicleFile) -> Result<Cases, InputError> {
     let place = Place::file(path);
     let text = std::fs::read_to_string(path)
         .map_err(|error| InputError::other(format!("cannot be read: {error}")).at(place.clone()))?;
     parse(&place, &text, vehicle)
 }
 
-fn parse<const LEGS: usize>(
-    place: &Place,
-    text: &str,
-    vehicle: &VehicleFile<LEGS>,
-) -> Result<Cases<LEGS>, InputError> {
+fn parse(place: &Place, text: &str, vehicle: &VehicleFile) -> Result<Cases, InputError> {
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
@@ -133,11 +127,11 @@ fn vehicle_columns(
 }
 
 /// The vehicle of a row: that of the file with what the row says instead.
-fn vehicle_of<const LEGS: usize>(
-    file: &VehicleFile<LEGS>,
+fn vehicle_of(
+    file: &VehicleFile,
     varied: &[(usize, Parameter)],
     record: &StringRecord,
-) -> Result<Vehicle<LEGS>, InputError> {
+) -> Result<Vehicle, InputError> {
     let mut document = file.document.clone();
     let mut said = Vec::new();
     for (index, parameter) in varied {
@@ -207,10 +201,7 @@ fn scene(heading: &StringRecord, record: &StringRecord) -> Result<Scene, InputEr
 ///
 /// # Errors
 /// None but those of memory.
-pub fn table<const LEGS: usize>(
-    names: &[String],
-    landings: &[Landing<LEGS>],
-) -> Result<Vec<u8>, csv::Error> {
+pub fn table(names: &[String], landings: &[Landing]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for (index, (name, landing)) in names.iter().zip(landings).enumerate() {
         let (columns, values): (Vec<_>, Vec<_>) =

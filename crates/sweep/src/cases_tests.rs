@@ -3,7 +3,7 @@ use super::*;
 const HEADING: &str = "case,colour,vertical_velocity_fps,horizontal_velocity_fps,\
     cross_slope_deg,pitch_deg,yaw_deg,roll_deg,slope_deg,friction";
 
-fn read_text(text: &str) -> Result<Cases<3>, InputError> {
+fn read_text(text: &str) -> Result<Cases, InputError> {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../sweeps/vehicles/surveyor-table-4-1.toml"

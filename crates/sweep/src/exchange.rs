@@ -17,20 +17,20 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// Landings that were asked for and nobody has begun with.
-pub(crate) struct Exchange<V, const LEGS: usize> {
+pub(crate) struct Exchange<V> {
     threads: usize,
-    queue: Mutex<Queue<V, LEGS>>,
+    queue: Mutex<Queue<V>>,
     changed: Condvar,
     /// How many are in the queue: threads look here before every step.
     waiting: AtomicUsize,
 }
 
 /// A landing that a search waits for.
-type Asked<V, const LEGS: usize> = Request<oneshot::Sender<Landing<LEGS>>, V>;
+type Asked<V> = Request<oneshot::Sender<Landing>, V>;
 
-struct Queue<V, const LEGS: usize> {
+struct Queue<V> {
     /// By the number of the search, and in what order they were asked for: what was begun with is to be ended first.
-    asked: BTreeMap<(usize, u64), Asked<V, LEGS>>,
+    asked: BTreeMap<(usize, u64), Asked<V>>,
     /// How many were ever asked for.
     count: u64,
     /// Landings that threads have begun with.
@@ -38,7 +38,7 @@ struct Queue<V, const LEGS: usize> {
     is_closed: bool,
 }
 
-impl<V, const LEGS: usize> Exchange<V, LEGS> {
+impl<V> Exchange<V> {
     /// An exchange for so many threads that land.
     pub(crate) fn between(threads: usize) -> Self {
         Self {
@@ -54,7 +54,7 @@ impl<V, const LEGS: usize> Exchange<V, LEGS> {
         }
     }
 
-    fn queue(&self) -> MutexGuard<'_, Queue<V, LEGS>> {
+    fn queue(&self) -> MutexGuard<'_, Queue<V>> {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -65,7 +65,7 @@ impl<V, const LEGS: usize> Exchange<V, LEGS> {
         vehicle: V,
         scene: Scene,
         settings: Settings,
-    ) -> Option<Landing<LEGS>> {
+    ) -> Option<Landing> {
         let (key, landing) = oneshot::channel();
         self.ask(
             search,
@@ -79,7 +79,7 @@ impl<V, const LEGS: usize> Exchange<V, LEGS> {
         landing.await.ok()
     }
 
-    fn ask(&self, search: usize, request: Asked<V, LEGS>) {
+    fn ask(&self, search: usize, request: Asked<V>) {
         let mut queue = self.queue();
         if !queue.is_closed {
             let place = (search, queue.count);
@@ -101,7 +101,7 @@ impl<V, const LEGS: usize> Exchange<V, LEGS> {
 
     /// Waits until a landing is asked for; false when none will be.
     fn wait(&self) -> bool {
-        let is_idle = |queue: &mut Queue<V, LEGS>| !queue.is_closed && queue.asked.is_empty();
+        let is_idle = |queue: &mut Queue<V>| !queue.is_closed && queue.asked.is_empty();
         let queue = (self.changed)
             .wait_while(self.queue(), is_idle)
             .unwrap_or_else(PoisonError::into_inner);
@@ -110,7 +110,7 @@ impl<V, const LEGS: usize> Exchange<V, LEGS> {
 
     /// The next landing for a thread that has so many under way. It gets no more than its share, so that none has
     /// many while another has few.
-    fn take(&self, under_way: usize) -> Option<Asked<V, LEGS>> {
+    fn take(&self, under_way: usize) -> Option<Asked<V>> {
         if self.waiting.load(Ordering::Relaxed) == 0 {
             return None;
         }
@@ -128,7 +128,7 @@ impl<V, const LEGS: usize> Exchange<V, LEGS> {
     /// Lands what is asked for until the exchange is closed.
     pub(crate) fn land(&self)
     where
-        V: Deref<Target = Vehicle<LEGS>>,
+        V: Deref<Target = Vehicle>,
     {
         // Should a landing panic, no other thread waits for more.
         let _rest = Closes(self);
@@ -150,9 +150,9 @@ impl<V, const LEGS: usize> Exchange<V, LEGS> {
 }
 
 /// Closes an exchange in the end, come what may.
-pub(crate) struct Closes<'e, V, const LEGS: usize>(pub(crate) &'e Exchange<V, LEGS>);
+pub(crate) struct Closes<'e, V>(pub(crate) &'e Exchange<V>);
 
-impl<V, const LEGS: usize> Drop for Closes<'_, V, LEGS> {
+impl<V> Drop for Closes<'_, V> {
     fn drop(&mut self) {
         self.0.close();
     }
@@ -169,14 +169,14 @@ mod tests {
     struct Broken(usize);
 
     impl Deref for Broken {
-        type Target = Vehicle<3>;
+        type Target = Vehicle;
 
-        fn deref(&self) -> &Vehicle<3> {
+        fn deref(&self) -> &Vehicle {
             panic!("broken");
         }
     }
 
-    fn request(name: usize) -> Asked<Broken, 3> {
+    fn request(name: usize) -> Asked<Broken> {
         Request {
             key: oneshot::channel().0,
             vehicle: Broken(name),

@@ -50,11 +50,7 @@ impl Header {
     ///
     /// # Errors
     /// When the first point of the sweep cannot be landed.
-    pub fn new<const LEGS: usize>(
-        sweep: &Sweep<LEGS>,
-        program: &str,
-        shard: Shard,
-    ) -> Result<Self, CaseFault> {
+    pub fn new(sweep: &Sweep, program: &str, shard: Shard) -> Result<Self, CaseFault> {
         Ok(Self {
             format: FORMAT,
             program: program.to_owned(),
@@ -123,7 +119,7 @@ impl Header {
     ///
     /// # Errors
     /// When the copies are not what they were.
-    pub fn sweep<const LEGS: usize>(&self) -> Result<Sweep<LEGS>, InputError> {
+    pub fn sweep(&self) -> Result<Sweep, InputError> {
         let Origin {
             sweep,
             instead,
@@ -146,7 +142,7 @@ impl Header {
 }
 
 /// The landing of the first point at the lowest speed, in bits.
-fn probe<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Result<String, CaseFault> {
+fn probe(sweep: &Sweep) -> Result<String, CaseFault> {
     let case = sweep.case(0)?;
     let landing = land(&case.vehicle, &case.scene, &case.settings);
     Ok(format!(
@@ -197,7 +193,7 @@ mod tests {
 
     fn header(file: &str) -> Header {
         let path = format!("{}/../../sweeps/{file}.toml", env!("CARGO_MANIFEST_DIR"));
-        let sweep: Sweep<3> = Sweep::read(Path::new(&path)).unwrap();
+        let sweep: Sweep = Sweep::read(Path::new(&path)).unwrap();
         Header::new(&sweep, "1.0", Shard::WHOLE).unwrap()
     }
 
@@ -207,7 +203,7 @@ mod tests {
         let read = Header::from_bytes(&header.to_bytes()).unwrap();
         assert_eq!(read, header);
         assert_eq!(read.differences(&header), Vec::<String>::new());
-        let again = Header::new(&read.sweep::<3>().unwrap(), "1.0", Shard::WHOLE).unwrap();
+        let again = Header::new(&read.sweep().unwrap(), "1.0", Shard::WHOLE).unwrap();
         assert_eq!(again, header);
     }
 

@@ -23,7 +23,7 @@ impl History {
     ///
     /// # Errors
     /// None but those of memory.
-    pub fn add<const LEGS: usize>(&mut self, instant: &Instant<LEGS>) -> Result<(), csv::Error> {
+    pub fn add(&mut self, instant: &Instant) -> Result<(), csv::Error> {
         let columns = columns(instant);
         if self.is_empty {
             self.writer
@@ -46,7 +46,7 @@ impl History {
 }
 
 /// Headings with units, and values in them.
-fn columns<const LEGS: usize>(instant: &Instant<LEGS>) -> Vec<(String, f64)> {
+fn columns(instant: &Instant) -> Vec<(String, f64)> {
     let euler = instant.attitude.euler();
     let [position, velocity, rate] = [
         &instant.position,
@@ -144,7 +144,7 @@ mod tests {
             clearance: 1.0,
             kinetic_energy: 2.0,
             potential_change: 3.0,
-            legs: [leg; 2],
+            legs: [leg; 3],
         };
         let mut history = History::default();
         history.add(&instant).unwrap();
@@ -154,8 +154,8 @@ mod tests {
         assert_eq!(lines.len(), 3);
         assert!(lines[0].starts_with("t_s,x_ft,y_ft,z_ft,x_rate_fps"));
         assert!(lines[0].contains("pad_set_2_outboard_ft"));
-        assert_eq!(lines[0].split(',').count(), 17 + 2 * 19);
-        assert_eq!(lines[1].split(',').count(), 17 + 2 * 19);
+        assert_eq!(lines[0].split(',').count(), 17 + 3 * 19);
+        assert_eq!(lines[1].split(',').count(), 17 + 3 * 19);
         assert!(lines[1].starts_with("0.5,0,0,0"));
     }
 }

@@ -12,14 +12,15 @@ use crate::parameter::Home;
 use crate::section::Section;
 use crate::sensitivity::input;
 use crate::sweep_file::{Job, SWEEP, Sweep};
+use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
 
 /// What holds instead of a sweep file's own.
 #[derive(Debug, Clone, Default)]
-pub struct Instead<const LEGS: usize> {
+pub struct Instead {
     /// The vehicle.
-    pub vehicle: Option<VehicleFile<LEGS>>,
+    pub vehicle: Option<VehicleFile>,
     /// Words of `[search]` and `[solver]`, by their dotted keys.
     pub words: Vec<(String, String)>,
     /// Parameters on which the transition's dependence is asked; the file's where there are none.
@@ -35,12 +36,12 @@ pub(crate) struct Given {
     pub(crate) sensitivity: Vec<String>,
 }
 
-impl<const LEGS: usize> Sweep<LEGS> {
+impl Sweep {
     /// The sweep with something instead of what its file says.
     ///
     /// # Errors
     /// When what varies would be replaced, says nothing in this sweep, or does not fit the vehicle.
-    pub fn with(mut self, instead: &Instead<LEGS>) -> Result<Self, InputError> {
+    pub fn with(mut self, instead: &Instead) -> Result<Self, InputError> {
         for (name, word) in &instead.words {
             let refuse = |complaint: &str| {
                 let complaint = format!("{name} = {word:?}: {complaint}");
@@ -72,7 +73,7 @@ impl<const LEGS: usize> Sweep<LEGS> {
             self.sensitivity = input::named(&instead.sensitivity, LEGS)?;
         }
         self.check_sensitivity()?;
-        let path = |file: &VehicleFile<LEGS>| file.document.path().to_owned();
+        let path = |file: &VehicleFile| file.document.path().to_owned();
         self.instead = Given {
             vehicle: instead.vehicle.as_ref().map(path),
             words: instead.words.clone(),
@@ -103,7 +104,7 @@ mod tests {
     #[test]
     fn words_given_instead_hold_and_may_not_vary() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+        let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
         let word = |key: &str, word: &str| (key.to_owned(), word.to_owned());
         let mut instead = Instead {
             vehicle: None,

@@ -25,11 +25,7 @@ pub(crate) struct Known {
 
 impl Known {
     /// What the journal of a shard tells so far.
-    pub(crate) fn of<const LEGS: usize>(
-        sweep: &Sweep<LEGS>,
-        shard: Shard,
-        opened: &Opened,
-    ) -> Result<Self, JournalError> {
+    pub(crate) fn of(sweep: &Sweep, shard: Shard, opened: &Opened) -> Result<Self, JournalError> {
         let ends_early =
             shard == Shard::WHOLE && matches!(sweep.job, Job::Outcome { enough: Some(_) });
         let mut known = Self {
@@ -54,12 +50,7 @@ impl Known {
     }
 
     /// Adds a point; whether enough is known now.
-    pub(crate) fn is_enough_with<const LEGS: usize>(
-        &mut self,
-        sweep: &Sweep<LEGS>,
-        point: usize,
-        finding: Finding,
-    ) -> bool {
+    pub(crate) fn is_enough_with(&mut self, sweep: &Sweep, point: usize, finding: Finding) -> bool {
         if !self.ends_early || self.is_enough {
             return self.is_enough;
         }

@@ -42,7 +42,7 @@ impl From<Cell> for Value {
 pub type Column = (String, Cell);
 
 /// All results of a landing, in the order of the columns.
-pub fn columns<const LEGS: usize>(landing: &Landing<LEGS>) -> Vec<Column> {
+pub fn columns(landing: &Landing) -> Vec<Column> {
     let mut columns = vec![column("outcome", Cell::Word(landing.outcome.to_string()))];
     let mut number = |name: &str, value| columns.push(column(name, Cell::Number(value)));
     number("end_time_s", landing.end_time);
@@ -133,7 +133,7 @@ pub(crate) mod tests {
     use touchdown_dynamics::outcome::Failure;
 
     /// A landing made up for tests of tables.
-    pub fn example() -> Landing<3> {
+    pub fn example() -> Landing {
         Landing {
             outcome: Outcome::Failure(Failure::PadInclination { leg: 1 }),
             end_time: 1.5,

@@ -52,11 +52,7 @@ pub(crate) struct ParquetTable {
 
 impl ParquetTable {
     /// Begins a table with a heading.
-    pub(crate) fn begin<const LEGS: usize>(
-        draft: Draft,
-        sweep: &Sweep<LEGS>,
-        heading: &[String],
-    ) -> io::Result<Self> {
+    pub(crate) fn begin(draft: Draft, sweep: &Sweep, heading: &[String]) -> io::Result<Self> {
         let has_words = |name: &str| {
             let axis = sweep.axes.iter().find(|axis| axis.name() == name);
             axis.is_some_and(|axis| !axis.words().is_empty())

@@ -135,7 +135,7 @@ struct Bins {
 
 impl Probabilities {
     /// No landings yet of a sweep.
-    pub fn none<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Self {
+    pub fn none(sweep: &Sweep) -> Self {
         let bins = |(index, axis): (usize, &crate::parameter::Parameter)| {
             let written = |value: f64| axis.written(value);
             match &sweep.design {
@@ -161,7 +161,7 @@ impl Probabilities {
     }
 
     /// The rows of a table of them: all landings, then bin by bin of every axis.
-    pub fn rows<const LEGS: usize>(&self, sweep: &Sweep<LEGS>) -> Vec<Vec<String>> {
+    pub fn rows(&self, sweep: &Sweep) -> Vec<Vec<String>> {
         let row = |axis: &str, [from, to]: &[String; 2], count: &Count| {
             let place = [axis.to_owned(), from.clone(), to.clone()];
             place.into_iter().chain(count.cells()).collect()

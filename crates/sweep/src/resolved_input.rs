@@ -15,7 +15,7 @@ use crate::sweep_file::{Job, Sweep};
 /// Longest axis whose values are told one by one.
 const MOST_VALUES: usize = 1000;
 
-impl<const LEGS: usize> Sweep<LEGS> {
+impl Sweep {
     /// Everything that determines the results, and nothing else: neither title nor file names.
     pub fn resolved(&self) -> Value {
         let scene: Map<String, Value> = self

@@ -9,6 +9,7 @@ use crate::landing_table::{self, Cell};
 use crate::probabilities::wilson;
 use crate::sweep_file::{Job, Sweep};
 use crate::tally::Tally;
+use crate::vehicle_file::LEGS;
 
 /// Columns of the table after those of the axes.
 pub const COLUMNS: [&str; 9] = [
@@ -43,7 +44,7 @@ pub fn transition_name(boundary: &Boundary) -> String {
 }
 
 /// Heading of the table of a sweep.
-pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
+pub fn heading(sweep: &Sweep) -> Vec<String> {
     match sweep.job {
         Job::Boundary(_) => sweep.heading(COLUMNS),
         Job::Outcome { .. } => sweep.heading(landing_table::names(LEGS)),
@@ -53,7 +54,7 @@ pub fn heading<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Vec<String> {
 /// Row of a point in the table of a sweep.
 ///
 /// Numbers have as many digits as it takes to read the same number back, and no more.
-pub fn row<const LEGS: usize>(sweep: &Sweep<LEGS>, point: usize, finding: &Finding) -> Vec<String> {
+pub fn row(sweep: &Sweep, point: usize, finding: &Finding) -> Vec<String> {
     let mut row = sweep.coordinates_written(point);
     match finding {
         Finding::Boundary(boundary) | Finding::Sensitive { boundary, .. } => {
@@ -83,11 +84,7 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
 }
 
 /// The record of a sweep: all of its input with defaults filled in, counts and circumstances.
-pub fn record<const LEGS: usize>(
-    sweep: &Sweep<LEGS>,
-    tally: &Tally,
-    circumstances: Circumstances,
-) -> Value {
+pub fn record(sweep: &Sweep, tally: &Tally, circumstances: Circumstances) -> Value {
     let mut input = json!({
         "sweep_file": sweep.path.display().to_string(),
         "vehicle_file": sweep.vehicle.document.path().display().to_string(),
@@ -145,7 +142,7 @@ mod tests {
     use std::path::Path;
     use touchdown_dynamics::outcome::Class;
 
-    fn example() -> (Sweep<3>, Vec<Boundary>) {
+    fn example() -> (Sweep, Vec<Boundary>) {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
         let sweep = Sweep::read(Path::new(path)).unwrap();
         let at = |to, low, high| Boundary {

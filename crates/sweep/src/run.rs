@@ -117,9 +117,9 @@ impl Workers {
     /// # Errors
     /// When `cancel` became true, which is looked at before every landing, or a result cannot be
     /// kept. What was journaled until then stays good.
-    pub fn sweep<const LEGS: usize>(
+    pub fn sweep(
         &self,
-        sweep: &Sweep<LEGS>,
+        sweep: &Sweep,
         shard: Shard,
         opened: &mut Opened,
         observer: &impl Observer,
@@ -132,7 +132,7 @@ impl Workers {
         if known.is_enough {
             return Ok(());
         }
-        let search = async |point, exchange: &Exchange<_, LEGS>| {
+        let search = async |point, exchange: &Exchange<_>| {
             observer.begin(point);
             let finding = find(sweep, point, exchange, observer, &stop).await?;
             observer.point(point);
@@ -159,15 +159,11 @@ impl Workers {
     ///
     /// # Errors
     /// When the input of one of them is not valid.
-    pub fn points<const LEGS: usize>(
-        &self,
-        sweep: &Sweep<LEGS>,
-        points: &[usize],
-    ) -> Result<Vec<Finding>, RunError> {
+    pub fn points(&self, sweep: &Sweep, points: &[usize]) -> Result<Vec<Finding>, RunError> {
         let never = AtomicBool::new(false);
         let stop = Stop::on(&never);
         let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        let search = async |index: usize, exchange: &Exchange<_, LEGS>| {
+        let search = async |index: usize, exchange: &Exchange<_>| {
             find(sweep, points[index], exchange, &(), &stop).await
         };
         self.search(0..points.len(), &stop, search, |finished| {
@@ -183,11 +179,11 @@ impl Workers {
     ///
     /// # Errors
     /// The first that a search or `keep` gave up with, or that the run was stopped.
-    fn search<T, const LEGS: usize>(
+    fn search<T>(
         &self,
         points: impl Iterator<Item = usize>,
         stop: &Stop,
-        search: impl AsyncFn(usize, &Exchange<Arc<Vehicle<LEGS>>, LEGS>) -> Result<T, RunError>,
+        search: impl AsyncFn(usize, &Exchange<Arc<Vehicle>>) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
         let exchange = &Exchange::between(self.threads());
@@ -215,14 +211,14 @@ impl Workers {
     ///
     /// # Errors
     /// When `cancel` became true; it is looked at before every landing.
-    pub fn cases<'v, const LEGS: usize>(
+    pub fn cases<'v>(
         &self,
-        vehicle: impl Fn(usize) -> &'v Vehicle<LEGS> + Sync + Send,
+        vehicle: impl Fn(usize) -> &'v Vehicle + Sync + Send,
         scenes: &[Scene],
         settings: &Settings,
         observer: &impl Observer,
         cancel: &AtomicBool,
-    ) -> Result<Vec<Landing<LEGS>>, RunError> {
+    ) -> Result<Vec<Landing>, RunError> {
         let stop = Stop::on(cancel);
         let unasked = AtomicUsize::new(0);
         let found = Mutex::new(vec![None; scenes.len()]);
@@ -284,10 +280,10 @@ impl<'c> Stop<'c> {
 }
 
 /// What a sweep asks at a point.
-async fn find<const LEGS: usize>(
-    sweep: &Sweep<LEGS>,
+async fn find(
+    sweep: &Sweep,
     point: usize,
-    exchange: &Exchange<Arc<Vehicle<LEGS>>, LEGS>,
+    exchange: &Exchange<Arc<Vehicle>>,
     observer: &impl Observer,
     stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
@@ -296,7 +292,7 @@ async fn find<const LEGS: usize>(
         fault,
     };
     let case = sweep.case(point).map_err(invalid)?;
-    let landed = async |vehicle: &Arc<Vehicle<LEGS>>, scene, settings| {
+    let landed = async |vehicle: &Arc<Vehicle>, scene, settings| {
         stop.go_on()?;
         let vehicle = Arc::clone(vehicle);
         let landing = exchange.landing(point, vehicle, scene, settings).await;
@@ -314,7 +310,7 @@ async fn find<const LEGS: usize>(
             outcome: landing.outcome,
         });
     };
-    let trial = async |case: &Case<LEGS>, speed, variation: Variation| {
+    let trial = async |case: &Case, speed, variation: Variation| {
         let varied = case
             .scene
             .with_horizontal_velocity(speed)
@@ -359,7 +355,7 @@ mod tests {
     }
 
     /// The vehicle, scenes and settings of short landings.
-    fn short_landings() -> (Arc<Vehicle<3>>, Vec<Scene>, Settings) {
+    fn short_landings() -> (Arc<Vehicle>, Vec<Scene>, Settings) {
         let file = concat!(
             env!("CARGO_MANIFEST_DIR"),
             "/../../sweeps/vehicles/surveyor-table-4-1.toml"
@@ -408,13 +404,13 @@ mod tests {
         let land = |point: usize| land(&vehicle, &scenes[point % scenes.len()], &settings);
         // As many landings as they may, and none too.
         let landings = |point| (point..point + point % 5).collect::<Vec<usize>>();
-        let expected: Vec<(usize, Vec<Landing<3>>)> = (0..100)
+        let expected: Vec<(usize, Vec<Landing>)> = (0..100)
             .map(|point| (point, landings(point).into_iter().map(land).collect()))
             .collect();
         let cancel = AtomicBool::new(false);
         for threads in [1, 2, 3] {
             let stop = Stop::on(&cancel);
-            let search = async |point: usize, exchange: &Exchange<_, 3>| {
+            let search = async |point: usize, exchange: &Exchange<_>| {
                 let mut landed = Vec::new();
                 for landing in landings(point) {
                     let scene = scenes[landing % scenes.len()];
@@ -448,7 +444,7 @@ mod tests {
                 _ => Ok(()),
             }
         };
-        let search = async |point, _: &Exchange<_, 3>| Ok(point);
+        let search = async |point, _: &Exchange<_>| Ok(point);
         let ended = workers(2).search(0.., &stop, search, keep);
         assert!(matches!(ended, Err(RunError::Journal(_))));
         assert_eq!(kept, 5);
@@ -460,7 +456,7 @@ mod tests {
         let cancel = AtomicBool::new(false);
         let landings = AtomicUsize::new(0);
         let stop = Stop::on(&cancel);
-        let search = async |point: usize, exchange: &Exchange<_, 3>| {
+        let search = async |point: usize, exchange: &Exchange<_>| {
             loop {
                 stop.go_on()?;
                 let scene = scenes[point % scenes.len()];

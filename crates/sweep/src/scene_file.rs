@@ -17,6 +17,7 @@ use crate::scene_input::{NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::{locate_condition, named_vehicle};
+use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 
 const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver", "case"];
@@ -26,11 +27,11 @@ const NAME: &str = "letters, digits, - and _ in quotes, other than those of the 
 
 /// One landing of a scene file.
 #[derive(Debug, Clone)]
-pub struct SceneCase<const LEGS: usize> {
+pub struct SceneCase {
     /// Its name, which files are named after: that in the file, or its number.
     pub name: String,
     /// What lands.
-    pub vehicle: VehicleFile<LEGS>,
+    pub vehicle: VehicleFile,
     /// How it touches down.
     pub scene: Scene,
     /// How that is computed.
@@ -42,14 +43,14 @@ pub struct SceneCase<const LEGS: usize> {
 ///
 /// # Errors
 /// Names file, line, case, key and value of the first thing wrong, and what is allowed.
-pub fn read<const LEGS: usize>(path: &Path) -> Result<Vec<SceneCase<LEGS>>, InputError> {
+pub fn read(path: &Path) -> Result<Vec<SceneCase>, InputError> {
     let document = Library::Disk.document(path)?;
     let root = Section::root(&document, &SCENE_FILE)?;
     if let Some(title) = root.optional("title") {
         title.text()?;
     }
     let scene = root.section("scene", &NAMES)?;
-    let mut stack = Stack::<LEGS>::of(path, &document, &root, &scene)?;
+    let mut stack = Stack::of(path, &document, &root, &scene)?;
     let Some(found) = root.optional("case") else {
         return Ok(vec![stack.case("1".to_owned(), None, &scene)?]);
     };
@@ -57,9 +58,9 @@ pub fn read<const LEGS: usize>(path: &Path) -> Result<Vec<SceneCase<LEGS>>, Inpu
     if entries.is_empty() {
         return Err(found.complain(CASES));
     }
-    let mut cases: Vec<SceneCase<LEGS>> = Vec::new();
+    let mut cases: Vec<SceneCase> = Vec::new();
     for (index, entry) in entries.iter().enumerate() {
-        let changes = Changes::of::<LEGS>(entry, index + 1)?;
+        let changes = Changes::of(entry, index + 1)?;
         let name = match &changes.name {
             None => (index + 1).to_string(),
             Some(found) => {
@@ -88,7 +89,7 @@ struct Changes<'d> {
 }
 
 impl<'d> Changes<'d> {
-    fn of<const LEGS: usize>(entry: &Found<'d>, number: usize) -> Result<Self, InputError> {
+    fn of(entry: &Found<'d>, number: usize) -> Result<Self, InputError> {
         let mut changes = Self {
             number,
             place: entry.here(),
@@ -157,7 +158,7 @@ fn unknown(name: &str, legs: usize) -> String {
 }
 
 /// The input as it stands at a case.
-struct Stack<const LEGS: usize> {
+struct Stack {
     path: PathBuf,
     /// The scene file, of which the solver is read.
     document: Document,
@@ -165,7 +166,7 @@ struct Stack<const LEGS: usize> {
     conditions: NamedConditions,
 }
 
-impl<const LEGS: usize> Stack<LEGS> {
+impl Stack {
     fn of(
         path: &Path,
         document: &Document,
@@ -179,7 +180,7 @@ impl<const LEGS: usize> Stack<LEGS> {
         }
         // What is wrong in these files themselves is told of them, and not of the first case.
         settings_input::settings_of_landing(root)?;
-        VehicleFile::<LEGS>::from_document(vehicle.clone())?;
+        VehicleFile::from_document(vehicle.clone())?;
         Ok(Self {
             path: path.to_owned(),
             document: document.clone(),
@@ -226,7 +227,7 @@ impl<const LEGS: usize> Stack<LEGS> {
         name: String,
         changes: Option<&Changes>,
         scene: &Section,
-    ) -> Result<SceneCase<LEGS>, InputError> {
+    ) -> Result<SceneCase, InputError> {
         let blame = |part: Home| {
             move |error: InputError| match changes {
                 Some(changes) => changes.blame(part, error),

@@ -7,7 +7,7 @@ const SCENE: &str = "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_fps
                      friction = 1.0\nroll_deg = 5\n";
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
-fn read_text(cases: &str) -> Result<Vec<SceneCase<3>>, InputError> {
+fn read_text(cases: &str) -> Result<Vec<SceneCase>, InputError> {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("surveyor.toml"), SURVEYOR).unwrap();
     let light = SURVEYOR.replacen("mass_slug = 20", "mass_slug = 18", 1);

@@ -18,6 +18,7 @@ use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Section;
 use crate::sensitivity::input;
+use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{case, sample_input, search_input, settings_input};
 
@@ -49,7 +50,7 @@ pub enum Job {
 
 /// Everything that determines the result of a sweep.
 #[derive(Debug, Clone)]
-pub struct Sweep<const LEGS: usize> {
+pub struct Sweep {
     /// The sweep file.
     pub path: PathBuf,
     /// What the sweep is about, in the words of its file.
@@ -57,7 +58,7 @@ pub struct Sweep<const LEGS: usize> {
     /// What was said before of what the sweep shows, for its picture to stand against.
     pub statement: Option<String>,
     /// The vehicle; what varies of it has its first value.
-    pub vehicle: VehicleFile<LEGS>,
+    pub vehicle: VehicleFile,
     /// Conditions that do not vary.
     pub fixed: NamedConditions,
     /// What varies, one parameter for each axis.
@@ -76,7 +77,7 @@ pub struct Sweep<const LEGS: usize> {
     pub(crate) document: Document,
 }
 
-impl<const LEGS: usize> Sweep<LEGS> {
+impl Sweep {
     /// Reads a sweep file and the vehicle file that it names, and checks all of both.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use touchdown_dynamics::scene::CrushRule;
 const FIGURE: &str = include_str!("../../../sweeps/figure-4-09.toml");
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
-fn read(text: &str) -> Result<Sweep<3>, InputError> {
+fn read(text: &str) -> Result<Sweep, InputError> {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("vehicles")).unwrap();
     fs::write(
@@ -66,7 +66,7 @@ fn tip_form_is_an_axis_like_any_other() {
     assert!(complaint.contains("not both"), "{complaint}");
 }
 
-fn with_axes(axes: &str) -> Result<Sweep<3>, InputError> {
+fn with_axes(axes: &str) -> Result<Sweep, InputError> {
     read(&FIGURE.replace("[axes]", &format!("[axes]\n{axes}")))
 }
 
@@ -206,7 +206,7 @@ fn columns_of_one_file_stay_together() {
          horizontal_velocity_fps = { file = \"flown.csv\", column = \"v\" }",
     );
     write("s.toml", &text);
-    let sweep: Sweep<3> = Sweep::read(&folder.path().join("s.toml")).unwrap();
+    let sweep: Sweep = Sweep::read(&folder.path().join("s.toml")).unwrap();
     let mut rows = [0; 3];
     for point in 0..30 {
         let drawn = sweep.design.coordinates(point);
@@ -215,7 +215,7 @@ fn columns_of_one_file_stay_together() {
     }
     assert_eq!(rows, [10; 3]);
     write("flown.csv", "v, mu\n1, x\n");
-    let said = Sweep::<3>::read(&folder.path().join("s.toml"))
+    let said = Sweep::read(&folder.path().join("s.toml"))
         .unwrap_err()
         .to_string();
     assert!(said.contains("flown.csv:2: row 1: mu = x"), "{said}");

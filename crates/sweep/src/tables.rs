@@ -69,8 +69,8 @@ impl Tables {
     ///
     /// # Errors
     /// When a result is missing or something cannot be read or written.
-    pub fn write<const LEGS: usize>(
-        sweep: &Sweep<LEGS>,
+    pub fn write(
+        sweep: &Sweep,
         results: &mut InOrder,
         folder: &Folder,
         has_parquet: bool,
@@ -163,11 +163,11 @@ struct Table {
 }
 
 impl Table {
-    fn begin<const LEGS: usize>(
+    fn begin(
         folder: &Folder,
         stem: &str,
         heading: &[String],
-        parquet_of: Option<&Sweep<LEGS>>,
+        parquet_of: Option<&Sweep>,
     ) -> Result<Self, DepositError> {
         let name = |ending: &str| format!("{stem}.{ending}");
         let parquet = match parquet_of {

@@ -49,7 +49,7 @@ const KINDS: [Option<Class>; 4] = [
 
 impl Tally {
     /// No points yet of a sweep.
-    pub fn of<const LEGS: usize>(sweep: &Sweep<LEGS>) -> Self {
+    pub fn of(sweep: &Sweep) -> Self {
         let probabilities = match sweep.job {
             Job::Boundary(_) => None,
             Job::Outcome { .. } => Some(Probabilities::none(sweep)),
@@ -61,7 +61,7 @@ impl Tally {
     }
 
     /// Adds a point; points come in order.
-    pub fn add<const LEGS: usize>(&mut self, sweep: &Sweep<LEGS>, point: usize, found: &Finding) {
+    pub fn add(&mut self, sweep: &Sweep, point: usize, found: &Finding) {
         self.points += 1;
         match found {
             Finding::Boundary(boundary) => self.add_boundary(point, boundary),
@@ -83,7 +83,7 @@ impl Tally {
     }
 
     /// Whether the points so far tell enough, so that those after them do not count.
-    pub fn is_enough<const LEGS: usize>(&self, sweep: &Sweep<LEGS>) -> bool {
+    pub fn is_enough(&self, sweep: &Sweep) -> bool {
         match (sweep.job, &self.probabilities) {
             (
                 Job::Outcome {

@@ -4,6 +4,8 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::vehicle::Vehicle;
 
+use crate::vehicle_file::LEGS;
+
 /// What one landing told.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
@@ -37,16 +39,16 @@ pub struct Margins {
 
 /// Measures of a vehicle by which margins are made dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scales<const LEGS: usize> {
+pub struct Scales {
     /// Time in which the CG falls freely from its height at touchdown, s.
     pub fall_time: f64,
     /// Stroke at which each strut bottoms, ft.
     pub strokes: [f64; LEGS],
 }
 
-impl<const LEGS: usize> Scales<LEGS> {
+impl Scales {
     /// The scales of a vehicle.
-    pub fn of(vehicle: &Vehicle<LEGS>) -> Self {
+    pub fn of(vehicle: &Vehicle) -> Self {
         Self {
             fall_time: (2.0 * vehicle.standing_height() / vehicle.gravity()).sqrt(),
             strokes: std::array::from_fn(|j| {
@@ -59,7 +61,7 @@ impl<const LEGS: usize> Scales<LEGS> {
 
 impl Trial {
     /// What a search keeps of a landing.
-    pub fn of<const LEGS: usize>(landing: Landing<LEGS>, scales: &Scales<LEGS>) -> Self {
+    pub fn of(landing: Landing, scales: &Scales) -> Self {
         Self {
             margins: Margins {
                 toppling: toppling(&landing, scales),
@@ -86,7 +88,7 @@ impl Trial {
     }
 }
 
-fn toppling<const LEGS: usize>(landing: &Landing<LEGS>, scales: &Scales<LEGS>) -> Option<f64> {
+fn toppling(landing: &Landing, scales: &Scales) -> Option<f64> {
     match landing.outcome {
         Outcome::UnstableYaw => None,
         Outcome::UnstablePitch => {
@@ -97,7 +99,7 @@ fn toppling<const LEGS: usize>(landing: &Landing<LEGS>, scales: &Scales<LEGS>) -
     }
 }
 
-fn bottoming<const LEGS: usize>(landing: &Landing<LEGS>, scales: &Scales<LEGS>) -> Option<f64> {
+fn bottoming(landing: &Landing, scales: &Scales) -> Option<f64> {
     if let Outcome::Bottomed { leg } = landing.outcome {
         let rates = &landing.final_rates;
         let (rate, braking) = (rates.strokes[leg], -rates.stroke_accelerations[leg]);

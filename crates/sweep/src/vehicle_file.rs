@@ -109,19 +109,22 @@ pub(crate) fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     found.or_else(|| is_scale.then_some(1.0))
 }
 
+/// Legs that input files describe.
+pub const LEGS: usize = 3;
+
 /// A vehicle with the file that describes it.
 #[derive(Debug, Clone)]
-pub struct VehicleFile<const LEGS: usize> {
+pub struct VehicleFile {
     /// The file as it was read.
     pub document: Document,
     /// Its name for the vehicle.
     pub name: String,
     /// The vehicle.
-    pub vehicle: Vehicle<LEGS>,
+    pub vehicle: Vehicle,
 }
 
-impl<const LEGS: usize> VehicleFile<LEGS> {
-    /// Reads a vehicle with `LEGS` legs.
+impl VehicleFile {
+    /// Reads a vehicle with [`LEGS`] legs.
     ///
     /// # Errors
     /// Names file, line, key and value of the first thing wrong, and what is allowed.

@@ -4,7 +4,7 @@ use crate::key_path::KeyPath;
 
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
-fn read(text: &str) -> Result<VehicleFile<3>, InputError> {
+fn read(text: &str) -> Result<VehicleFile, InputError> {
     VehicleFile::from_document(Document::parse(Path::new("v.toml"), text)?)
 }
 
@@ -69,7 +69,7 @@ fn every_number_has_a_name() {
         assert!(document.write(&path, Value::Number(0.5)), "{name}");
     }
     // Nothing was added that a vehicle file does not know.
-    let complaint = VehicleFile::<3>::from_document(document).unwrap_err();
+    let complaint = VehicleFile::from_document(document).unwrap_err();
     assert!(
         !complaint.to_string().contains("unknown key"),
         "{complaint}"

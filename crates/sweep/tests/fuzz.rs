@@ -65,7 +65,7 @@ proptest! {
             source("sweeps/../vehicles/surveyor-table-4-1.toml", SURVEYOR),
         ];
         let library = Library::Copies(&sources);
-        if let Ok(sweep) = Sweep::<3>::read_from(Path::new("sweeps/s.toml"), library) {
+        if let Ok(sweep) = Sweep::read_from(Path::new("sweeps/s.toml"), library) {
             let last = sweep.design.count() - 1;
             prop_assert_eq!(sweep.coordinates_written(last).len(), sweep.axes.len());
             // Not all points were looked at, and one may be at odds with itself; nothing worse.
@@ -77,7 +77,7 @@ proptest! {
     fn vehicle_files(changes in prop::collection::vec(change(), 1..4)) {
         let text = changed(SURVEYOR, &changes);
         let read = Document::parse(Path::new("v.toml"), &text);
-        if let Ok(file) = read.and_then(VehicleFile::<3>::from_document) {
+        if let Ok(file) = read.and_then(VehicleFile::from_document) {
             prop_assert!(file.vehicle.mass() > 0.0);
         }
     }
@@ -88,7 +88,7 @@ proptest! {
         let path = folder.path().join("cases.csv");
         fs::write(&path, changed(CASES, &changes))?;
         let surveyor = Document::parse(Path::new("v.toml"), SURVEYOR).unwrap();
-        let surveyor = VehicleFile::<3>::from_document(surveyor).unwrap();
+        let surveyor = VehicleFile::from_document(surveyor).unwrap();
         if let Ok(cases) = cases::read(&path, &surveyor) {
             prop_assert_eq!(cases.names.len(), cases.scenes.len());
             prop_assert!(cases.vehicle(cases.names.len() - 1).mass() > 0.0);
@@ -103,7 +103,7 @@ proptest! {
         more in prop::collection::vec(any::<u8>(), 0..40),
     ) {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+        let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
         let header = Header::new(&sweep, "0", Shard::WHOLE).unwrap();
         let folder = tempfile::tempdir()?;
         let path = folder.path().join("s.journal");

@@ -28,7 +28,7 @@ fn search(vertical_velocity: f64, roll: f64) -> Boundary {
         text: text.to_owned(),
     };
     let sources = [source("s.toml", &text), source("v.toml", SURVEYOR)];
-    let sweep: Sweep<3> = Sweep::read_from(Path::new("s.toml"), Library::Copies(&sources)).unwrap();
+    let sweep: Sweep = Sweep::read_from(Path::new("s.toml"), Library::Copies(&sources)).unwrap();
     let found = Workers::start(None).unwrap().points(&sweep, &[0]).unwrap();
     match &found[0] {
         Finding::Boundary(boundary) => boundary.clone(),

@@ -18,21 +18,21 @@ use touchdown_sweep::scan::Scan;
 use touchdown_sweep::sweep_file::{Job, Sweep};
 
 /// A sweep of Phase II at some values of its axis.
-fn sweep(name: &str, values: &[f64]) -> Sweep<3> {
+fn sweep(name: &str, values: &[f64]) -> Sweep {
     let sweeps = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps");
-    let mut sweep: Sweep<3> = Sweep::read(&PathBuf::from(sweeps).join(name)).unwrap();
+    let mut sweep: Sweep = Sweep::read(&PathBuf::from(sweeps).join(name)).unwrap();
     let levels = Levels::list(values.to_vec()).unwrap();
     sweep.design = Design::Grid(Grid::new(vec![(levels, None)]).unwrap());
     sweep
 }
 
 /// Where struts begin to bottom, at one cross-slope and roll (deg) and vertical velocities (ft/s).
-fn strut_stops(cross_slope: f64, roll: f64, vertical_velocities: &[f64]) -> Sweep<3> {
+fn strut_stops(cross_slope: f64, roll: f64, vertical_velocities: &[f64]) -> Sweep {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../scripts/strut-stops.toml"
     );
-    let mut sweep: Sweep<3> = Sweep::read(&PathBuf::from(path)).unwrap();
+    let mut sweep: Sweep = Sweep::read(&PathBuf::from(path)).unwrap();
     let axes = [&[cross_slope], &[roll], vertical_velocities]
         .map(|values| (Levels::list(values.to_vec()).unwrap(), None));
     sweep.design = Design::Grid(Grid::new(axes.to_vec()).unwrap());
@@ -61,7 +61,7 @@ const ALL: Skips = Skips {
     doubt: Doubt::Doubtful,
 };
 
-fn search(sweep: &Sweep<3>, extent: Extent, skips: Skips) -> Vec<Boundary> {
+fn search(sweep: &Sweep, extent: Extent, skips: Skips) -> Vec<Boundary> {
     let mut sweep = sweep.clone();
     let Job::Boundary(search) = &mut sweep.job else {
         panic!("the sweeps of Phase II ask for boundaries");
@@ -100,7 +100,7 @@ fn landings(boundaries: &[Boundary]) -> u64 {
 }
 
 /// Toppling at all tipped and level orientations, re-entrant outcomes, bottoming struts.
-fn sweeps() -> [Sweep<3>; 6] {
+fn sweeps() -> [Sweep; 6] {
     [
         sweep("figure-4-09.toml", &[-20.0, 0.0, 5.0, 30.0, 60.0]),
         sweep("figure-4-11.toml", &[-10.0, 0.0, 10.0]),

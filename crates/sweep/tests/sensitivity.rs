@@ -27,7 +27,7 @@ const CONDITIONS: [(&str, f64); 5] = [
 const SCATTER: f64 = 3e-5 * 11.0;
 
 /// A sweep over the values of one axis.
-fn sweep(vehicle: &str, axis: &str, values: &[f64], bracket: f64) -> Sweep<3> {
+fn sweep(vehicle: &str, axis: &str, values: &[f64], bracket: f64) -> Sweep {
     let scene: String = CONDITIONS
         .iter()
         .filter(|(name, _)| *name != axis)
@@ -47,7 +47,7 @@ fn sweep(vehicle: &str, axis: &str, values: &[f64], bracket: f64) -> Sweep<3> {
 }
 
 /// What is found at the first points.
-fn find(sweep: &Sweep<3>, points: usize) -> Vec<Finding> {
+fn find(sweep: &Sweep, points: usize) -> Vec<Finding> {
     let points: Vec<usize> = (0..points).collect();
     Workers::start(None)
         .unwrap()

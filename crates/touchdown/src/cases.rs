@@ -11,12 +11,12 @@ use crate::failure::Failure;
 use crate::land::{Options, place_of};
 use crate::progress::Progress;
 use crate::say::say;
-use crate::{LEGS, interrupt, summary};
+use crate::{interrupt, summary};
 
 /// Lands all cases and writes their results to `out`.
 pub fn run(
     options: &Options,
-    vehicle: &VehicleFile<LEGS>,
+    vehicle: &VehicleFile,
     settings: &Settings,
     table: &Path,
     out: &Path,

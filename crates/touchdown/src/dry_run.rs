@@ -8,7 +8,6 @@ use touchdown_sweep::run::Workers;
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::Sweep;
 
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// Time that is spent on computing points as a sample of the others.
@@ -19,7 +18,7 @@ const MOST_CALIBRATED: usize = 256;
 const MOST_CHECKED: usize = 10_000;
 
 /// What a sweep, or a shard of it, will take; in words.
-pub fn tell(sweep: &Sweep<LEGS>, shard: Shard, workers: &Workers) -> Result<String, Failure> {
+pub fn tell(sweep: &Sweep, shard: Shard, workers: &Workers) -> Result<String, Failure> {
     let points = shard.len(sweep.design.count());
     let checked = spread(points, MOST_CHECKED);
     for &index in &checked {
@@ -70,7 +69,7 @@ pub fn tell(sweep: &Sweep<LEGS>, shard: Shard, workers: &Workers) -> Result<Stri
     ))
 }
 
-fn axes(sweep: &Sweep<LEGS>) -> String {
+fn axes(sweep: &Sweep) -> String {
     let names: Vec<&str> = sweep.axes.iter().map(|axis| axis.name()).collect();
     names.join(", ")
 }

@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::say::say;
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
-use crate::{LEGS, cases, report, scene_cases};
+use crate::{cases, report, scene_cases};
 
 /// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
 const LONGEST_HISTORY: f64 = 1e7;
@@ -131,7 +131,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let Some(vehicle) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());
     };
-    let vehicle = VehicleFile::<LEGS>::read(vehicle)?;
+    let vehicle = VehicleFile::read(vehicle)?;
     match (&options.cases, &options.out) {
         (Some(cases), Some(out)) => cases::run(options, &vehicle, &settings, cases, out),
         (None, Some(_)) => {
@@ -142,11 +142,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
 }
 
-fn land_once(
-    options: &Options,
-    vehicle: &VehicleFile<LEGS>,
-    settings: &Settings,
-) -> Result<(), Failure> {
+fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> Result<(), Failure> {
     let scene = options.touchdown.scene()?;
     // No observations are needed without a history.
     let interval = match options.history {
@@ -157,7 +153,7 @@ fn land_once(
 
     let mut history = History::default();
     let mut written = Ok(());
-    let observe = |instant: &Instant<LEGS>| {
+    let observe = |instant: &Instant| {
         if history_place.is_some() && written.is_ok() {
             written = history.add(instant);
         }

@@ -35,9 +35,6 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-/// Legs of the vehicles that this program lands.
-const LEGS: usize = 3;
-
 /// How fast sideways may a legged lander touch down before it topples?
 ///
 /// Units throughout: foot, second, pound, slug; angles in degrees.

@@ -13,7 +13,7 @@ use touchdown_sweep::sweep_file::Sweep;
 use crate::failure::Failure;
 use crate::say::say;
 use crate::sweep_results::Format;
-use crate::{LEGS, journal_files, summary, sweep_results};
+use crate::{journal_files, summary, sweep_results};
 
 const EXAMPLE: &str = "\
 Example:
@@ -73,7 +73,7 @@ fn merge(shards: Shards, folder: &Folder, format: Format) -> Result<String, Fail
         journals,
         absent,
     } = shards;
-    let sweep: Sweep<LEGS> = header.sweep()?;
+    let sweep: Sweep = header.sweep()?;
     let points = header.points;
     let mut results = InOrder::new(journals, points, &folder.path("."))?;
     if results.missing() > 0 {

@@ -10,7 +10,6 @@ use touchdown_sweep::settings_input::crush_rule_name;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
-use crate::LEGS;
 use crate::solver_options::rule;
 
 /// What holds instead of the sweep files.
@@ -70,7 +69,7 @@ impl Overrides {
     ///
     /// # Errors
     /// When the vehicle file cannot be used, or what was given varies in a sweep.
-    pub fn apply(&self, sweeps: Vec<Sweep<LEGS>>) -> Result<Vec<Sweep<LEGS>>, InputError> {
+    pub fn apply(&self, sweeps: Vec<Sweep>) -> Result<Vec<Sweep>, InputError> {
         let vehicle = self.vehicle.as_deref().map(VehicleFile::read).transpose()?;
         let rule = self.crush_rule.map(|rule| crush_rule_name(rule).to_owned());
         let words = [

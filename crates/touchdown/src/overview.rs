@@ -7,7 +7,6 @@ use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tally::Tally;
 
-use crate::LEGS;
 use crate::summary;
 
 const HEADING: [&str; 7] = [
@@ -28,7 +27,7 @@ pub struct Line {
 
 impl Line {
     /// The line of a sweep that was run.
-    pub fn of(sweep: &Sweep<LEGS>, tally: &Tally, circumstances: Circumstances) -> Self {
+    pub fn of(sweep: &Sweep, tally: &Tally, circumstances: Circumstances) -> Self {
         let lowest = match tally.lowest {
             Some((point, transition)) => {
                 format!("{:.3} ({})", transition.speed(), sweep.place(point))

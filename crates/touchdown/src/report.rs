@@ -9,6 +9,7 @@ use touchdown_sweep::landing_table;
 use touchdown_sweep::method_input::{method_name, method_words};
 use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
+use touchdown_sweep::vehicle_file::LEGS;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
@@ -21,11 +22,11 @@ pub fn degrees(angle: f64, decimals: u8) -> String {
 }
 
 /// A landing for a reader.
-pub fn text<const LEGS: usize>(
-    vehicle: &VehicleFile<LEGS>,
+pub fn text(
+    vehicle: &VehicleFile,
     conditions: &NamedConditions,
     settings: &Settings,
-    landing: &Landing<LEGS>,
+    landing: &Landing,
     integration: &IntegrationSummary,
 ) -> String {
     let given: Vec<String> = conditions
@@ -55,7 +56,7 @@ pub fn text<const LEGS: usize>(
     );
     lines.legs(
         "leg",
-        &std::array::from_fn::<_, LEGS, _>(|leg| (leg + 1).to_string()),
+        &std::array::from_fn::<_, _, _>(|leg| (leg + 1).to_string()),
     );
     lines.legs("footpad contact, s", &landing.pad_contact.map(time));
     lines.legs("block contact, s", &landing.block_contact.map(time));
@@ -88,7 +89,7 @@ pub fn text<const LEGS: usize>(
             crush_rule_name(settings.crush_rule())
         ),
     );
-    lines.0 + &integration_report::text::<LEGS>(integration)
+    lines.0 + &integration_report::text(integration)
 }
 
 /// Lines of a name and what belongs to it.
@@ -99,7 +100,7 @@ impl Lines {
         self.0 += &format!("{name:<28} {value}\n");
     }
 
-    fn legs<const LEGS: usize>(&mut self, name: &str, values: &[String; LEGS]) {
+    fn legs(&mut self, name: &str, values: &[String; LEGS]) {
         let cells: String = values.iter().map(|value| format!("{value:>12}")).collect();
         self.add(name, cells);
     }
@@ -134,11 +135,11 @@ fn why(outcome: &Outcome) -> String {
 }
 
 /// A landing for a program.
-pub fn json<const LEGS: usize>(
-    vehicle: &VehicleFile<LEGS>,
+pub fn json(
+    vehicle: &VehicleFile,
     conditions: &NamedConditions,
     settings: &Settings,
-    landing: &Landing<LEGS>,
+    landing: &Landing,
     integration: &IntegrationSummary,
 ) -> Value {
     let scene: Map<String, Value> = conditions
@@ -177,7 +178,7 @@ pub fn json<const LEGS: usize>(
         "events": landing.events,
         "work_by_leg": work.to_vec(),
         "final_kinetic_energy_ftlb": landing.energies.final_kinetic,
-        "integration": integration_report::json::<LEGS>(integration),
+        "integration": integration_report::json(integration),
     })
 }
 

@@ -9,7 +9,6 @@ use touchdown_sweep::history::History;
 use touchdown_sweep::scene_file::{self, SceneCase};
 use touchdown_sweep::{cases, method_input::method_words};
 
-use crate::LEGS;
 use crate::failure::Failure;
 use crate::land::interval;
 use crate::report::degrees;
@@ -18,7 +17,7 @@ use crate::summary;
 
 /// Lands all cases and writes their histories, every `seconds`, and their results to a folder.
 pub fn run(scene: &Path, out: &Path, seconds: f64) -> Result<(), Failure> {
-    let cases = scene_file::read::<LEGS>(scene)?;
+    let cases = scene_file::read(scene)?;
     for case in &cases {
         interval(seconds, case.settings.time_limit())?;
     }
@@ -41,7 +40,7 @@ pub fn run(scene: &Path, out: &Path, seconds: f64) -> Result<(), Failure> {
     Ok(())
 }
 
-fn land(case: &SceneCase<LEGS>, seconds: f64) -> Result<(Landing<LEGS>, Vec<u8>), Failure> {
+fn land(case: &SceneCase, seconds: f64) -> Result<(Landing, Vec<u8>), Failure> {
     let mut history = History::default();
     let mut written = Ok(());
     let (vehicle, scene) = (&case.vehicle.vehicle, &case.scene);
@@ -55,7 +54,7 @@ fn land(case: &SceneCase<LEGS>, seconds: f64) -> Result<(Landing<LEGS>, Vec<u8>)
 }
 
 /// The results in columns.
-fn text(cases: &[SceneCase<LEGS>], landings: &[Landing<LEGS>]) -> String {
+fn text(cases: &[SceneCase], landings: &[Landing]) -> String {
     let heading = [
         "case",
         "outcome",

@@ -14,8 +14,8 @@ use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tally::Tally;
 
 /// A table of cases in short.
-pub fn cases<const LEGS: usize>(
-    landings: &[Landing<LEGS>],
+pub fn cases(
+    landings: &[Landing],
     wall_time: Duration,
     threads: usize,
     files: &[PathBuf],
@@ -46,8 +46,8 @@ pub fn cases<const LEGS: usize>(
 }
 
 /// A sweep in short.
-pub fn sweep<const LEGS: usize>(
-    sweep: &Sweep<LEGS>,
+pub fn sweep(
+    sweep: &Sweep,
     tally: &Tally,
     circumstances: Circumstances,
     files: &[PathBuf],

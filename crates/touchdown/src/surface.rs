@@ -14,7 +14,6 @@ use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
-use crate::LEGS;
 use crate::failure::Failure;
 use crate::report::degrees;
 use crate::say::say;
@@ -88,7 +87,7 @@ struct Uncertainty {
 
 /// Runs `surface`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?;
+    let vehicle = VehicleFile::read(&options.vehicle)?;
     let approach = Approach {
         velocity: Vector3::from(options.velocity),
         attitude: Attitude::from_euler(Euler {
@@ -136,9 +135,9 @@ fn refused(why: NoSurface) -> Failure {
 
 fn uncertainty(
     options: &Options,
-    vehicle: &Vehicle<LEGS>,
+    vehicle: &Vehicle,
     approach: &Approach,
-    found: &ImpactSurface<LEGS>,
+    found: &ImpactSurface,
     sigma: f64,
 ) -> Result<Uncertainty, Failure> {
     if sigma <= 0.0 {
@@ -189,7 +188,7 @@ fn moments(values: &[f64]) -> Option<(f64, f64)> {
     Some((mean, (squares / (count - 1.0)).sqrt()))
 }
 
-fn text(vehicle: &str, found: &ImpactSurface<LEGS>, uncertainty: Option<&Uncertainty>) -> String {
+fn text(vehicle: &str, found: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> String {
     let angle_or = |angle: Option<f64>, why: &str| match angle {
         Some(angle) => format!("{} deg", degrees(angle, 6)),
         None => why.to_owned(),
@@ -264,7 +263,7 @@ fn line(name: &str, value: &str) -> String {
     format!("{name:<28} {value}")
 }
 
-fn as_json(found: &ImpactSurface<LEGS>, uncertainty: Option<&Uncertainty>) -> Value {
+fn as_json(found: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> Value {
     let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
     json!({
         "slope_deg": found.slope.to_degrees(),

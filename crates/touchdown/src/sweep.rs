@@ -20,9 +20,7 @@ use crate::overrides::Overrides;
 use crate::progress::Progress;
 use crate::say::say;
 use crate::sweep_results::{Format, Written};
-use crate::{
-    LEGS, dry_run, interrupt, journal_files, overview, summary, sweep_files, sweep_results,
-};
+use crate::{dry_run, interrupt, journal_files, overview, summary, sweep_files, sweep_results};
 
 const EXAMPLE: &str = "\
 Example:
@@ -156,7 +154,7 @@ enum Done {
 }
 
 impl Night<'_> {
-    fn sweep(&self, sweep: &Sweep<LEGS>, shard: Shard) -> Result<Done, Failure> {
+    fn sweep(&self, sweep: &Sweep, shard: Shard) -> Result<Done, Failure> {
         let start = Instant::now();
         let path = self.folder.path(&journal_files::name(&sweep.stem(), shard));
         if self.options.resume && !path.exists() {

@@ -5,14 +5,12 @@ use std::path::{Path, PathBuf};
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::sweep_file::Sweep;
 
-use crate::LEGS;
-
 /// Reads all sweeps before anything is run.
 ///
 /// # Errors
 /// When one of them cannot be used, or two would have results of the same name.
-pub fn read(paths: &[PathBuf]) -> Result<Vec<Sweep<LEGS>>, InputError> {
-    let mut sweeps: Vec<Sweep<LEGS>> = Vec::with_capacity(paths.len());
+pub fn read(paths: &[PathBuf]) -> Result<Vec<Sweep>, InputError> {
+    let mut sweeps: Vec<Sweep> = Vec::with_capacity(paths.len());
     for file in files(paths)? {
         let sweep = Sweep::read(&file)?;
         if let Some(other) = sweeps.iter().find(|other| other.stem() == sweep.stem()) {

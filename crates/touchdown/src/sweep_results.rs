@@ -13,7 +13,7 @@ use touchdown_sweep::tables::Tables;
 use touchdown_sweep::tally::Tally;
 
 use crate::failure::Failure;
-use crate::{LEGS, plot};
+use crate::plot;
 
 /// Longest table that is drawn, bytes: beyond it nothing could be made out.
 const LONGEST_DRAWN: u64 = 4 << 20;
@@ -41,7 +41,7 @@ pub struct Written {
 
 /// Writes all results of a sweep into a folder.
 pub fn write(
-    sweep: &Sweep<LEGS>,
+    sweep: &Sweep,
     results: &mut InOrder,
     folder: &Folder,
     circumstances: Circumstances<'static>,
@@ -72,7 +72,7 @@ pub fn write(
 
 /// What transitions depend on, where anything has a derivative.
 fn tornado_chart(
-    sweep: &Sweep<LEGS>,
+    sweep: &Sweep,
     tables: &Tables,
     record: &str,
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
@@ -89,7 +89,7 @@ fn tornado_chart(
 }
 
 fn pictures(
-    sweep: &Sweep<LEGS>,
+    sweep: &Sweep,
     tables: &Tables,
     record: &str,
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {

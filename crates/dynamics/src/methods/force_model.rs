@@ -18,7 +18,7 @@ pub type Sets<const LEGS: usize> = [[f64; 3]; LEGS];
 
 /// A vehicle in a scene.
 #[derive(Debug, Clone)]
-pub struct ForceModel<const LEGS: usize> {
+pub struct ForceModel<const LEGS: usize = 3> {
     motion: Motion<LEGS>,
     laws: [LegLaws; LEGS],
     /// Pieces for a look at signals that no piece has a say in.
@@ -29,7 +29,7 @@ pub struct ForceModel<const LEGS: usize> {
 
 /// What the laws say at one state.
 #[derive(Debug, Clone)]
-pub struct Look<const LEGS: usize> {
+pub struct Look<const LEGS: usize = 3> {
     /// Derivative of the state.
     pub slope: State<f64, LEGS>,
     /// Signals of the legs.

@@ -21,12 +21,12 @@ fn the_sample_deck_is_the_sample_vehicle_and_run() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("vehicle.toml");
     std::fs::write(&file, deck.vehicle(&deck.runs[0], "from cards")).unwrap();
-    let converted = VehicleFile::<3>::read(&file).unwrap();
+    let converted = VehicleFile::read(&file).unwrap();
     let ours = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../sweeps/vehicles/surveyor-sample-deck.toml"
     );
-    let ours = VehicleFile::<3>::read(Path::new(ours)).unwrap();
+    let ours = VehicleFile::read(Path::new(ours)).unwrap();
     assert_eq!(converted.vehicle, ours.vehicle);
 
     let scene = deck.runs[0].scene().unwrap();

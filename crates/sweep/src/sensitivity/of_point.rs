@@ -26,12 +26,12 @@ const EXPECTED: f64 = 1.0 / 16.0;
 const ANGULAR_SCALE: f64 = 30.0;
 
 /// The sensitivities that a sweep asks for at a point, whose `case` was searched and has a `boundary`.
-pub(crate) async fn of_point<const LEGS: usize, Stop>(
-    sweep: &Sweep<LEGS>,
+pub(crate) async fn of_point<Stop>(
+    sweep: &Sweep,
     point: usize,
-    (case, search): (&Case<LEGS>, &Search),
+    (case, search): (&Case, &Search),
     boundary: &Boundary,
-    land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
+    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sensitivity, Stop> {
     let nowhere = |speed, dependence| {
         let step = None;
@@ -49,7 +49,7 @@ pub(crate) async fn of_point<const LEGS: usize, Stop>(
         return Ok(nowhere(None, Dependence::Disputed));
     }
     let [landings, evaluations] = [Cell::new(0), Cell::new(0)];
-    let counted = async |case: &Case<LEGS>, speed, variation| {
+    let counted = async |case: &Case, speed, variation| {
         let trial = land(case, speed, variation).await?;
         landings.set(landings.get() + 1);
         evaluations.set(evaluations.get() + trial.evaluations);
@@ -106,13 +106,13 @@ struct Known {
 
 impl Known {
     /// How the transition depends on a parameter.
-    async fn slope<const LEGS: usize, Stop>(
+    async fn slope<Stop>(
         &self,
-        sweep: &Sweep<LEGS>,
+        sweep: &Sweep,
         point: usize,
         search: &Search,
         parameter: &Parameter,
-        land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Slope, Stop> {
         let scaled = |value| Some((value, scale(parameter, value)?));
         let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
@@ -172,10 +172,10 @@ fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
 }
 
 /// What became of a transition that is no longer near: an ordinary search tells.
-async fn gone<const LEGS: usize, Stop>(
-    case: &Case<LEGS>,
+async fn gone<Stop>(
+    case: &Case,
     search: &Search,
-    land: &impl AsyncFn(&Case<LEGS>, f64, Variation) -> Result<Trial, Stop>,
+    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Dependence, Stop> {
     let search = Search {
         extent: Extent::First,

@@ -23,13 +23,13 @@ type Landed = fn(f64, f64) -> Class;
 /// The dependence on friction, where it is 1, of a boundary at which landings end so.
 fn dependence_on_friction(landed: Landed, certainty: Certainty) -> Slope {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-    let mut sweep: Sweep<3> = Sweep::read(Path::new(path)).unwrap();
+    let mut sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
     sweep.sensitivity = vec![Parameter::named("friction", 3).unwrap()];
     let case = sweep.case(0).unwrap();
     let Job::Boundary(search) = case.job else {
         panic!("the sweep searches boundaries");
     };
-    let land = async |case: &Case<3>, speed, _: Variation| {
+    let land = async |case: &Case, speed, _: Variation| {
         let friction = case.scene.conditions().pad_friction;
         Ok::<_, Infallible>(Trial::example(landed(friction, speed), 1))
     };

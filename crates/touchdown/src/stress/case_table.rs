@@ -4,8 +4,6 @@ use std::collections::BTreeMap;
 
 use touchdown_sweep::sweep_file::Sweep;
 
-use crate::LEGS;
-
 /// Landings by their numbers, and why each is worth landing again.
 pub type Reasons = BTreeMap<usize, Vec<String>>;
 
@@ -13,7 +11,7 @@ pub type Reasons = BTreeMap<usize, Vec<String>>;
 ///
 /// # Errors
 /// None but those of memory.
-pub fn written(sweep: &Sweep<LEGS>, reasons: &Reasons) -> Result<Vec<u8>, csv::Error> {
+pub fn written(sweep: &Sweep, reasons: &Reasons) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let axes = sweep.axes.iter().map(|axis| axis.name());
     writer.write_record(["case", "why"].into_iter().chain(axes))?;

@@ -13,7 +13,6 @@ use touchdown_sweep::sweep_file::Sweep;
 
 use super::killed_run::{KilledRun, Seen, journaled, results};
 use super::{Bench, SURVEYOR, SURVEYOR_FILE};
-use crate::LEGS;
 use crate::failure::Failure;
 
 const SWEEP: &str = include_str!("../../../../sweeps/stress/killed.toml");
@@ -51,7 +50,7 @@ fn kill_in(home: &Path, bench: &Bench) -> Result<String, Failure> {
         fs::create_dir_all(path.parent().unwrap_or(home)).map_err(Failure::running)?;
         fs::write(path, text).map_err(Failure::running)?;
     }
-    let sweep = Sweep::<LEGS>::read(&file)?;
+    let sweep = Sweep::read(&file)?;
     let [peace, killed] = ["peace", "killed"].map(|name| home.join(name));
     let mut run = KilledRun::start(&file, &peace, PEACE_THREADS)?;
     run.watch(bench.cancel, |_, _| false)?;

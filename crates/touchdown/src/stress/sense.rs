@@ -3,8 +3,7 @@
 use touchdown_dynamics::outcome::{Failure, Outcome};
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::landing_table::{self, Cell};
-
-use crate::LEGS;
+use touchdown_sweep::vehicle_file::LEGS;
 
 /// Largest part of the energy in play by which its account may stay open, in units of the tolerance, for
 /// each so many seconds begun.

@@ -21,7 +21,7 @@ use super::{Bench, SURVEYOR, SURVEYOR_FILE};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::say::say;
-use crate::{LEGS, summary};
+use crate::summary;
 
 const SWEEP: &str = include_str!("../../../../sweeps/stress/wild.toml");
 /// Names of what is written.
@@ -32,7 +32,7 @@ const VEHICLE: &str = "stress-vehicle.toml";
 const FOREVER: Duration = Duration::from_secs(300);
 
 /// The sweep that comes with the program, with another count, seed and tolerance.
-pub fn sweep(count: u64, seed: u32, settings: Settings) -> Result<Sweep<LEGS>, InputError> {
+pub fn sweep(count: u64, seed: u32, settings: Settings) -> Result<Sweep, InputError> {
     const FILE: &str = "sweeps/stress/wild.toml";
     let scene = SWEEP.split("[sample]").next().unwrap_or(SWEEP);
     let text = format!(
@@ -54,7 +54,7 @@ pub fn sweep(count: u64, seed: u32, settings: Settings) -> Result<Sweep<LEGS>, I
 }
 
 /// Lands, and tells how it went.
-pub fn run(bench: &Bench, sweep: &Sweep<LEGS>) -> Result<(), Failure> {
+pub fn run(bench: &Bench, sweep: &Sweep) -> Result<(), Failure> {
     let options = bench.options;
     let count = sweep.design.count();
     let path = bench.folder.path(JOURNAL);
@@ -99,7 +99,7 @@ pub fn run(bench: &Bench, sweep: &Sweep<LEGS>) -> Result<(), Failure> {
 }
 
 /// Computes what is not in the journal; the time that it took.
-fn land(bench: &Bench, sweep: &Sweep<LEGS>, opened: &mut Opened) -> Result<Duration, Failure> {
+fn land(bench: &Bench, sweep: &Sweep, opened: &mut Opened) -> Result<Duration, Failure> {
     let progress = Progress::start("landings", sweep.design.count(), bench.options.quiet);
     progress.skip(opened.done.len());
     let guard = Guard::before(&progress);
@@ -139,7 +139,7 @@ fn land(bench: &Bench, sweep: &Sweep<LEGS>, opened: &mut Opened) -> Result<Durat
 }
 
 /// Writes cases and their vehicle; the files in words.
-fn write(bench: &Bench, sweep: &Sweep<LEGS>, reasons: &Reasons) -> Result<String, Failure> {
+fn write(bench: &Bench, sweep: &Sweep, reasons: &Reasons) -> Result<String, Failure> {
     let cases = case_table::written(sweep, reasons).map_err(Failure::running)?;
     let files = [
         (CASES.to_owned(), cases),

@@ -7,7 +7,6 @@ use touchdown_dynamics::vehicle::Vehicle;
 use super::answer::Answer;
 use super::results::Results;
 use super::{judged_landings, level_claims, planar_claims, tipped_claims};
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// The claims of Section 4.2, embedded so that the program and the list cannot drift apart.
@@ -17,7 +16,7 @@ const CLAIMS: &str = include_str!("../../../dynamics/tests/reference/claims-1966
 ///
 /// # Errors
 /// When a result is missing, or the list has a claim that nothing here answers.
-pub fn section(results: &Results, vehicle: &Vehicle<LEGS>) -> Result<String, Failure> {
+pub fn section(results: &Results, vehicle: &Vehicle) -> Result<String, Failure> {
     let mut text = "\
 ## Claim by claim
 
@@ -45,7 +44,7 @@ pub fn section(results: &Results, vehicle: &Vehicle<LEGS>) -> Result<String, Fai
     Ok(text)
 }
 
-fn answer(id: &str, results: &Results, vehicle: &Vehicle<LEGS>) -> Result<Answer, Failure> {
+fn answer(id: &str, results: &Results, vehicle: &Vehicle) -> Result<Answer, Failure> {
     Ok(match id {
         "C01" => planar_claims::uphill(results)?,
         "C02" => planar_claims::around(results)?,

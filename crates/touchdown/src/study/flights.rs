@@ -10,7 +10,6 @@ use touchdown_sweep::scene_input::NamedConditions;
 
 use super::answer::{signed, speed};
 use super::results::Results;
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// Table 4-3 of the report.
@@ -28,7 +27,7 @@ const COMMON: [(&str, f64); 3] = [
 
 /// A landing with what is looked at of its history.
 pub struct Flown {
-    pub landing: Landing<LEGS>,
+    pub landing: Landing,
     pub moments: Vec<Moment>,
 }
 
@@ -73,7 +72,7 @@ impl Flown {
     }
 }
 
-fn fly(vehicle: &Vehicle<LEGS>, conditions: &[(&str, f64)]) -> Result<Flown, Failure> {
+fn fly(vehicle: &Vehicle, conditions: &[(&str, f64)]) -> Result<Flown, Failure> {
     let mut named = NamedConditions::default();
     for (name, value) in COMMON.iter().chain(conditions) {
         named.set(name, *value);
@@ -94,7 +93,7 @@ fn fly(vehicle: &Vehicle<LEGS>, conditions: &[(&str, f64)]) -> Result<Flown, Fai
     Ok(Flown { landing, moments })
 }
 
-fn moment(instant: &Instant<LEGS>) -> Moment {
+fn moment(instant: &Instant) -> Moment {
     let touches = |normal: f64| normal != 0.0;
     Moment {
         time: instant.time,
@@ -109,7 +108,7 @@ fn moment(instant: &Instant<LEGS>) -> Moment {
 }
 
 /// The vehicle tipped by 9 deg, straight downhill at [`AZIMUTH_SPEED`].
-pub fn tipped(vehicle: &Vehicle<LEGS>, azimuth: f64) -> Result<Flown, Failure> {
+pub fn tipped(vehicle: &Vehicle, azimuth: f64) -> Result<Flown, Failure> {
     let conditions = [
         ("horizontal_velocity_fps", AZIMUTH_SPEED),
         ("cross_slope_deg", 180.0),
@@ -144,7 +143,7 @@ fn rows(flown: &Flown) -> Result<Vec<Row>, Failure> {
     Ok(rows)
 }
 
-pub(super) fn table_4_3_landing(vehicle: &Vehicle<LEGS>) -> Result<Flown, Failure> {
+pub(super) fn table_4_3_landing(vehicle: &Vehicle) -> Result<Flown, Failure> {
     let conditions = [
         ("horizontal_velocity_fps", 12.0),
         ("cross_slope_deg", 170.0),
@@ -154,7 +153,7 @@ pub(super) fn table_4_3_landing(vehicle: &Vehicle<LEGS>) -> Result<Flown, Failur
 }
 
 /// The landing of Table 4-3, and its greatest difference from a printed velocity, ft/s.
-pub fn against_table_4_3(vehicle: &Vehicle<LEGS>) -> Result<(Flown, f64), Failure> {
+pub fn against_table_4_3(vehicle: &Vehicle) -> Result<(Flown, f64), Failure> {
     let flown = table_4_3_landing(vehicle)?;
     let apart = rows(&flown)?
         .into_iter()
@@ -167,7 +166,7 @@ pub fn against_table_4_3(vehicle: &Vehicle<LEGS>) -> Result<(Flown, f64), Failur
 ///
 /// # Errors
 /// When the landing cannot be computed.
-pub fn table_4_3(vehicle: &Vehicle<LEGS>) -> Result<String, Failure> {
+pub fn table_4_3(vehicle: &Vehicle) -> Result<String, Failure> {
     let flown = table_4_3_landing(vehicle)?;
     let mut text = "\
 ## Table 4-3 side by side
@@ -199,7 +198,7 @@ the cross-slope angle that they make, deg.
 ///
 /// # Errors
 /// When a result is missing or a landing cannot be computed.
-pub fn azimuths(results: &Results, vehicle: &Vehicle<LEGS>) -> Result<String, Failure> {
+pub fn azimuths(results: &Results, vehicle: &Vehicle) -> Result<String, Failure> {
     let found = results.transitions("figure-4-23")?;
     let mut text = "\
 ## Tip azimuth 90 against 112.5 deg

@@ -8,7 +8,6 @@ use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::picture;
 
 use super::flights::{self, AZIMUTH_SPEED, INTERVAL, Moment};
-use crate::LEGS;
 use crate::failure::Failure;
 use crate::plot;
 
@@ -19,7 +18,7 @@ const AZIMUTHS: [f64; 4] = [90.0, -90.0, 112.5, -112.5];
 ///
 /// # Errors
 /// When a landing cannot be computed or drawn.
-pub fn files(vehicle: &Vehicle<LEGS>) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+pub fn files(vehicle: &Vehicle) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
     for (stem, table, record) in [
         (
@@ -64,7 +63,7 @@ fn conditions(given: Value) -> Value {
     json!({ "scene": scene })
 }
 
-fn table_4_3(vehicle: &Vehicle<LEGS>) -> Result<String, Failure> {
+fn table_4_3(vehicle: &Vehicle) -> Result<String, Failure> {
     let flown = flights::table_4_3_landing(vehicle)?;
     let printed = flights::printed()?;
     let mut text = "t_s,x_rate_fps,x_rate_1966_fps,y_rate_fps,y_rate_1966_fps,touches\n".to_owned();
@@ -86,7 +85,7 @@ fn table_4_3(vehicle: &Vehicle<LEGS>) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn azimuths(vehicle: &Vehicle<LEGS>) -> Result<String, Failure> {
+fn azimuths(vehicle: &Vehicle) -> Result<String, Failure> {
     let mut text = "tip_azimuth_deg,t_s,psi_deg,omega_x_dps,touches\n".to_owned();
     for azimuth in AZIMUTHS {
         for moment in flights::tipped(vehicle, azimuth)?.moments {

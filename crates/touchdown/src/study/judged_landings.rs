@@ -5,11 +5,10 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use super::answer::{Answer, Verdict};
 use super::flights::{self, AZIMUTH_SPEED, Flown};
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// C11: the landing of Table 4-3.
-pub fn table_4_3(vehicle: &Vehicle<LEGS>) -> Result<Answer, Failure> {
+pub fn table_4_3(vehicle: &Vehicle) -> Result<Answer, Failure> {
     let (flown, greatest) = flights::against_table_4_3(vehicle)?;
     Ok(Answer {
         source: "landing (170, −10) at 12 ft/s",
@@ -27,7 +26,7 @@ pub fn table_4_3(vehicle: &Vehicle<LEGS>) -> Result<Answer, Failure> {
 }
 
 /// C13: tipped toward 90 deg.
-pub fn azimuth_90(vehicle: &Vehicle<LEGS>) -> Result<Answer, Failure> {
+pub fn azimuth_90(vehicle: &Vehicle) -> Result<Answer, Failure> {
     let flown = flights::tipped(vehicle, 90.0)?;
     Ok(Answer {
         source: "landing at 11 ft/s",
@@ -38,7 +37,7 @@ pub fn azimuth_90(vehicle: &Vehicle<LEGS>) -> Result<Answer, Failure> {
 }
 
 /// C14: tipped toward 112.5 deg, which 1966 found unstable.
-pub fn azimuth_112(vehicle: &Vehicle<LEGS>) -> Result<Answer, Failure> {
+pub fn azimuth_112(vehicle: &Vehicle) -> Result<Answer, Failure> {
     let plus = flights::tipped(vehicle, 112.5)?;
     let minus = flights::tipped(vehicle, -112.5)?;
     Ok(Answer {

@@ -24,7 +24,6 @@ use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::deposit::Folder;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
-use crate::LEGS;
 use crate::failure::Failure;
 use crate::say::say;
 use results::Results;
@@ -82,11 +81,11 @@ enum Name {
 
 /// Runs `study`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?.vehicle;
+    let vehicle = VehicleFile::read(&options.vehicle)?.vehicle;
     let written = match options.name {
         Name::PhaseTwo => phase_two(options, &vehicle)?,
         Name::Special => {
-            let sample = VehicleFile::<LEGS>::read(&options.sample_vehicle)?.vehicle;
+            let sample = VehicleFile::read(&options.sample_vehicle)?.vehicle;
             let files = special::files(&sample, &vehicle)?;
             Folder::open(&options.results)?.deposit(&files)?
         }
@@ -102,7 +101,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     Ok(())
 }
 
-fn phase_two(options: &Options, vehicle: &Vehicle<LEGS>) -> Result<Vec<PathBuf>, Failure> {
+fn phase_two(options: &Options, vehicle: &Vehicle) -> Result<Vec<PathBuf>, Failure> {
     let results = Results::new(&options.results);
     let sections = [
         INTRODUCTION.to_owned(),

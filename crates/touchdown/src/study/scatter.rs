@@ -17,7 +17,7 @@ use super::answer::signed;
 use super::results::Results;
 use super::special::runs::{control, first_intervals, settings};
 use crate::failure::Failure;
-use crate::{LEGS, interrupt};
+use crate::interrupt;
 
 /// Name of the table.
 pub const TABLE: &str = "scatter.csv";
@@ -97,7 +97,7 @@ fn points(results: &Results) -> Result<Vec<Point>, Failure> {
 /// When a result is missing or the run is interrupted.
 pub fn table(
     results: &Results,
-    vehicle: &Vehicle<LEGS>,
+    vehicle: &Vehicle,
     threads: Option<NonZeroUsize>,
 ) -> Result<Vec<u8>, Failure> {
     let points = points(results)?;

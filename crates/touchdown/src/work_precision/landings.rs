@@ -11,7 +11,6 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use super::{CONVERGED, settings};
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// Times at which trajectories are compared, in intervals of 0.1 s.
@@ -22,7 +21,7 @@ const REPEATED: usize = 5;
 
 /// Landings with their converged answers.
 pub struct Landings<'v> {
-    vehicle: &'v Vehicle<LEGS>,
+    vehicle: &'v Vehicle,
     scenes: Vec<Scene>,
     converged: Vec<Seen>,
 }
@@ -30,7 +29,7 @@ pub struct Landings<'v> {
 /// What is compared of a landing.
 struct Seen {
     /// At the compared times, where the landing lasts that long.
-    instants: [Option<Instant<LEGS>>; 2],
+    instants: [Option<Instant>; 2],
     /// Least stability angle, deg.
     least_angle: f64,
 }
@@ -59,7 +58,7 @@ pub struct Measured {
 
 impl<'v> Landings<'v> {
     /// Lands with the tightest tolerance.
-    pub fn converged(vehicle: &'v Vehicle<LEGS>, scenes: Vec<Scene>) -> Result<Self, Failure> {
+    pub fn converged(vehicle: &'v Vehicle, scenes: Vec<Scene>) -> Result<Self, Failure> {
         let converged = scenes
             .par_iter()
             .map(|scene| seen(vehicle, scene, CONVERGED))
@@ -89,7 +88,7 @@ impl<'v> Landings<'v> {
             .map(|scene| seen(self.vehicle, scene, tolerance))
             .collect::<Result<_, _>>()?;
         let pairs = || found.iter().zip(&self.converged);
-        let at = |time: usize, error: fn(&Instant<LEGS>, &Instant<LEGS>) -> f64| {
+        let at = |time: usize, error: fn(&Instant, &Instant) -> f64| {
             let errors = pairs().filter_map(|(one, other)| {
                 Some(error(
                     one.instants[time].as_ref()?,
@@ -98,9 +97,8 @@ impl<'v> Landings<'v> {
             });
             median_and_worst(errors.collect())
         };
-        let position =
-            |one: &Instant<LEGS>, other: &Instant<LEGS>| (one.position - other.position).norm();
-        let pitch = |one: &Instant<LEGS>, other: &Instant<LEGS>| {
+        let position = |one: &Instant, other: &Instant| (one.position - other.position).norm();
+        let pitch = |one: &Instant, other: &Instant| {
             let [one, other] = [one, other].map(|instant| instant.attitude.euler().pitch);
             (one - other).abs().to_degrees()
         };
@@ -155,7 +153,7 @@ impl Landings<'_> {
     }
 }
 
-fn seen(vehicle: &Vehicle<LEGS>, scene: &Scene, tolerance: f64) -> Result<Seen, Failure> {
+fn seen(vehicle: &Vehicle, scene: &Scene, tolerance: f64) -> Result<Seen, Failure> {
     let mut instants = [None, None];
     let mut count = 0;
     let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;

@@ -13,7 +13,6 @@ use touchdown_sweep::deposit::Folder;
 use touchdown_sweep::measured_scenes::{level_grid, near_boundary};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
-use crate::LEGS;
 use crate::failure::Failure;
 use crate::plot;
 use crate::say::say;
@@ -55,7 +54,7 @@ pub struct Options {
 
 /// Runs `work-precision`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let vehicle = VehicleFile::<LEGS>::read(&options.vehicle)?.vehicle;
+    let vehicle = VehicleFile::read(&options.vehicle)?.vehicle;
     let folder = Folder::open(&options.out)?;
     let tolerances: &[f64] = if options.quick {
         &QUICK_TOLERANCES

@@ -8,7 +8,6 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use super::landings::median_and_worst;
 use super::settings;
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// Scan for first transitions, ft/s, and its tolerance.
@@ -22,14 +21,14 @@ const WIDTH: f64 = 1e-6;
 
 /// First transitions with their converged velocities.
 pub struct Transitions<'v> {
-    vehicle: &'v Vehicle<LEGS>,
+    vehicle: &'v Vehicle,
     /// Scene but for V_H, and V_H, ft/s.
     converged: Vec<(Scene, f64)>,
 }
 
 impl<'v> Transitions<'v> {
     /// Searches the first transition of every scene that has one up to 25 ft/s.
-    pub fn converged(vehicle: &'v Vehicle<LEGS>, scenes: Vec<Scene>) -> Result<Self, Failure> {
+    pub fn converged(vehicle: &'v Vehicle, scenes: Vec<Scene>) -> Result<Self, Failure> {
         let converged: Vec<Option<(Scene, f64)>> = scenes
             .into_par_iter()
             .map(|scene| {
@@ -69,13 +68,13 @@ impl<'v> Transitions<'v> {
 
 /// Landings that differ in V_H.
 struct Landings<'v> {
-    vehicle: &'v Vehicle<LEGS>,
+    vehicle: &'v Vehicle,
     scene: Scene,
     settings: Settings,
 }
 
 impl<'v> Landings<'v> {
-    fn new(vehicle: &'v Vehicle<LEGS>, scene: Scene, tolerance: f64) -> Result<Self, Failure> {
+    fn new(vehicle: &'v Vehicle, scene: Scene, tolerance: f64) -> Result<Self, Failure> {
         Ok(Self {
             vehicle,
             scene,

@@ -8,7 +8,6 @@ use touchdown_figures::line_chart::{Axis, Stroke};
 
 use super::chapter::{Chapter, chart, curve, panel};
 use super::runs::{Run, first_intervals, median, report, sample_run, settings};
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// E(γ̇) and E(ω), deg/s per second, and the report's computer time to problem time.
@@ -38,7 +37,7 @@ fn apart(one: &[(f64, f64)], other: &[(f64, f64)]) -> f64 {
 }
 
 /// The chapter.
-pub fn chapter(vehicle: &Vehicle<LEGS>) -> Result<Chapter, Failure> {
+pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
     let scene = sample_run(None)?;
     let converged = Run::of(vehicle, &scene, &settings(Method::Located)?, INTERVAL);
     let mut text = format!(

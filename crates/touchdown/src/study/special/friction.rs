@@ -7,10 +7,10 @@ use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, Method};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::line_chart::{Axis, Stroke};
+use touchdown_sweep::vehicle_file::LEGS;
 
 use super::chapter::{Chapter, chart, curve, panel};
 use super::runs::{Run, control, sample_run, settings};
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// Least intervals of the report's program, before and after 4.1.5, s.
@@ -26,11 +26,11 @@ const PROFILES: [(FrictionProfile, &str); 3] = [
 ];
 
 /// Stretches of footpad contact within [`SHOWN`], all legs together.
-fn contacts(moments: &[Instant<LEGS>]) -> usize {
-    let shown: Vec<&Instant<LEGS>> = moments.iter().filter(|m| m.time <= SHOWN).collect();
+fn contacts(moments: &[Instant]) -> usize {
+    let shown: Vec<&Instant> = moments.iter().filter(|m| m.time <= SHOWN).collect();
     (0..LEGS)
         .map(|leg| {
-            let touches = |m: &&Instant<LEGS>| m.legs[leg].pad_normal > 0.0;
+            let touches = |m: &&Instant| m.legs[leg].pad_normal > 0.0;
             let runs = shown.chunk_by(|a, b| touches(a) == touches(b));
             runs.filter(|run| touches(&run[0])).count()
         })
@@ -38,7 +38,7 @@ fn contacts(moments: &[Instant<LEGS>]) -> usize {
 }
 
 /// The chapter.
-pub fn chapter(vehicle: &Vehicle<LEGS>) -> Result<Chapter, Failure> {
+pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
     let mut text = "\
 ## 4.1.5 Sliding friction
 

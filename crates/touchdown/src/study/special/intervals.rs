@@ -14,7 +14,6 @@ use touchdown_sweep::scene_input::NamedConditions;
 
 use super::chapter::{Chapter, chart, curve, panel};
 use super::runs::{Run, first_intervals, report, sample_run, settings};
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// First intervals tried for one that leads onto the printed branch: one in seven does.
@@ -28,13 +27,13 @@ struct Recorded {
     intervals: Vec<(f64, f64)>,
 }
 
-impl Stepper<ForceModel<LEGS>> for Recorded {
+impl Stepper<ForceModel> for Recorded {
     fn advance(
         &mut self,
-        start: &Start<State<f64, LEGS>>,
+        start: &Start<State<f64>>,
         longest: f64,
-        evaluator: &mut Evaluator<ForceModel<LEGS>>,
-    ) -> Taken<State<f64, LEGS>> {
+        evaluator: &mut Evaluator<ForceModel>,
+    ) -> Taken<State<f64>> {
         let taken = self.method.advance(start, longest, evaluator);
         self.intervals.push((self.time, taken.length));
         self.time += taken.length;
@@ -43,13 +42,13 @@ impl Stepper<ForceModel<LEGS>> for Recorded {
 }
 
 fn land(
-    vehicle: &Vehicle<LEGS>,
+    vehicle: &Vehicle,
     scene: &Scene,
     first: f64,
 ) -> Result<(IntegrationSummary, Vec<(f64, f64)>), Failure> {
     let control = report(ErrorLimits::default(), first)?;
     let mut stepper = Recorded {
-        method: StepDoubling::new(check::<LEGS>(&control), control.intervals()),
+        method: StepDoubling::new(check::<3>(&control), control.intervals()),
         time: 0.0,
         intervals: Vec::new(),
     };
@@ -65,7 +64,7 @@ fn land(
 }
 
 /// A first interval that leads onto the branch printed in 1966, s.
-fn printed_branch(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Result<f64, Failure> {
+fn printed_branch(vehicle: &Vehicle, scene: &Scene) -> Result<f64, Failure> {
     for first in first_intervals(CANDIDATES) {
         let settings = settings(Method::Report(report(ErrorLimits::default(), first)?))?;
         if Run::of(vehicle, scene, &settings, f64::INFINITY).is_as_printed() {
@@ -96,7 +95,7 @@ fn level(speed: f64, cross_slope: f64, roll: f64) -> Result<Scene, Failure> {
 }
 
 /// The chapter: `sample` is the vehicle of the sample run, `level_vehicle` that of Section IV.
-pub fn chapter(sample: &Vehicle<LEGS>, level_vehicle: &Vehicle<LEGS>) -> Result<Chapter, Failure> {
+pub fn chapter(sample: &Vehicle, level_vehicle: &Vehicle) -> Result<Chapter, Failure> {
     let mut text = "\
 ## 4.1.3 Interval adjustment
 

@@ -11,7 +11,6 @@ use touchdown_figures::line_chart::{Axis, Stroke};
 use super::ball::ball;
 use super::chapter::{Chapter, chart, curve, panel};
 use super::runs::{Run, control, sample_run, settings_at};
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// Factors of the report's error limits.
@@ -77,13 +76,13 @@ fn error(run: &Run, exact: &Run) -> f64 {
     }
 }
 
-fn exact(vehicle: &Vehicle<LEGS>, scene: &Scene) -> Result<Run, Failure> {
+fn exact(vehicle: &Vehicle, scene: &Scene) -> Result<Run, Failure> {
     let settings = settings_at(EXACT, Method::Located)?;
     Ok(Run::of(vehicle, scene, &settings, COMPARED))
 }
 
 /// The chapter.
-pub fn chapter(vehicle: &Vehicle<LEGS>) -> Result<Chapter, Failure> {
+pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
     let (balls, ball_picture) = ball();
     let scene = sample_run(None)?;
     let exact = exact(vehicle, &scene)?;

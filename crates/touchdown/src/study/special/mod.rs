@@ -11,7 +11,6 @@ mod strut_return;
 
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// Name of the page.
@@ -31,10 +30,7 @@ what it was compared with. The sample run is that of 3.4.5, with the vehicle of 
 ///
 /// # Errors
 /// When a landing has no scene or a picture cannot be drawn.
-pub fn files(
-    sample: &Vehicle<LEGS>,
-    level: &Vehicle<LEGS>,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+pub fn files(sample: &Vehicle, level: &Vehicle) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let chapters = [
         strut_return::chapter(sample)?,
         methods::chapter(sample)?,

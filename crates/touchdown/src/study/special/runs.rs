@@ -8,7 +8,6 @@ use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::scene_input::NamedConditions;
 
-use crate::LEGS;
 use crate::failure::Failure;
 
 /// The sample run of 3.4.5.
@@ -71,16 +70,16 @@ pub fn first_intervals(count: usize) -> impl Iterator<Item = f64> {
 
 /// A landing with its history.
 pub struct Run {
-    pub landing: Landing<LEGS>,
+    pub landing: Landing,
     pub integration: IntegrationSummary,
-    pub moments: Vec<Instant<LEGS>>,
+    pub moments: Vec<Instant>,
 }
 
 impl Run {
     /// The landing, looked at every `interval` seconds.
-    pub fn of(vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings, interval: f64) -> Self {
+    pub fn of(vehicle: &Vehicle, scene: &Scene, settings: &Settings, interval: f64) -> Self {
         let mut moments = Vec::new();
-        let observe = |instant: &Instant<LEGS>| moments.push(instant.clone());
+        let observe = |instant: &Instant| moments.push(instant.clone());
         let (landing, integration) = land_observed(vehicle, scene, settings, interval, observe);
         Self {
             landing,
@@ -91,7 +90,7 @@ impl Run {
 
     /// Pitch against time, deg and s.
     pub fn pitch(&self) -> Vec<(f64, f64)> {
-        let pitch = |moment: &Instant<LEGS>| moment.attitude.euler().pitch.to_degrees();
+        let pitch = |moment: &Instant| moment.attitude.euler().pitch.to_degrees();
         self.moments.iter().map(|m| (m.time, pitch(m))).collect()
     }
 

@@ -7,10 +7,10 @@ use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::line_chart::{Axis, Stroke};
+use touchdown_sweep::vehicle_file::LEGS;
 
 use super::chapter::{Chapter, chart, curve, panel};
 use super::runs::{sample_run, settings};
-use crate::LEGS;
 use crate::failure::Failure;
 use touchdown_dynamics::methods::Method;
 
@@ -35,7 +35,7 @@ struct Point {
 }
 
 /// The return of leg 1, the vehicle falling freely.
-fn freed(vehicle: &Vehicle<LEGS>) -> Result<Vec<Point>, Failure> {
+fn freed(vehicle: &Vehicle) -> Result<Vec<Point>, Failure> {
     let scene = sample_run(None)?;
     let model = ForceModel::new(vehicle, &scene, &settings(Method::Located)?);
     let mut state = touchdown(vehicle, &scene, model.motion());
@@ -68,7 +68,7 @@ fn freed(vehicle: &Vehicle<LEGS>) -> Result<Vec<Point>, Failure> {
             break;
         }
         let slope = evaluator.slope(&state);
-        let start: Start<State<f64, LEGS>> = Start { state, slope };
+        let start: Start<State<f64>> = Start { state, slope };
         let taken = stepper.advance(&start, INTERVAL, &mut evaluator);
         state = taken.state;
         time += taken.length;
@@ -92,7 +92,7 @@ fn fit(points: &[Point]) -> (f64, f64) {
 }
 
 /// The chapter.
-pub fn chapter(vehicle: &Vehicle<LEGS>) -> Result<Chapter, Failure> {
+pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
     let points = freed(vehicle)?;
     let (a, b) = fit(&points);
     // γ̇ = √(a·depression + b) falls by a/2 every second from its first value.
