@@ -1,6 +1,5 @@
 //! When steps are stiff, and how the forces answer then.
 
-use crate::formation::LegsAbreast;
 use crate::motion::{Motion, Pieces};
 use crate::response::Response;
 use crate::state::State;
@@ -18,15 +17,15 @@ const STEPS_FAR: u32 = 17;
 const STEPS_NEAR: u32 = 4;
 
 /// Whether steps are stiff, looked at as seldom as it may be.
-pub(super) struct Stiffness<const LEGS: usize> {
-    response: Response<LegsAbreast, LEGS>,
+pub(super) struct Stiffness {
+    response: Response<f64>,
     limit: f64,
     /// Explicit steps to come before looking again.
     mild_steps: u32,
 }
 
-impl<const LEGS: usize> Stiffness<LEGS> {
-    pub(super) fn new(motion: &Motion<LEGS>, tolerance: f64) -> Self {
+impl Stiffness {
+    pub(super) fn new(motion: &Motion<f64>, tolerance: f64) -> Self {
         Self {
             response: motion.response(),
             limit: EXPLICIT_LIMIT.min(STIFF * (1e-4 / tolerance).max(1.0).sqrt().sqrt()),
@@ -40,7 +39,7 @@ impl<const LEGS: usize> Stiffness<LEGS> {
     }
 
     /// How forces answer where a step was found to be stiff last.
-    pub(super) fn response(&self) -> &Response<LegsAbreast, LEGS> {
+    pub(super) fn response(&self) -> &Response<f64> {
         &self.response
     }
 
@@ -48,9 +47,9 @@ impl<const LEGS: usize> Stiffness<LEGS> {
     pub(super) fn exceeds(
         &mut self,
         length: f64,
-        motion: &Motion<LEGS>,
-        state: &State<f64, LEGS>,
-        pieces: &Pieces<LEGS>,
+        motion: &Motion<f64>,
+        state: &State<f64>,
+        pieces: &Pieces<f64>,
     ) -> bool {
         if self.mild_steps > 0 {
             self.mild_steps -= 1;
