@@ -23,7 +23,7 @@ use account::History;
 
 pub(crate) use rates::final_rates;
 pub(crate) use simulation::{NextStart, Simulation};
-pub(crate) use step_attempt::{StepKind, TakeStep};
+pub(crate) use step_attempt::{Respond, StepKind, TakeStep};
 
 /// Computes a landing.
 pub fn land(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Landing {

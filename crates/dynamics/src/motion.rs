@@ -135,6 +135,7 @@ impl Motion<f64> {
     }
 
     /// Writes the signals of all legs into `signals`, the link torques only if asked for.
+    #[inline(always)]
     pub fn look(
         &self,
         state: &State<f64>,

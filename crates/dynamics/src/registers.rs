@@ -49,6 +49,38 @@ impl Lanes<2> for Baseline {
     }
 }
 
+/// The registers in which a single landing is computed: of four numbers where there are such.
+#[derive(Debug, Clone, Copy)]
+pub enum Single {
+    /// Of four numbers.
+    #[cfg(target_arch = "x86_64")]
+    Four(Four),
+    /// Of one or two.
+    Baseline,
+}
+
+impl Single {
+    /// What there is.
+    pub fn new() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(four) = Four::try_new() {
+            return Self::Four(four);
+        }
+        Self::Baseline
+    }
+}
+
+impl Registers for Single {
+    #[inline(always)]
+    fn dispatch<Op: NullaryFnOnce>(self, op: Op) -> Op::Output {
+        match self {
+            #[cfg(target_arch = "x86_64")]
+            Self::Four(four) => four.dispatch(op),
+            Self::Baseline => Baseline.dispatch(op),
+        }
+    }
+}
+
 /// Registers of four numbers.
 #[cfg(target_arch = "x86_64")]
 #[derive(Debug, Clone, Copy)]

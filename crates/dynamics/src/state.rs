@@ -68,23 +68,6 @@ pub struct LegState<S> {
 
 impl<S: Real> LegState<S> {
     #[inline(always)]
-    fn numbers(&self) -> [S; LEG] {
-        let w = &self.work;
-        [
-            self.link_angle,
-            self.link_rate,
-            self.pad_turn,
-            self.pad_rate,
-            w[0],
-            w[1],
-            w[2],
-            w[3],
-            w[4],
-            w[5],
-        ]
-    }
-
-    #[inline(always)]
     fn from_numbers(n: &[S; LEG]) -> Self {
         Self {
             link_angle: n[0],
@@ -125,6 +108,13 @@ impl<S: Real> State<S> {
         self.legs.len()
     }
 
+    /// Becomes another state with as many legs.
+    #[inline(always)]
+    pub fn assign(&mut self, other: &Self) {
+        self.body = other.body;
+        self.legs.copy_from_slice(&other.legs);
+    }
+
     /// Writes the rigid body.
     #[inline(always)]
     pub fn set_body(&mut self, body: &Body<S>) {
@@ -143,7 +133,18 @@ impl<S: Real> State<S> {
     /// Writes leg `index`.
     #[inline(always)]
     pub fn set_leg(&mut self, index: usize, leg: &LegState<S>) {
-        self.legs[index] = leg.numbers();
+        // One by one: an array of them would go through memory.
+        let numbers = &mut self.legs[index];
+        numbers[0] = leg.link_angle;
+        numbers[1] = leg.link_rate;
+        numbers[2] = leg.pad_turn;
+        numbers[3] = leg.pad_rate;
+        numbers[4] = leg.work[0];
+        numbers[5] = leg.work[1];
+        numbers[6] = leg.work[2];
+        numbers[7] = leg.work[3];
+        numbers[8] = leg.work[4];
+        numbers[9] = leg.work[5];
     }
 
     /// The rigid body.
@@ -376,7 +377,10 @@ impl<S: Real> StateVector<S> for State<S> {
         let mut all = S::zero();
         for i in 0..BODY_NUMBERS {
             S::one_round();
-            let error = sum(weights, slopes.map(|slope| slope.body[i]));
+            let mut error = S::zero();
+            for k in 0..TERMS {
+                error += weights[k] * slopes[k].body[i];
+            }
             let scaled = scaled(error, before.body[i], after.body[i]);
             worst = worst.max(scaled);
             all += scaled;
@@ -386,14 +390,20 @@ impl<S: Real> StateVector<S> for State<S> {
             let (before, after) = (&before.legs[j], &after.legs[j]);
             for i in 0..LEG_MOTION {
                 S::one_round();
-                let error = sum(weights, slopes.map(|slope| slope.legs[j][i]));
+                let mut error = S::zero();
+                for k in 0..TERMS {
+                    error += weights[k] * slopes[k].legs[j][i];
+                }
                 let scaled = scaled(error, before[i], after[i]);
                 worst = worst.max(scaled);
                 all += scaled;
             }
             for i in LEG_MOTION..LEG {
                 S::one_round();
-                let error = sum(weights, slopes.map(|slope| slope.legs[j][i]));
+                let mut error = S::zero();
+                for k in 0..TERMS {
+                    error += weights[k] * slopes[k].legs[j][i];
+                }
                 work = work.max(error.abs());
             }
         }

@@ -3,7 +3,7 @@
 use pulp::NullaryFnOnce;
 
 use crate::integrator::step::Step;
-use crate::landing::{Simulation, StepKind, TakeStep};
+use crate::landing::{Respond, Simulation, StepKind, TakeStep};
 use crate::motion::{Glance, Motion, Pieces};
 use crate::registers::{Lanes, Registers};
 use crate::response::Response;
@@ -102,7 +102,12 @@ impl<const N: usize> LaneSteps<N> {
     /// Takes a step in all lanes.
     pub(super) fn take<R: Registers>(&mut self, registers: R, kind: StepKind) {
         if kind == StepKind::Implicit {
-            registers.dispatch(Respond(self));
+            self.rate = registers.dispatch(Respond(
+                &self.motion,
+                &self.step.before,
+                &self.pieces,
+                &mut self.response,
+            ));
         }
         self.errors = registers.dispatch(TakeStep {
             registers,
@@ -136,27 +141,6 @@ impl<const N: usize> LaneSteps<N> {
     /// Goes on to the ends of the steps in some lanes.
     pub(super) fn go_on<R: Registers>(&mut self, registers: R, lanes: [bool; N]) {
         registers.dispatch(GoOn { steps: self, lanes });
-    }
-}
-
-/// How forces answer at the starts of implicit steps.
-struct Respond<'a, const N: usize>(&'a mut LaneSteps<N>);
-
-impl<const N: usize> NullaryFnOnce for Respond<'_, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let LaneSteps {
-            motion,
-            pieces,
-            response,
-            step,
-            rate,
-            ..
-        } = self.0;
-        motion.respond(&step.before, pieces, response);
-        *rate = response.greatest_rate();
     }
 }
 

@@ -1,12 +1,13 @@
 //! When a law changes its active piece, and what holds from then on.
 
 use super::trajectory::Trajectory;
-use super::within::Between;
+use super::within::{Between, Look};
 use crate::contact::LegMode;
 use crate::integrator::cubic::{Foresight, Prospect};
 use crate::integrator::event::{Node, Seen, Watch, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
+use crate::registers::Registers;
 
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
@@ -19,7 +20,7 @@ impl Trajectory<'_> {
             self.signals.now(),
             self.signals.ahead(),
         ];
-        let length = self.step.length;
+        let (registers, length) = (self.registers, self.step.length);
         let suspects = &mut self.suspects;
         if let Some(earlier) = &self.earlier
             && (self.ranges).keep(
@@ -39,8 +40,14 @@ impl Trajectory<'_> {
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Glance<f64>| {
             looks += 1;
-            let state = between.motion_at(theta);
-            (self.motion).look(&state, &self.pieces, with_torques, signals);
+            registers.dispatch(Look {
+                motion: &self.motion,
+                pieces: &self.pieces,
+                between,
+                theta,
+                with_torques,
+                signals,
+            });
         };
         let resolution = self.event_resolution / length;
         let is_explicit = !self.is_middle_seen;

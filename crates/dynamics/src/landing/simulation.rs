@@ -7,12 +7,13 @@ use super::step_attempt::{StepKind, TakeStep};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::Outlook;
 use crate::contact::LegMode;
+use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
 use crate::motion::{FreeFlight, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
 use crate::record::Landing;
-use crate::registers::{Baseline, Registers};
+use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
 use crate::stability::Judge;
 use crate::vehicle::Vehicle;
@@ -126,8 +127,9 @@ impl<'o> Simulation<'o> {
             self.find_kind();
         }
         let trajectory = &mut self.trajectory;
-        let errors = Baseline.dispatch(TakeStep {
-            registers: Baseline,
+        let registers = trajectory.registers;
+        let errors = registers.dispatch(TakeStep {
+            registers,
             kind: self.kind,
             motion: &trajectory.motion,
             pieces: &trajectory.pieces,
@@ -344,8 +346,14 @@ impl<'o> Simulation<'o> {
                 trajectory.events += 1;
                 trajectory.evaluate();
             } else {
-                trajectory.step.before = trajectory.step.after;
-                trajectory.step.slopes[0] = trajectory.step.slopes[5];
+                let Step {
+                    before,
+                    after,
+                    slopes: [first, .., last],
+                    ..
+                } = &mut trajectory.step;
+                before.assign(after);
+                first.assign(last);
             }
             trajectory.earlier = Some(Earlier {
                 link_accelerations,

@@ -123,12 +123,12 @@ impl<const STOPS: bool, S: Real> NullaryFnOnce for Derive<'_, STOPS, S> {
 }
 
 /// The derivative and the signals at a state.
-struct Evaluate<'a, const STOPS: bool, S>(
-    &'a Motion<S>,
-    &'a State<S>,
-    &'a Pieces<S>,
-    &'a mut State<S>,
-    &'a mut Glance<S>,
+pub(super) struct Evaluate<'a, const STOPS: bool, S>(
+    pub(super) &'a Motion<S>,
+    pub(super) &'a State<S>,
+    pub(super) &'a Pieces<S>,
+    pub(super) &'a mut State<S>,
+    pub(super) &'a mut Glance<S>,
 );
 
 impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {
@@ -138,5 +138,25 @@ impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {
     fn call(self) {
         let Self(motion, state, pieces, slope, signals) = self;
         motion.evaluate::<STOPS>(state, pieces, slope, signals);
+    }
+}
+
+/// How forces answer at a state.
+pub(crate) struct Respond<'a, S>(
+    pub(crate) &'a Motion<S>,
+    pub(crate) &'a State<S>,
+    pub(crate) &'a Pieces<S>,
+    pub(crate) &'a mut Response<S>,
+);
+
+impl<S: Real> NullaryFnOnce for Respond<'_, S> {
+    /// Rate (1/s) that no decay of a velocity exceeds.
+    type Output = S;
+
+    #[inline(always)]
+    fn call(self) -> S {
+        let Self(motion, state, pieces, response) = self;
+        motion.respond(state, pieces, response);
+        response.greatest_rate()
     }
 }

@@ -1,6 +1,8 @@
 //! When steps are stiff, and how the forces answer then.
 
+use super::step_attempt::Respond;
 use crate::motion::{Motion, Pieces};
+use crate::registers::{Registers, Single};
 use crate::response::Response;
 use crate::state::State;
 
@@ -46,6 +48,7 @@ impl Stiffness {
     /// Whether a step of this length (s) from `state` is stiff.
     pub(super) fn exceeds(
         &mut self,
+        registers: Single,
         length: f64,
         motion: &Motion<f64>,
         state: &State<f64>,
@@ -55,8 +58,8 @@ impl Stiffness {
             self.mild_steps -= 1;
             return false;
         }
-        motion.respond(state, pieces, &mut self.response);
-        self.exceeds_at(self.response.greatest_rate(), length)
+        let rate = registers.dispatch(Respond(motion, state, pieces, &mut self.response));
+        self.exceeds_at(rate, length)
     }
 
     /// The same where no velocity decays faster than at a `rate` (1/s).

@@ -5,6 +5,7 @@ use arrayvec::ArrayVec;
 use super::account::History;
 use super::peaks::StrutPeaks;
 use super::ranges::{SignalRanges, Watches};
+use super::step_attempt::Evaluate;
 use super::stiffness::Stiffness;
 use super::trail::Trail;
 use crate::contact::{LegLaws, LegMode};
@@ -12,6 +13,7 @@ use crate::energy::kinetic;
 use crate::integrator::step::Step;
 use crate::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
 use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::registers::{Registers, Single};
 use crate::scene::{Scene, Settings};
 use crate::stability::calm_height;
 use crate::state::State;
@@ -38,6 +40,7 @@ pub(super) struct Earlier {
 
 /// A landing under way.
 pub(crate) struct Trajectory<'o> {
+    pub(super) registers: Single,
     pub(super) scene: Scene,
     pub(super) settings: Settings,
     pub(crate) motion: Motion<f64>,
@@ -110,6 +113,7 @@ impl<'o> Trajectory<'o> {
         let energy = kinetic(&motion, &state)
             + motion.mass() * motion.gravity() * vehicle.center_of_gravity_height();
         Self {
+            registers: Single::new(),
             scene: *scene,
             settings: *settings,
             calm_height: calm_height(vehicle),
@@ -158,7 +162,15 @@ impl<'o> Trajectory<'o> {
 
     /// Whether a step of this length (s) is stiff.
     pub(super) fn is_stiff(&mut self, length: f64) -> bool {
-        (self.stiffness).exceeds(length, &self.motion, &self.step.before, &self.pieces)
+        let Self {
+            registers,
+            motion,
+            step,
+            pieces,
+            stiffness,
+            ..
+        } = self;
+        stiffness.exceeds(*registers, length, motion, &step.before, pieces)
     }
 
     /// The longest step that the laws allow whatever the error, s.
@@ -177,32 +189,26 @@ impl<'o> Trajectory<'o> {
     /// Derivative and signals at the end of the step.
     pub(super) fn evaluate_end(&mut self) {
         let [.., last] = &mut self.step.slopes;
-        let signals = self.signals.ahead_mut();
-        evaluate(&self.motion, &self.step.after, &self.pieces, last, signals);
+        self.registers.dispatch(Evaluate::<true, f64>(
+            &self.motion,
+            &self.step.after,
+            &self.pieces,
+            last,
+            self.signals.ahead_mut(),
+        ));
         self.evaluations += 1;
     }
 
     /// Derivative and signals of the present state.
     pub(super) fn evaluate(&mut self) {
         let [first, ..] = &mut self.step.slopes;
-        let signals = self.signals.now_mut();
-        evaluate(
+        self.registers.dispatch(Evaluate::<true, f64>(
             &self.motion,
             &self.step.before,
             &self.pieces,
             first,
-            signals,
-        );
+            self.signals.now_mut(),
+        ));
         self.evaluations += 1;
     }
-}
-
-fn evaluate(
-    motion: &Motion<f64>,
-    state: &State<f64>,
-    pieces: &Pieces<f64>,
-    slope: &mut State<f64>,
-    signals: &mut Glance<f64>,
-) {
-    motion.evaluate::<true>(state, pieces, slope, signals);
 }

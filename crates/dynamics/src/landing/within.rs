@@ -1,8 +1,11 @@
 //! A step seen from within: states and signals between its ends.
 
+use pulp::NullaryFnOnce;
+
 use super::trajectory::Trajectory;
 use crate::integrator::step::Step;
-use crate::motion::{FreeFlight, Glance};
+use crate::motion::{FreeFlight, Glance, Motion, Pieces};
+use crate::registers::Registers;
 use crate::state::State;
 
 /// The course of a step between its ends.
@@ -23,11 +26,45 @@ impl Between<'_> {
     }
 
     /// What moves at fraction θ; the work integrals may be those before it.
-    pub(super) fn motion_at(&self, theta: f64) -> State<f64> {
+    #[inline(always)]
+    fn motion_at(&self, theta: f64) -> State<f64> {
         match self.free {
             Some(flight) => flight.at(theta * self.step.length),
             None => self.step.motion_at(theta),
         }
+    }
+}
+
+/// A look at the signals within a step.
+pub(super) struct Look<'a> {
+    pub(super) motion: &'a Motion<f64>,
+    pub(super) pieces: &'a Pieces<f64>,
+    pub(super) between: Between<'a>,
+    /// Fraction of the step.
+    pub(super) theta: f64,
+    pub(super) with_torques: bool,
+    pub(super) signals: &'a mut Glance<f64>,
+}
+
+impl NullaryFnOnce for Look<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let state = self.between.motion_at(self.theta);
+        (self.motion).look(&state, self.pieces, self.with_torques, self.signals);
+    }
+}
+
+/// What moves at fraction θ of a step.
+struct MotionAt<'a>(Between<'a>, f64);
+
+impl NullaryFnOnce for MotionAt<'_> {
+    type Output = State<f64>;
+
+    #[inline(always)]
+    fn call(self) -> State<f64> {
+        self.0.motion_at(self.1)
     }
 }
 
@@ -52,13 +89,21 @@ impl Trajectory<'_> {
 
     /// What moves at fraction θ of the step.
     pub(super) fn motion_at(&self, theta: f64) -> State<f64> {
-        self.between().motion_at(theta)
+        self.registers.dispatch(MotionAt(self.between(), theta))
     }
 
     /// The signals at fraction θ of the step.
     pub(super) fn look_at(&mut self, theta: f64) -> Glance<f64> {
         self.evaluations += 1;
-        let state = self.motion_at(theta);
-        self.motion.signals(&state, &self.pieces, false)
+        let mut signals = Glance::blank(self.leg_count());
+        self.registers.dispatch(Look {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            between: self.between(),
+            theta,
+            with_torques: false,
+            signals: &mut signals,
+        });
+        signals
     }
 }

@@ -1,11 +1,12 @@
 //! The linear equations of a stage of an implicit step. Legs touch the body but not each other, so eliminating them
 //! leaves six equations.
 
+use arrayvec::ArrayVec;
 use nalgebra::{Matrix6, Vector3, Vector4, Vector6};
 
 use super::{LegResponse, Response, none, product};
 use crate::integrator::rosenbrock::StageEquations;
-use crate::per_leg::PerLeg;
+use crate::per_leg::MOST_LEGS;
 use crate::products::{times, transposed_times};
 use crate::scalar::Real;
 use crate::state::{Body, LegState, State, quaternion_rate};
@@ -21,9 +22,10 @@ impl<S: Real> Response<S> {
                 matrix[(3 + i, 3 + k)] = self.inertia[(i, k)];
             }
         }
-        let mut legs = PerLeg::same(self.legs.len(), Eliminated::nothing());
-        for (eliminated, leg) in legs.iter_mut().zip(&self.legs) {
-            let body = eliminated.eliminate(leg, tau);
+        let mut legs = ArrayVec::new();
+        for leg in &self.legs {
+            let (eliminated, body) = Eliminated::from(leg, tau);
+            legs.push(eliminated);
             for column in 0..6 {
                 for row in 0..6 {
                     S::one_round();
@@ -67,20 +69,9 @@ struct Eliminated<S> {
 }
 
 impl<S: Real> Eliminated<S> {
-    /// No leg.
-    #[inline(always)]
-    fn nothing() -> Self {
-        let zero = S::zero();
-        Self {
-            columns: [none(); 2],
-            inverse: [[zero; 2]; 2],
-            rows: [none(); 2],
-        }
-    }
-
     /// Eliminates a leg: what that leaves of it in the body's equations.
     #[inline(always)]
-    fn eliminate(&mut self, leg: &LegResponse<S>, tau: S) -> Matrix6<S> {
+    fn from(leg: &LegResponse<S>, tau: S) -> (Self, Matrix6<S>) {
         let [follows, bends] = leg.pad_turn;
         let [link_inertia, pad_inertia] = leg.inertia;
         let squared = tau * tau;
@@ -147,23 +138,23 @@ impl<S: Real> Eliminated<S> {
                 }
             }
         }
-        *self = Self {
+        let eliminated = Self {
             columns,
             inverse,
             rows: solved,
         };
-        body
+        (eliminated, body)
     }
 }
 
 /// The equations (1/τ − J) u = r of an implicit stage, factored: J is the derivative of the motion as far as
 /// forces answer, u and r are states.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct System<'a, S> {
     response: &'a Response<S>,
     tau: S,
     factors: Matrix6<S>,
-    legs: PerLeg<Eliminated<S>>,
+    legs: ArrayVec<Eliminated<S>, MOST_LEGS>,
 }
 
 impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
@@ -185,9 +176,10 @@ impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
         let push = transposed_times(&response.rotation, &given.velocity) * response.mass;
         let twist = times(&response.inertia, &given.rate);
         let mut body = Vector6::new(push.x, push.y, push.z, twist.x, twist.y, twist.z);
-        let mut rates = PerLeg::same(self.legs.len(), [S::zero(); 2]);
-        for (leg, rates) in rates.iter_mut().enumerate() {
-            let forces = self.leg_pushes(leg, &known, &r.leg(leg), rates);
+        let mut rates = ArrayVec::<_, MOST_LEGS>::new();
+        for leg in 0..self.legs.len() {
+            let (forces, rate) = self.leg_pushes(leg, &known, &r.leg(leg));
+            rates.push(rate);
             for i in 0..6 {
                 body[i] += forces[i];
             }
@@ -237,16 +229,15 @@ impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
 }
 
 impl<S: Real> System<'_, S> {
-    /// Forces of a leg on the body, with the body's velocities yet to be found, over τ; `rates` become
-    /// what link and pad would move at if the body did not.
+    /// Forces of a leg on the body, with the body's velocities yet to be found, over τ, and what link
+    /// and pad would move at if the body did not.
     #[inline(always)]
     fn leg_pushes(
         &self,
         leg: usize,
         known: &Vector6<S>,
         given: &LegState<S>,
-        rates: &mut [S; 2],
-    ) -> Vector6<S> {
+    ) -> (Vector6<S>, [S; 2]) {
         let (leg, eliminated) = (&self.response.legs[leg], &self.legs[leg]);
         let tau = self.tau;
         let known = known * self.tau;
@@ -266,12 +257,12 @@ impl<S: Real> System<'_, S> {
         let [[a, b], [c, d]] = eliminated.inverse;
         let link = a * on_link + b * on_pad;
         let pad = c * on_link + d * on_pad;
-        *rates = [link * tau, pad * tau];
+        let rates = [link * tau, pad * tau];
         forces -= eliminated.columns[0] * link;
         if leg.swings_pads {
             forces -= eliminated.columns[1] * pad;
         }
-        forces
+        (forces, rates)
     }
 
     /// What link and pad do as the body does this.
