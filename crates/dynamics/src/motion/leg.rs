@@ -88,19 +88,20 @@ struct Touch<S> {
 }
 
 impl<S: Real> Touch<S> {
+    #[inline(always)]
     fn none() -> Self {
         let zero = S::zero();
         Self {
             velocity: PointVelocity {
                 inward: zero,
-                sliding: Vector3::zeros(),
+                sliding: Vector3::from([zero; 3]),
                 sliding_squared: zero,
             },
             normal: zero,
             drag: zero,
-            line: Vector3::zeros(),
-            force: Vector3::zeros(),
-            moment: Vector3::zeros(),
+            line: Vector3::from([zero; 3]),
+            force: Vector3::from([zero; 3]),
+            moment: Vector3::from([zero; 3]),
         }
     }
 
@@ -126,6 +127,7 @@ impl<S: Real> Touch<S> {
     }
 
     /// Friction force, lb.
+    #[inline(always)]
     fn friction(&self) -> S {
         self.normal * self.drag * self.velocity.sliding_squared.sqrt()
     }
