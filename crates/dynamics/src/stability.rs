@@ -275,7 +275,8 @@ impl Judge {
     /// Share of a stretch of motion in which the plane of judgement turns so little that looks at the ends
     /// tell what σ does between, the CG's velocity changing evenly from end to end: 1 if it is all of it.
     pub fn share_within_turn(&self, start: &Observation, end: &Observation) -> f64 {
-        let ([ax, ay, ..], [bx, by, ..]) = (start.calm(), end.calm());
+        let horizontal = |seen: &Observation| (seen.get(FIRST_CALM), seen.get(FIRST_CALM + 1));
+        let ((ax, ay), (bx, by)) = (horizontal(start), horizontal(end));
         let (sine, cosine) = (ax * by - ay * bx, ax * bx + ay * by);
         if self.plane == Plane::Slope || sine.abs() <= MOST_TURN * cosine {
             return 1.0;

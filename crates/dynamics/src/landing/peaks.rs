@@ -94,12 +94,15 @@ fn force(signals: &Glance<f64>, leg: usize) -> f64 {
 }
 
 impl Trajectory<'_> {
-    /// Takes note of the struts over the step up to fraction `reach`, where the signals are `end`, or those at the end
-    /// of the step.
+    /// Takes note of the struts over the step up to fraction `reach`, where one of the `places` has the signals, or up to
+    /// its end.
     #[inline(always)]
-    pub(super) fn note_struts(&mut self, end: Option<&Glance<f64>>, reach: f64) {
+    pub(super) fn note_struts(&mut self, place: Option<usize>, reach: f64) {
         let start = self.signals.now();
-        let end = end.unwrap_or(self.signals.ahead());
+        let end = match place {
+            Some(place) => &self.places[place],
+            None => self.signals.ahead(),
+        };
         let length = reach * self.step.length;
         self.peaks.note([start, end], length);
         let hides_force = if self.is_middle_seen {

@@ -75,6 +75,8 @@ pub(crate) struct Trajectory<'o> {
     /// The signals in the middle of the step, if it is implicit or was looked into.
     pub(crate) middle: Glance<f64>,
     pub(super) is_middle_seen: bool,
+    /// Signals at the points of the step that an event was closed in by.
+    pub(super) places: [Glance<f64>; 3],
     /// The step before, if no law has changed since.
     pub(super) earlier: Option<Earlier>,
     pub(super) start: State<f64>,
@@ -136,6 +138,7 @@ impl<'o> Trajectory<'o> {
             signals: Trail::new(legs),
             middle: Glance::blank(legs),
             is_middle_seen: false,
+            places: [Glance::blank(legs); 3],
             earlier: None,
             start: state,
             least_angle: (f64::INFINITY, 0.0),

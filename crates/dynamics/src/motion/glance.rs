@@ -33,6 +33,12 @@ impl<S: Real> Glance<S> {
         self.legs.len()
     }
 
+    /// Becomes another set of signals of as many legs.
+    #[inline(always)]
+    pub fn assign(&mut self, other: &Self) {
+        self.legs.copy_from_slice(&other.legs);
+    }
+
     /// A signal of leg `leg`.
     #[inline(always)]
     pub fn of(&self, leg: usize, signal: Signal) -> S {
