@@ -3,11 +3,9 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
 use std::process::Stdio;
 
-use common::{BASELINE, Bench};
+use crate::common::{BASELINE, Bench};
 
 #[test]
 fn help_teaches_units_and_the_sense_of_the_cross_slope() {
@@ -85,7 +83,7 @@ fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
 fn a_folder_is_swept_file_by_file_with_bands_and_an_overview() {
     let bench = Bench::new();
     std::fs::create_dir_all(bench.path("studies/vehicles")).unwrap();
-    let all = common::SWEEP
+    let all = crate::common::SWEEP
         .replace("\"surveyor.toml\"", "\"../surveyor.toml\"")
         .replace(
             "tolerance_fps = 0.1",
@@ -143,7 +141,7 @@ fn options_hold_instead_of_what_the_sweep_file_says() {
     let bench = Bench::new();
     bench.write(
         "light.toml",
-        &common::SURVEYOR.replace("mass_slug = 20", "mass_slug = 19"),
+        &crate::common::SURVEYOR.replace("mass_slug = 20", "mass_slug = 19"),
     );
     let changed = ["--vehicle", "light.toml", "--crush-rule", "section"];
     let done = bench.run(&[&["sweep", "sweep.toml"], &changed[..]].concat());
@@ -156,7 +154,7 @@ fn options_hold_instead_of_what_the_sweep_file_says() {
 #[test]
 fn a_single_row_has_a_table_but_no_picture_and_quiet_is_quiet() {
     let bench = Bench::new();
-    let two = common::SWEEP
+    let two = crate::common::SWEEP
         .replace("slope_deg = 15\n", "")
         .replace("[axes]", "[axes]\nslope_deg = [15]");
     bench.write("sweep.toml", &two.replace("step = 10", "step = 20"));
@@ -258,7 +256,7 @@ fn a_card_deck_lands_as_its_sample_run() {
     let bench = Bench::new();
     bench.write(
         "sample.txt",
-        include_str!("../../sweep/src/deck/sample_deck.txt"),
+        include_str!("../../../sweep/src/deck/sample_deck.txt"),
     );
     let done = bench.run(&["import-deck", "sample.txt", "--out", "deck"]);
     assert_eq!(done.code, Some(0), "{}", done.err);

@@ -3,9 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 
 const SAMPLE: &str = r#"title = "Dispersed touchdowns"
 job = "outcome"
@@ -106,7 +104,7 @@ fn shards_of_a_sample_merge_to_the_same_results() {
 #[test]
 fn a_dry_run_tells_what_a_night_will_take_and_writes_nothing() {
     let bench = bench();
-    let trade = common::SWEEP.replace(
+    let trade = crate::common::SWEEP.replace(
         "[axes]",
         "[axes]\nvehicle.strut.compression_damping = [45, 54, 60]\n\
          vehicle.center_of_gravity_height_ft = { from = 1.2, to = 1.6, count = 100 }",

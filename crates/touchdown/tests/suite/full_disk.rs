@@ -5,13 +5,11 @@
 #![cfg(unix)]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::Command;
 
-use common::{Bench, Done, SWEEP};
+use crate::common::{Bench, Done, SWEEP};
 
 const RESULTS: [&str; 3] = ["sweep.csv", "sweep.svg", "sweep.png"];
 const JOURNAL: &str = "results/sweep.journal";
@@ -110,7 +108,7 @@ fn results_that_cannot_be_written_leave_the_journal_and_nothing_else() {
 #[test]
 fn what_cannot_be_printed_is_told() {
     let bench = Bench::new();
-    for arguments in [&common::BASELINE[..], &["sweep", "sweep.toml"]] {
+    for arguments in [&crate::common::BASELINE[..], &["sweep", "sweep.toml"]] {
         let full = File::options().write(true).open("/dev/full").unwrap();
         let done = Done::from(bench.command(arguments).stdout(full).output().unwrap());
         assert_eq!(done.code, Some(1), "{}", done.err);

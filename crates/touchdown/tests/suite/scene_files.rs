@@ -3,9 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
-use common::{BASELINE, Bench};
+use crate::common::{BASELINE, Bench};
 
 const SCENE: &str = "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_fps = 14\n\
                      horizontal_velocity_fps = 11.25\ncross_slope_deg = 180\nslope_deg = 15\n\

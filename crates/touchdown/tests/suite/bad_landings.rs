@@ -3,9 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
-use common::{BASELINE, Bench};
+use crate::common::{BASELINE, Bench};
 
 const HEADING: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,\
                        pitch_deg,yaw_deg,roll_deg,slope_deg,friction";

@@ -3,9 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 
 #[test]
 fn tighter_tolerances_cost_more_and_err_less() {

@@ -3,11 +3,9 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::Bench;
+use crate::common::Bench;
 
 /// Wild landings that could once not be computed or made no sense, from `touchdown stress`; the reason in
 /// the column `why`.

@@ -3,9 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
-use common::{Bench, Done};
+use crate::common::{Bench, Done};
 
 fn surface(bench: &Bench, options: &[&str]) -> Done {
     let common = ["surface", "--vehicle", "surveyor.toml", "--friction", "0.8"];

@@ -12,9 +12,9 @@ use touchdown_sweep::run::Workers;
 use touchdown_sweep::sensitivity::{Dependence, Slope};
 use touchdown_sweep::sweep_file::Sweep;
 
-const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 /// The same without products of inertia: its right side is the mirror image of its left.
-const MIRRORED: &str = include_str!("../../../sweeps/vehicles/surveyor-no-products.toml");
+const MIRRORED: &str = include_str!("../../../../sweeps/vehicles/surveyor-no-products.toml");
 
 const CONDITIONS: [(&str, f64); 5] = [
     ("vertical_velocity_fps", 14.0),

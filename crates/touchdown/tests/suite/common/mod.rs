@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 use tempfile::TempDir;
 
 /// The Surveyor of Table 4-1, as it comes with the program.
-pub const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
+pub const SURVEYOR: &str = include_str!("../../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
 /// A small sweep that takes a second at most.
 pub const SWEEP: &str = r#"title = "Roll at cross-slope 180 deg"

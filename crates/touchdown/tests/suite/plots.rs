@@ -3,9 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 
 const HEADING: &str = "cross_slope_deg,roll_deg,first_transition_to,first_transition_fps,\
                        bracket_low_fps,bracket_high_fps\n";

@@ -4,13 +4,11 @@
 #![cfg(unix)]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
 use std::fs;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-use common::{Bench, Done, SWEEP};
+use crate::common::{Bench, Done, SWEEP};
 use touchdown_sweep::journal::{InOrder, Records};
 
 /// Points of [`sweep`].

@@ -3,12 +3,10 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{Bench, Done};
+use crate::common::{Bench, Done};
 
 const RESULTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../results");
 

@@ -3,9 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 #[allow(dead_code, reason = "every test file uses its own part")]
-mod common;
-
-use common::{Bench, SWEEP};
+use crate::common::{Bench, SWEEP};
 
 const TABLE: &str = "results/sweep-sensitivity.csv";
 

@@ -17,11 +17,11 @@ use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 const SWEEPS: [&str; 3] = [
-    include_str!("../../../sweeps/figure-4-25.toml"),
-    include_str!("../../../sweeps/trade-damping-friction.toml"),
-    include_str!("../../../sweeps/stress/wild.toml"),
+    include_str!("../../../../sweeps/figure-4-25.toml"),
+    include_str!("../../../../sweeps/trade-damping-friction.toml"),
+    include_str!("../../../../sweeps/stress/wild.toml"),
 ];
-const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const CASES: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,\
                      pitch_deg,yaw_deg,roll_deg,slope_deg,friction,vehicle.mass_slug\n\
                      1,14,2,180,0,0,0,15,1,20\n2,14,13,180,0,0,0,15,1,30\n";

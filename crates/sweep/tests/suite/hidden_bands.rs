@@ -13,7 +13,7 @@ use touchdown_sweep::looks::Tried;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::sweep_file::Sweep;
 
-const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
 /// All bands straight down a slope of 15 deg, searched by 0.25 ft/s.
 fn search(vertical_velocity: f64, roll: f64) -> Boundary {
