@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use super::account::History;
+use super::history::History;
 use super::step_attempt::{StepKind, TakeStep};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::Outlook;

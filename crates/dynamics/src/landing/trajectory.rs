@@ -2,8 +2,8 @@
 
 use arrayvec::ArrayVec;
 
-use super::account::History;
-use super::peaks::StrutPeaks;
+use super::history::History;
+use super::strut_peaks::StrutPeaks;
 use super::ranges::{SignalRanges, Watches};
 use super::step_attempt::Evaluate;
 use super::stiffness::Stiffness;
@@ -104,7 +104,9 @@ impl<'o> Trajectory<'o> {
         let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
         let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.legs().iter())
             .map(|leg| {
-                LegLaws::new(leg, settings.crush_rule())
+                leg.laws()
+                    .clone()
+                    .with_crush_rule(settings.crush_rule())
                     .with_friction(settings.friction_profile())
                     .within(settings.tolerance())
             })
@@ -115,7 +117,7 @@ impl<'o> Trajectory<'o> {
         let energy = kinetic(&motion, &state)
             + motion.mass() * motion.gravity() * vehicle.center_of_gravity_height();
         Self {
-            registers: Single::new(),
+            registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
             calm_height: calm_height(vehicle),

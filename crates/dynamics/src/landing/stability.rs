@@ -9,6 +9,7 @@ use crate::critical_feet::{CriticalFeet, critical_feet};
 use crate::integrator::event::{Bounds, Signals, Watch};
 use crate::integrator::ranges::{LANES, Quad, Ranges};
 use crate::motion::{Footing, Motion};
+use crate::outcome::Outcome;
 use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::scene::Scene;
 use crate::state::{Body, State};
@@ -120,6 +121,17 @@ pub enum Verdict {
     Rockback,
     /// Motion subsided.
     Subsided,
+}
+
+impl From<Verdict> for Outcome {
+    fn from(verdict: Verdict) -> Self {
+        match verdict {
+            Verdict::Yaw => Self::UnstableYaw,
+            Verdict::Pitch => Self::UnstablePitch,
+            Verdict::Rockback => Self::StableRockback,
+            Verdict::Subsided => Self::StableSubsided,
+        }
+    }
 }
 
 /// How stability is being judged: plane, critical feet, and which limits the motion is within.

@@ -4,9 +4,10 @@ use super::LegLaws;
 use crate::friction::Sliding;
 use crate::hinge::Hinge;
 use crate::integrator::event::Exit;
-use crate::motion::{LegPieces, LegSignals, Signal};
+use crate::leg_pieces::LegPieces;
 use crate::outcome::{Failure, Outcome};
-use crate::scene::CrushRule;
+use crate::rules::CrushRule;
+use crate::signal::{LegSignals, Signal};
 use crate::strut::Stance;
 
 /// What a leg's laws say at one state.

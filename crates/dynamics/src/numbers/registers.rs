@@ -61,7 +61,7 @@ pub enum Single {
 
 impl Single {
     /// What there is.
-    pub fn new() -> Self {
+    pub fn fastest() -> Self {
         #[cfg(target_arch = "x86_64")]
         if let Some(four) = Four::try_new() {
             return Self::Four(four);

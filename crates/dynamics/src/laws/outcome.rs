@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use crate::stability::Verdict;
-
 /// The end of a landing. Feet and legs are counted from 0 here and from 1 in every output.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Debug, Clone, PartialEq)]
@@ -68,17 +66,6 @@ impl Outcome {
             Self::UnstablePitch | Self::UnstableYaw => Class::Unstable,
             Self::Bottomed { .. } => Class::Bottomed,
             Self::Failure(_) => Class::Failure,
-        }
-    }
-}
-
-impl From<Verdict> for Outcome {
-    fn from(verdict: Verdict) -> Self {
-        match verdict {
-            Verdict::Yaw => Self::UnstableYaw,
-            Verdict::Pitch => Self::UnstablePitch,
-            Verdict::Rockback => Self::StableRockback,
-            Verdict::Subsided => Self::StableSubsided,
         }
     }
 }

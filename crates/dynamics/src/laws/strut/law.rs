@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{Kinked, STOP_STROKE, StrutPiece};
+use crate::parts;
 use crate::profile::Profile;
-use crate::vehicle;
 
 /// A stretch of stroke over which tables and spring law keep one piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +46,7 @@ const TURNING_SLACK_PER_TOLERANCE: f64 = 10.0;
 
 impl StrutLaw {
     /// The law of a strut, cut where any of its pieces changes.
-    pub fn new(strut: &vehicle::Strut) -> Self {
+    pub fn new(strut: &parts::Strut) -> Self {
         let elastic_limit = strut.preload / strut.structural_stiffness;
         let tables = [&strut.spring_profile, &strut.damping_profile];
         let mut knots: Vec<f64> = tables

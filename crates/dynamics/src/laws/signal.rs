@@ -90,3 +90,6 @@ impl Signal {
         Self::HardpointDepth,
     ];
 }
+
+/// The signals of one leg, indexed by [`Signal`].
+pub type LegSignals<S> = [S; Signal::COUNT];

@@ -11,11 +11,12 @@ use crate::crush::{Crush, CrushLaw};
 use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::{Hinge, Stops};
 use crate::integrator::event::{Bounds, Exit};
-use crate::motion::{LegPieces, LegSignals, Signal};
+use crate::leg_pieces::LegPieces;
 use crate::outcome::{Failure, Outcome};
-use crate::scene::CrushRule;
+use crate::parts::LegDesign;
+use crate::rules::CrushRule;
+use crate::signal::{LegSignals, Signal};
 use crate::strut::{GentleKinks, Stance, StrutLaw};
-use crate::vehicle::{Leg, LegDesign};
 
 pub use choice::Choice;
 
@@ -39,16 +40,8 @@ pub struct LegLaws {
 }
 
 impl LegLaws {
-    /// The laws of a leg under a crush rule.
-    pub fn new(leg: &Leg, rule: CrushRule) -> Self {
-        Self {
-            rule,
-            ..leg.laws().clone()
-        }
-    }
-
     /// The laws of a leg that is designed like this, under the default rule.
-    pub(crate) fn of(design: &LegDesign) -> Self {
+    pub fn of(design: &LegDesign) -> Self {
         Self {
             pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
             block: CrushLaw::new(&design.block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD),
@@ -61,6 +54,11 @@ impl LegLaws {
             rule: CrushRule::default(),
             friction: FrictionProfile::default(),
         }
+    }
+
+    /// The same laws under another crush rule.
+    pub fn with_crush_rule(self, rule: CrushRule) -> Self {
+        Self { rule, ..self }
     }
 
     /// The same laws with another friction profile.

@@ -11,7 +11,6 @@ mod glance;
 mod leg;
 mod leg_response;
 mod pieces;
-mod signal;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -26,14 +25,12 @@ use crate::wide::{Abreast, Wide, abreast};
 
 use leg::{LegAction, LegMotion};
 
+pub use crate::leg_pieces::LegPieces;
+pub use crate::signal::{LegSignals, Signal};
 pub use footing::Footing;
 pub use free_flight::FreeFlight;
 pub use glance::Glance;
-pub use pieces::{LegPieces, Pieces};
-pub use signal::Signal;
-
-/// The signals of one leg, indexed by [`Signal`].
-pub type LegSignals<S> = [S; Signal::COUNT];
+pub use pieces::Pieces;
 
 /// Forces on one leg, lb.
 #[derive(Debug, Clone, Copy)]
