@@ -27,6 +27,19 @@ FLOORS = {
         ["integrator"],
         ["numbers", "model_version"],
     ],
+    "sweep": [
+        ["lib"],
+        ["threads"],
+        ["output"],
+        ["journal"],
+        ["summary"],
+        ["sensitivity"],
+        ["sweeps"],
+        ["points"],
+        ["input"],
+        ["search"],
+        ["documents"],
+    ],
 }
 
 USE = re.compile(r"^\s*(?:pub(?:\([^)]*\))? )?use ([^;]*);", re.M)

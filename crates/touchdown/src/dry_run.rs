@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use touchdown_sweep::findings::Finding;
+use touchdown_sweep::journal;
 use touchdown_sweep::results;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::shard::Shard;
@@ -49,7 +50,9 @@ pub fn tell(sweep: &Sweep, shard: Shard, workers: &Workers) -> Result<String, Fa
     let seconds = start.elapsed().as_secs_f64();
     let each = points as f64 / findings.len().max(1) as f64;
     let landings: u64 = findings.iter().map(Finding::landings).sum();
-    let journal: usize = findings.iter().map(Finding::record_length).sum();
+    let journal: usize = (findings.iter())
+        .map(|finding| journal::record_length(finding.encode().len()))
+        .sum();
     let rows = sample.iter().zip(&findings);
     let table: usize = rows
         .map(|(point, found)| results::row(sweep, *point, found).join(",").len() + 1)

@@ -5,8 +5,13 @@
 //! from it was written by a run of the same input with the same program.
 
 mod frame;
+pub mod header;
 mod in_order;
+pub(crate) mod known;
+pub mod merge;
+pub mod point_set;
 mod scan;
+pub mod shard;
 mod writer;
 
 use std::fmt;
@@ -391,7 +396,7 @@ fn sync_folder(path: &Path) {
 }
 
 /// Bytes that a record takes whose result takes so many.
-pub(crate) fn record_length(result: usize) -> usize {
+pub fn record_length(result: usize) -> usize {
     frame::OVERHEAD + size_of::<u64>() + result
 }
 

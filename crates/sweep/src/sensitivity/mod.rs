@@ -19,9 +19,7 @@
 
 pub mod difference;
 mod follow;
-pub(crate) mod input;
 mod of_point;
-pub mod table;
 
 use serde::{Deserialize, Serialize};
 

@@ -9,7 +9,7 @@ use crate::deposit::{DepositError, Draft, Folder};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::parquet_table::ParquetTable;
-use crate::sensitivity::table;
+use crate::sensitivity_table;
 use crate::sweep_file::Sweep;
 use crate::tally::Tally;
 use crate::{bands_table, probabilities, results};
@@ -93,7 +93,7 @@ impl Tables {
             false => None,
         };
         let mut sensitivities = match sweep.sensitivity.is_empty() {
-            false => Some(begin("-sensitivity", &table::heading(sweep))?),
+            false => Some(begin("-sensitivity", &sensitivity_table::heading(sweep))?),
             true => None,
         };
         let mut tally = Tally::of(sweep);
@@ -115,7 +115,7 @@ impl Tables {
                 },
             ) = (&mut sensitivities, &finding)
             {
-                for row in table::rows(sweep, point, boundary, sensitivity) {
+                for row in sensitivity_table::rows(sweep, point, boundary, sensitivity) {
                     table.add(&row)?;
                 }
             }

@@ -3,10 +3,10 @@
 //! `vh_change_fps` is what the derivative makes of a change by `span`: 10 % of the parameter, or 1 deg
 //! (deg/s) of an angle (rate of turn). The numbers of a dependence that is not `smooth` are empty.
 
-use super::{Dependence, Sensitivity, Slope};
 use crate::boundary::Boundary;
 use crate::parameter::Parameter;
 use crate::results::transition_name;
+use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::sweep_file::Sweep;
 use crate::unit::unit;
 

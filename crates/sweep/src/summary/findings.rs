@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::Outcome;
 
 use crate::boundary::Boundary;
-use crate::journal;
 use crate::landing_table::Cell;
 use crate::sensitivity::Sensitivity;
 
@@ -54,11 +53,6 @@ impl Finding {
     pub fn encode(&self) -> Vec<u8> {
         // Into memory, and of types that have a form: neither can fail.
         postcard::to_stdvec(self).unwrap_or_default()
-    }
-
-    /// Bytes that it takes in a journal.
-    pub fn record_length(&self) -> usize {
-        journal::record_length(self.encode().len())
     }
 
     /// What bytes say; `None` if they say nothing.

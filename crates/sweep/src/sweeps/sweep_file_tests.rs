@@ -3,8 +3,8 @@ use crate::boundary::Extent;
 use std::fs;
 use touchdown_dynamics::scene::CrushRule;
 
-const FIGURE: &str = include_str!("../../../sweeps/figure-4-09.toml");
-const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const FIGURE: &str = include_str!("../../../../sweeps/figure-4-09.toml");
+const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
 fn read(text: &str) -> Result<Sweep, InputError> {
     let folder = tempfile::tempdir().unwrap();

@@ -5,7 +5,7 @@ use touchdown_dynamics::scene::CrushRule;
 const SCENE: &str = "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_fps = 14\n\
                      horizontal_velocity_fps = 11\ncross_slope_deg = 180\nslope_deg = 15\n\
                      friction = 1.0\nroll_deg = 5\n";
-const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
 fn read_text(cases: &str) -> Result<Vec<SceneCase>, InputError> {
     let folder = tempfile::tempdir().unwrap();

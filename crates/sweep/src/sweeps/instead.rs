@@ -6,7 +6,7 @@ use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::parameter::Home;
 use crate::section::Section;
-use crate::sensitivity::input;
+use crate::sensitivity_input;
 use crate::sweep::{Given, Job, SWEEP, Sweep};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
@@ -57,7 +57,7 @@ impl Sweep {
             self.sources.push(vehicle.document.source());
         }
         if !instead.sensitivity.is_empty() {
-            self.sensitivity = input::named(&instead.sensitivity, LEGS)?;
+            self.sensitivity = sensitivity_input::named(&instead.sensitivity, LEGS)?;
         }
         self.check_sensitivity()?;
         let path = |file: &VehicleFile| file.document.path().to_owned();

@@ -15,7 +15,7 @@ use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::Found;
 use crate::section::Section;
-use crate::sensitivity::input;
+use crate::sensitivity_input;
 use crate::sweep::{Given, SWEEP};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
@@ -85,7 +85,7 @@ impl Sweep {
             design,
             job,
             settings,
-            sensitivity: input::parameters(&root, LEGS)?,
+            sensitivity: sensitivity_input::parameters(&root, LEGS)?,
             sources,
             instead: Given::default(),
             document: document.clone(),

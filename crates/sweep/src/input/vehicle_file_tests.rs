@@ -2,7 +2,7 @@ use super::*;
 use crate::document::Value;
 use crate::key_path::KeyPath;
 
-const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
 fn read(text: &str) -> Result<VehicleFile, InputError> {
     VehicleFile::from_document(Document::parse(Path::new("v.toml"), text)?)

@@ -1,0 +1,10 @@
+//! Documents: TOML read key by key with places, complaints that name them, and files written whole or not at all.
+
+pub mod deposit;
+pub mod document;
+pub mod input_error;
+pub mod key_path;
+pub mod library;
+pub mod section;
+pub mod source;
+pub mod unit;

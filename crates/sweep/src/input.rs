@@ -1,0 +1,8 @@
+//! The tables of input documents, each turned into a type that cannot be wrong.
+
+pub mod deck;
+pub mod method_input;
+pub mod scene_input;
+pub(crate) mod search_input;
+pub mod settings_input;
+pub mod vehicle_file;

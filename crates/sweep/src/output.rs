@@ -1,0 +1,9 @@
+//! The tables and records that results are written to, and tables of cases.
+
+pub mod bands_table;
+pub mod cases;
+pub mod history;
+pub(crate) mod parquet_table;
+pub mod results;
+pub mod sensitivity_table;
+pub mod tables;

@@ -1,0 +1,11 @@
+//! The points of a sweep: what varies, over which values, in which order.
+
+pub(crate) mod axis_input;
+pub mod design;
+pub mod distribution;
+pub mod grid;
+pub mod levels;
+pub mod parameter;
+pub mod sample;
+pub(crate) mod sample_input;
+pub(crate) mod sensitivity_input;

@@ -1,0 +1,6 @@
+//! What a sweep finds at a point, and what all points come to.
+
+pub mod findings;
+pub mod landing_table;
+pub mod probabilities;
+pub mod tally;

@@ -1,0 +1,9 @@
+//! A whole sweep, the cases of a scene file, and the input of every point.
+
+pub mod case;
+pub mod instead;
+pub mod measured_scenes;
+pub(crate) mod resolved_input;
+pub mod scene_file;
+pub mod sweep;
+pub mod sweep_file;
