@@ -2,7 +2,7 @@
 //!
 //! | step | modules |
 //! |---|---|
-//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`scene_file`], [`instead`], [`cases`], [`deck`] |
+//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`scene_file`], [`instead`], [`cases`], [`deck`], [`input_keys`] |
 //! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`looks`], [`certainty`], [`spared`] |
 //! | how much its place depends on the input | [`sensitivity`] |
@@ -37,6 +37,7 @@ pub mod header;
 pub mod hidden;
 pub mod history;
 pub mod input_error;
+pub mod input_keys;
 pub mod instead;
 pub mod journal;
 pub mod key_path;
