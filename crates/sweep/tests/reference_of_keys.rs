@@ -6,7 +6,10 @@ use std::collections::BTreeMap;
 
 use touchdown_sweep::input_keys::{tables, word_choices};
 
-const REFERENCE: &str = include_str!("../../../docs/reference.md");
+const REFERENCE: &str = include_str!(concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../docs/reference.md"
+));
 
 /// Rows of a table of the page, cell by cell.
 type Rows = Vec<Vec<String>>;
