@@ -7,7 +7,7 @@
 //! boundary searches and of single landings. What each costs means little without its error, which is
 //! printed first, against tolerance 1e-10.
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../tests/suite/common/mod.rs"]
 mod common;
 
 use common::bare::Bare;
@@ -17,10 +17,10 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use pulp::NullaryFnOnce;
 use touchdown_dynamics::landing::land;
-use touchdown_dynamics::motion::MotionsAbreast;
+use touchdown_dynamics::motion::{Motion, Pieces};
+use touchdown_dynamics::registers::Registers;
 #[cfg(target_arch = "x86_64")]
-use touchdown_dynamics::registers::Eight;
-use touchdown_dynamics::registers::{Four, Lanes};
+use touchdown_dynamics::registers::{Eight, Four};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -66,7 +66,7 @@ fn main() {
 }
 
 /// One foot pressed in and its strut stroking.
-fn pressed_in() -> (Bare<3>, State<f64, 3>) {
+fn pressed_in() -> (Bare, State<f64>) {
     let vehicle = table_4_1();
     let scene = scene(11.0);
     let mut bare = Bare::new(&vehicle, &scene);
@@ -82,15 +82,11 @@ fn pressed_in() -> (Bare<3>, State<f64, 3>) {
     (bare, state)
 }
 
-/// One right-hand side, one foot pressed in and its strut stroking; in the registers there are and
-/// in those of any processor.
-#[divan::bench(args = [true, false])]
-fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
-    let (mut bare, state) = pressed_in();
-    if !in_wide_registers {
-        bare = bare.in_narrow_registers();
-    }
-    let mut slope = State::zero();
+/// One right-hand side, one foot pressed in and its strut stroking.
+#[divan::bench]
+fn right_hand_side(bencher: Bencher) {
+    let (bare, state) = pressed_in();
+    let mut slope = State::zero(3);
     bencher.bench_local(|| {
         bare.derivative(black_box(&state), &mut slope);
         black_box(&slope);
@@ -98,47 +94,51 @@ fn right_hand_side(bencher: Bencher, in_wide_registers: bool) {
 }
 
 /// The same for several landings in the lanes of registers, per landing.
+#[cfg(target_arch = "x86_64")]
 #[divan::bench(args = [4, 8])]
 fn right_hand_side_per_lane(bencher: Bencher, lanes: usize) {
     match lanes {
-        4 => time_lanes::<_, 4>(bencher, Some(Four::new())),
-        #[cfg(target_arch = "x86_64")]
+        4 => time_lanes::<_, 4>(bencher, Four::try_new()),
         8 => time_lanes::<_, 8>(bencher, Eight::try_new()),
         _ => {}
     }
 }
 
-fn time_lanes<R: Lanes<N>, const N: usize>(bencher: Bencher, registers: Option<R>) {
+#[cfg(target_arch = "x86_64")]
+fn time_lanes<R: Registers, const N: usize>(bencher: Bencher, registers: Option<R>) {
     let Some(registers) = registers else {
         println!("this processor has no registers of {N} numbers");
         return;
     };
     let (bare, state) = pressed_in();
-    let lanes = bare.abreast::<N>();
-    let mut states = State::zero();
+    let (motion, pieces) = bare.in_lanes::<N>();
+    let mut states = State::zero(3);
     for lane in 0..N {
         states.set_lane(lane, &state);
     }
-    let mut slopes = State::zero();
+    let mut slopes = State::zero(3);
     bencher.counter(ItemsCount::new(N)).bench_local(|| {
-        registers.dispatch(Derive(&lanes, black_box(&states), &mut slopes));
+        registers.dispatch(Derive(&motion, &pieces, black_box(&states), &mut slopes));
         black_box(&slopes);
     });
 }
 
 /// Derivatives in all lanes.
+#[cfg(target_arch = "x86_64")]
 struct Derive<'a, const N: usize>(
-    &'a MotionsAbreast<N, 3>,
-    &'a State<Wide<N>, 3>,
-    &'a mut State<Wide<N>, 3>,
+    &'a Motion<Wide<N>>,
+    &'a Pieces<Wide<N>>,
+    &'a State<Wide<N>>,
+    &'a mut State<Wide<N>>,
 );
 
+#[cfg(target_arch = "x86_64")]
 impl<const N: usize> NullaryFnOnce for Derive<'_, N> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        self.0.derivative::<false>(self.1, self.2);
+        self.0.derivative::<false>(self.2, self.1, self.3);
     }
 }
 

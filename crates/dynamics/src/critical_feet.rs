@@ -13,9 +13,9 @@ pub struct CriticalFeet {
 /// before it when it stands on the positive side and the one after it when on the negative. Both
 /// say the same: the step from a foot on the negative side to the next one on the positive side.
 /// In this form the rule serves any ring of feet. `None`: all feet on one side, toppling in yaw.
-pub fn critical_feet<const LEGS: usize>(positive: &[bool; LEGS]) -> Option<CriticalFeet> {
-    (0..LEGS)
-        .map(|foot| (foot, (foot + 1) % LEGS))
+pub fn critical_feet(positive: &[bool]) -> Option<CriticalFeet> {
+    (0..positive.len())
+        .map(|foot| (foot, (foot + 1) % positive.len()))
         .find(|&(foot, next)| !positive[foot] && positive[next])
         .map(|(foot, next)| CriticalFeet {
             negative: foot,

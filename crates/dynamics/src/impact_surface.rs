@@ -17,6 +17,7 @@ use crate::invalid::{Invalid, require};
 use crate::landing::{Landing, land};
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use crate::outcome::Outcome;
+use crate::per_leg::PerLeg;
 use crate::scene::{Conditions, CrushRule, Scene, Settings};
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
@@ -60,7 +61,7 @@ pub struct Approach {
 
 /// The surface found, and the touchdown on it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ImpactSurface<const LEGS: usize = 3> {
+pub struct ImpactSurface {
     /// Slope θs, rad, ≥ 0.
     pub slope: f64,
     /// Rotation ζ about Z from the given to the customary ground axes (87), rad; `None` on level
@@ -75,7 +76,7 @@ pub struct ImpactSurface<const LEGS: usize = 3> {
     /// See `vertical_velocity`.
     pub horizontal_velocity: f64,
     /// Points of impact (80) in the given axes, from the CG at time zero, ft.
-    pub impact_points: [Vector3<f64>; LEGS],
+    pub impact_points: PerLeg<Vector3<f64>>,
     /// Greatest difference of an impact time of the landing found and the one given, s.
     pub residual: f64,
     /// Landings computed.
@@ -145,27 +146,35 @@ impl From<Invalid> for NoSurface {
 ///
 /// # Errors
 /// When the times span no surface, or none gives them.
-pub fn determine<const LEGS: usize>(
-    vehicle: &Vehicle<LEGS>,
+pub fn determine(
+    vehicle: &Vehicle,
     approach: &Approach,
-    impact_times: &[f64; LEGS],
-) -> Result<ImpactSurface<LEGS>, NoSurface> {
+    impact_times: &[f64],
+) -> Result<ImpactSurface, NoSurface> {
     for time in impact_times {
         require("impact_time_s", *time, "0 ≤ value ≤ 100", |v| {
             (0.0..=100.0).contains(&v)
         })?;
     }
-    let mut search = Search::new(vehicle, *approach, *impact_times)?;
+    let legs = vehicle.legs().len();
+    require(
+        "impact_time_s (number of times)",
+        impact_times.len() as f64,
+        &format!("{legs}, one a leg"),
+        |_| impact_times.len() == legs,
+    )?;
+    let times = PerLeg::from_fn(legs, |leg| impact_times[leg]);
+    let mut search = Search::new(vehicle, *approach, times)?;
     let guess = search.plane_of_free_flight()?;
     let tangent = search.refine(guess)?;
     search.conclude(tangent)
 }
 
 /// The search for the horizontal tangent (∂Z/∂X, ∂Z/∂Y with the sign of the inward normal).
-struct Search<'a, const LEGS: usize> {
-    vehicle: &'a Vehicle<LEGS>,
+struct Search<'a> {
+    vehicle: &'a Vehicle,
     approach: Approach,
-    times: [f64; LEGS],
+    times: PerLeg<f64>,
     /// The pad that touches first.
     first: usize,
     /// Time that the first pad's contact takes to count, s.
@@ -174,13 +183,13 @@ struct Search<'a, const LEGS: usize> {
 }
 
 /// A landing on a trial surface.
-struct Trial<const LEGS: usize> {
+struct Trial {
     /// Contact times after the first less those given, s.
-    residuals: [f64; LEGS],
-    landing: Landing<LEGS>,
+    residuals: PerLeg<f64>,
+    landing: Landing,
 }
 
-impl<const LEGS: usize> Trial<LEGS> {
+impl Trial {
     fn worst(&self) -> f64 {
         self.residuals
             .iter()
@@ -203,17 +212,17 @@ fn rotation(tangent: &Vector2<f64>) -> f64 {
     }
 }
 
-impl<'a, const LEGS: usize> Search<'a, LEGS> {
+impl<'a> Search<'a> {
     fn new(
-        vehicle: &'a Vehicle<LEGS>,
+        vehicle: &'a Vehicle,
         approach: Approach,
-        times: [f64; LEGS],
+        times: PerLeg<f64>,
     ) -> Result<Self, NoSurface> {
         let search = Self {
             vehicle,
             approach,
             times,
-            first: (0..LEGS)
+            first: (0..times.len())
                 .min_by(|a, b| times[*a].total_cmp(&times[*b]))
                 .unwrap_or(0),
             delay: 0.0,
@@ -251,7 +260,7 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
         state.set_body(&body);
         let mut evaluator = Evaluator {
             system: &model,
-            memory: [[0.0; 3]; LEGS],
+            memory: PerLeg::same(self.times.len(), [0.0; 3]),
             evaluations: 0,
         };
         let mut stepper = RungeKutta {
@@ -276,9 +285,9 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
         Ok((approach, body.position + Vector3::new(0.0, 0.0, HIGH_UP)))
     }
 
-    /// The plane through the outboard sections where free flight would have them at their times.
+    /// The plane through the outboard sections of the first three pads where free flight would have them at their times.
     fn plane_of_free_flight(&self) -> Result<Vector2<f64>, NoSurface> {
-        let mut points = [Vector3::zeros(); LEGS];
+        let mut points = [Vector3::zeros(); 3];
         for (leg, point) in points.iter_mut().enumerate() {
             let (approach, way) = self.fly(self.times[leg])?;
             let design = &self.vehicle.legs()[leg];
@@ -286,7 +295,7 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
             let [outboard, _] = pads::centroids(self.vehicle, leg, extended, extended);
             *point = way + approach.attitude.matrix() * outboard;
         }
-        let [a, b] = [points[1] - points[0], points[2 % LEGS] - points[0]];
+        let [a, b] = [points[1] - points[0], points[2] - points[0]];
         let normal = a.cross(&b);
         if normal.norm() <= COLLINEAR * a.norm() * b.norm() {
             return Err(NoSurface::Collinear);
@@ -299,7 +308,7 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
     }
 
     /// Lands on the surface of a tangent.
-    fn land(&mut self, tangent: &Vector2<f64>) -> Result<Trial<LEGS>, NoSurface> {
+    fn land(&mut self, tangent: &Vector2<f64>) -> Result<Trial, NoSurface> {
         let last = self.times.iter().fold(0.0f64, |last, time| last.max(*time));
         let span = last - self.times[self.first];
         let settings = Settings::new(TOLERANCE, 2.0 * span + AFTERWARDS, CrushRule::default())?;
@@ -307,7 +316,7 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
         let landing = land(self.vehicle, &self.scene(&approach, tangent)?, &settings);
         self.landings += 1;
         let first = landing.pad_contact[self.first];
-        let mut residuals = [0.0; LEGS];
+        let mut residuals = self.times;
         for (leg, residual) in residuals.iter_mut().enumerate() {
             let contact = landing.pad_contact[leg].zip(first);
             let (contact, first) = contact.ok_or_else(|| NoSurface::NeverTouches {
@@ -325,18 +334,16 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
         let mut trial = self.land(&tangent)?;
         for _ in 0..MOST_STEPS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
-            let mut columns = [[0.0; LEGS]; 2];
+            let mut columns = [self.times; 2];
             for (axis, column) in columns.iter_mut().enumerate() {
                 let mut aside = tangent;
                 aside[axis] += DIFFERENCE;
                 let there = self.land(&aside)?;
-                *column = std::array::from_fn(|leg| {
+                *column = PerLeg::from_fn(self.times.len(), |leg| {
                     (there.residuals[leg] - trial.residuals[leg]) / DIFFERENCE
                 });
             }
-            let dot = |a: &[f64; LEGS], b: &[f64; LEGS]| -> f64 {
-                a.iter().zip(b).map(|(a, b)| a * b).sum()
-            };
+            let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
             let [x, y] = &columns;
             let normal = Matrix2::new(dot(x, x), dot(x, y), dot(x, y), dot(y, y));
             let right = Vector2::new(dot(x, &trial.residuals), dot(y, &trial.residuals));
@@ -380,13 +387,13 @@ impl<'a, const LEGS: usize> Search<'a, LEGS> {
         Ok(tangent)
     }
 
-    fn conclude(&mut self, tangent: Vector2<f64>) -> Result<ImpactSurface<LEGS>, NoSurface> {
+    fn conclude(&mut self, tangent: Vector2<f64>) -> Result<ImpactSurface, NoSurface> {
         let trial = self.land(&tangent)?;
         let (approach, way) = self.fly((self.times[self.first] - self.delay).max(0.0))?;
         let scene = self.scene(&approach, &tangent)?;
         let conditions = scene.conditions();
         let back = about_z(rotation(&tangent));
-        let mut impact_points = [Vector3::zeros(); LEGS];
+        let mut impact_points = PerLeg::same(self.times.len(), Vector3::zeros());
         for (leg, point) in impact_points.iter_mut().enumerate() {
             let contact = trial.landing.pad_contact[leg].unwrap_or(0.0);
             let (start, there) = pads::at_contact(self.vehicle, &scene, leg, contact)?;

@@ -19,17 +19,17 @@
 //! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
 //! | the surface from impact times | [`impact_surface`] |
 //! | how it is integrated | [`integrator`], [`model_version`] |
-//! | what lies side by side in registers | [`formation`], [`wide`], [`quad`], [`registers`], [`landing::abreast`] |
+//! | many landings, a lane of a register for each | [`batch`], [`wide`], [`registers`] |
 //! | how it was integrated in 1966, and what that was compared with | [`methods`] |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod attitude;
+pub mod batch;
 pub mod contact;
 pub mod critical_feet;
 pub mod crush;
 pub mod energy;
-pub mod formation;
 pub mod friction;
 pub mod hinge;
 pub mod impact_surface;
@@ -41,9 +41,9 @@ pub mod methods;
 pub mod model_version;
 pub mod motion;
 pub mod outcome;
+pub mod per_leg;
 pub mod products;
 pub mod profile;
-pub mod quad;
 pub mod record;
 pub mod registers;
 pub mod response;

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::attitude::Attitude;
 use crate::motion::{Glance, LegLoads, Signal};
 use crate::outcome::Outcome;
+use crate::per_leg::PerLeg;
 use crate::stability::Observation;
 use crate::state::State;
 
@@ -60,18 +61,18 @@ impl LegWork {
 
 /// Energy account of a landing, ft·lb.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Energies<const LEGS: usize = 3> {
+pub struct Energies {
     /// Kinetic energy at first contact: body and lower links.
     pub initial_kinetic: f64,
     /// Potential energy released since, M g times the descent of the CG.
     pub potential_change: f64,
     /// Work done on the elements.
-    pub legs: [LegWork; LEGS],
+    pub legs: PerLeg<LegWork>,
     /// Kinetic energy at the end: body and lower links.
     pub final_kinetic: f64,
 }
 
-impl<const LEGS: usize> Energies<LEGS> {
+impl Energies {
     /// Energy taken up by all elements, ft·lb.
     pub fn dissipated(&self) -> f64 {
         self.legs.iter().map(LegWork::total).sum()
@@ -85,18 +86,18 @@ impl<const LEGS: usize> Energies<LEGS> {
 
 /// Rates at the end of a landing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FinalRates<const LEGS: usize = 3> {
+pub struct FinalRates {
     /// Rate of the stability angle σ, rad/s; `None` where all feet stand on one side.
     pub stability_angle: Option<f64>,
     /// Rates of the strokes of the struts, ft/s.
-    pub strokes: [f64; LEGS],
+    pub strokes: PerLeg<f64>,
     /// Their accelerations with the body at rest, ft/s².
-    pub stroke_accelerations: [f64; LEGS],
+    pub stroke_accelerations: PerLeg<f64>,
 }
 
 /// What one landing came to.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Landing<const LEGS: usize = 3> {
+pub struct Landing {
     /// How it ended.
     pub outcome: Outcome,
     /// When, s after first contact.
@@ -109,17 +110,17 @@ pub struct Landing<const LEGS: usize = 3> {
     /// Least ground clearance of the lower hardpoints, ft (71).
     pub min_clearance: f64,
     /// Largest strut force magnitudes, lb.
-    pub max_strut_force: [f64; LEGS],
+    pub max_strut_force: PerLeg<f64>,
     /// Greatest stroke of each strut, ft.
-    pub max_stroke: [f64; LEGS],
+    pub max_stroke: PerLeg<f64>,
     /// How fast it was still on its way at the end.
-    pub final_rates: FinalRates<LEGS>,
+    pub final_rates: FinalRates,
     /// First contact of each footpad, s.
-    pub pad_contact: [Option<f64>; LEGS],
+    pub pad_contact: PerLeg<Option<f64>>,
     /// First contact of each body block, s.
-    pub block_contact: [Option<f64>; LEGS],
+    pub block_contact: PerLeg<Option<f64>>,
     /// Energy account.
-    pub energies: Energies<LEGS>,
+    pub energies: Energies,
     /// Accepted integration steps.
     pub steps: u64,
     /// Evaluations of the equations of motion, event location included.
@@ -128,9 +129,16 @@ pub struct Landing<const LEGS: usize = 3> {
     pub events: u64,
 }
 
+impl Landing {
+    /// Number of legs.
+    pub fn leg_count(&self) -> usize {
+        self.pad_contact.len()
+    }
+}
+
 /// State and loads at one instant of a landing, for histories. Foot, pound, second, radian.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Instant<const LEGS: usize = 3> {
+pub struct Instant {
     /// Time after first contact, s.
     pub time: f64,
     /// CG in ground axes, ft.
@@ -150,19 +158,19 @@ pub struct Instant<const LEGS: usize = 3> {
     /// Potential energy released since first contact, ft·lb.
     pub potential_change: f64,
     /// The legs.
-    pub legs: [LegInstant; LEGS],
+    pub legs: PerLeg<LegInstant>,
 }
 
-impl<const LEGS: usize> Instant<LEGS> {
+impl Instant {
     /// The instant at `time`, with `energies` kinetic and released, and what the laws tell of the `feet`.
     pub(crate) fn new(
         time: f64,
-        state: &State<f64, LEGS>,
-        seen: &Observation<LEGS>,
+        state: &State<f64>,
+        seen: &Observation,
         energies: [f64; 2],
-        signals: &Glance<LEGS>,
-        loads: &[LegLoads<f64>; LEGS],
-        feet: [Foot; LEGS],
+        signals: &Glance<f64>,
+        loads: &PerLeg<LegLoads<f64>>,
+        feet: PerLeg<Foot>,
     ) -> Self {
         let body = state.body();
         let q = body.quaternion;
@@ -177,7 +185,7 @@ impl<const LEGS: usize> Instant<LEGS> {
             clearance: seen.clearance,
             kinetic_energy,
             potential_change,
-            legs: std::array::from_fn(|j| {
+            legs: PerLeg::from_fn(feet.len(), |j| {
                 let leg = state.leg(j);
                 let [outer, inner, block] = feet[j].sets;
                 LegInstant {

@@ -30,46 +30,75 @@ pub trait Lanes<const N: usize>: Registers {
     }
 }
 
-/// Registers for numbers four abreast.
+/// Registers of one or two numbers, which any processor has.
 #[derive(Debug, Clone, Copy)]
-pub enum Four {
-    /// A register for the four.
-    #[cfg(target_arch = "x86_64")]
-    Whole(pulp::x86::V3),
-    /// Registers of one or two numbers, which any processor has.
-    InParts,
-}
+pub struct Baseline;
 
-impl Default for Four {
-    fn default() -> Self {
-        Self::new()
+impl Registers for Baseline {
+    #[inline(never)]
+    fn dispatch<Op: NullaryFnOnce>(self, op: Op) -> Op::Output {
+        op.call()
     }
 }
 
-impl Four {
+impl Lanes<2> for Baseline {
+    #[inline(always)]
+    fn transposed(self, rows: &[Wide<2>; 2]) -> [[f64; 2]; 2] {
+        let [a, b] = rows;
+        [[a.0[0], b.0[0]], [a.0[1], b.0[1]]]
+    }
+}
+
+/// The registers in which a single landing is computed: of four numbers where there are such.
+#[derive(Debug, Clone, Copy)]
+pub enum Single {
+    /// Of four numbers.
+    #[cfg(target_arch = "x86_64")]
+    Four(Four),
+    /// Of one or two.
+    Baseline,
+}
+
+impl Single {
     /// What there is.
     pub fn new() -> Self {
         #[cfg(target_arch = "x86_64")]
-        if let Some(whole) = pulp::x86::V3::try_new() {
-            return Self::Whole(whole);
+        if let Some(four) = Four::try_new() {
+            return Self::Four(four);
         }
-        Self::InParts
-    }
-
-    /// Whether there are registers of four.
-    pub fn are_whole(self) -> bool {
-        !matches!(self, Self::InParts)
+        Self::Baseline
     }
 }
 
-impl Registers for Four {
+impl Registers for Single {
     #[inline(always)]
     fn dispatch<Op: NullaryFnOnce>(self, op: Op) -> Op::Output {
         match self {
             #[cfg(target_arch = "x86_64")]
-            Self::Whole(whole) => whole.vectorize(op),
-            Self::InParts => op.call(),
+            Self::Four(four) => four.dispatch(op),
+            Self::Baseline => Baseline.dispatch(op),
         }
+    }
+}
+
+/// Registers of four numbers.
+#[cfg(target_arch = "x86_64")]
+#[derive(Debug, Clone, Copy)]
+pub struct Four(pulp::x86::V3);
+
+#[cfg(target_arch = "x86_64")]
+impl Four {
+    /// Where there are such.
+    pub fn try_new() -> Option<Self> {
+        pulp::x86::V3::try_new().map(Self)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Registers for Four {
+    #[inline(always)]
+    fn dispatch<Op: NullaryFnOnce>(self, op: Op) -> Op::Output {
+        self.0.vectorize(op)
     }
 }
 
@@ -94,25 +123,20 @@ impl Registers for Eight {
     }
 }
 
+#[cfg(target_arch = "x86_64")]
 impl Lanes<4> for Four {
     #[inline(always)]
     fn transposed(self, rows: &[Wide<4>; 4]) -> [[f64; 4]; 4] {
-        match self {
-            #[cfg(target_arch = "x86_64")]
-            Self::Whole(whole) => {
-                let avx = whole.avx;
-                let [a, b, c, d] = rows.map(|row| pulp::cast(row.0));
-                let (ab, cd) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpacklo_pd(c, d));
-                let (ef, gh) = (avx._mm256_unpackhi_pd(a, b), avx._mm256_unpackhi_pd(c, d));
-                [
-                    pulp::cast(avx._mm256_permute2f128_pd::<0x20>(ab, cd)),
-                    pulp::cast(avx._mm256_permute2f128_pd::<0x20>(ef, gh)),
-                    pulp::cast(avx._mm256_permute2f128_pd::<0x31>(ab, cd)),
-                    pulp::cast(avx._mm256_permute2f128_pd::<0x31>(ef, gh)),
-                ]
-            }
-            Self::InParts => std::array::from_fn(|lane| rows.map(|row| row.0[lane])),
-        }
+        let avx = self.0.avx;
+        let [a, b, c, d] = rows.map(|row| pulp::cast(row.0));
+        let (ab, cd) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpacklo_pd(c, d));
+        let (ef, gh) = (avx._mm256_unpackhi_pd(a, b), avx._mm256_unpackhi_pd(c, d));
+        [
+            pulp::cast(avx._mm256_permute2f128_pd::<0x20>(ab, cd)),
+            pulp::cast(avx._mm256_permute2f128_pd::<0x20>(ef, gh)),
+            pulp::cast(avx._mm256_permute2f128_pd::<0x31>(ab, cd)),
+            pulp::cast(avx._mm256_permute2f128_pd::<0x31>(ef, gh)),
+        ]
     }
 }
 

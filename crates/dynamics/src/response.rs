@@ -8,9 +8,8 @@
 mod stage;
 
 use nalgebra::{Matrix3, Vector4, Vector6};
-use num_traits::{One, Zero};
 
-use crate::formation::Formation;
+use crate::per_leg::PerLeg;
 use crate::scalar::Real;
 
 pub use stage::System;
@@ -142,49 +141,52 @@ impl<S: Real> LegResponse<S> {
 
 /// How all forces answer at one state.
 #[derive(Debug, Clone, Copy)]
-pub struct Response<F: Formation<LEGS>, const LEGS: usize> {
+pub struct Response<S> {
     /// Attitude B, vehicle to ground.
-    pub rotation: Matrix3<F::Body>,
+    pub rotation: Matrix3<S>,
     /// Its quaternion (w, x, y, z), of any length.
-    pub quaternion: Vector4<F::Body>,
+    pub quaternion: Vector4<S>,
     /// Mass, slug.
-    pub mass: F::Body,
+    pub mass: S,
     /// Inertia of the body about the CG, slug·ft².
-    pub inertia: Matrix3<F::Body>,
+    pub inertia: Matrix3<S>,
     /// The legs.
-    pub groups: F::Groups<LegResponse<F::Leg>>,
+    pub legs: PerLeg<LegResponse<S>>,
 }
 
-impl<F: Formation<LEGS>, const LEGS: usize> Response<F, LEGS> {
+impl<S: Real> Response<S> {
     /// Rate (1/s) that no decay of a velocity exceeds: the trace of the damping matrix over the inertia.
     #[inline(always)]
-    pub fn greatest_rate(&self) -> F::Body {
+    pub fn greatest_rate(&self) -> S {
         let (mass, inertia) = (self.mass, &self.inertia);
-        let body = Vector6::new(
+        let body = [
             mass,
             mass,
             mass,
             inertia[(0, 0)],
             inertia[(1, 1)],
             inertia[(2, 2)],
-        );
-        let per_inertia: [F::Leg; 6] = std::array::from_fn(|i| F::shared(F::Body::one() / body[i]));
-        let mut greatest = [F::Body::zero()];
-        for group in 0..F::GROUPS {
-            let leg = &self.groups[group];
-            let per_link = F::Leg::one() / leg.inertia[0];
-            let mut rates = leg.link_damping.max(F::Leg::zero()) * per_link;
+        ];
+        let mut per_inertia = [S::one(); 6];
+        for i in 0..6 {
+            per_inertia[i] /= body[i];
+        }
+        let mut greatest = S::zero();
+        for leg in &self.legs {
+            let per_link = S::one() / leg.inertia[0];
+            let mut rates = leg.link_damping.max(S::zero()) * per_link;
             for answer in leg.answers() {
                 let (force, velocity) = (&answer.force, &answer.velocity);
                 let mut rate = force.link * velocity.link * per_link;
-                for (i, per_inertia) in per_inertia.iter().enumerate() {
-                    rate += force.body[i] * velocity.body[i] * *per_inertia;
+                for (i, &per_inertia) in per_inertia.iter().enumerate() {
+                    S::one_round();
+                    rate += force.body[i] * velocity.body[i] * per_inertia;
                 }
-                rates += (-rate).max(F::Leg::zero());
+                rates += (-rate).max(S::zero());
             }
-            F::add(&mut greatest, &[rates]);
+            greatest += rates;
         }
-        greatest[0]
+        greatest
     }
 }
 

@@ -7,9 +7,9 @@ use num_traits::Zero;
 
 use crate::critical_feet::{CriticalFeet, critical_feet};
 use crate::integrator::event::{Bounds, Signals, Watch};
-use crate::integrator::ranges::Ranges;
+use crate::integrator::ranges::{LANES, Quad, Ranges};
 use crate::motion::{Footing, Motion};
-use crate::quad::{LANES, MOST_LEGS, Quad};
+use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::scene::Scene;
 use crate::state::{Body, State};
 use crate::vehicle::Vehicle;
@@ -39,7 +39,7 @@ const ANGLE_SLACK: f64 = 1e-12;
 const CALM_SLACK: f64 = 1e-11;
 
 /// Height of the CG over the surface above which motion has not subsided, ft.
-pub fn calm_height<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> f64 {
+pub fn calm_height(vehicle: &Vehicle) -> f64 {
     vehicle.standing_height() + CALM_MARGIN
 }
 
@@ -54,9 +54,10 @@ pub enum Plane {
 
 /// What outcomes are judged by, at one instant.
 #[derive(Debug, Clone, Copy)]
-pub struct Observation<const LEGS: usize = 3> {
-    /// What has a range: the side of each foot, positive to the left of the plane; σ; what has to calm down.
+pub struct Observation {
+    /// What has a range: σ; what has to calm down; the side of each foot, positive to the left of the plane.
     ranged: [[f64; LANES]; QUADS],
+    legs: usize,
     /// Stability angle σ, rad (79); positive inboard of the critical feet.
     pub angle: f64,
     /// Least height of the lower hardpoints over the surface (71), ft.
@@ -65,33 +66,43 @@ pub struct Observation<const LEGS: usize = 3> {
 
 /// Quantities that have to calm down: Ẋ, Ẏ, Ż in ft/s, ω in rad/s, height of the CG over the surface in ft.
 const CALM: usize = 7;
+/// Where σ, the quantities that have to calm down, and the sides of the feet are among what has a range.
+const ANGLE: usize = 0;
+const FIRST_CALM: usize = 1;
+const FIRST_SIDE: usize = FIRST_CALM + CALM;
 /// Quads of what has a range.
-const QUADS: usize = (MOST_LEGS + 1 + CALM).div_ceil(LANES);
+const QUADS: usize = (FIRST_SIDE + MOST_LEGS).div_ceil(LANES);
 
-impl<const LEGS: usize> Observation<LEGS> {
-    fn new(sides: [f64; LEGS], angle: f64, calm: [f64; CALM], clearance: f64) -> Self {
+impl Observation {
+    fn new(sides: &[f64], angle: f64, calm: [f64; CALM], clearance: f64) -> Self {
         let mut ranged = [[0.0; LANES]; QUADS];
         let numbers = ranged.as_flattened_mut();
-        numbers[..LEGS].copy_from_slice(&sides);
-        numbers[LEGS] = angle;
-        numbers[LEGS + 1..][..CALM].copy_from_slice(&calm);
+        numbers[ANGLE] = angle;
+        numbers[FIRST_CALM..][..CALM].copy_from_slice(&calm);
+        numbers[FIRST_SIDE..][..sides.len()].copy_from_slice(sides);
         Self {
             ranged,
+            legs: sides.len(),
             angle,
             clearance,
         }
     }
 
-    fn sides(&self) -> [f64; LEGS] {
-        std::array::from_fn(|leg| self.get(leg))
+    /// The quads that hold anything.
+    fn ranged(&self) -> &[[f64; LANES]] {
+        &self.ranged[..(FIRST_SIDE + self.legs).div_ceil(LANES)]
+    }
+
+    fn sides(&self) -> PerLeg<f64> {
+        PerLeg::from_fn(self.legs, |leg| self.get(FIRST_SIDE + leg))
     }
 
     fn calm(&self) -> [f64; CALM] {
-        std::array::from_fn(|k| self.get(LEGS + 1 + k))
+        std::array::from_fn(|k| self.get(FIRST_CALM + k))
     }
 }
 
-impl<const LEGS: usize> Signals for Observation<LEGS> {
+impl Signals for Observation {
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
         self.ranged.as_flattened()[index]
@@ -113,7 +124,7 @@ pub enum Verdict {
 
 /// How stability is being judged: plane, critical feet, and which limits the motion is within.
 #[derive(Debug, Clone)]
-pub struct Judge<const LEGS: usize = 3> {
+pub struct Judge {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
     slope_side: f64,
     calm_height: f64,
@@ -123,7 +134,7 @@ pub struct Judge<const LEGS: usize = 3> {
     watches: ArrayVec<Watch, { QUADS * LANES }>,
 }
 
-impl<const LEGS: usize> Judge<LEGS> {
+impl Judge {
     /// A judge for a scene, who has yet to look. Motion counts as subsided only while the CG is
     /// within `calm_height` (ft) of the surface.
     pub fn new(scene: &Scene, calm_height: f64) -> Self {
@@ -148,9 +159,9 @@ impl<const LEGS: usize> Judge<LEGS> {
     /// [`Verdict::Yaw`] when all feet stand on one side of the plane.
     pub fn look(
         &mut self,
-        motion: &Motion<LEGS>,
-        state: &State<f64, LEGS>,
-    ) -> Result<Observation<LEGS>, Verdict> {
+        motion: &Motion<f64>,
+        state: &State<f64>,
+    ) -> Result<Observation, Verdict> {
         let velocity = state.body().velocity;
         let slow = |speed: f64| speed.abs() < DIRECTIONLESS;
         self.plane = if slow(velocity.x) && slow(velocity.y) {
@@ -165,12 +176,12 @@ impl<const LEGS: usize> Judge<LEGS> {
     }
 
     /// What the chosen plane and critical feet show at a state.
-    pub fn observe(&self, motion: &Motion<LEGS>, state: &State<f64, LEGS>) -> Observation<LEGS> {
+    pub fn observe(&self, motion: &Motion<f64>, state: &State<f64>) -> Observation {
         self.observe_footing(&motion.footing(state), &state.body())
     }
 
     /// The same where the feet are known to stand like this.
-    pub fn observe_footing(&self, footing: &Footing<LEGS>, body: &Body<f64>) -> Observation<LEGS> {
+    pub fn observe_footing(&self, footing: &Footing, body: &Body<f64>) -> Observation {
         let Footing {
             feet,
             depth,
@@ -187,7 +198,7 @@ impl<const LEGS: usize> Judge<LEGS> {
         let angle = self.angle(&feet[self.feet.negative], &feet[self.feet.positive], vx, vy);
         let (v, rate) = (&body.velocity, &body.rate);
         let calm = [v.x, v.y, v.z, rate.x, rate.y, rate.z, -depth];
-        Observation::new(sides, angle, calm, clearance)
+        Observation::new(&sides, angle, calm, clearance)
     }
 
     /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
@@ -219,7 +230,7 @@ impl<const LEGS: usize> Judge<LEGS> {
     /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
     /// observed now and the least σ so far. They stay until the next look, but for the end of
     /// rockback.
-    pub fn watch(&mut self, seen: &Observation<LEGS>, least_angle: f64) {
+    pub fn watch(&mut self, seen: &Observation, least_angle: f64) {
         let highest = if least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
         } else {
@@ -241,28 +252,29 @@ impl<const LEGS: usize> Judge<LEGS> {
             let calm = seen.calm().into_iter().enumerate().map(|(index, value)| {
                 calm_cell(self.calm_height, index, value).widened(CALM_SLACK)
             });
-            let ranges = sides.chain(std::iter::once(angle)).chain(calm);
-            for (signal, range) in ranges.enumerate() {
+            let angle = std::iter::once((ANGLE, angle));
+            let calm = (FIRST_CALM..).zip(calm);
+            for (signal, range) in angle.chain(calm).chain((FIRST_SIDE..).zip(sides)) {
                 self.watches.push(Watch { signal, range });
                 self.ranges.set(signal, range);
             }
         } else {
-            self.watches[LEGS].range = angle;
-            self.ranges.set(LEGS, angle);
+            self.watches[ANGLE].range = angle;
+            self.ranges.set(ANGLE, angle);
         }
     }
 
     /// Whether no range can have been left within a step, as observations before the step before, at the start and
     /// at the end of the step tell, `ratio` being this step's length over that one's.
-    pub fn keep(&self, observations: [&Observation<LEGS>; 3], ratio: f64) -> bool {
-        let looks = observations.map(|seen| &seen.ranged[..]);
+    pub fn keep(&self, observations: [&Observation; 3], ratio: f64) -> bool {
+        let looks = observations.map(Observation::ranged);
         let mut reach = [Quad::zero(); QUADS];
         self.ranges.keep(looks, ratio, &mut reach)
     }
 
     /// Share of a stretch of motion in which the plane of judgement turns so little that looks at the ends
     /// tell what σ does between, the CG's velocity changing evenly from end to end: 1 if it is all of it.
-    pub fn share_within_turn(&self, start: &Observation<LEGS>, end: &Observation<LEGS>) -> f64 {
+    pub fn share_within_turn(&self, start: &Observation, end: &Observation) -> f64 {
         let ([ax, ay, ..], [bx, by, ..]) = (start.calm(), end.calm());
         let (sine, cosine) = (ax * by - ay * bx, ax * bx + ay * by);
         if self.plane == Plane::Slope || sine.abs() <= MOST_TURN * cosine {
@@ -281,7 +293,7 @@ impl<const LEGS: usize> Judge<LEGS> {
     }
 
     /// The verdict on what is observed now, if there is one.
-    pub fn verdict(&self, seen: &Observation<LEGS>, least_angle: f64) -> Option<Verdict> {
+    pub fn verdict(&self, seen: &Observation, least_angle: f64) -> Option<Verdict> {
         let [vx, vy, vz, wx, wy, wz, height] = seen.calm();
         let calm = [vx, vy, vz].iter().all(|v| v.abs() <= CALM_SPEED)
             && [wx, wy, wz].iter().all(|w| w.abs() <= CALM_RATE)

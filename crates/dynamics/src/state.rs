@@ -1,43 +1,40 @@
 //! The integrated state: rigid body, legs, and the work done on their elements.
 
-mod abreast;
+mod lanes;
 
 use nalgebra::{Matrix3, Vector3, Vector4};
-use num_traits::Zero;
 
-use crate::quad::{LANES, MOST_LEGS, Quad, groups_of};
+use crate::integrator::step::StateVector;
+use crate::per_leg::PerLeg;
 use crate::scalar::Real;
-use crate::wide::Wide;
 
-/// State of a vehicle with `LEGS` legs, or its time derivative.
+/// State of a vehicle, or its time derivative.
 ///
 /// Stored flat so that linear combinations run over plain arrays; the named views [`Body`] and
 /// [`LegState`] are how the physics reads and writes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub struct State<S, const LEGS: usize = 3> {
-    /// Component by component, so that the legs' numbers of one kind lie side by side. What is
-    /// beyond the last leg stays zero.
-    legs: [[S; MOST_LEGS]; LEG],
+pub struct State<S> {
     /// Filled up with zeros.
     body: [S; BODY],
+    legs: PerLeg<[S; LEG]>,
 }
 
 /// Numbers of the body.
 const BODY_NUMBERS: usize = 13;
 /// Thirteen, and three to fill registers.
 const BODY: usize = 16;
+/// Numbers of a leg.
 const LEG: usize = 10;
-/// Where γ and γ̇ are among the components of a leg.
+/// Where γ and γ̇ are among the numbers of a leg.
 const LINK_ANGLE: usize = 0;
 const LINK_RATE: usize = 1;
-/// Where the pad's turn and α̇ are.
-const PAD_TURN: usize = 2;
+/// Where α̇ is.
 const PAD_RATE: usize = 3;
 /// Error of Simpson's rule as a share of its difference from the midpoint rule: h²f⁗/(120 f″), as much as where f
 /// swings by 3.5 rad within the step.
 const SIMPSON_SHARE: f64 = 0.1;
-/// Leading components of a leg that move; the rest are work integrals.
+/// Leading numbers of a leg that move; the rest are work integrals.
 const LEG_MOTION: usize = 4;
 
 /// The rigid body.
@@ -71,43 +68,51 @@ pub struct LegState<S> {
 
 impl<S: Real> LegState<S> {
     #[inline(always)]
-    fn components(&self) -> [S; LEG] {
-        let w = self.work;
-        [
-            self.link_angle,
-            self.link_rate,
-            self.pad_turn,
-            self.pad_rate,
-            w[0],
-            w[1],
-            w[2],
-            w[3],
-            w[4],
-            w[5],
-        ]
-    }
-
-    #[inline(always)]
-    fn from_components(c: [S; LEG]) -> Self {
+    fn from_numbers(n: &[S; LEG]) -> Self {
         Self {
-            link_angle: c[0],
-            link_rate: c[1],
-            pad_turn: c[2],
-            pad_rate: c[3],
-            work: [c[4], c[5], c[6], c[7], c[8], c[9]],
+            link_angle: n[0],
+            link_rate: n[1],
+            pad_turn: n[2],
+            pad_rate: n[3],
+            work: [n[4], n[5], n[6], n[7], n[8], n[9]],
         }
     }
 }
 
-impl<S: Real, const LEGS: usize> State<S, LEGS> {
+impl<S: Real> State<S> {
     /// Packs body and legs.
-    pub fn new(body: &Body<S>, legs: [LegState<S>; LEGS]) -> Self {
-        let mut state = Self::zero();
+    ///
+    /// # Panics
+    /// Without a leg, or with more than a vehicle may have.
+    pub fn new(body: &Body<S>, legs: &[LegState<S>]) -> Self {
+        let mut state = Self::zero(legs.len());
         state.set_body(body);
         for (index, leg) in legs.iter().enumerate() {
             state.set_leg(index, leg);
         }
         state
+    }
+
+    /// All numbers zero, with so many legs.
+    #[inline(always)]
+    pub fn zero(legs: usize) -> Self {
+        Self {
+            body: [S::zero(); BODY],
+            legs: PerLeg::same(legs, [S::zero(); LEG]),
+        }
+    }
+
+    /// Number of legs.
+    #[inline(always)]
+    pub fn leg_count(&self) -> usize {
+        self.legs.len()
+    }
+
+    /// Becomes another state with as many legs.
+    #[inline(always)]
+    pub fn assign(&mut self, other: &Self) {
+        self.body = other.body;
+        self.legs.copy_from_slice(&other.legs);
     }
 
     /// Writes the rigid body.
@@ -128,26 +133,18 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// Writes leg `index`.
     #[inline(always)]
     pub fn set_leg(&mut self, index: usize, leg: &LegState<S>) {
-        // Component by component: an array of them would go through memory.
-        self.legs[0][index] = leg.link_angle;
-        self.legs[1][index] = leg.link_rate;
-        self.legs[2][index] = leg.pad_turn;
-        self.legs[3][index] = leg.pad_rate;
-        self.legs[4][index] = leg.work[0];
-        self.legs[5][index] = leg.work[1];
-        self.legs[6][index] = leg.work[2];
-        self.legs[7][index] = leg.work[3];
-        self.legs[8][index] = leg.work[4];
-        self.legs[9][index] = leg.work[5];
-    }
-
-    /// All components zero.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self {
-            body: [S::zero(); BODY],
-            legs: [[S::zero(); MOST_LEGS]; LEG],
-        }
+        // One by one: an array of them would go through memory.
+        let numbers = &mut self.legs[index];
+        numbers[0] = leg.link_angle;
+        numbers[1] = leg.link_rate;
+        numbers[2] = leg.pad_turn;
+        numbers[3] = leg.pad_rate;
+        numbers[4] = leg.work[0];
+        numbers[5] = leg.work[1];
+        numbers[6] = leg.work[2];
+        numbers[7] = leg.work[3];
+        numbers[8] = leg.work[4];
+        numbers[9] = leg.work[5];
     }
 
     /// The rigid body.
@@ -165,31 +162,13 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     /// Leg `index`.
     #[inline(always)]
     pub fn leg(&self, index: usize) -> LegState<S> {
-        LegState::from_components(self.legs.each_ref().map(|row| row[index]))
+        LegState::from_numbers(&self.legs[index])
     }
 
-    /// What the pad of a leg has turned by, rad.
+    /// Rate γ̇ of the link of leg `index`, rad/s.
     #[inline(always)]
-    pub fn pad_turn(&self, leg: usize) -> S {
-        self.legs[PAD_TURN][leg]
-    }
-
-    /// Writes what the pad of a leg has turned by, rad.
-    #[inline(always)]
-    pub fn set_pad_turn(&mut self, leg: usize, turn: S) {
-        self.legs[PAD_TURN][leg] = turn;
-    }
-
-    /// Rate α̇ of the pad of a leg, rad/s.
-    #[inline(always)]
-    pub fn pad_rate(&self, leg: usize) -> S {
-        self.legs[PAD_RATE][leg]
-    }
-
-    /// Rates γ̇ of the links, rad/s.
-    #[inline(always)]
-    pub fn link_rates(&self) -> [S; LEGS] {
-        std::array::from_fn(|j| self.legs[LINK_RATE][j])
+    pub fn link_rate(&self, index: usize) -> S {
+        self.legs[index][LINK_RATE]
     }
 
     /// Angles γ (rad) and rates γ̇ (rad/s) of the links in self + Σ weight · slope.
@@ -198,8 +177,8 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         &self,
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
-    ) -> [[S; LEGS]; 2] {
-        [LINK_ANGLE, LINK_RATE].map(|row| self.row_advanced(row, weights, slopes))
+    ) -> [PerLeg<S>; 2] {
+        [LINK_ANGLE, LINK_RATE].map(|number| self.number_advanced(number, weights, slopes))
     }
 
     /// Rates α̇ of the pads (rad/s) in self + Σ weight · slope.
@@ -208,26 +187,26 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         &self,
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
-    ) -> [S; LEGS] {
-        self.row_advanced(PAD_RATE, weights, slopes)
+    ) -> PerLeg<S> {
+        self.number_advanced(PAD_RATE, weights, slopes)
     }
 
     #[inline(always)]
-    fn row_advanced<const TERMS: usize>(
+    fn number_advanced<const TERMS: usize>(
         &self,
-        row: usize,
+        number: usize,
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
-    ) -> [S; LEGS] {
-        std::array::from_fn(|j| {
+    ) -> PerLeg<S> {
+        PerLeg::from_fn(self.legs.len(), |j| {
             let terms = weights.iter().zip(slopes);
-            terms.fold(self.legs[row][j], |sum, (&weight, slope)| {
-                sum + weight * slope.legs[row][j]
+            terms.fold(self.legs[j][number], |sum, (&weight, slope)| {
+                sum + weight * slope.legs[j][number]
             })
         })
     }
 
-    /// self + Σ weight · slope, component by component.
+    /// self + Σ weight · slope, number by number.
     #[inline(always)]
     pub fn advanced<const TERMS: usize>(
         &self,
@@ -251,9 +230,71 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         result
     }
 
-    /// Writes self + Σ weights·slopes into `result`, but for the work integrals.
     #[inline(always)]
-    pub fn advance_motion<const TERMS: usize>(
+    fn advance_through<const LAST: usize, const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+        result: &mut Self,
+    ) {
+        for i in 0..BODY_NUMBERS {
+            S::one_round();
+            let mut sum = self.body[i];
+            for k in 0..TERMS {
+                sum += weights[k] * slopes[k].body[i];
+            }
+            result.body[i] = sum;
+        }
+        for j in 0..self.legs.len() {
+            let (own, slopes) = (&self.legs[j], slopes.map(|slope| &slope.legs[j]));
+            let result = &mut result.legs[j];
+            for i in 0..LAST {
+                S::one_round();
+                let mut sum = own[i];
+                for k in 0..TERMS {
+                    sum += weights[k] * slopes[k][i];
+                }
+                result[i] = sum;
+            }
+        }
+    }
+
+    /// Sums by Simpson's rule what only accumulates of leg `leg` over a step of length `h`: its work integrals, and
+    /// the rate of its pad where that is at rest on a stop, its `hinge_gain` 0. Of the error of work, over h, it writes
+    /// a guess.
+    #[inline(always)]
+    pub fn accumulate(
+        &mut self,
+        leg: usize,
+        before: &Self,
+        h: S,
+        slopes: [&Self; 3],
+        hinge_gain: S,
+        error: &mut Self,
+    ) {
+        let [first, middle, last] = slopes.map(|slope| &slope.legs[leg]);
+        let (own, before, error) = (&mut self.legs[leg], &before.legs[leg], &mut error.legs[leg]);
+        let sixth = S::constant(1.0 / 6.0);
+        for i in PAD_RATE..LEG {
+            S::one_round();
+            let ends = first[i] + last[i];
+            let mean = (ends + S::constant(4.0) * middle[i]) * sixth;
+            let past_midpoint = (ends - S::constant(2.0) * middle[i]) * sixth;
+            let summed = before[i] + h * mean;
+            if i < LEG_MOTION {
+                own[i] = hinge_gain.where_zero(summed, own[i]);
+                error[i] = hinge_gain.where_zero(S::zero(), error[i]);
+            } else {
+                own[i] = summed;
+                error[i] = S::constant(SIMPSON_SHARE) * past_midpoint;
+            }
+        }
+    }
+}
+
+impl<S: Real> StateVector<S> for State<S> {
+    #[inline(always)]
+    fn advance_motion<const TERMS: usize>(
         &self,
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
@@ -262,9 +303,8 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
         self.advance_through::<LEG_MOTION, TERMS>(weights, slopes, result);
     }
 
-    /// Writes self + Σ weights·slopes into `result`.
     #[inline(always)]
-    pub fn advance<const TERMS: usize>(
+    fn advance<const TERMS: usize>(
         &self,
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
@@ -274,183 +314,126 @@ impl<S: Real, const LEGS: usize> State<S, LEGS> {
     }
 
     #[inline(always)]
-    fn advance_through<const LAST: usize, const TERMS: usize>(
-        &self,
+    fn midway(&self, end: &Self, eighth: S, [first, last]: [&Self; 2], middle: &mut Self) {
+        let half = S::constant(0.5);
+        let weights = [half, half, eighth, -eighth];
+        for i in 0..BODY_NUMBERS {
+            S::one_round();
+            middle.body[i] = sum(
+                weights,
+                [self.body[i], end.body[i], first.body[i], last.body[i]],
+            );
+        }
+        for j in 0..self.legs.len() {
+            let [start, end, first, last] = [self, end, first, last].map(|state| &state.legs[j]);
+            for i in 0..LEG_MOTION {
+                S::one_round();
+                middle.legs[j][i] = sum(weights, [start[i], end[i], first[i], last[i]]);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn set_mean_rate(&mut self, start: &Self, end: &Self, length: S) {
+        let per_length = S::one() / length;
+        for i in 0..BODY_NUMBERS {
+            S::one_round();
+            self.body[i] = (end.body[i] - start.body[i]) * per_length;
+        }
+        for j in 0..self.legs.len() {
+            for i in 0..LEG {
+                S::one_round();
+                self.legs[j][i] = (end.legs[j][i] - start.legs[j][i]) * per_length;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn set_motion_over(&mut self, change: &Self, length: S) {
+        let per_length = S::one() / length;
+        for i in 0..BODY_NUMBERS {
+            S::one_round();
+            self.body[i] = change.body[i] * per_length;
+        }
+        for j in 0..self.legs.len() {
+            for i in 0..LEG_MOTION {
+                S::one_round();
+                self.legs[j][i] = change.legs[j][i] * per_length;
+            }
+        }
+    }
+
+    /// What moves is weighed by itself or one, whichever is greater; works are in ft·lb and follow from the motion,
+    /// so that they have no say in the first.
+    #[inline(always)]
+    fn greatest_error<const TERMS: usize>(
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
-        result: &mut Self,
-    ) {
-        let (body, legs) = const { (body_numbers::<S>(), columns::<S>(LEGS)) };
-        for i in 0..body {
-            S::one_round();
-            let mut sum = self.body[i];
-            for k in 0..TERMS {
-                sum += weights[k] * slopes[k].body[i];
-            }
-            result.body[i] = sum;
-        }
-        for i in 0..LAST {
-            for leg in 0..legs {
-                S::one_round();
-                let mut sum = self.legs[i][leg];
-                for k in 0..TERMS {
-                    sum += weights[k] * slopes[k].legs[i][leg];
-                }
-                result.legs[i][leg] = sum;
-            }
-        }
-    }
-}
-
-/// Numbers of a body to be summed: what fills registers, or what there is if each is a register of its own.
-const fn body_numbers<S: Real>() -> usize {
-    if S::LANES == 1 { BODY } else { BODY_NUMBERS }
-}
-
-/// Columns of legs to be summed, likewise.
-const fn columns<S: Real>(legs: usize) -> usize {
-    if S::LANES == 1 {
-        groups_of(legs) * LANES
-    } else {
-        legs
-    }
-}
-
-impl<S: Real, const LEGS: usize> State<S, LEGS> {
-    /// self − other.
-    #[inline(always)]
-    pub fn minus(&self, other: &Self) -> Self {
-        self.advanced([-S::one()], [other])
-    }
-
-    /// self/length.
-    #[inline(always)]
-    pub fn over(&self, length: S) -> Self {
-        Self::zero().advanced([S::one() / length], [self])
-    }
-
-    /// Writes what moves midway between self and `end` on the cubic between them, from the slopes at both and an
-    /// eighth of the time between.
-    #[inline(always)]
-    pub fn midway(&self, end: &Self, eighth: S, [first, last]: [&Self; 2], middle: &mut Self) {
-        let half = S::constant(0.5);
-        Self::zero().advance_motion(
-            [half, half, eighth, -eighth],
-            [self, end, first, last],
-            middle,
-        );
-    }
-
-    /// Sums by Simpson's rule what only accumulates over a step of length `h`: the work integrals, and the
-    /// rates of pads at rest, whose `hinge_gains` are 0. Of the error of work, over h, it writes a guess.
-    #[inline(always)]
-    pub fn accumulate(
-        &mut self,
         before: &Self,
-        h: S,
-        [first, middle, last]: [&Self; 3],
-        hinge_gains: [S; LEGS],
-        error: &mut Self,
-    ) {
-        let sixth = S::constant(1.0 / 6.0);
-        let sum = |i: usize, j: usize| {
-            let ends = first.legs[i][j] + last.legs[i][j];
-            let middle = middle.legs[i][j];
-            (
-                (ends + S::constant(4.0) * middle) * sixth,
-                (ends - S::constant(2.0) * middle) * sixth,
-            )
-        };
-        for (j, gain) in hinge_gains.into_iter().enumerate() {
-            let summed = before.legs[PAD_RATE][j] + h * sum(PAD_RATE, j).0;
-            self.legs[PAD_RATE][j] = gain.where_zero(summed, self.legs[PAD_RATE][j]);
-            error.legs[PAD_RATE][j] = gain.where_zero(S::zero(), error.legs[PAD_RATE][j]);
-        }
-        for i in LEG_MOTION..LEG {
-            for j in 0..LEGS {
-                S::one_round();
-                let (mean, past_midpoint) = sum(i, j);
-                self.legs[i][j] = before.legs[i][j] + h * mean;
-                error.legs[i][j] = S::constant(SIMPSON_SHARE) * past_midpoint;
-            }
-        }
-    }
-}
-
-impl<const LEGS: usize> State<f64, LEGS> {
-    /// The legs of a group of four, side by side.
-    #[inline(always)]
-    pub fn legs_abreast(&self, group: usize) -> LegState<Quad> {
-        let quad = |row: &[f64; MOST_LEGS]| Wide(std::array::from_fn(|i| row[group * LANES + i]));
-        LegState::from_components(self.legs.each_ref().map(quad))
-    }
-
-    /// Writes the legs of a group of four.
-    #[inline(always)]
-    pub fn set_legs_abreast(&mut self, group: usize, legs: &LegState<Quad>) {
-        for (row, component) in self.legs.iter_mut().zip(legs.components()) {
-            row[group * LANES..][..LANES].copy_from_slice(&component.0);
-        }
-    }
-
-    /// Greatest error of a moving component in units of its tolerance, which is relative above
-    /// 1 ft, ft/s, rad or rad/s and absolute below. The work integrals follow from the motion and
-    /// have no say here.
-    #[inline(always)]
-    pub fn error_norm(&self, before: &Self, after: &Self, tolerance: f64) -> f64 {
-        let mut worst = Quad::zero();
+        after: &Self,
+    ) -> [S; 2] {
+        let mut worst = S::zero();
         // A maximum drops what is not a number, a sum keeps it.
-        let mut sum = Quad::zero();
-        let mut weigh = |error: &[f64], a: &[f64], b: &[f64]| {
-            for ((error, a), b) in quads(error).zip(quads(a)).zip(quads(b)) {
-                let scaled = scaled(error, a, b);
+        let mut all = S::zero();
+        for i in 0..BODY_NUMBERS {
+            S::one_round();
+            let mut error = S::zero();
+            for k in 0..TERMS {
+                error += weights[k] * slopes[k].body[i];
+            }
+            let scaled = scaled(error, before.body[i], after.body[i]);
+            worst = worst.max(scaled);
+            all += scaled;
+        }
+        let mut work = S::zero();
+        for j in 0..before.legs.len() {
+            let (before, after) = (&before.legs[j], &after.legs[j]);
+            for i in 0..LEG_MOTION {
+                S::one_round();
+                let mut error = S::zero();
+                for k in 0..TERMS {
+                    error += weights[k] * slopes[k].legs[j][i];
+                }
+                let scaled = scaled(error, before[i], after[i]);
                 worst = worst.max(scaled);
-                sum += scaled;
+                all += scaled;
             }
-        };
-        weigh(&self.body, &before.body, &after.body);
-        for i in 0..LEG_MOTION {
-            weigh(&self.legs[i], &before.legs[i], &after.legs[i]);
-        }
-        let all_numbers = sum.0.iter().all(|sum| !sum.is_nan());
-        let worst = if all_numbers {
-            worst.0.into_iter().fold(0.0, f64::max)
-        } else {
-            f64::INFINITY
-        };
-        worst / tolerance
-    }
-
-    /// Greatest work among the work integrals whatever its sign, ft·lb.
-    #[inline(always)]
-    pub fn greatest_work(&self) -> f64 {
-        let mut greatest = Quad::zero();
-        for row in &self.legs[LEG_MOTION..] {
-            for work in quads(row) {
-                greatest = greatest.max(work.abs());
+            for i in LEG_MOTION..LEG {
+                S::one_round();
+                let mut error = S::zero();
+                for k in 0..TERMS {
+                    error += weights[k] * slopes[k].legs[j][i];
+                }
+                work = work.max(error.abs());
             }
         }
-        greatest.0.into_iter().fold(0.0, f64::max)
-    }
-
-    /// Whether every component is a finite number.
-    pub fn is_finite(&self) -> bool {
-        // Nothing times what is not finite is not a number.
-        let all = quads(&self.body).chain(quads(self.legs.as_flattened()));
-        let sum = all.fold(Quad::zero(), |sum, four| sum + four * Quad::zero());
-        sum.is_zero()
+        [worst + S::zero() * all, work]
     }
 }
 
-/// An error over what it is weighed by: the component before or after, or one.
+/// Σ weight · number.
+#[inline(always)]
+fn sum<S: Real, const TERMS: usize>(weights: [S; TERMS], numbers: [S; TERMS]) -> S {
+    let mut sum = S::zero();
+    for k in 0..TERMS {
+        sum += weights[k] * numbers[k];
+    }
+    sum
+}
+
+/// An error over what it is weighed by: the number before or after, or one.
 #[inline(always)]
 fn scaled<S: Real>(error: S, before: S, after: S) -> S {
     error.abs() / before.abs().max(after.abs()).max(S::one())
 }
 
-#[inline(always)]
-fn quads(values: &[f64]) -> impl Iterator<Item = Quad> {
-    values.as_chunks().0.iter().map(|&four| Wide(four))
+impl State<f64> {
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        // Nothing times what is not finite is not a number.
+        let all = self.body.iter().chain(self.legs.iter().flatten());
+        all.fold(0.0, |sum, number| sum + 0.0 * number) == 0.0
+    }
 }
 
 /// The rotation matrix B, vehicle to ground (1), of a quaternion of any length but zero.

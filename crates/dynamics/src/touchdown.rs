@@ -4,14 +4,16 @@ use libm::{cos, sincos};
 use nalgebra::{Vector3, Vector4};
 
 use crate::motion::Motion;
+use crate::per_leg::PerLeg;
 use crate::scene::Scene;
 use crate::state::{Body, LegState, State};
 use crate::vehicle::Vehicle;
 
 /// Legs at rest: struts extended, pads level with the vehicle.
-pub fn extended_legs<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> [LegState<f64>; LEGS] {
-    std::array::from_fn(|j| {
-        let angle = vehicle.legs()[j].extended_angle();
+pub fn extended_legs(vehicle: &Vehicle) -> PerLeg<LegState<f64>> {
+    let legs = vehicle.legs();
+    PerLeg::from_fn(legs.len(), |j| {
+        let angle = legs[j].extended_angle();
         LegState {
             link_angle: angle,
             link_rate: 0.0,
@@ -23,11 +25,7 @@ pub fn extended_legs<const LEGS: usize>(vehicle: &Vehicle<LEGS>) -> [LegState<f6
 }
 
 /// State at first contact: CG above the origin, the lowest pad section centroid on the surface.
-pub fn touchdown<const LEGS: usize>(
-    vehicle: &Vehicle<LEGS>,
-    scene: &Scene,
-    motion: &Motion<LEGS>,
-) -> State<f64, LEGS> {
+pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> State<f64> {
     let conditions = scene.conditions();
     let [w, x, y, z] = conditions.attitude.quaternion();
     let (sin_cross, cos_cross) = sincos(conditions.cross_slope);
@@ -44,7 +42,7 @@ pub fn touchdown<const LEGS: usize>(
         rate: Vector3::from(conditions.angular_velocity),
     };
     let frame = motion.surface().frame(&body);
-    let deepest = (0..LEGS)
+    let deepest = (0..legs.len())
         .flat_map(|j| {
             let geometry = motion.geometry(j);
             let leg_frame = geometry.frame(&frame);
@@ -54,5 +52,5 @@ pub fn touchdown<const LEGS: usize>(
         .fold(f64::NEG_INFINITY, f64::max);
     // A rise of the CG by h along the vertical lifts every point off the surface by h cos θs.
     body.position.z = -deepest / cos(conditions.slope);
-    State::new(&body, legs)
+    State::new(&body, &legs)
 }

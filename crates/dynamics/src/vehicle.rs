@@ -9,16 +9,20 @@ use nalgebra::{Matrix3, SymmetricEigen};
 
 use crate::contact::LegLaws;
 use crate::invalid::{Invalid, non_negative, positive, require};
+use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
 
-/// Mass properties and legs of a lander with `LEGS` legs.
+/// Legs that a vehicle needs to stand on.
+pub const LEAST_LEGS: usize = 3;
+
+/// Mass properties and legs of a lander.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Vehicle<const LEGS: usize = 3> {
+pub struct Vehicle {
     mass: f64,
     gravity: f64,
     center_of_gravity_height: f64,
     inertia: Matrix3<f64>,
-    legs: [Leg; LEGS],
+    legs: Vec<Leg>,
 }
 
 /// Moments and products of inertia about the CG in vehicle axes, slug·ft², products as the
@@ -295,7 +299,7 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
     Ok(angle)
 }
 
-impl<const LEGS: usize> Vehicle<LEGS> {
+impl Vehicle {
     /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
     /// lower hardpoints ΔCG (ft), inertia, and legs in the order in which they stand around the
     /// centreline.
@@ -307,8 +311,9 @@ impl<const LEGS: usize> Vehicle<LEGS> {
         gravity: f64,
         center_of_gravity_height: f64,
         inertia: Inertia,
-        legs: [Leg; LEGS],
+        legs: impl Into<Vec<Leg>>,
     ) -> Result<Self, Invalid> {
+        let legs = legs.into();
         positive("mass_slug", mass)?;
         positive("gravity_fps2", gravity)?;
         require(
@@ -343,6 +348,12 @@ impl<const LEGS: usize> Vehicle<LEGS> {
             least,
             "positive: the inertia matrix must be positive definite",
             |v| v > 0.0,
+        )?;
+        require(
+            "legs",
+            legs.len() as f64,
+            &format!("{LEAST_LEGS} to {MOST_LEGS} legs"),
+            |_| (LEAST_LEGS..=MOST_LEGS).contains(&legs.len()),
         )?;
         for (index, leg) in legs.iter().enumerate() {
             require(
@@ -388,7 +399,7 @@ impl<const LEGS: usize> Vehicle<LEGS> {
     }
 
     /// The legs, in ring order.
-    pub fn legs(&self) -> &[Leg; LEGS] {
+    pub fn legs(&self) -> &[Leg] {
         &self.legs
     }
 }

@@ -12,6 +12,7 @@ use std::error::Error;
 use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, PoisonError};
 
@@ -63,7 +64,7 @@ fn repository(path: &str) -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
 }
 
-type Landings = (Vehicle, Vec<Scene>);
+type Landings = (Arc<Vehicle>, Vec<Scene>);
 
 /// Landings of the level grid at one speed after another.
 fn landings() -> Result<Landings, Box<dyn Error>> {
@@ -73,7 +74,7 @@ fn landings() -> Result<Landings, Box<dyn Error>> {
         let speed = FASTEST * k as f64 / LANDINGS as f64;
         grid[k % grid.len()].with_horizontal_velocity(speed)
     });
-    Ok((vehicle.vehicle, scenes.collect::<Result<_, _>>()?))
+    Ok((Arc::new(vehicle.vehicle), scenes.collect::<Result<_, _>>()?))
 }
 
 fn land(
@@ -84,7 +85,7 @@ fn land(
     let limit = Settings::DEFAULT_TIME_LIMIT;
     let settings = Settings::new(tolerance, limit, CrushRule::default())?;
     let never = AtomicBool::new(false);
-    Ok(workers.cases(|_| vehicle, scenes, &settings, &(), &never)?)
+    Ok(workers.cases(|_| Arc::clone(vehicle), scenes, &settings, &(), &never)?)
 }
 
 /// A thousand level landings at the tolerance of boundary searches.

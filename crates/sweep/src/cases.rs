@@ -1,6 +1,7 @@
 //! Tables of cases: one landing per row, of one vehicle or of one that differs from row to row.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use csv::StringRecord;
 use touchdown_dynamics::landing::Landing;
@@ -35,13 +36,13 @@ pub struct Cases {
     /// Their scenes.
     pub scenes: Vec<Scene>,
     /// Their vehicles: one for all, or one for each.
-    vehicles: Vec<Vehicle>,
+    vehicles: Vec<Arc<Vehicle>>,
 }
 
 impl Cases {
     /// The vehicle of a case.
-    pub fn vehicle(&self, case: usize) -> &Vehicle {
-        &self.vehicles[if self.vehicles.len() == 1 { 0 } else { case }]
+    pub fn vehicle(&self, case: usize) -> Arc<Vehicle> {
+        Arc::clone(&self.vehicles[if self.vehicles.len() == 1 { 0 } else { case }])
     }
 }
 
@@ -89,7 +90,7 @@ fn parse(place: &Place, text: &str, vehicle: &VehicleFile) -> Result<Cases, Inpu
             let vehicle = vehicle_of(vehicle, &varied, &record);
             cases
                 .vehicles
-                .push(vehicle.map_err(|error| error.at(place))?);
+                .push(Arc::new(vehicle.map_err(|error| error.at(place))?));
         }
         cases.names.push(cell(&heading, &record, "case").to_owned());
     }
@@ -99,7 +100,7 @@ fn parse(place: &Place, text: &str, vehicle: &VehicleFile) -> Result<Cases, Inpu
         );
     }
     if varied.is_empty() {
-        cases.vehicles.push(vehicle.vehicle.clone());
+        cases.vehicles.push(Arc::new(vehicle.vehicle.clone()));
     }
     Ok(cases)
 }

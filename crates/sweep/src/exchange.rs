@@ -4,41 +4,44 @@
 //! many searches go on at a time, all of them on one thread, as next to nothing of the time is theirs; what
 //! they ask for waits here for the threads that land side by side.
 
-use std::cell::Cell;
-use std::collections::BTreeMap;
-use std::ops::Deref;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 use futures::channel::oneshot;
+use touchdown_dynamics::batch::{Occupancy, Request, land_many};
 use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::landing::abreast::{Request, land_many};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// Landings that were asked for and nobody has begun with.
-pub(crate) struct Exchange<V> {
+pub(crate) struct Exchange {
     threads: usize,
-    queue: Mutex<Queue<V>>,
+    queue: Mutex<Queue>,
     changed: Condvar,
     /// How many are in the queue: threads look here before every step.
     waiting: AtomicUsize,
 }
 
 /// A landing that a search waits for.
-type Asked<V> = Request<oneshot::Sender<Landing>, V>;
+struct Asked {
+    request: Request,
+    search: oneshot::Sender<Landing>,
+}
 
-struct Queue<V> {
+struct Queue {
     /// By the number of the search, and in what order they were asked for: what was begun with is to be ended first.
-    asked: BTreeMap<(usize, u64), Asked<V>>,
+    asked: BTreeMap<(usize, usize), Asked>,
     /// How many were ever asked for.
-    count: u64,
+    count: usize,
     /// Landings that threads have begun with.
     under_way: usize,
     is_closed: bool,
 }
 
-impl<V> Exchange<V> {
+impl Exchange {
     /// An exchange for so many threads that land.
     pub(crate) fn between(threads: usize) -> Self {
         Self {
@@ -54,7 +57,7 @@ impl<V> Exchange<V> {
         }
     }
 
-    fn queue(&self) -> MutexGuard<'_, Queue<V>> {
+    fn queue(&self) -> MutexGuard<'_, Queue> {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -62,28 +65,37 @@ impl<V> Exchange<V> {
     pub(crate) async fn landing(
         &self,
         search: usize,
-        vehicle: V,
+        vehicle: Arc<Vehicle>,
         scene: Scene,
         settings: Settings,
     ) -> Option<Landing> {
-        let (key, landing) = oneshot::channel();
-        self.ask(
-            search,
-            Request {
+        let (sender, landing) = oneshot::channel();
+        self.ask(search, vehicle, scene, settings, sender);
+        landing.await.ok()
+    }
+
+    fn ask(
+        &self,
+        search: usize,
+        vehicle: Arc<Vehicle>,
+        scene: Scene,
+        settings: Settings,
+        sender: oneshot::Sender<Landing>,
+    ) {
+        let mut queue = self.queue();
+        if !queue.is_closed {
+            let key = queue.count;
+            let request = Request {
                 key,
                 vehicle,
                 scene,
                 settings,
-            },
-        );
-        landing.await.ok()
-    }
-
-    fn ask(&self, search: usize, request: Asked<V>) {
-        let mut queue = self.queue();
-        if !queue.is_closed {
-            let place = (search, queue.count);
-            queue.asked.insert(place, request);
+            };
+            let asked = Asked {
+                request,
+                search: sender,
+            };
+            queue.asked.insert((search, key), asked);
             queue.count += 1;
             self.waiting.fetch_add(1, Ordering::Relaxed);
             self.changed.notify_one();
@@ -101,7 +113,7 @@ impl<V> Exchange<V> {
 
     /// Waits until a landing is asked for; false when none will be.
     fn wait(&self) -> bool {
-        let is_idle = |queue: &mut Queue<V>| !queue.is_closed && queue.asked.is_empty();
+        let is_idle = |queue: &mut Queue| !queue.is_closed && queue.asked.is_empty();
         let queue = (self.changed)
             .wait_while(self.queue(), is_idle)
             .unwrap_or_else(PoisonError::into_inner);
@@ -110,7 +122,7 @@ impl<V> Exchange<V> {
 
     /// The next landing for a thread that has so many under way. It gets no more than its share, so that none has
     /// many while another has few.
-    fn take(&self, under_way: usize) -> Option<Asked<V>> {
+    fn take(&self, under_way: usize) -> Option<Asked> {
         if self.waiting.load(Ordering::Relaxed) == 0 {
             return None;
         }
@@ -126,33 +138,43 @@ impl<V> Exchange<V> {
     }
 
     /// Lands what is asked for until the exchange is closed.
-    pub(crate) fn land(&self)
-    where
-        V: Deref<Target = Vehicle>,
-    {
+    pub(crate) fn land(&self) {
+        self.land_with(land_many);
+    }
+
+    /// The same with another way to land.
+    fn land_with(
+        &self,
+        land_many: impl Fn(
+            &mut dyn FnMut() -> Option<Request>,
+            &mut dyn FnMut(usize, Landing),
+        ) -> Occupancy,
+    ) {
         // Should a landing panic, no other thread waits for more.
         let _rest = Closes(self);
-        let under_way = Cell::new(0);
+        let under_way = RefCell::new(HashMap::new());
         while self.wait() {
-            let next = || {
-                let request = self.take(under_way.get())?;
-                under_way.set(under_way.get() + 1);
+            let mut next = || {
+                let mut under_way = under_way.borrow_mut();
+                let Asked { request, search } = self.take(under_way.len())?;
+                under_way.insert(request.key, search);
                 Some(request)
             };
-            land_many(next, |search: oneshot::Sender<_>, landing| {
-                under_way.set(under_way.get() - 1);
+            land_many(&mut next, &mut |key, landing| {
                 self.queue().under_way -= 1;
-                // Nobody waits for the landings of a search that was given up.
-                let _ = search.send(landing);
+                if let Some(search) = under_way.borrow_mut().remove(&key) {
+                    // Nobody waits for the landings of a search that was given up.
+                    let _ = search.send(landing);
+                }
             });
         }
     }
 }
 
 /// Closes an exchange in the end, come what may.
-pub(crate) struct Closes<'e, V>(pub(crate) &'e Exchange<V>);
+pub(crate) struct Closes<'e>(pub(crate) &'e Exchange);
 
-impl<V> Drop for Closes<'_, V> {
+impl Drop for Closes<'_> {
     fn drop(&mut self) {
         self.0.close();
     }
@@ -160,37 +182,34 @@ impl<V> Drop for Closes<'_, V> {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use touchdown_dynamics::scene::CrushRule;
 
     use super::*;
     use crate::measured_scenes::near_boundary;
+    use crate::vehicle_file::VehicleFile;
 
-    /// What no landing bears.
-    struct Broken(usize);
-
-    impl Deref for Broken {
-        type Target = Vehicle;
-
-        fn deref(&self) -> &Vehicle {
-            panic!("broken");
-        }
-    }
-
-    fn request(name: usize) -> Asked<Broken> {
-        Request {
-            key: oneshot::channel().0,
-            vehicle: Broken(name),
-            scene: near_boundary(false).unwrap()[0],
-            settings: Settings::new(3e-4, 0.05, CrushRule::default()).unwrap(),
-        }
+    /// Asks for a landing that nobody waits for.
+    fn ask(exchange: &Exchange, search: usize) {
+        let file = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../sweeps/vehicles/surveyor-table-4-1.toml"
+        );
+        let vehicle = VehicleFile::read(Path::new(file)).unwrap().vehicle;
+        let scene = near_boundary(false).unwrap()[0];
+        let settings = Settings::new(3e-4, 0.05, CrushRule::default()).unwrap();
+        let (sender, _) = oneshot::channel();
+        exchange.ask(search, Arc::new(vehicle), scene, settings, sender);
     }
 
     #[test]
     fn a_thread_that_panics_lets_the_others_go() {
         let exchange = Exchange::between(2);
-        exchange.ask(0, request(0));
+        ask(&exchange, 0);
         let panicked = std::thread::scope(|scope| {
-            let threads = [(), ()].map(|()| scope.spawn(|| exchange.land()));
+            let threads =
+                [(), ()].map(|()| scope.spawn(|| exchange.land_with(|_, _| panic!("broken"))));
             threads.map(|thread| thread.join().is_err())
         });
         assert_eq!(panicked.iter().filter(|panicked| **panicked).count(), 1);
@@ -200,15 +219,15 @@ mod tests {
     fn threads_get_the_first_searches_first_and_no_more_than_their_share() {
         let exchange = Exchange::between(2);
         assert!(exchange.take(0).is_none());
-        for (name, search) in [(0, 2), (1, 1), (2, 1)] {
-            exchange.ask(search, request(name));
+        for search in [2, 1, 1] {
+            ask(&exchange, search);
         }
-        let take = |under_way| exchange.take(under_way).map(|request| request.vehicle.0);
+        let take = |under_way| exchange.take(under_way).map(|asked| asked.request.key);
         assert_eq!([take(0), take(1), take(2)], [Some(1), Some(2), None]);
         assert_eq!([take(0), take(1)], [Some(0), None]);
-        exchange.ask(3, request(3));
+        ask(&exchange, 3);
         exchange.close();
-        exchange.ask(3, request(3));
+        ask(&exchange, 3);
         assert_eq!((take(0), exchange.wait()), (None, false));
     }
 }

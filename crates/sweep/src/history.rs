@@ -144,7 +144,7 @@ mod tests {
             clearance: 1.0,
             kinetic_energy: 2.0,
             potential_change: 3.0,
-            legs: [leg; 3],
+            legs: [leg; 3].into(),
         };
         let mut history = History::default();
         history.add(&instant).unwrap();

@@ -14,8 +14,8 @@ use std::task::{Poll, ready};
 use futures::executor::block_on;
 use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
+use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::landing::abreast::{Request, land_many};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -132,7 +132,7 @@ impl Workers {
         if known.is_enough {
             return Ok(());
         }
-        let search = async |point, exchange: &Exchange<_>| {
+        let search = async |point, exchange: &Exchange| {
             observer.begin(point);
             let finding = find(sweep, point, exchange, observer, &stop).await?;
             observer.point(point);
@@ -163,7 +163,7 @@ impl Workers {
         let never = AtomicBool::new(false);
         let stop = Stop::on(&never);
         let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        let search = async |index: usize, exchange: &Exchange<_>| {
+        let search = async |index: usize, exchange: &Exchange| {
             find(sweep, points[index], exchange, &(), &stop).await
         };
         self.search(0..points.len(), &stop, search, |finished| {
@@ -183,7 +183,7 @@ impl Workers {
         &self,
         points: impl Iterator<Item = usize>,
         stop: &Stop,
-        search: impl AsyncFn(usize, &Exchange<Arc<Vehicle>>) -> Result<T, RunError>,
+        search: impl AsyncFn(usize, &Exchange) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
         let exchange = &Exchange::between(self.threads());
@@ -211,9 +211,9 @@ impl Workers {
     ///
     /// # Errors
     /// When `cancel` became true; it is looked at before every landing.
-    pub fn cases<'v>(
+    pub fn cases(
         &self,
-        vehicle: impl Fn(usize) -> &'v Vehicle + Sync + Send,
+        vehicle: impl Fn(usize) -> Arc<Vehicle> + Sync + Send,
         scenes: &[Scene],
         settings: &Settings,
         observer: &impl Observer,
@@ -226,7 +226,7 @@ impl Workers {
         let share = scenes.len().div_ceil(self.threads());
         self.pool.broadcast(|_| {
             let under_way = Cell::new(0);
-            let next = || {
+            let mut next = || {
                 if under_way.get() == share || stop.go_on().is_err() {
                     return None;
                 }
@@ -240,7 +240,7 @@ impl Workers {
                     settings: *settings,
                 })
             };
-            land_many(next, |key: usize, landing| {
+            land_many(&mut next, &mut |key, landing| {
                 under_way.set(under_way.get() - 1);
                 observer.landing();
                 observer.point(key);
@@ -283,7 +283,7 @@ impl<'c> Stop<'c> {
 async fn find(
     sweep: &Sweep,
     point: usize,
-    exchange: &Exchange<Arc<Vehicle>>,
+    exchange: &Exchange,
     observer: &impl Observer,
     stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
@@ -387,7 +387,13 @@ mod tests {
         for threads in [1, 2, 3] {
             let cancel = AtomicBool::new(false);
             let cases = |observer: &CancelsAt| {
-                workers(threads).cases(|_| &vehicle, &scenes, &settings, observer, &cancel)
+                workers(threads).cases(
+                    |_| Arc::clone(&vehicle),
+                    &scenes,
+                    &settings,
+                    observer,
+                    &cancel,
+                )
             };
             let never = CancelsAt(0, AtomicUsize::new(0), &cancel);
             assert_eq!(cases(&never).unwrap(), expected);
@@ -410,7 +416,7 @@ mod tests {
         let cancel = AtomicBool::new(false);
         for threads in [1, 2, 3] {
             let stop = Stop::on(&cancel);
-            let search = async |point: usize, exchange: &Exchange<_>| {
+            let search = async |point: usize, exchange: &Exchange| {
                 let mut landed = Vec::new();
                 for landing in landings(point) {
                     let scene = scenes[landing % scenes.len()];
@@ -444,7 +450,7 @@ mod tests {
                 _ => Ok(()),
             }
         };
-        let search = async |point, _: &Exchange<_>| Ok(point);
+        let search = async |point, _: &Exchange| Ok(point);
         let ended = workers(2).search(0.., &stop, search, keep);
         assert!(matches!(ended, Err(RunError::Journal(_))));
         assert_eq!(kept, 5);
@@ -456,7 +462,7 @@ mod tests {
         let cancel = AtomicBool::new(false);
         let landings = AtomicUsize::new(0);
         let stop = Stop::on(&cancel);
-        let search = async |point: usize, exchange: &Exchange<_>| {
+        let search = async |point: usize, exchange: &Exchange| {
             loop {
                 stop.go_on()?;
                 let scene = scenes[point % scenes.len()];

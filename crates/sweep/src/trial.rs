@@ -2,9 +2,8 @@
 
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Class, Outcome};
+use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::vehicle::Vehicle;
-
-use crate::vehicle_file::LEGS;
 
 /// What one landing told.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +42,7 @@ pub struct Scales {
     /// Time in which the CG falls freely from its height at touchdown, s.
     pub fall_time: f64,
     /// Stroke at which each strut bottoms, ft.
-    pub strokes: [f64; LEGS],
+    pub strokes: PerLeg<f64>,
 }
 
 impl Scales {
@@ -51,7 +50,7 @@ impl Scales {
     pub fn of(vehicle: &Vehicle) -> Self {
         Self {
             fall_time: (2.0 * vehicle.standing_height() / vehicle.gravity()).sqrt(),
-            strokes: std::array::from_fn(|j| {
+            strokes: PerLeg::from_fn(vehicle.legs().len(), |j| {
                 let strut = &vehicle.legs()[j].design().strut;
                 strut.extended_length - strut.minimum_length
             }),

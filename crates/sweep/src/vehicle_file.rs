@@ -153,15 +153,15 @@ impl VehicleFile {
             .map(|entry| leg(&entry.over(&root)))
             .collect::<Result<_, _>>()?;
         let allowed = format!("{} tables [[legs]], one a leg", in_words(LEGS));
-        let legs: [Leg; LEGS] =
-            legs.try_into()
-                .map_err(|legs: Vec<Leg>| match root.optional("legs") {
-                    Some(found) => found.complain_that(&format!(
-                        "{} legs are described: allowed is {allowed}",
-                        legs.len()
-                    )),
-                    None => root.missing("legs", &allowed),
-                })?;
+        if legs.len() != LEGS {
+            return Err(match root.optional("legs") {
+                Some(found) => found.complain_that(&format!(
+                    "{} legs are described: allowed is {allowed}",
+                    legs.len()
+                )),
+                None => root.missing("legs", &allowed),
+            });
+        }
         let vehicle = Vehicle::new(
             root.number("mass_slug")?,
             root.number("gravity_fps2")?,

@@ -30,7 +30,9 @@ fn a_leg_may_differ_in_anything_its_tables_included() {
          [legs.footpad.profile]\ninterference_in = [0, 1]\nrelative_pressure = [0, 2]\n"
     );
     let vehicle = read(&text).unwrap().vehicle;
-    let [first, _, last] = vehicle.legs();
+    let [first, _, last] = vehicle.legs() else {
+        panic!("three legs");
+    };
     assert_eq!(first.design().strut.compression_damping, 54.0);
     assert_eq!(last.design().strut.compression_damping, 60.0);
     assert_eq!(last.design().strut.rebound_damping, 864.0);

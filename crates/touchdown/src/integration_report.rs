@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 
 /// The account for a reader; empty for a method that keeps none.
-pub fn text(summary: &IntegrationSummary) -> String {
+pub fn text(summary: &IntegrationSummary, legs: usize) -> String {
     if summary.critical.is_empty() {
         return String::new();
     }
@@ -17,7 +17,7 @@ pub fn text(summary: &IntegrationSummary) -> String {
     text += &row("from 0.1, 0.01, 0.001 s ...", &summary.by_decade);
     text += &row("after 0, 1, 2 cuts ...", &summary.by_cuts);
     text += "\nvariable                  critical     sum of errors   of absolute errors\n";
-    let names = variable_names::<3>();
+    let names = variable_names(legs);
     for (index, name) in names.iter().enumerate() {
         text += &format!(
             "{name:<24} {:>9} {:>17.7e} {:>20.7e}\n",
@@ -33,11 +33,11 @@ fn row(name: &str, counts: &[u64]) -> String {
 }
 
 /// The account for a program; null for a method that keeps none.
-pub fn json(summary: &IntegrationSummary) -> Value {
+pub fn json(summary: &IntegrationSummary, legs: usize) -> Value {
     if summary.critical.is_empty() {
         return Value::Null;
     }
-    let variables: Vec<Value> = variable_names::<3>()
+    let variables: Vec<Value> = variable_names(legs)
         .into_iter()
         .enumerate()
         .map(|(index, name)| {

@@ -153,13 +153,13 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
 
     let mut history = History::default();
     let mut written = Ok(());
-    let observe = |instant: &Instant| {
+    let mut observe = |instant: &Instant| {
         if history_place.is_some() && written.is_ok() {
             written = history.add(instant);
         }
     };
     let (landing, integration) =
-        land_observed(&vehicle.vehicle, &scene, settings, interval, observe);
+        land_observed(&vehicle.vehicle, &scene, settings, interval, &mut observe);
 
     if let Some((folder, name)) = history_place {
         written.map_err(Failure::running)?;

@@ -9,7 +9,6 @@ use touchdown_sweep::landing_table;
 use touchdown_sweep::method_input::{method_name, method_words};
 use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
-use touchdown_sweep::vehicle_file::LEGS;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
@@ -54,15 +53,22 @@ pub fn text(
         "least ground clearance",
         format!("{:.5} ft", landing.min_clearance),
     );
+    let legs = landing.leg_count();
+    lines.legs("leg", (1..=legs).map(|leg| leg.to_string()));
     lines.legs(
-        "leg",
-        &std::array::from_fn::<_, _, _>(|leg| (leg + 1).to_string()),
+        "footpad contact, s",
+        landing.pad_contact.into_iter().map(time),
     );
-    lines.legs("footpad contact, s", &landing.pad_contact.map(time));
-    lines.legs("block contact, s", &landing.block_contact.map(time));
+    lines.legs(
+        "block contact, s",
+        landing.block_contact.into_iter().map(time),
+    );
     lines.legs(
         "largest strut force, lb",
-        &landing.max_strut_force.map(|f| format!("{f:.1}")),
+        landing
+            .max_strut_force
+            .into_iter()
+            .map(|f| format!("{f:.1}")),
     );
     lines.energy("kinetic energy at contact", energies.initial_kinetic);
     lines.energy("+ potential energy released", energies.potential_change);
@@ -89,7 +95,7 @@ pub fn text(
             crush_rule_name(settings.crush_rule())
         ),
     );
-    lines.0 + &integration_report::text(integration)
+    lines.0 + &integration_report::text(integration, legs)
 }
 
 /// Lines of a name and what belongs to it.
@@ -100,8 +106,8 @@ impl Lines {
         self.0 += &format!("{name:<28} {value}\n");
     }
 
-    fn legs(&mut self, name: &str, values: &[String; LEGS]) {
-        let cells: String = values.iter().map(|value| format!("{value:>12}")).collect();
+    fn legs(&mut self, name: &str, values: impl Iterator<Item = String>) {
+        let cells: String = values.map(|value| format!("{value:>12}")).collect();
         self.add(name, cells);
     }
 
@@ -151,7 +157,7 @@ pub fn json(
         .into_iter()
         .map(|(name, cell)| (name, cell.into()))
         .collect();
-    let work = landing.energies.legs.map(|leg| {
+    let work = landing.energies.legs.iter().map(|leg| {
         json!({
             "strut_ftlb": leg.strut,
             "pad_crush_ftlb": leg.pad_crush,
@@ -176,9 +182,9 @@ pub fn json(
         "why": why(&landing.outcome),
         "min_stability_time_s": landing.min_stability_time,
         "events": landing.events,
-        "work_by_leg": work.to_vec(),
+        "work_by_leg": work.collect::<Vec<_>>(),
         "final_kinetic_energy_ftlb": landing.energies.final_kinetic,
-        "integration": integration_report::json(integration),
+        "integration": integration_report::json(integration, landing.leg_count()),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::methods::land_observed;
 use touchdown_sweep::deposit::Folder;
 use touchdown_sweep::history::History;
@@ -44,11 +44,12 @@ fn land(case: &SceneCase, seconds: f64) -> Result<(Landing, Vec<u8>), Failure> {
     let mut history = History::default();
     let mut written = Ok(());
     let (vehicle, scene) = (&case.vehicle.vehicle, &case.scene);
-    let (landing, _) = land_observed(vehicle, scene, &case.settings, seconds, |instant| {
+    let mut observe = |instant: &Instant| {
         if written.is_ok() {
             written = history.add(instant);
         }
-    });
+    };
+    let (landing, _) = land_observed(vehicle, scene, &case.settings, seconds, &mut observe);
     written.map_err(Failure::running)?;
     Ok((landing, history.table().map_err(Failure::running)?))
 }

@@ -274,7 +274,7 @@ fn as_json(found: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> Value {
         "roll_deg": found.attitude.roll.to_degrees(),
         "vertical_velocity_fps": found.vertical_velocity,
         "horizontal_velocity_fps": found.horizontal_velocity,
-        "impact_points_ft": found.impact_points.map(|point| [point.x, point.y, point.z]),
+        "impact_points_ft": found.impact_points.map(|point| [point.x, point.y, point.z]).to_vec(),
         "residual_s": found.residual,
         "timing": uncertainty.map(|u| json!({
             "sigma_s": u.sigma,

@@ -10,8 +10,8 @@ use crate::vehicle::Vehicle;
 
 /// Centroids of the uncrushed outboard and inboard sections of a pad (14)(15), vehicle axes from
 /// the CG, ft.
-pub(super) fn centroids<const LEGS: usize>(
-    vehicle: &Vehicle<LEGS>,
+pub(super) fn centroids(
+    vehicle: &Vehicle,
     leg: usize,
     link_angle: f64,
     pad_angle: f64,
@@ -35,8 +35,8 @@ pub(super) fn centroids<const LEGS: usize>(
 
 /// The CG at first contact and the section of pad `leg` that touches at `contact` (s after first
 /// contact), in the ground axes of a scene, ft.
-pub(super) fn at_contact<const LEGS: usize>(
-    vehicle: &Vehicle<LEGS>,
+pub(super) fn at_contact(
+    vehicle: &Vehicle,
     scene: &Scene,
     leg: usize,
     contact: f64,
@@ -44,10 +44,16 @@ pub(super) fn at_contact<const LEGS: usize>(
     // The landing ends at the contact, and its last instant is there.
     let limit = contact.max(1e-9);
     let settings = Settings::new(super::TOLERANCE, limit, CrushRule::default())?;
-    let mut instants: Vec<Instant<LEGS>> = Vec::new();
-    land_observed(vehicle, scene, &settings, limit, |instant| {
-        instants.push(instant.clone());
-    });
+    let mut instants: Vec<Instant> = Vec::new();
+    land_observed(
+        vehicle,
+        scene,
+        &settings,
+        limit,
+        &mut |instant: &Instant| {
+            instants.push(instant.clone());
+        },
+    );
     let (Some(first), Some(last)) = (instants.first(), instants.last()) else {
         return Ok((Vector3::zeros(), Vector3::zeros()));
     };

@@ -208,7 +208,7 @@ mod tests {
     use super::*;
 
     /// Two values and their rates.
-    type Told = [[f64; 2]; 2];
+    type Told = [f64; 4];
 
     impl Rated for Told {
         fn has_rate(index: usize) -> bool {
@@ -216,7 +216,7 @@ mod tests {
         }
 
         fn rate(&self, index: usize) -> f64 {
-            self.get(index + 2)
+            self[index + 2]
         }
     }
 
@@ -226,8 +226,10 @@ mod tests {
     fn told(from: f64, theta: f64) -> Told {
         let phase = from + 20.0 * LENGTH * theta;
         [
-            [phase.sin(), 0.5 - 4.0 * theta * LENGTH],
-            [20.0 * phase.cos(), -4.0],
+            phase.sin(),
+            0.5 - 4.0 * theta * LENGTH,
+            20.0 * phase.cos(),
+            -4.0,
         ]
     }
 
@@ -295,7 +297,7 @@ mod tests {
                 let exact = (border.asin() + 1.0) / (20.0 * LENGTH);
                 let beyond = found.theta - exact;
                 assert!(beyond > 0.0 && beyond <= resolution, "{beyond} at {border}");
-                assert!(range.exit(found.signals.get(0)).is_some());
+                assert!(range.exit(found.signals[0]).is_some());
                 assert!(looks <= 3, "{looks} at {border}");
             }
         }

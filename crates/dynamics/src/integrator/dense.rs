@@ -4,45 +4,31 @@
 //! slope at both where the method has one; written as weights on the stages, so that nothing is
 //! prepared that no one may ask for.
 
-use crate::integrator::step::Step;
+use super::step::{StateVector, Step};
 use crate::scalar::Real;
-use crate::state::State;
 
-impl<S: Real, const LEGS: usize> Step<S, LEGS> {
+impl<S: Real, Y: StateVector<S>> Step<S, Y> {
     /// The state at fraction θ of the step.
     #[inline(always)]
-    pub fn at(&self, theta: S) -> State<S, LEGS> {
-        self.before.advanced(self.weights(theta), self.stages())
+    pub fn at(&self, theta: S) -> Y {
+        let mut state = self.before;
+        let (weights, slopes) = self.change(theta);
+        self.before.advance(weights, slopes, &mut state);
+        state
     }
 
-    /// What moves of the state at fraction θ of the step; the work integrals are those before it.
+    /// What moves of the state at fraction θ of the step; what only accumulates is that before it.
     #[inline(always)]
-    pub fn motion_at(&self, theta: S) -> State<S, LEGS> {
-        self.before
-            .advanced_motion(self.weights(theta), self.stages())
+    pub fn motion_at(&self, theta: S) -> Y {
+        let mut state = self.before;
+        let (weights, slopes) = self.change(theta);
+        self.before.advance_motion(weights, slopes, &mut state);
+        state
     }
 
-    /// Angles γ (rad) and rates γ̇ (rad/s) of the links at fraction θ of the step.
+    /// The change from the start to fraction θ of the step: weights and slopes to be summed.
     #[inline(always)]
-    pub fn links_at(&self, theta: S) -> [[S; LEGS]; 2] {
-        self.before
-            .links_advanced(self.weights(theta), self.stages())
-    }
-
-    /// Rates α̇ of the pads at fraction θ of the step, rad/s.
-    #[inline(always)]
-    pub fn pad_rates_at(&self, theta: S) -> [S; LEGS] {
-        self.before
-            .pad_rates_advanced(self.weights(theta), self.stages())
-    }
-
-    #[inline(always)]
-    fn stages(&self) -> [&State<S, LEGS>; 6] {
-        self.slopes.each_ref()
-    }
-
-    #[inline(always)]
-    fn weights(&self, theta: S) -> [S; 6] {
+    pub fn change(&self, theta: S) -> ([S; 6], [&Y; 6]) {
         let rest = S::one() - theta;
         let squared = theta * theta;
         let change = squared * (S::constant(3.0) - theta - theta);
@@ -53,6 +39,6 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         }
         weights[0] += theta * rest * rest;
         weights[5] -= squared * rest;
-        weights.map(|w| w * self.length)
+        (weights.map(|w| w * self.length), self.slopes.each_ref())
     }
 }

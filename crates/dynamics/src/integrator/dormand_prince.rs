@@ -3,9 +3,8 @@
 //! J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl.
 //! Math. 6 (1980) 19-26. The last stage is the first of the next step.
 
-use crate::integrator::step::{Step, Weights};
+use super::step::{StateVector, Step, Weights};
 use crate::scalar::Real;
-use crate::state::State;
 
 /// Evaluations of the derivative in a step.
 pub const EVALUATIONS: u64 = 6;
@@ -56,7 +55,7 @@ const D: [f64; 6] = [
     69997945.0 / 29380423.0,
 ];
 
-impl<S: Real, const LEGS: usize> Step<S, LEGS> {
+impl<S: Real, Y: StateVector<S>> Step<S, Y> {
     /// Takes an explicit step of length `h` from `before`, where the derivative is the first slope.
     /// `derivative` writes the derivative at a state into its second argument; `last` does so at
     /// the end of the step.
@@ -64,8 +63,8 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
     pub fn take_explicit(
         &mut self,
         h: S,
-        derivative: impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
-        last: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
+        derivative: impl Fn(&Y, &mut Y),
+        last: impl FnOnce(&Y, &mut Y),
     ) {
         self.length = h;
         self.weights = weights();

@@ -99,10 +99,10 @@ pub trait Signals: Copy {
     fn get(&self, index: usize) -> f64;
 }
 
-impl<const SIGNALS: usize, const LEGS: usize> Signals for [[f64; SIGNALS]; LEGS] {
+impl<const SIGNALS: usize> Signals for [f64; SIGNALS] {
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
-        self.as_flattened()[index]
+        self[index]
     }
 }
 
@@ -388,12 +388,12 @@ fn exit_between((a, at_a): (f64, f64), b: f64, (c, at_c): (f64, f64)) -> f64 {
 mod tests {
     use super::*;
 
-    type Pair = [[f64; 2]; 1];
+    type Pair = [f64; 2];
 
     /// A signal that rises evenly and one that rises at `pace` from `from` on, faster and faster.
     fn told(theta: f64, from: f64, pace: f64) -> Pair {
         let late = theta - from;
-        [[theta, pace * late * (1.0 + late)]]
+        [theta, pace * late * (1.0 + late)]
     }
 
     #[test]

@@ -3,12 +3,16 @@
 use num_traits::Zero;
 
 use crate::integrator::event::{Bounds, stray};
-use crate::quad::{LANES, Quad};
 use crate::scalar::Real;
 use crate::wide::Wide;
 
+/// Four numbers side by side.
+pub type Quad = Wide<LANES>;
+/// Numbers in a [`Quad`].
+pub const LANES: usize = 4;
+
 /// Ranges of numbers that lie side by side in quads.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct Ranges<const QUADS: usize> {
     lower: [Quad; QUADS],
     upper: [Quad; QUADS],

@@ -8,11 +8,19 @@
 //! What only accumulates (work integrals, rates of pads at rest on a stop) is left out of the stages and summed
 //! by Simpson's rule, which takes one more evaluation, in the middle.
 
-use crate::formation::Formation;
-use crate::integrator::step::{Step, Weights};
-use crate::response::System;
+use super::step::{StateVector, Step, Weights};
 use crate::scalar::Real;
-use crate::state::State;
+
+/// The equations (1/τ − J) u = r of the stages of a step, factored, with τ = [`GAMMA`] h: J is the derivative of the
+/// motion, or near it; u and r are states.
+pub trait StageEquations<S, Y> {
+    /// Writes u, as far as it moves.
+    fn solve(&self, r: &Y, u: &mut Y);
+
+    /// Sums what only accumulates over a step of length `h` from `before` by Simpson's rule, from the slopes at its
+    /// start, middle and end; writes its error over h.
+    fn accumulate(&self, before: &Y, h: S, slopes: [&Y; 3], after: &mut Y, error: &mut Y);
+}
 
 /// Evaluations of the derivative in a step.
 pub const EVALUATIONS: u64 = 7;
@@ -67,31 +75,33 @@ const SLOPE: [[f64; 5]; 5] = [
     ],
 ];
 
-impl<S: Real, const LEGS: usize> Step<S, LEGS> {
-    /// Takes a step of length `h` from `before`, where the derivative is the first slope; `system` is that of
-    /// τ = [`GAMMA`] h, and `stages` are overwritten. `derivative` writes the derivative at a state into its second argument; `middle` and `last` do
-    /// so midway on the continuous output and at the end, where rates of pads at rest are yet those of the start.
+impl<S: Real, Y: StateVector<S>> Step<S, Y> {
+    /// Takes a step of length `h` from `before`, where the derivative is the first slope; `equations` are those of
+    /// τ = [`GAMMA`] h, and `stages` are overwritten. `derivative` writes the derivative at a state into its second
+    /// argument; `middle` and `last` do so midway on the continuous output and at the end, where what only accumulates
+    /// is still that of the start.
     #[inline(always)]
-    pub fn take_implicit<F: Formation<LEGS, Body = S>>(
+    pub fn take_implicit(
         &mut self,
         h: S,
-        system: &System<'_, F, LEGS>,
-        stages: &mut [State<S, LEGS>; 6],
-        derivative: impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
-        middle: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
-        last: impl FnOnce(&State<S, LEGS>, &mut State<S, LEGS>),
+        equations: &impl StageEquations<S, Y>,
+        stages: &mut [Y; 6],
+        derivative: impl Fn(&Y, &mut Y),
+        middle: impl FnOnce(&Y, &mut Y),
+        last: impl FnOnce(&Y, &mut Y),
     ) {
         self.length = h;
         self.weights = weights();
-        system.solve(&self.slopes[0], &mut stages[0]);
-        self.take_stage::<1, F>(system, stages, &derivative);
-        self.take_stage::<2, F>(system, stages, &derivative);
-        self.take_stage::<3, F>(system, stages, &derivative);
-        self.take_stage::<4, F>(system, stages, &derivative);
-        self.take_stage::<5, F>(system, stages, &derivative);
-        self.after = self.before;
+        equations.solve(&self.slopes[0], &mut stages[0]);
+        self.take_stage::<1>(equations, stages, &derivative);
+        self.take_stage::<2>(equations, stages, &derivative);
+        self.take_stage::<3>(equations, stages, &derivative);
+        self.take_stage::<4>(equations, stages, &derivative);
+        self.take_stage::<5>(equations, stages, &derivative);
+        self.before.advance::<0>([], [], &mut self.after);
+        let sixth = &stages[5];
         self.stage
-            .advance_motion([S::one()], [&stages[5]], &mut self.after);
+            .advance_motion([S::one()], [sixth], &mut self.after);
 
         // In place of its stages' slopes a step keeps its mean slope, that in the middle, and its error over h.
         let [first, mean, midway, error, _, end] = &mut self.slopes;
@@ -103,34 +113,34 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
             &mut self.stage,
         );
         middle(&self.stage, midway);
-        *error = stages[5].over(h);
-        self.after.accumulate(
+        error.set_motion_over(sixth, h);
+        equations.accumulate(
             &self.before,
             h,
             [&*first, &*midway, &*end],
-            system.hinge_gains(),
+            &mut self.after,
             error,
         );
-        *mean = self.after.minus(&self.before).over(h);
+        mean.set_mean_rate(&self.before, &self.after, h);
     }
 
     /// Takes the stage that comes after `BEFORE` others.
     #[inline(always)]
-    fn take_stage<const BEFORE: usize, F: Formation<LEGS, Body = S>>(
+    fn take_stage<const BEFORE: usize>(
         &mut self,
-        system: &System<'_, F, LEGS>,
-        stages: &mut [State<S, LEGS>; 6],
-        derivative: &impl Fn(&State<S, LEGS>, &mut State<S, LEGS>),
+        equations: &impl StageEquations<S, Y>,
+        stages: &mut [Y; 6],
+        derivative: &impl Fn(&Y, &mut Y),
     ) {
-        let before: [&State<S, LEGS>; BEFORE] = std::array::from_fn(|j| &stages[j]);
+        let before: [&Y; BEFORE] = std::array::from_fn(|j| &stages[j]);
         let weights: [S; BEFORE] = std::array::from_fn(|j| S::constant(STATE[BEFORE - 1][j]));
         self.before.advance_motion(weights, before, &mut self.stage);
-        let slope = &mut self.slopes[4];
+        let [_, given, _, _, slope, _] = &mut self.slopes;
         derivative(&self.stage, slope);
         let weights: [S; BEFORE] =
             std::array::from_fn(|j| S::constant(SLOPE[BEFORE - 1][j]) / self.length);
-        let given = slope.advanced_motion(weights, before);
-        system.solve(&given, &mut stages[BEFORE]);
+        slope.advance_motion(weights, before, given);
+        equations.solve(given, &mut stages[BEFORE]);
     }
 }
 

@@ -1,7 +1,46 @@
 //! A step: where it starts and ends, and the slopes between.
 
 use crate::scalar::Real;
-use crate::state::State;
+
+/// What steps are taken with: sums of states and slopes, lane by lane.
+///
+/// Some of a state may only accumulate, so that nothing depends on it: what is left is called what moves.
+pub trait StateVector<S: Real>: Copy {
+    /// Writes self + Σ weight · slope into `result`.
+    fn advance<const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+        result: &mut Self,
+    );
+
+    /// Writes self + Σ weight · slope of what moves into `result`.
+    fn advance_motion<const TERMS: usize>(
+        &self,
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+        result: &mut Self,
+    );
+
+    /// Writes what moves midway between self and `end` on the cubic between them, from the slopes at both and an
+    /// eighth of the time between.
+    fn midway(&self, end: &Self, eighth: S, slopes: [&Self; 2], middle: &mut Self);
+
+    /// Writes (end − start)/length into self.
+    fn set_mean_rate(&mut self, start: &Self, end: &Self, length: S);
+
+    /// Writes change/length of what moves into self.
+    fn set_motion_over(&mut self, change: &Self, length: S);
+
+    /// Greatest weighted sum of `slopes` in what moves, in units of what its numbers are weighed by from `before` to
+    /// `after`, and the greatest in what only accumulates. Not a number if a sum is none.
+    fn greatest_error<const TERMS: usize>(
+        weights: [S; TERMS],
+        slopes: [&Self; TERMS],
+        before: &Self,
+        after: &Self,
+    ) -> [S; 2];
+}
 
 /// What the kinds of steps differ in once they are taken: weights on the slopes of a [`Step`].
 #[derive(Debug, Clone, Copy)]
@@ -18,25 +57,25 @@ pub struct Weights<S> {
 
 /// A step from one state to the next.
 #[derive(Debug, Clone, Copy)]
-pub struct Step<S, const LEGS: usize> {
+pub struct Step<S, Y> {
     /// State at the start.
-    pub before: State<S, LEGS>,
+    pub before: Y,
     /// State at the end.
-    pub after: State<S, LEGS>,
-    /// State at a stage between, but for the work integrals.
-    pub(super) stage: State<S, LEGS>,
+    pub after: Y,
+    /// State at a stage between, as far as it moves.
+    pub(super) stage: Y,
     /// Derivatives at stages 1, 3, 4, 5, 6 and at the end of an explicit step, which gives its second stage
     /// no weight; of an implicit step what its weights say, first and last the derivatives at its ends.
-    pub slopes: [State<S, LEGS>; 6],
+    pub slopes: [Y; 6],
     /// Length, s.
     pub length: S,
     /// Weights of the slopes.
     pub weights: Weights<S>,
 }
 
-impl<S: Real, const LEGS: usize> Step<S, LEGS> {
+impl<S: Real, Y: StateVector<S>> Step<S, Y> {
     /// A step yet to be taken from `state`, where the derivative is `slope`.
-    pub fn from(state: State<S, LEGS>, slope: State<S, LEGS>) -> Self {
+    pub fn from(state: Y, slope: Y) -> Self {
         let zero = S::zero();
         Self {
             before: state,
@@ -53,10 +92,10 @@ impl<S: Real, const LEGS: usize> Step<S, LEGS> {
         }
     }
 
-    /// Local error estimate.
+    /// Local error estimate ([`StateVector::greatest_error`]).
     #[inline(always)]
-    pub fn error(&self) -> State<S, LEGS> {
+    pub fn error(&self) -> [S; 2] {
         let weights = self.weights.error.map(|w| w * self.length);
-        State::zero().advanced(weights, self.slopes.each_ref())
+        Y::greatest_error(weights, self.slopes.each_ref(), &self.before, &self.after)
     }
 }

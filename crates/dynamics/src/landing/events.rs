@@ -1,39 +1,29 @@
 //! When a law changes its active piece, and what holds from then on.
 
-use std::ops::Deref;
-
-use super::Flight;
+use super::trajectory::Trajectory;
 use super::within::{Between, Look};
 use crate::contact::LegMode;
 use crate::integrator::cubic::{Foresight, Prospect};
 use crate::integrator::event::{Node, Seen, Watch, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
-use crate::record::Instant;
 use crate::registers::Registers;
-use crate::vehicle::Vehicle;
 
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
 
-impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
-where
-    V: Deref<Target = Vehicle<LEGS>>,
-    O: FnMut(&Instant<LEGS>),
-{
+impl Trajectory<'_> {
     /// The first point of the step at which a law changes its active piece.
-    pub(super) fn find_event(&mut self) -> Option<Node<Glance<LEGS>>> {
+    pub(super) fn find_event(&mut self) -> Option<Node<Glance<f64>>> {
         let [before, start, end] = [
             self.signals.before(),
             self.signals.now(),
             self.signals.ahead(),
         ];
-        let registers = self.motion.registers();
-        let length = self.step.length;
+        let (registers, length) = (self.registers, self.step.length);
         let suspects = &mut self.suspects;
         if let Some(earlier) = &self.earlier
             && (self.ranges).keep(
-                registers,
                 [before, start, end],
                 length / earlier.length,
                 length,
@@ -48,7 +38,7 @@ where
             free: self.free.as_ref(),
         };
         let mut looks = 0;
-        let mut look = |theta: f64, signals: &mut Glance<LEGS>| {
+        let mut look = |theta: f64, signals: &mut Glance<f64>| {
             looks += 1;
             registers.dispatch(Look {
                 motion: &self.motion,
@@ -80,7 +70,7 @@ where
                 look(0.5, &mut self.middle);
                 self.is_middle_seen = true;
             }
-            (self.ranges).watch_suspects(registers, [start, &self.middle, end], suspects);
+            (self.ranges).watch_suspects([start, &self.middle, end], suspects);
             if are_laws_new {
                 foresight = foresee(suspects);
             }
@@ -115,7 +105,7 @@ where
 
     /// Centres the coefficients of laws that bend gently; the laws themselves stay.
     pub(super) fn follow(&mut self) {
-        for j in 0..LEGS {
+        for j in 0..self.leg_count() {
             let stroke = self.signals.now().of(j, Signal::Stroke);
             if self.modes[j].follow(&self.laws[j], stroke) {
                 self.choose_pieces(j);
@@ -136,12 +126,12 @@ where
     /// Only the first, because the ranges of the others change with it.
     pub(super) fn cross(&mut self) -> Result<bool, Outcome> {
         let signals = self.signals.now();
-        let exits = self.ranges.exits(self.motion.registers(), signals);
+        let exits = self.ranges.exits(signals);
         for (leg, exit) in exits.iter().enumerate() {
             if let Some((signal, exit)) = *exit {
                 self.events += 1;
                 let laws = &self.laws[leg];
-                let signals = self.signals.now().leg(leg);
+                let signals = *self.signals.now().leg(leg);
                 let before = self.modes[leg];
                 self.modes[leg].cross(laws, leg, signal, exit, &signals)?;
                 self.turn_pad(leg, &before);
@@ -163,7 +153,7 @@ where
     }
 
     fn note_contacts(&mut self) {
-        for j in 0..LEGS {
+        for j in 0..self.leg_count() {
             if self.modes[j].pad_in_contact() {
                 self.pad_contact[j].get_or_insert(self.time);
             }

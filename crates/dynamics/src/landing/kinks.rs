@@ -5,16 +5,12 @@
 //! over one is of lower order than a step that ends there. So steps aim a little past the first kink that
 //! is foreseen, and end where it is located on their dense output.
 
-use std::ops::Deref;
-
 use arrayvec::ArrayVec;
 
-use super::Flight;
+use super::trajectory::Trajectory;
 use crate::integrator::event::{Bounds, Node, Signals, Watch, first_exit};
 use crate::motion::{Glance, Signal};
-use crate::quad::MOST_LEGS;
-use crate::record::Instant;
-use crate::vehicle::Vehicle;
+use crate::per_leg::{MOST_LEGS, PerLeg};
 
 /// Share of a step within which its end is moved to a kink.
 const WITHIN: [f64; 2] = [0.03, 0.98];
@@ -23,22 +19,28 @@ const PAST: f64 = 1e-4;
 /// Share of a step within which a kink is located: so little beyond it does not show in the error of a step.
 const RESOLUTION: f64 = 1e-3;
 
-impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
-where
-    V: Deref<Target = Vehicle<LEGS>>,
-    O: FnMut(&Instant<LEGS>),
-{
+/// Stroke (ft) and link rate (rad/s) of each leg.
+#[derive(Clone, Copy)]
+struct LinkSignals(PerLeg<[f64; 2]>);
+
+impl Signals for LinkSignals {
+    fn get(&self, index: usize) -> f64 {
+        self.0.as_flattened()[index]
+    }
+}
+
+impl Trajectory<'_> {
     /// Length of a step (s) that is to be `length` long, but ends a little past the first kink that is
     /// foreseen within it.
     pub(super) fn past_kink(&mut self, length: f64) -> f64 {
-        let accelerations = self.step.slopes[0].link_rates();
         let [first, last] = WITHIN.map(|share| share * length);
         let mut end = last;
         let or_leave = |end, range, course| {
             let time = time_to_leave(range, course, end);
             time.filter(|time| *time > first).unwrap_or(end)
         };
-        for (j, acceleration) in accelerations.into_iter().enumerate() {
+        for j in 0..self.leg_count() {
+            let acceleration = self.step.slopes[0].link_rate(j);
             let told = |signal| self.signals.now().of(j, signal);
             let rate = told(Signal::LinkRate);
             self.kinks[j] = self.modes[j].gentle_kinks(&self.laws[j], rate);
@@ -64,7 +66,7 @@ where
     /// Fraction of the step, up to `reach`, at which it runs over the first gentle kink; none if it starts
     /// or ends there.
     pub(super) fn kink_before(&mut self, reach: f64) -> Option<f64> {
-        let runs_over = (0..LEGS).any(|j| self.may_run_over(j));
+        let runs_over = (0..self.leg_count()).any(|j| self.may_run_over(j));
         let kink = if runs_over { self.locate_kink() } else { None };
         kink.filter(|theta| *theta > RESOLUTION && *theta < reach)
     }
@@ -75,7 +77,7 @@ where
             return false;
         };
         let [start, end] = [self.signals.now(), self.signals.ahead()];
-        let [first, last] = [0, 5].map(|k| self.step.slopes[k].link_rates()[j]);
+        let [first, last] = [0, 5].map(|k| self.step.slopes[k].link_rate(j));
         let length = self.step.length;
         let [start_rate, end_rate] = [start, end].map(|all| all.of(j, Signal::LinkRate));
         let stroking = end.of(j, Signal::StrutLever) * end_rate;
@@ -89,14 +91,19 @@ where
     /// Fraction of the step at which it runs over the first gentle kink, if it does.
     fn locate_kink(&mut self) -> Option<f64> {
         let signals = &self.signals;
-        let told = |all: &Glance<LEGS>| -> [[f64; 2]; LEGS] {
-            std::array::from_fn(|j| [Signal::Stroke, Signal::LinkRate].map(|one| all.of(j, one)))
+        let told = |all: &Glance<f64>| {
+            LinkSignals(PerLeg::from_fn(self.leg_count(), |j| {
+                [Signal::Stroke, Signal::LinkRate].map(|one| all.of(j, one))
+            }))
         };
         let look = |theta: f64| {
-            let [angles, rates] = self.step.links_at(theta);
-            std::array::from_fn(|j| [self.motion.geometry(j).stroke(angles[j]), rates[j]])
+            let (weights, slopes) = self.step.change(theta);
+            let [angles, rates] = self.step.before.links_advanced(weights, slopes);
+            LinkSignals(PerLeg::from_fn(self.leg_count(), |j| {
+                [self.motion.geometry(j).stroke(angles[j]), rates[j]]
+            }))
         };
-        let node = |theta, signals: [[f64; 2]; LEGS]| Node { theta, signals };
+        let node = |theta, signals| Node { theta, signals };
         let start = node(0.0, told(signals.now()));
         let middle = node(0.5, look(0.5));
         let end = node(1.0, told(signals.ahead()));

@@ -1,14 +1,11 @@
 //! The greatest force and stroke of each strut, within steps as at their ends.
 
-use std::ops::Deref;
-
-use super::Flight;
+use super::trajectory::Trajectory;
 use crate::integrator::cubic::greatest;
 use crate::integrator::event::{FAR_LONGER, falls};
 use crate::integrator::parabola::Parabola;
 use crate::motion::{Glance, Signal};
-use crate::record::Instant;
-use crate::vehicle::Vehicle;
+use crate::per_leg::PerLeg;
 
 /// Parabolas laid toward a greatest force between the ends of a step.
 const REFINEMENTS: usize = 2;
@@ -17,30 +14,30 @@ const NOTABLE: f64 = 1e-4;
 
 /// The greatest values so far.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct StrutPeaks<const LEGS: usize> {
+pub(super) struct StrutPeaks {
     /// Magnitude of the force F, lb.
-    pub(super) force: [f64; LEGS],
+    pub(super) force: PerLeg<f64>,
     /// Stroke δ, ft.
-    pub(super) stroke: [f64; LEGS],
+    pub(super) stroke: PerLeg<f64>,
 }
 
-impl<const LEGS: usize> StrutPeaks<LEGS> {
-    pub(super) fn none() -> Self {
+impl StrutPeaks {
+    pub(super) fn none(legs: usize) -> Self {
         Self {
-            force: [0.0; LEGS],
-            stroke: [0.0; LEGS],
+            force: PerLeg::same(legs, 0.0),
+            stroke: PerLeg::same(legs, 0.0),
         }
     }
 
     /// Takes note of a stretch of `length` s by what is seen at its ends.
     #[inline(always)]
-    fn note(&mut self, ends: [&Glance<LEGS>; 2], length: f64) {
+    fn note(&mut self, ends: [&Glance<f64>; 2], length: f64) {
         let [start, end] = ends;
         for (j, peak) in self.stroke.iter_mut().enumerate() {
             *peak = peak.max(end.of(j, Signal::Stroke));
-            let rate = |signals: &Glance<LEGS>| signals.of(j, Signal::StrokeRate);
+            let rate = |signals: &Glance<f64>| signals.of(j, Signal::StrokeRate);
             if rate(start) > 0.0 && rate(end) < 0.0 {
-                let stroke = Glance::<LEGS>::index(j, Signal::Stroke);
+                let stroke = Glance::<f64>::index(j, Signal::Stroke);
                 *peak = peak.max(greatest(stroke, ends, length));
             }
         }
@@ -50,7 +47,7 @@ impl<const LEGS: usize> StrutPeaks<LEGS> {
     }
 
     #[inline(always)]
-    fn note_forces(&mut self, signals: &Glance<LEGS>) {
+    fn note_forces(&mut self, signals: &Glance<f64>) {
         for (j, peak) in self.force.iter_mut().enumerate() {
             *peak = peak.max(force(signals, j));
         }
@@ -64,8 +61,8 @@ impl<const LEGS: usize> StrutPeaks<LEGS> {
 
     /// Whether the force on any strut may have been greater than ever between three looks at a step.
     #[inline(always)]
-    fn may_be_exceeded(&self, looks: [&Glance<LEGS>; 3]) -> bool {
-        (0..LEGS).any(|j| {
+    fn may_be_exceeded(&self, looks: [&Glance<f64>; 3]) -> bool {
+        (0..self.force.len()).any(|j| {
             let [start, middle, end] = looks.map(|signals| force(signals, j));
             let turn = (middle - start).abs() + (end - middle).abs();
             start.max(middle).max(end) + turn > self.notable_force(j)
@@ -75,9 +72,9 @@ impl<const LEGS: usize> StrutPeaks<LEGS> {
     /// Whether it may have been so within a stretch of which only the ends were looked at, as looks before the
     /// stretch before, at the start and at the end tell, `ratio` being its length over that one's.
     #[inline(always)]
-    fn may_be_hidden(&self, looks: [&Glance<LEGS>; 3], ratio: f64) -> bool {
+    fn may_be_hidden(&self, looks: [&Glance<f64>; 3], ratio: f64) -> bool {
         let share = ratio / (1.0 + ratio);
-        (0..LEGS).any(|j| {
+        (0..self.force.len()).any(|j| {
             let [before, start, end] = looks.map(|signals| force(signals, j));
             let change = end - start;
             if ratio > FAR_LONGER {
@@ -92,19 +89,15 @@ impl<const LEGS: usize> StrutPeaks<LEGS> {
 }
 
 /// Magnitude of the force on strut `leg`, lb.
-fn force<const LEGS: usize>(signals: &Glance<LEGS>, leg: usize) -> f64 {
+fn force(signals: &Glance<f64>, leg: usize) -> f64 {
     signals.of(leg, Signal::StrutForce).abs()
 }
 
-impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
-where
-    V: Deref<Target = Vehicle<LEGS>>,
-    O: FnMut(&Instant<LEGS>),
-{
+impl Trajectory<'_> {
     /// Takes note of the struts over the step up to fraction `reach`, where the signals are `end`, or those at the end
     /// of the step.
     #[inline(always)]
-    pub(super) fn note_struts(&mut self, end: Option<&Glance<LEGS>>, reach: f64) {
+    pub(super) fn note_struts(&mut self, end: Option<&Glance<f64>>, reach: f64) {
         let start = self.signals.now();
         let end = end.unwrap_or(self.signals.ahead());
         let length = reach * self.step.length;
@@ -118,20 +111,21 @@ where
             })
         };
         if hides_force {
-            let forces = [start, end].map(|signals| std::array::from_fn(|j| force(signals, j)));
+            let forces = [start, end]
+                .map(|signals| PerLeg::from_fn(signals.leg_count(), |j| force(signals, j)));
             self.seek_forces(forces, reach);
         }
     }
 
     /// Seeks the greatest forces within the step up to fraction `reach`, from the forces at its ends.
-    fn seek_forces(&mut self, [start, end]: [[f64; LEGS]; 2], reach: f64) {
+    fn seek_forces(&mut self, [start, end]: [PerLeg<f64>; 2], reach: f64) {
         let half = if self.is_middle_seen {
             0.5
         } else {
             self.middle = self.look_at(0.5 * reach);
             0.5 * reach
         };
-        for j in 0..LEGS {
+        for j in 0..self.leg_count() {
             let mut points = [
                 (0.0, -start[j]),
                 (half, -force(&self.middle, j)),

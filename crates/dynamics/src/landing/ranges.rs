@@ -3,32 +3,36 @@
 use arrayvec::ArrayVec;
 use pulp::NullaryFnOnce;
 
-use crate::registers::{Four, Registers};
-
 use crate::integrator::event::{Bounds, Exit, Watch};
-use crate::integrator::ranges::Ranges;
+use crate::integrator::ranges::{LANES, Quad, Ranges};
 use crate::motion::{Glance, Signal};
-use crate::quad::{GROUPS, LANES, Quad};
+use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::registers::{Registers, Single};
 use crate::wide::Wide;
 
-/// Quads of signals that have ranges.
-const QUADS: usize = Signal::RANGED * GROUPS;
-/// Those of them that hold signals whose rates are signals too.
-const RATED: usize = Signal::RATED * GROUPS;
+/// Quads of a leg's signals that have ranges.
+const QUADS: usize = Glance::RANGED_QUADS;
+
 /// How far beyond their ranges signals get, while nothing is known of it.
 const NOWHERE: [Quad; QUADS] = [Wide([0.0; LANES]); QUADS];
 
 /// Signals to be watched, as many as there can be.
-pub(super) type Watches = ArrayVec<Watch, { QUADS * LANES }>;
+pub(super) type Watches = ArrayVec<Watch, { QUADS * LANES * MOST_LEGS }>;
 
-/// Ranges of all legs' signals, laid out as the signals are.
+/// Ranges of all legs' signals.
 #[derive(Debug, Clone)]
-pub(super) struct SignalRanges<const LEGS: usize>(Ranges<QUADS>);
+pub(super) struct SignalRanges {
+    registers: Single,
+    legs: PerLeg<Ranges<QUADS>>,
+}
 
-impl<const LEGS: usize> SignalRanges<LEGS> {
+impl SignalRanges {
     /// The ranges of all legs, signal by signal.
-    pub(super) fn new(legs: &[[Bounds; Signal::RANGED]; LEGS]) -> Self {
-        let mut ranges = Self(Ranges::free());
+    pub(super) fn new(legs: &[[Bounds; Signal::RANGED]]) -> Self {
+        let mut ranges = Self {
+            registers: Single::new(),
+            legs: PerLeg::same(legs.len(), Ranges::free()),
+        };
         for (leg, bounds) in legs.iter().enumerate() {
             ranges.set(leg, bounds);
         }
@@ -38,29 +42,25 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     /// Sets the ranges of leg `leg`, signal by signal.
     pub(super) fn set(&mut self, leg: usize, ranges: &[Bounds; Signal::RANGED]) {
         for (&range, signal) in ranges.iter().zip(Signal::ALL) {
-            self.0.set(Glance::<LEGS>::index(leg, signal), range);
+            self.legs[leg].set(signal as usize, range);
         }
     }
 
     fn get(&self, leg: usize, signal: Signal) -> Bounds {
-        self.0.get(Glance::<LEGS>::index(leg, signal))
+        self.legs[leg].get(signal as usize)
     }
 
     /// Whether a signal of any leg has a range to stay in.
     pub(super) fn has(&self, signal: Signal) -> bool {
-        (0..LEGS).any(|leg| !self.get(leg, signal).is_free())
+        (0..self.legs.len()).any(|leg| !self.get(leg, signal).is_free())
     }
 
     /// The first signal of each leg that has left its range, and on which side.
-    pub(super) fn exits(
-        &self,
-        registers: Four,
-        signals: &Glance<LEGS>,
-    ) -> [Option<(Signal, Exit)>; LEGS] {
-        if registers.dispatch(Hold(&self.0, signals)) {
-            return [None; LEGS];
-        }
-        std::array::from_fn(|leg| {
+    pub(super) fn exits(&self, signals: &Glance<f64>) -> PerLeg<Option<(Signal, Exit)>> {
+        PerLeg::from_fn(self.legs.len(), |leg| {
+            if self.legs[leg].hold(signals.ranged(leg)) {
+                return None;
+            }
             Signal::ALL[..Signal::RANGED].iter().find_map(|&signal| {
                 let range = self.get(leg, signal);
                 let exit = range.exit(signals.of(leg, signal))?;
@@ -75,49 +75,34 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     #[inline(always)]
     pub(super) fn keep(
         &self,
-        registers: Four,
-        looks: [&Glance<LEGS>; 3],
+        looks: [&Glance<f64>; 3],
         ratio: f64,
         length: f64,
         watches: &mut Watches,
     ) -> bool {
-        let mut reach = NOWHERE;
-        let is_kept = registers.dispatch(KeepByRates(&self.0, looks, [ratio, length], &mut reach));
-        if !is_kept {
-            self.watch(&reach, watches);
-        }
-        is_kept
+        watches.clear();
+        (self.registers).dispatch(Keep(self, looks, Some([ratio, length]), watches))
     }
 
     /// Puts those signals into `watches` that may have left their ranges within a step, as looks at its start,
     /// middle and end tell.
     #[inline(always)]
-    pub(super) fn watch_suspects(
-        &self,
-        registers: Four,
-        looks: [&Glance<LEGS>; 3],
-        watches: &mut Watches,
-    ) {
-        let mut reach = NOWHERE;
-        registers.dispatch(Keep(&self.0, looks, &mut reach));
-        self.watch(&reach, watches);
+    pub(super) fn watch_suspects(&self, looks: [&Glance<f64>; 3], watches: &mut Watches) {
+        watches.clear();
+        (self.registers).dispatch(Keep(self, looks, None, watches));
     }
 
-    /// Watches those signals that reach beyond their ranges.
-    fn watch(&self, reach: &[Quad; QUADS], watches: &mut Watches) {
-        watches.clear();
+    /// Watches those signals of a leg that reach beyond their ranges.
+    fn watch(&self, leg: usize, reach: &[Quad; QUADS], watches: &mut Watches) {
         for (quad, reach) in reach.iter().enumerate() {
-            if reach
-                .0
-                .iter()
-                .fold(true, |stays, reach| stays & (*reach < 0.0))
-            {
+            if (reach.0.iter()).fold(true, |stays, reach| stays & (*reach < 0.0)) {
                 continue;
             }
             for (lane, reach) in reach.0.iter().enumerate() {
                 let signal = quad * LANES + lane;
-                let range = self.0.get(signal);
+                let range = self.legs[leg].get(signal);
                 if (*reach >= 0.0 || reach.is_nan()) && !range.is_free() {
+                    let signal = leg * Signal::COUNT + signal;
                     watches.push(Watch { signal, range });
                 }
             }
@@ -125,50 +110,37 @@ impl<const LEGS: usize> SignalRanges<LEGS> {
     }
 }
 
-/// [`Ranges::hold`], compiled for each kind of register.
-struct Hold<'a, const LEGS: usize>(&'a Ranges<QUADS>, &'a Glance<LEGS>);
-
-impl<const LEGS: usize> NullaryFnOnce for Hold<'_, LEGS> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn call(self) -> bool {
-        let Self(ranges, signals) = self;
-        ranges.hold(signals.ranged())
-    }
-}
-
-/// [`Ranges::keep`] over looks at equal distances, compiled for each kind of register.
-struct Keep<'a, const LEGS: usize>(
-    &'a Ranges<QUADS>,
-    [&'a Glance<LEGS>; 3],
-    &'a mut [Quad; QUADS],
+/// Whether all signals keep their ranges, by rates where ratio and length of the step are given; those that may not are
+/// watched.
+struct Keep<'a>(
+    &'a SignalRanges,
+    [&'a Glance<f64>; 3],
+    Option<[f64; 2]>,
+    &'a mut Watches,
 );
 
-impl<const LEGS: usize> NullaryFnOnce for Keep<'_, LEGS> {
+impl NullaryFnOnce for Keep<'_> {
     type Output = bool;
 
     #[inline(always)]
     fn call(self) -> bool {
-        let Self(ranges, looks, reach) = self;
-        ranges.keep(looks.map(Glance::ranged), 1.0, reach)
-    }
-}
-
-/// [`Ranges::keep_by_rates`], compiled for each kind of register.
-struct KeepByRates<'a, const LEGS: usize>(
-    &'a Ranges<QUADS>,
-    [&'a Glance<LEGS>; 3],
-    [f64; 2],
-    &'a mut [Quad; QUADS],
-);
-
-impl<const LEGS: usize> NullaryFnOnce for KeepByRates<'_, LEGS> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn call(self) -> bool {
-        let Self(ranges, looks, [ratio, length], reach) = self;
-        ranges.keep_by_rates(looks.map(Glance::ranged), ratio, length, RATED, reach)
+        let Self(all, looks, rated, watches) = self;
+        let mut are_kept = true;
+        for (leg, ranges) in all.legs.iter().enumerate() {
+            let [first, second, third] = looks;
+            let looks = [first.ranged(leg), second.ranged(leg), third.ranged(leg)];
+            let mut reach = NOWHERE;
+            let is_kept = match rated {
+                Some([ratio, length]) => {
+                    ranges.keep_by_rates(looks, ratio, length, Glance::RATED_QUADS, &mut reach)
+                }
+                None => ranges.keep(looks, 1.0, &mut reach),
+            };
+            if !is_kept {
+                are_kept = false;
+                all.watch(leg, &reach, watches);
+            }
+        }
+        are_kept
     }
 }

@@ -2,29 +2,28 @@
 //! bottoming it would have gone.
 
 use crate::motion::{Motion, Pieces, Signal};
+use crate::per_leg::PerLeg;
 use crate::record::FinalRates;
 use crate::scene::Scene;
-use crate::stability::{Judge, calm_height};
+use crate::stability::Judge;
 use crate::state::State;
-use crate::vehicle::Vehicle;
 
 /// Time between the states of which differences are taken, s: long enough for second differences.
 const SPAN: f64 = 1e-5;
 
 /// Rates of σ and of the strokes at a state, by central differences along the motion that the
 /// present accelerations would give.
-pub fn final_rates<const LEGS: usize>(
-    vehicle: &Vehicle<LEGS>,
+pub fn final_rates(
     scene: &Scene,
-    motion: &Motion<LEGS>,
-    state: &State<f64, LEGS>,
-    pieces: &Pieces<LEGS>,
-) -> FinalRates<LEGS> {
-    let mut derivative = State::zero();
-    motion.derivative(state, pieces, &mut derivative);
+    motion: &Motion<f64>,
+    state: &State<f64>,
+    pieces: &Pieces<f64>,
+) -> FinalRates {
+    let mut derivative = State::zero(state.leg_count());
+    motion.derivative::<true>(state, pieces, &mut derivative);
     let [earlier, later] = [-SPAN, SPAN].map(|time| {
         let mut moved = state.advanced_motion([time], [&derivative]);
-        for j in 0..LEGS {
+        for j in 0..state.leg_count() {
             let mut leg = moved.leg(j);
             leg.link_angle += 0.5 * time * time * derivative.leg(j).link_rate;
             moved.set_leg(j, &leg);
@@ -32,18 +31,20 @@ pub fn final_rates<const LEGS: usize>(
         moved
     });
 
-    let mut judge = Judge::new(scene, calm_height(vehicle));
+    let mut judge = Judge::new(scene, f64::INFINITY);
     let is_defined = judge.look(motion, state).is_ok();
     let angle = |state| judge.observe(motion, state).angle;
-    let strokes = |state| -> [f64; LEGS] {
+    let strokes = |state| {
         let signals = motion.signals(state, pieces, false);
-        std::array::from_fn(|j| signals.of(j, Signal::Stroke))
+        PerLeg::from_fn(motion.leg_count(), |j| signals.of(j, Signal::Stroke))
     };
     let [before, now, after] = [strokes(&earlier), strokes(state), strokes(&later)];
     FinalRates {
         stability_angle: is_defined.then(|| (angle(&later) - angle(&earlier)) / (2.0 * SPAN)),
-        strokes: std::array::from_fn(|j| (after[j] - before[j]) / (2.0 * SPAN)),
-        stroke_accelerations: std::array::from_fn(|j| {
+        strokes: PerLeg::from_fn(motion.leg_count(), |j| {
+            (after[j] - before[j]) / (2.0 * SPAN)
+        }),
+        stroke_accelerations: PerLeg::from_fn(motion.leg_count(), |j| {
             (after[j] - 2.0 * now[j] + before[j]) / (SPAN * SPAN)
         }),
     }

@@ -1,7 +1,8 @@
 //! When steps are stiff, and how the forces answer then.
 
-use crate::formation::LegsAbreast;
+use super::step_attempt::Respond;
 use crate::motion::{Motion, Pieces};
+use crate::registers::{Registers, Single};
 use crate::response::Response;
 use crate::state::State;
 
@@ -18,15 +19,15 @@ const STEPS_FAR: u32 = 17;
 const STEPS_NEAR: u32 = 4;
 
 /// Whether steps are stiff, looked at as seldom as it may be.
-pub(super) struct Stiffness<const LEGS: usize> {
-    response: Response<LegsAbreast, LEGS>,
+pub(super) struct Stiffness {
+    response: Response<f64>,
     limit: f64,
     /// Explicit steps to come before looking again.
     mild_steps: u32,
 }
 
-impl<const LEGS: usize> Stiffness<LEGS> {
-    pub(super) fn new(motion: &Motion<LEGS>, tolerance: f64) -> Self {
+impl Stiffness {
+    pub(super) fn new(motion: &Motion<f64>, tolerance: f64) -> Self {
         Self {
             response: motion.response(),
             limit: EXPLICIT_LIMIT.min(STIFF * (1e-4 / tolerance).max(1.0).sqrt().sqrt()),
@@ -40,24 +41,25 @@ impl<const LEGS: usize> Stiffness<LEGS> {
     }
 
     /// How forces answer where a step was found to be stiff last.
-    pub(super) fn response(&self) -> &Response<LegsAbreast, LEGS> {
+    pub(super) fn response(&self) -> &Response<f64> {
         &self.response
     }
 
     /// Whether a step of this length (s) from `state` is stiff.
     pub(super) fn exceeds(
         &mut self,
+        registers: Single,
         length: f64,
-        motion: &Motion<LEGS>,
-        state: &State<f64, LEGS>,
-        pieces: &Pieces<LEGS>,
+        motion: &Motion<f64>,
+        state: &State<f64>,
+        pieces: &Pieces<f64>,
     ) -> bool {
         if self.mild_steps > 0 {
             self.mild_steps -= 1;
             return false;
         }
-        motion.respond(state, pieces, &mut self.response);
-        self.exceeds_at(self.response.greatest_rate(), length)
+        let rate = registers.dispatch(Respond(motion, state, pieces, &mut self.response));
+        self.exceeds_at(rate, length)
     }
 
     /// The same where no velocity decays faster than at a `rate` (1/s).

@@ -4,46 +4,46 @@
 use crate::motion::Glance;
 
 /// Three glances at the signals.
-pub(super) struct Trail<const LEGS: usize> {
-    glances: [Glance<LEGS>; 3],
+pub(crate) struct Trail {
+    glances: [Glance<f64>; 3],
     now: usize,
 }
 
-impl<const LEGS: usize> Trail<LEGS> {
-    pub(super) fn new() -> Self {
+impl Trail {
+    pub(super) fn new(legs: usize) -> Self {
         Self {
-            glances: [Glance::blank(); 3],
+            glances: [Glance::blank(legs); 3],
             now: 0,
         }
     }
 
     /// At the start of the step before.
     #[inline(always)]
-    pub(super) fn before(&self) -> &Glance<LEGS> {
+    pub(super) fn before(&self) -> &Glance<f64> {
         &self.glances[(self.now + 2) % 3]
     }
 
     /// At the start of the step.
     #[inline(always)]
-    pub(super) fn now(&self) -> &Glance<LEGS> {
+    pub(super) fn now(&self) -> &Glance<f64> {
         &self.glances[self.now]
     }
 
     /// The same, to be written.
     #[inline(always)]
-    pub(super) fn now_mut(&mut self) -> &mut Glance<LEGS> {
+    pub(super) fn now_mut(&mut self) -> &mut Glance<f64> {
         &mut self.glances[self.now]
     }
 
     /// At the end of the step.
     #[inline(always)]
-    pub(super) fn ahead(&self) -> &Glance<LEGS> {
+    pub(super) fn ahead(&self) -> &Glance<f64> {
         &self.glances[(self.now + 1) % 3]
     }
 
     /// The same, to be written.
     #[inline(always)]
-    pub(super) fn ahead_mut(&mut self) -> &mut Glance<LEGS> {
+    pub(crate) fn ahead_mut(&mut self) -> &mut Glance<f64> {
         &mut self.glances[(self.now + 1) % 3]
     }
 

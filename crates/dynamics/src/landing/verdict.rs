@@ -1,31 +1,27 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
-use std::ops::Deref;
-
-use super::Flight;
+use super::trajectory::Trajectory;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
 use crate::motion::Footing;
-use crate::record::Instant;
 use crate::stability::{Judge, Observation, Verdict};
-use crate::vehicle::Vehicle;
 
 /// Parabolas laid toward a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
 
 /// Stability as it has been followed so far.
-pub(super) struct Outlook<const LEGS: usize> {
-    judge: Judge<LEGS>,
+pub(super) struct Outlook {
+    judge: Judge,
     /// What the judge sees now.
-    seen: Observation<LEGS>,
+    seen: Observation,
     /// What he saw at the start of the step before, and how long ago that is, s. Laws that change leave it: feet
     /// and velocities go on without a jump.
-    before: Option<(Observation<LEGS>, f64)>,
+    before: Option<(Observation, f64)>,
 }
 
-impl<const LEGS: usize> Outlook<LEGS> {
+impl Outlook {
     /// A judge and what he sees at touchdown.
-    pub(super) fn new(judge: Judge<LEGS>, seen: Observation<LEGS>) -> Self {
+    pub(super) fn new(judge: Judge, seen: Observation) -> Self {
         Self {
             judge,
             seen,
@@ -33,30 +29,41 @@ impl<const LEGS: usize> Outlook<LEGS> {
         }
     }
 
+    /// Looks round at touchdown.
+    ///
+    /// # Errors
+    /// The verdict, if there already is one.
+    pub(super) fn begin(&mut self, trajectory: &mut Trajectory<'_>) -> Result<(), Verdict> {
+        let first_look = self.judge.look(&trajectory.motion, &trajectory.start);
+        self.seen = self.judge.observe(&trajectory.motion, &trajectory.start);
+        trajectory.note_observation(&self.seen, 0.0);
+        if let Err(verdict) = first_look {
+            // With all feet on one side no angle is defined: nothing is left of stability.
+            trajectory.least_angle = (0.0, 0.0);
+            return Err(verdict);
+        }
+        match self.judge.verdict(&self.seen, trajectory.least_angle.0) {
+            Some(verdict) => Err(verdict),
+            None => Ok(()),
+        }
+    }
+
     /// Whether within a step of `length` s that ends like this no verdict can fall.
-    fn keeps(&self, end: &Observation<LEGS>, length: f64) -> bool {
+    fn keeps(&self, end: &Observation, length: f64) -> bool {
         self.before
             .as_ref()
             .is_some_and(|(before, ago)| self.judge.keep([before, &self.seen, end], length / ago))
     }
 
-    fn go_on(&mut self, seen: Observation<LEGS>, time: f64) {
+    fn go_on(&mut self, seen: Observation, time: f64) {
         self.before = Some((self.seen, time));
         self.seen = seen;
     }
 }
 
-impl<V, O, const LEGS: usize> Flight<V, O, LEGS>
-where
-    V: Deref<Target = Vehicle<LEGS>>,
-    O: FnMut(&Instant<LEGS>),
-{
+impl Trajectory<'_> {
     /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls.
-    pub(super) fn judge(
-        &mut self,
-        outlook: &mut Outlook<LEGS>,
-        reach: f64,
-    ) -> Option<(f64, Verdict)> {
+    pub(super) fn judge(&mut self, outlook: &mut Outlook, reach: f64) -> Option<(f64, Verdict)> {
         let resolution = self.event_resolution / self.step.length;
         let mut start = Node {
             theta: 0.0,
@@ -133,12 +140,12 @@ where
     }
 
     /// Whether within a step of `length` s that ends like this no new least value can hide.
-    fn is_plain(&self, outlook: &Outlook<LEGS>, end: &Observation<LEGS>, length: f64) -> bool {
+    fn is_plain(&self, outlook: &Outlook, end: &Observation, length: f64) -> bool {
         let (start, Some((before, ago))) = (&outlook.seen, &outlook.before) else {
             return false;
         };
         let ratio = length / ago;
-        let plain = |number: fn(&Observation<LEGS>) -> f64, least| {
+        let plain = |number: fn(&Observation) -> f64, least| {
             is_plain(number(before), number(start), number(end), ratio, least)
         };
         plain(|seen| seen.angle, self.least_angle.0)
@@ -146,7 +153,7 @@ where
     }
 
     /// Takes note of σ and clearance at one instant.
-    pub(super) fn note_observation(&mut self, seen: &Observation<LEGS>, time: f64) {
+    pub(super) fn note_observation(&mut self, seen: &Observation, time: f64) {
         if seen.angle < self.least_angle.0 {
             self.least_angle = (seen.angle, time);
         }
@@ -154,7 +161,7 @@ where
     }
 
     /// Takes note of the least σ and clearance over three nodes between which both are smooth.
-    fn note_least(&mut self, judge: &Judge<LEGS>, nodes: [&Node<Observation<LEGS>>; 3]) {
+    fn note_least(&mut self, judge: &Judge, nodes: [&Node<Observation>; 3]) {
         for node in nodes {
             self.note_observation(&node.signals, self.time_at(node.theta));
         }
@@ -175,9 +182,9 @@ where
     /// Closes in by parabolas on a least value of `number` that lies below the `least` so far.
     fn close_in(
         &mut self,
-        judge: &Judge<LEGS>,
-        nodes: [&Node<Observation<LEGS>>; 3],
-        number: fn(&Observation<LEGS>) -> f64,
+        judge: &Judge,
+        nodes: [&Node<Observation>; 3],
+        number: fn(&Observation) -> f64,
         least: fn(&Self) -> f64,
     ) {
         let points = nodes.map(|node| (node.theta, number(&node.signals)));

@@ -4,6 +4,7 @@ use crate::energy::{kinetic, released};
 use crate::landing::final_rates;
 use crate::motion::{Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
+use crate::per_leg::PerLeg;
 use crate::record::{Energies, Foot, Instant, Landing, LegWork};
 use crate::scene::{Scene, Settings};
 use crate::stability::{Judge, calm_height};
@@ -11,7 +12,7 @@ use crate::state::State;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
-use super::force_model::{ForceModel, Look};
+use super::force_model::{ForceModel, Look, Sets};
 use super::system::{Evaluator, Start, Stepper};
 
 /// Intervals before a landing is given up.
@@ -20,38 +21,38 @@ const MOST_INTERVALS: u64 = 4_000_000;
 const END_OF_TIME: f64 = 1e-9;
 
 /// A landing under way.
-pub(super) struct Flight<'a, O, const LEGS: usize> {
-    vehicle: &'a Vehicle<LEGS>,
+pub(super) struct Flight<'a> {
+    vehicle: &'a Vehicle,
     scene: &'a Scene,
     settings: &'a Settings,
-    model: &'a ForceModel<LEGS>,
-    judge: Judge<LEGS>,
+    model: &'a ForceModel,
+    judge: Judge,
     time: f64,
-    first: State<f64, LEGS>,
+    first: State<f64>,
     interval: f64,
     reported: u64,
     last_report: f64,
-    observe: O,
+    observe: &'a mut dyn FnMut(&Instant),
 }
 
 /// The extremes of a landing.
-struct Extremes<const LEGS: usize> {
+struct Extremes {
     angle: (f64, f64),
     clearance: f64,
-    strut_force: [f64; LEGS],
-    stroke: [f64; LEGS],
-    pad_contact: [Option<f64>; LEGS],
-    block_contact: [Option<f64>; LEGS],
+    strut_force: PerLeg<f64>,
+    stroke: PerLeg<f64>,
+    pad_contact: PerLeg<Option<f64>>,
+    block_contact: PerLeg<Option<f64>>,
 }
 
-impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
+impl<'a> Flight<'a> {
     pub(super) fn new(
-        vehicle: &'a Vehicle<LEGS>,
+        vehicle: &'a Vehicle,
         scene: &'a Scene,
         settings: &'a Settings,
-        model: &'a ForceModel<LEGS>,
+        model: &'a ForceModel,
         interval: f64,
-        observe: O,
+        observe: &'a mut dyn FnMut(&Instant),
     ) -> Self {
         Self {
             vehicle,
@@ -68,15 +69,15 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         }
     }
 
-    pub(super) fn run(mut self, stepper: &mut impl Stepper<ForceModel<LEGS>>) -> Landing<LEGS> {
+    pub(super) fn run(mut self, stepper: &mut impl Stepper<ForceModel>) -> Landing {
         let mut evaluator = Evaluator {
             system: self.model,
-            memory: [[0.0; 3]; LEGS],
+            memory: PerLeg::same(self.first.leg_count(), [0.0; 3]),
             evaluations: 0,
         };
         let mut state = self.first;
-        let mut extremes = Extremes::new();
-        let mut before: Option<(Start<State<f64, LEGS>>, f64)> = None;
+        let mut extremes = Extremes::new(state.leg_count());
+        let mut before: Option<(Start<State<f64>>, f64)> = None;
         let mut intervals = 0;
         let outcome = loop {
             evaluator.evaluations += 1;
@@ -119,7 +120,6 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             max_strut_force: extremes.strut_force,
             max_stroke: extremes.stroke,
             final_rates: final_rates(
-                self.vehicle,
                 self.scene,
                 self.model.motion(),
                 &state,
@@ -128,10 +128,12 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
             pad_contact: extremes.pad_contact,
             block_contact: extremes.block_contact,
             energies: Energies {
-                initial_kinetic: kinetic(self.vehicle, &self.first),
-                potential_change: released(self.vehicle, &self.first, &state),
-                legs: std::array::from_fn(|j| LegWork::from_state(state.leg(j).work)),
-                final_kinetic: kinetic(self.vehicle, &state),
+                initial_kinetic: kinetic(self.model.motion(), &self.first),
+                potential_change: released(self.model.motion(), &self.first, &state),
+                legs: PerLeg::from_fn(state.leg_count(), |j| {
+                    LegWork::from_state(state.leg(j).work)
+                }),
+                final_kinetic: kinetic(self.model.motion(), &state),
             },
             steps: intervals,
             evaluations: evaluator.evaluations,
@@ -142,9 +144,9 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// Judges the start of an interval.
     fn end(
         &mut self,
-        start: &Start<State<f64, LEGS>>,
-        look: &Look<LEGS>,
-        extremes: &mut Extremes<LEGS>,
+        start: &Start<State<f64>>,
+        look: &Look,
+        extremes: &mut Extremes,
     ) -> Option<Outcome> {
         extremes.note_legs(self.time, look);
         let motion = self.model.motion();
@@ -171,10 +173,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     /// Reports the instants that are due within an interval, by Hermite's cubic between its ends.
     fn report(
         &mut self,
-        from: &Start<State<f64, LEGS>>,
-        to: &Start<State<f64, LEGS>>,
+        from: &Start<State<f64>>,
+        to: &Start<State<f64>>,
         length: f64,
-        sets: [[f64; 3]; LEGS],
+        sets: Sets,
     ) {
         while self.interval.is_finite() {
             let due = self.interval * self.reported as f64;
@@ -197,13 +199,13 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         }
     }
 
-    fn report_end(&mut self, state: &State<f64, LEGS>, sets: [[f64; 3]; LEGS]) {
+    fn report_end(&mut self, state: &State<f64>, sets: Sets) {
         if self.interval.is_finite() && self.time > self.last_report {
             self.report_instant(self.time, state, sets);
         }
     }
 
-    fn report_instant(&mut self, time: f64, state: &State<f64, LEGS>, mut sets: [[f64; 3]; LEGS]) {
+    fn report_instant(&mut self, time: f64, state: &State<f64>, mut sets: Sets) {
         let mut judge = Judge::new(self.scene, calm_height(self.vehicle));
         let motion = self.model.motion();
         let seen = judge
@@ -213,10 +215,10 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
         let look = self.model.look(state, &mut sets);
         let loads = self.model.loads(state, &look);
         let energies = [
-            kinetic(self.vehicle, state),
-            released(self.vehicle, &self.first, state),
+            kinetic(self.model.motion(), state),
+            released(self.model.motion(), &self.first, state),
         ];
-        let feet = std::array::from_fn(|j| Foot {
+        let feet = PerLeg::from_fn(state.leg_count(), |j| Foot {
             pad_angle: state.leg(j).pad_turn,
             sets: kept[j],
         });
@@ -226,28 +228,28 @@ impl<'a, O: FnMut(&Instant<LEGS>), const LEGS: usize> Flight<'a, O, LEGS> {
     }
 }
 
-impl<const LEGS: usize> Extremes<LEGS> {
-    fn new() -> Self {
+impl Extremes {
+    fn new(legs: usize) -> Self {
         Self {
             angle: (f64::INFINITY, 0.0),
             clearance: f64::INFINITY,
-            strut_force: [0.0; LEGS],
-            stroke: [0.0; LEGS],
-            pad_contact: [None; LEGS],
-            block_contact: [None; LEGS],
+            strut_force: PerLeg::same(legs, 0.0),
+            stroke: PerLeg::same(legs, 0.0),
+            pad_contact: PerLeg::same(legs, None),
+            block_contact: PerLeg::same(legs, None),
         }
     }
 
-    fn note_legs(&mut self, time: f64, look: &Look<LEGS>) {
-        for j in 0..LEGS {
+    fn note_legs(&mut self, time: f64, look: &Look) {
+        for (j, choice) in look.choices.iter().enumerate() {
             let force = look.signals.of(j, Signal::StrutForce).abs();
             self.strut_force[j] = self.strut_force[j].max(force);
             let stroke = look.signals.of(j, Signal::Stroke);
             self.stroke[j] = self.stroke[j].max(stroke);
-            if look.choices[j].pad_in_contact {
+            if choice.pad_in_contact {
                 self.pad_contact[j].get_or_insert(time);
             }
-            if look.choices[j].block_in_contact {
+            if choice.block_in_contact {
                 self.block_contact[j].get_or_insert(time);
             }
         }

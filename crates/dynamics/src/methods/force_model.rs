@@ -6,6 +6,7 @@
 use crate::contact::{Choice, LegLaws, LegMode};
 use crate::motion::{Glance, LegLoads, LegPieces, Motion, Pieces, Signal};
 use crate::outcome::Outcome;
+use crate::per_leg::PerLeg;
 use crate::scene::{Scene, Settings};
 use crate::state::State;
 use crate::vehicle::Vehicle;
@@ -14,40 +15,43 @@ use super::system::System;
 use super::variables;
 
 /// Plastic sets of outboard section, inboard section and block of each leg, ft.
-pub type Sets<const LEGS: usize> = [[f64; 3]; LEGS];
+pub type Sets = PerLeg<[f64; 3]>;
 
 /// A vehicle in a scene.
 #[derive(Debug, Clone)]
-pub struct ForceModel<const LEGS: usize = 3> {
-    motion: Motion<LEGS>,
-    laws: [LegLaws; LEGS],
+pub struct ForceModel {
+    motion: Motion<f64>,
+    laws: Vec<LegLaws>,
     /// Pieces for a look at signals that no piece has a say in.
-    untouched: Pieces<LEGS>,
+    untouched: Pieces<f64>,
     /// A place to start from for the pieces of each leg.
-    untouched_legs: [LegPieces<f64>; LEGS],
+    untouched_legs: PerLeg<LegPieces<f64>>,
 }
 
 /// What the laws say at one state.
 #[derive(Debug, Clone)]
-pub struct Look<const LEGS: usize = 3> {
+pub struct Look {
     /// Derivative of the state.
-    pub slope: State<f64, LEGS>,
+    pub slope: State<f64>,
     /// Signals of the legs.
-    pub signals: Glance<LEGS>,
+    pub signals: Glance<f64>,
     /// Coefficients of the pieces chosen.
-    pub pieces: [LegPieces<f64>; LEGS],
+    pub pieces: PerLeg<LegPieces<f64>>,
     /// What else was chosen.
-    pub choices: [Choice; LEGS],
+    pub choices: PerLeg<Choice>,
 }
 
-impl<const LEGS: usize> ForceModel<LEGS> {
+impl ForceModel {
     /// The model of a vehicle in a scene under the crush rule and friction profile of `settings`.
-    pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings) -> Self {
-        let laws: [LegLaws; LEGS] = std::array::from_fn(|j| {
-            LegLaws::new(&vehicle.legs()[j], settings.crush_rule())
-                .with_friction(settings.friction_profile())
+    pub fn new(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Self {
+        let laws: Vec<LegLaws> = (vehicle.legs().iter())
+            .map(|leg| {
+                LegLaws::new(leg, settings.crush_rule()).with_friction(settings.friction_profile())
+            })
+            .collect();
+        let untouched = PerLeg::from_fn(laws.len(), |j| {
+            LegMode::untouched(&laws[j]).pieces(&laws[j])
         });
-        let untouched = std::array::from_fn(|j| LegMode::untouched(&laws[j]).pieces(&laws[j]));
         Self {
             motion: Motion::new(vehicle, scene),
             untouched: Pieces::new(&untouched),
@@ -57,19 +61,19 @@ impl<const LEGS: usize> ForceModel<LEGS> {
     }
 
     /// The equations of motion.
-    pub fn motion(&self) -> &Motion<LEGS> {
+    pub fn motion(&self) -> &Motion<f64> {
         &self.motion
     }
 
     /// Chooses the pieces at a state and evaluates; the sets grow as the laws say.
-    pub fn look(&self, state: &State<f64, LEGS>, sets: &mut Sets<LEGS>) -> Look<LEGS> {
+    pub fn look(&self, state: &State<f64>, sets: &mut Sets) -> Look {
         let mut signals = self.motion.signals(state, &self.untouched, false);
         let mut pieces = self.untouched_legs;
         let mut choices = self.choose(&signals, sets, &mut pieces);
-        let mut slope = State::zero();
-        let evaluate = |pieces: &_, slope: &mut _, signals: &mut _| {
+        let mut slope = State::zero(state.leg_count());
+        let evaluate = |pieces: &[LegPieces<f64>], slope: &mut _, signals: &mut _| {
             let pieces = Pieces::new(pieces);
-            self.motion.evaluate(state, &pieces, slope, signals);
+            self.motion.evaluate::<true>(state, &pieces, slope, signals);
         };
         evaluate(&pieces, &mut slope, &mut signals);
         let mut pushed = false;
@@ -92,33 +96,34 @@ impl<const LEGS: usize> ForceModel<LEGS> {
 
     fn choose(
         &self,
-        signals: &Glance<LEGS>,
-        sets: &mut Sets<LEGS>,
-        pieces: &mut [LegPieces<f64>; LEGS],
-    ) -> [Choice; LEGS] {
-        std::array::from_fn(|j| {
-            let choice = self.laws[j].choose(sets[j], &signals.leg(j), &mut pieces[j]);
+        signals: &Glance<f64>,
+        sets: &mut Sets,
+        pieces: &mut PerLeg<LegPieces<f64>>,
+    ) -> PerLeg<Choice> {
+        PerLeg::from_fn(self.laws.len(), |j| {
+            let choice = self.laws[j].choose(sets[j], signals.leg(j), &mut pieces[j]);
             sets[j] = choice.sets;
             choice
         })
     }
 
     /// How the laws end the landing, if they do.
-    pub fn end(&self, look: &Look<LEGS>) -> Option<Outcome> {
-        (0..LEGS).find_map(|j| self.laws[j].end(j, &look.pieces[j], &look.signals.leg(j)))
+    pub fn end(&self, look: &Look) -> Option<Outcome> {
+        (self.laws.iter().enumerate())
+            .find_map(|(j, laws)| laws.end(j, &look.pieces[j], look.signals.leg(j)))
     }
 
     /// Loads at a state.
-    pub fn loads(&self, state: &State<f64, LEGS>, look: &Look<LEGS>) -> [LegLoads<f64>; LEGS] {
+    pub fn loads(&self, state: &State<f64>, look: &Look) -> PerLeg<LegLoads<f64>> {
         self.motion.loads(state, &Pieces::new(&look.pieces))
     }
 }
 
-impl<const LEGS: usize> System for ForceModel<LEGS> {
-    type State = State<f64, LEGS>;
-    type Memory = Sets<LEGS>;
+impl System for ForceModel {
+    type State = State<f64>;
+    type Memory = Sets;
 
-    fn derivative(&self, state: &Self::State, sets: &mut Sets<LEGS>) -> Self::State {
+    fn derivative(&self, state: &Self::State, sets: &mut Sets) -> Self::State {
         let signals = self.motion.signals(state, &self.untouched, false);
         let mut pieces = self.untouched_legs;
         let kept = *sets;
@@ -127,14 +132,14 @@ impl<const LEGS: usize> System for ForceModel<LEGS> {
             *sets = kept;
             return self.look(state, sets).slope;
         }
-        let mut slope = State::zero();
+        let mut slope = State::zero(state.leg_count());
         self.motion
-            .derivative(state, &Pieces::new(&pieces), &mut slope);
+            .derivative::<true>(state, &Pieces::new(&pieces), &mut slope);
         slope
     }
 
     fn hold(&self, start: &Self::State, derivative: &mut Self::State) {
-        for j in 0..LEGS {
+        for j in 0..start.leg_count() {
             let mut leg = derivative.leg(j);
             leg.pad_rate = start.leg(j).pad_rate;
             derivative.set_leg(j, &leg);

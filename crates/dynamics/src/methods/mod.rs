@@ -84,13 +84,13 @@ impl Default for FixedInterval {
 /// Computes a landing by the method of the settings and reports its state every `interval` seconds
 /// from first contact on, and at the end; with the account of its integration. The method that
 /// locates events has its own account in the landing and an empty one here.
-pub fn land_observed<const LEGS: usize>(
-    vehicle: &Vehicle<LEGS>,
+pub fn land_observed(
+    vehicle: &Vehicle,
     scene: &Scene,
     settings: &Settings,
     interval: f64,
-    observe: impl FnMut(&Instant<LEGS>),
-) -> (Landing<LEGS>, IntegrationSummary) {
+    observe: &mut dyn FnMut(&Instant),
+) -> (Landing, IntegrationSummary) {
     let touchdown = (vehicle, scene);
     match settings.method() {
         Method::Located => {
@@ -98,7 +98,8 @@ pub fn land_observed<const LEGS: usize>(
             (landing, IntegrationSummary::default())
         }
         Method::Report(control) => {
-            let mut stepper = StepDoubling::new(check::<LEGS>(&control), control.intervals());
+            let mut stepper =
+                StepDoubling::new(check(&control, vehicle.legs().len()), control.intervals());
             let landing = land_by(&mut stepper, touchdown, settings, interval, observe);
             (landing, stepper.into_summary())
         }
@@ -115,7 +116,8 @@ pub fn land_observed<const LEGS: usize>(
             counted(land_by(stepper, touchdown, settings, interval, observe))
         }
         Method::Milne(control) => {
-            let mut stepper = Milne::new(check::<LEGS>(&control), control.intervals());
+            let mut stepper =
+                Milne::new(check(&control, vehicle.legs().len()), control.intervals());
             let landing = land_by(&mut stepper, touchdown, settings, interval, observe);
             (landing, stepper.into_summary())
         }
@@ -123,24 +125,24 @@ pub fn land_observed<const LEGS: usize>(
 }
 
 /// Computes a landing with any of these methods, whatever the settings say of the method.
-pub fn land_by<const LEGS: usize>(
-    stepper: &mut impl Stepper<ForceModel<LEGS>>,
-    (vehicle, scene): (&Vehicle<LEGS>, &Scene),
+pub fn land_by(
+    stepper: &mut impl Stepper<ForceModel>,
+    (vehicle, scene): (&Vehicle, &Scene),
     settings: &Settings,
     interval: f64,
-    observe: impl FnMut(&Instant<LEGS>),
-) -> Landing<LEGS> {
+    observe: &mut dyn FnMut(&Instant),
+) -> Landing {
     let model = ForceModel::new(vehicle, scene, settings);
     Flight::new(vehicle, scene, settings, &model, interval, observe).run(stepper)
 }
 
-/// The check of a vehicle's errors.
-pub fn check<const LEGS: usize>(control: &ErrorControl) -> ErrorCheck {
-    ErrorCheck::new(variables::limits::<LEGS>(&control.limits()))
+/// The check of the errors of a vehicle with so many legs.
+pub fn check(control: &ErrorControl, legs: usize) -> ErrorCheck {
+    ErrorCheck::new(variables::limits(&control.limits(), legs))
 }
 
 /// The account of an integration at a fixed interval.
-fn counted<const LEGS: usize>(landing: Landing<LEGS>) -> (Landing<LEGS>, IntegrationSummary) {
+fn counted(landing: Landing) -> (Landing, IntegrationSummary) {
     let summary = IntegrationSummary {
         intervals: landing.steps,
         time: landing.end_time,

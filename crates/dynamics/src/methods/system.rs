@@ -8,7 +8,7 @@ pub trait Vector: Copy {
     fn advanced<const TERMS: usize>(&self, weights: [f64; TERMS], slopes: [&Self; TERMS]) -> Self;
 }
 
-impl<const LEGS: usize> Vector for State<f64, LEGS> {
+impl Vector for State<f64> {
     fn advanced<const TERMS: usize>(&self, weights: [f64; TERMS], slopes: [&Self; TERMS]) -> Self {
         State::advanced(self, weights, slopes)
     }

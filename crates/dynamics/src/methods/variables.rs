@@ -4,6 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::attitude::Attitude;
+use crate::per_leg::PerLeg;
 use crate::state::State;
 
 use super::error_control::ErrorLimits;
@@ -13,12 +14,12 @@ const ENERGIES: usize = 5;
 
 /// Greatest errors per second in the report's numbering, infinite where it has none: footpad rates
 /// and energies.
-pub fn limits<const LEGS: usize>(limits: &ErrorLimits) -> Vec<f64> {
+pub fn limits(limits: &ErrorLimits, legs: usize) -> Vec<f64> {
     let groups = [
-        (f64::INFINITY, LEGS),
-        (limits.pad_angle, LEGS),
-        (limits.link_rate, LEGS),
-        (limits.link_angle, LEGS),
+        (f64::INFINITY, legs),
+        (limits.pad_angle, legs),
+        (limits.link_rate, legs),
+        (limits.link_angle, legs),
         (limits.velocity, 3),
         (limits.position, 3),
         (limits.angular_velocity, 3),
@@ -29,10 +30,10 @@ pub fn limits<const LEGS: usize>(limits: &ErrorLimits) -> Vec<f64> {
     each.concat()
 }
 
-/// Names of the variables, with units.
-pub fn names<const LEGS: usize>() -> Vec<String> {
+/// Names of the variables of a vehicle with so many legs, with units.
+pub fn names(legs: usize) -> Vec<String> {
     let of_legs = |name: &str, unit: &str| -> Vec<String> {
-        (1..=LEGS)
+        (1..=legs)
             .map(|leg| format!("{name} {leg}, {unit}"))
             .collect()
     };
@@ -65,13 +66,9 @@ pub fn names<const LEGS: usize>() -> Vec<String> {
 }
 
 /// Writes a − b in the report's numbering into `difference`.
-pub fn difference<const LEGS: usize>(
-    a: &State<f64, LEGS>,
-    b: &State<f64, LEGS>,
-    difference: &mut Vec<f64>,
-) {
+pub fn difference(a: &State<f64>, b: &State<f64>, difference: &mut Vec<f64>) {
     difference.clear();
-    let legs: [_; LEGS] = std::array::from_fn(|j| (a.leg(j), b.leg(j)));
+    let legs = PerLeg::from_fn(a.leg_count(), |j| (a.leg(j), b.leg(j)));
     difference.extend(legs.iter().map(|(a, b)| a.pad_rate - b.pad_rate));
     difference.extend(legs.iter().map(|(a, b)| a.pad_turn - b.pad_turn));
     difference.extend(legs.iter().map(|(a, b)| a.link_rate - b.link_rate));
@@ -103,12 +100,12 @@ mod tests {
 
     #[test]
     fn variables_are_numbered_as_in_the_report() {
-        let names = names::<3>();
+        let names = names(3);
         assert_eq!(names.len(), 29);
         assert_eq!(names[8 - 1], "link rate 2, rad/s");
         assert_eq!(names[21 - 1], "angular velocity z, rad/s");
         assert_eq!(names[25 - 1], "strut energy, ft lb");
-        let limits = limits::<3>(&ErrorLimits::default());
+        let limits = limits(&ErrorLimits::default(), 3);
         let checked = limits.iter().filter(|limit| limit.is_finite()).count();
         assert_eq!((limits.len(), checked), (29, 21));
     }

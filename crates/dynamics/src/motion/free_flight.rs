@@ -9,7 +9,7 @@ use libm::expm1;
 use nalgebra::{Matrix3, Vector3, Vector4};
 
 use super::{Motion, Pieces};
-use crate::quad::LANES;
+use crate::per_leg::PerLeg;
 use crate::state::{Body, State, quaternion_rate};
 
 /// Terms of the series, that of order zero not counted.
@@ -19,14 +19,14 @@ const ROUNDING: f64 = 1e-17;
 
 /// The flight from one state on.
 #[derive(Debug, Clone, Copy)]
-pub struct FreeFlight<const LEGS: usize> {
-    start: State<f64, LEGS>,
+pub struct FreeFlight {
+    start: State<f64>,
     /// ft/s², along z of the ground axes.
     gravity: f64,
     /// Derivatives of the angular velocity (rad/s, body axes) and of the quaternion, order by order in s, over factorials.
     rates: [Vector3<f64>; ORDER + 1],
     quaternions: [Vector4<f64>; ORDER + 1],
-    legs: [HangingLeg; LEGS],
+    legs: PerLeg<HangingLeg>,
 }
 
 /// How a leg that hangs goes on.
@@ -42,29 +42,26 @@ struct HangingLeg {
     steady: f64,
 }
 
-impl<const LEGS: usize> Motion<LEGS> {
+impl Motion<f64> {
     /// The flight from a state at which all legs hang.
-    pub fn free_flight(&self, state: &State<f64, LEGS>, pieces: &Pieces<LEGS>) -> FreeFlight<LEGS> {
+    pub fn free_flight(&self, state: &State<f64>, pieces: &Pieces<f64>) -> FreeFlight {
         let Body {
             quaternion, rate, ..
         } = state.body();
-        let (rates, quaternions) = rotation(
-            [&self.equations.inertia, &self.equations.inverse_inertia],
-            rate,
-            quaternion,
-        );
+        let (rates, quaternions) =
+            rotation([&self.inertia, &self.inverse_inertia], rate, quaternion);
         FreeFlight {
             start: *state,
-            gravity: self.equations.gravity,
+            gravity: self.gravity,
             rates,
             quaternions,
-            legs: std::array::from_fn(|j| {
-                let leg = pieces.leg(j);
+            legs: PerLeg::from_fn(self.leg_count(), |j| {
+                let leg = &pieces.leg(j).leg;
                 let [follows, steady] = leg.hinge.turning_by_rate();
                 HangingLeg {
                     run_down: leg.link.run_down(),
                     surplus: leg.link.surplus(state.leg(j).link_rate),
-                    inertia: self.equations.groups[j / LANES].link_inertia.0[j % LANES],
+                    inertia: self.legs[j].link_inertia,
                     follows,
                     steady,
                 }
@@ -106,7 +103,7 @@ where
     (lower.iter().rev()).fold(*last, |sum, &term| sum * time + term)
 }
 
-impl<const LEGS: usize> FreeFlight<LEGS> {
+impl FreeFlight {
     /// Time up to `longest` (s) within which the series are summed to the last bit.
     pub fn reach(&self, longest: f64) -> f64 {
         let [rate, quaternion] = [self.rates[0].norm(), self.quaternions[0].norm()];
@@ -127,13 +124,13 @@ impl<const LEGS: usize> FreeFlight<LEGS> {
         }
     }
 
-    /// Writes the state so many seconds on, work integrals included.
+    /// The state so many seconds on, work integrals included.
     #[cold]
     #[inline(never)]
-    pub fn write(&self, time: f64, state: &mut State<f64, LEGS>) {
+    pub fn at(&self, time: f64) -> State<f64> {
+        let mut state = self.start;
         let start = self.start.body();
         let fall = Vector3::new(0.0, 0.0, self.gravity * time);
-        *state = self.start;
         state.set_body(&Body {
             position: start.position + (start.velocity + fall * 0.5) * time,
             velocity: start.velocity + fall,
@@ -153,6 +150,7 @@ impl<const LEGS: usize> FreeFlight<LEGS> {
             *stop += 0.5 * hanging.inertia * (rate * rate - leg.link_rate * leg.link_rate);
             state.set_leg(j, &leg);
         }
+        state
     }
 }
 

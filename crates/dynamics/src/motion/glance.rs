@@ -3,83 +3,106 @@
 use super::{LegSignals, Signal};
 use crate::integrator::cubic::Rated;
 use crate::integrator::event::Signals;
-use crate::quad::{LANES, MOST_LEGS, Quad};
+use crate::integrator::ranges::LANES;
+use crate::per_leg::PerLeg;
+use crate::registers::Lanes;
+use crate::scalar::Real;
+use crate::wide::Wide;
 
-/// Signals of all legs at one instant. The legs' numbers of one kind lie side by side, as in a state.
+/// Signals of all legs at one instant, leg by leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub struct Glance<const LEGS: usize> {
-    rows: [[f64; MOST_LEGS]; Signal::COUNT],
+pub struct Glance<S> {
+    legs: PerLeg<LegSignals<S>>,
 }
 
-impl<const LEGS: usize> Glance<LEGS> {
-    /// Nothing seen yet: all signals zero.
-    pub fn blank() -> Self {
+/// Leading signals of a leg, in whole quads, that hold all that have ranges.
+const RANGED: usize = Signal::RANGED.next_multiple_of(LANES);
+
+impl<S: Real> Glance<S> {
+    /// Nothing seen yet: all signals of so many legs are zero.
+    pub fn blank(legs: usize) -> Self {
         Self {
-            rows: [[0.0; MOST_LEGS]; Signal::COUNT],
+            legs: PerLeg::same(legs, [S::zero(); Signal::COUNT]),
         }
+    }
+
+    /// Number of legs.
+    #[inline(always)]
+    pub fn leg_count(&self) -> usize {
+        self.legs.len()
     }
 
     /// A signal of leg `leg`.
     #[inline(always)]
-    pub fn of(&self, leg: usize, signal: Signal) -> f64 {
-        self.rows[signal as usize][leg]
+    pub fn of(&self, leg: usize, signal: Signal) -> S {
+        self.legs[leg][signal as usize]
     }
 
     /// All signals of leg `leg`.
     #[inline(always)]
-    pub fn leg(&self, leg: usize) -> LegSignals<f64> {
-        self.rows.map(|row| row[leg])
-    }
-
-    /// The signals that have ranges, four at a time.
-    #[inline(always)]
-    pub(crate) fn ranged(&self) -> &[[f64; LANES]] {
-        self.rows[..Signal::RANGED].as_flattened().as_chunks().0
+    pub fn leg(&self, leg: usize) -> &LegSignals<S> {
+        &self.legs[leg]
     }
 
     /// Writes a signal of leg `leg`.
     #[inline(always)]
-    pub(crate) fn set(&mut self, leg: usize, signal: Signal, value: f64) {
-        self.rows[signal as usize][leg] = value;
+    pub fn set(&mut self, leg: usize, signal: Signal, value: S) {
+        self.legs[leg][signal as usize] = value;
     }
 
-    /// All its numbers.
+    /// Writes all signals of leg `leg`.
     #[inline(always)]
-    pub(super) fn numbers_mut(&mut self) -> &mut [f64] {
-        self.rows.as_flattened_mut()
+    pub(super) fn set_leg(&mut self, leg: usize, signals: &LegSignals<S>) {
+        self.legs[leg] = *signals;
     }
+}
 
-    /// Writes the signals of a group of four.
+impl Glance<f64> {
+    /// Quads of signals that hold all of a leg that have ranges.
+    pub const RANGED_QUADS: usize = RANGED / LANES;
+    /// Leading quads that hold signals whose rates are signals too.
+    pub const RATED_QUADS: usize = Signal::RATED / LANES;
+
+    /// The signals of leg `leg` that have ranges, four at a time.
     #[inline(always)]
-    pub(super) fn set_abreast(&mut self, group: usize, legs: &LegSignals<Quad>) {
-        for (row, signal) in self.rows.iter_mut().zip(legs) {
-            row[group * LANES..][..LANES].copy_from_slice(&signal.0);
-        }
+    pub fn ranged(&self, leg: usize) -> &[[f64; LANES]] {
+        self.legs[leg][..RANGED].as_chunks().0
     }
 
     /// Index of a signal of leg `leg` among all.
     #[inline(always)]
     pub fn index(leg: usize, signal: Signal) -> usize {
-        signal as usize * MOST_LEGS + leg
+        leg * Signal::COUNT + signal as usize
     }
 }
 
-impl<const LEGS: usize> Rated for Glance<LEGS> {
+impl<const N: usize> Glance<Wide<N>> {
+    /// Writes the signals of each landing.
+    #[inline(always)]
+    pub fn deal<R: Lanes<N>>(&self, registers: R, glances: [&mut Glance<f64>; N]) {
+        registers.deal(
+            self.legs.as_flattened(),
+            glances.map(|glance| glance.legs.as_flattened_mut()),
+        );
+    }
+}
+
+impl Rated for Glance<f64> {
     #[inline(always)]
     fn has_rate(index: usize) -> bool {
-        index < Signal::RATED * MOST_LEGS
+        index % Signal::COUNT < Signal::RATED
     }
 
     #[inline(always)]
     fn rate(&self, index: usize) -> f64 {
-        self.get(index + Signal::RATED * MOST_LEGS)
+        self.get(index + Signal::RATED)
     }
 }
 
-impl<const LEGS: usize> Signals for Glance<LEGS> {
+impl Signals for Glance<f64> {
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
-        self.rows.as_flattened()[index]
+        self.legs.as_flattened()[index]
     }
 }

@@ -63,18 +63,13 @@ impl LegMotion<f64> {
     }
 }
 
-/// What one leg does to the body and itself.
-pub(super) struct LegPush<S> {
+/// What one leg does to the body and itself, shows and bears.
+pub(super) struct LegAction<S> {
     /// Force on the body in vehicle axes, lb.
     pub(super) force: Vector3<S>,
     /// Torque on the body about the CG in vehicle axes, ft·lb.
     pub(super) torque: Vector3<S>,
     pub(super) derivative: LegState<S>,
-}
-
-/// What one leg does, shows and bears.
-pub(super) struct LegAction<S> {
-    pub(super) push: LegPush<S>,
     pub(super) signals: LegSignals<S>,
     pub(super) loads: LegLoads<S>,
 }
@@ -93,19 +88,20 @@ struct Touch<S> {
 }
 
 impl<S: Real> Touch<S> {
+    #[inline(always)]
     fn none() -> Self {
         let zero = S::zero();
         Self {
             velocity: PointVelocity {
                 inward: zero,
-                sliding: Vector3::zeros(),
+                sliding: Vector3::from([zero; 3]),
                 sliding_squared: zero,
             },
             normal: zero,
             drag: zero,
-            line: Vector3::zeros(),
-            force: Vector3::zeros(),
-            moment: Vector3::zeros(),
+            line: Vector3::from([zero; 3]),
+            force: Vector3::from([zero; 3]),
+            moment: Vector3::from([zero; 3]),
         }
     }
 
@@ -131,6 +127,7 @@ impl<S: Real> Touch<S> {
     }
 
     /// Friction force, lb.
+    #[inline(always)]
     fn friction(&self) -> S {
         self.normal * self.drag * self.velocity.sliding_squared.sqrt()
     }
@@ -277,11 +274,9 @@ impl<S: Real> LegMotion<S> {
             body.depth + body.normal.dot(&self.geometry.lower_hardpoint()),
         ];
         LegAction {
-            push: LegPush {
-                force: self.geometry.in_vehicle_axes(&(pad.force + block.force)),
-                torque: self.geometry.in_vehicle_axes(&(pad.moment + block.moment)),
-                derivative,
-            },
+            force: self.geometry.in_vehicle_axes(&(pad.force + block.force)),
+            torque: self.geometry.in_vehicle_axes(&(pad.moment + block.moment)),
+            derivative,
             signals,
             loads: LegLoads {
                 strut,

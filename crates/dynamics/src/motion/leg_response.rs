@@ -1,99 +1,52 @@
 //! How the forces on a leg answer small changes of the motion.
 
 use nalgebra::{Matrix3, Vector3, Vector4, Vector6};
-use num_traits::{One, Zero};
-use pulp::NullaryFnOnce;
 
 use super::leg::LegMotion;
-use super::pieces::{GroupPieces, Pressed};
-use super::{Equations, Group, LegPieces, Motion, Pieces};
-use crate::formation::{Formation, LegsAbreast};
+use super::pieces::Pressed;
+use super::{LegPieces, Motion, Pieces, at_angle};
 use crate::friction::FrictionPiece;
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
 };
-use crate::quad::Quad;
-use crate::registers::Registers;
+use crate::per_leg::PerLeg;
 use crate::response::{Answer, Coordinates, LegResponse, Response};
 use crate::scalar::Real;
 use crate::state::{LegState, State};
-use crate::wide::Abreast;
 
-impl<const LEGS: usize> Motion<LEGS> {
+impl<S: Real> Motion<S> {
     /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
-    pub fn response(&self) -> Response<LegsAbreast, LEGS> {
-        self.equations.response()
-    }
-
-    /// Writes how the forces answer at a state.
-    pub fn respond(
-        &self,
-        state: &State<f64, LEGS>,
-        pieces: &Pieces<LEGS>,
-        response: &mut Response<LegsAbreast, LEGS>,
-    ) {
-        let bent = self.bend(state, pieces);
-        let state = bent.as_ref().unwrap_or(state);
-        let frame = self.equations.face(state, response);
-        for (index, response) in response.groups.iter_mut().enumerate() {
-            let group = self.group(index, &frame, state, pieces);
-            self.registers.dispatch(GroupResponse(group, response));
-        }
-    }
-}
-
-impl<F: Formation<LEGS>, const LEGS: usize> Equations<F, LEGS> {
-    /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
-    #[inline(always)]
-    pub(super) fn response(&self) -> Response<F, LEGS> {
-        let (zero, one) = (F::Body::zero(), F::Body::one());
+    pub fn response(&self) -> Response<S> {
+        let (zero, one) = (S::zero(), S::one());
         Response {
             rotation: Matrix3::from([[zero; 3]; 3]),
             quaternion: Vector4::from([one, zero, zero, zero]),
-            mass: self.mass(),
+            mass: self.mass,
             inertia: self.inertia,
-            groups: F::groups(|_| LegResponse::none()),
+            legs: PerLeg::same(self.legs.len(), LegResponse::none()),
         }
     }
 
-    /// Mass, slug.
+    /// Writes how the forces answer at a state.
     #[inline(always)]
-    pub(super) fn mass(&self) -> F::Body {
-        F::Body::one() / self.inverse_mass
-    }
-
-    /// Writes how the body lies at a state; the frame in which its legs answer.
-    #[inline(always)]
-    pub(super) fn face(
-        &self,
-        state: &State<F::Body, LEGS>,
-        response: &mut Response<F, LEGS>,
-    ) -> BodyFrame<F::Body> {
+    pub fn respond(&self, state: &State<S>, pieces: &Pieces<S>, response: &mut Response<S>) {
         let body = state.body();
         let frame = self.surface.frame(&body);
         response.rotation = frame.rotation;
         response.quaternion = body.quaternion;
-        frame
-    }
-}
-
-/// How a group of legs answers.
-struct GroupResponse<'a, const LEGS: usize>(Group<'a, LEGS>, &'a mut LegResponse<Quad>);
-
-impl<const LEGS: usize> NullaryFnOnce for GroupResponse<'_, LEGS> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Self(group, response) = self;
-        let legs = group.state.legs_abreast(group.index);
-        let GroupPieces {
-            legs: pieces,
-            pressed,
-        } = group.pieces;
-        group
-            .motion
-            .respond(&group.frame.shared(), &legs, pieces, *pressed, response);
+        // Landings come and go in lanes, and their bodies with them.
+        response.mass = self.mass;
+        response.inertia = self.inertia;
+        for leg in 0..self.legs.len() {
+            let active = pieces.leg(leg);
+            self.legs[leg].respond(
+                &frame,
+                &at_angle(active, state.leg(leg)),
+                &active.leg,
+                active.pressed,
+                &mut response.legs[leg],
+            );
+        }
     }
 }
 

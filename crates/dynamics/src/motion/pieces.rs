@@ -1,13 +1,12 @@
 //! The coefficients that the equations of motion work with.
 
-use super::stops::press_stops;
 use crate::crush::PressureLine;
 use crate::friction::FrictionPiece;
 use crate::hinge::HingePiece;
-use crate::quad::{GROUPS, LANES, Quad};
+use crate::per_leg::PerLeg;
 use crate::scalar::Real;
 use crate::strut::{LinkPiece, StrutPiece};
-use crate::wide::{Abreast, abreast};
+use crate::wide::{Abreast, Wide, abreast};
 
 /// Coefficients of the active piece of every law of one leg.
 #[derive(Debug, Clone, Copy)]
@@ -53,7 +52,7 @@ impl LegPieces<f64> {
     }
 }
 
-/// What presses on any leg of a group.
+/// What presses on a leg, in any lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pressed {
     /// A footpad on the surface.
@@ -65,7 +64,7 @@ pub(super) struct Pressed {
 }
 
 impl Pressed {
-    /// Of the legs with these coefficients.
+    /// Of a leg with these coefficients.
     #[inline(always)]
     pub(super) fn of<S: Real>(legs: &LegPieces<S>) -> Self {
         let [outer, inner] = &legs.pad;
@@ -77,57 +76,71 @@ impl Pressed {
     }
 }
 
-/// Coefficients of a group of legs, side by side.
+/// Coefficients in force on a leg.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct GroupPieces<S> {
-    pub(super) legs: LegPieces<S>,
+pub(super) struct ActivePieces<S> {
+    pub(super) leg: LegPieces<S>,
     pub(super) pressed: Pressed,
 }
 
-impl<S: Real> GroupPieces<S> {
-    pub(super) fn new(legs: LegPieces<S>) -> Self {
+impl<S: Real> ActivePieces<S> {
+    fn new(leg: LegPieces<S>) -> Self {
         Self {
-            pressed: Pressed::of(&legs),
-            legs,
+            pressed: Pressed::of(&leg),
+            leg,
         }
     }
 }
 
-/// Coefficients of all legs, side by side.
+/// Coefficients in force on all legs.
 #[derive(Debug, Clone, Copy)]
-pub struct Pieces<const LEGS: usize> {
-    /// As many groups as there can be; lanes beyond the last leg hold none.
-    pub(super) groups: [GroupPieces<Quad>; GROUPS],
+pub struct Pieces<S> {
+    legs: PerLeg<ActivePieces<S>>,
 }
 
-impl<const LEGS: usize> Pieces<LEGS> {
-    /// Lays the coefficients of the legs side by side. Lanes beyond the last leg hold none.
-    pub fn new(legs: &[LegPieces<f64>; LEGS]) -> Self {
-        let absent = GroupPieces::new(LegPieces::absent().shared());
-        let mut pieces = Self {
-            groups: [absent; GROUPS],
-        };
-        for (j, leg) in legs.iter().enumerate() {
-            pieces.set_leg(j, leg);
+impl<S: Real> Pieces<S> {
+    /// Whether any pad presses on a stop.
+    #[inline(always)]
+    pub fn press_stops(&self) -> bool {
+        self.legs.iter().any(|leg| leg.pressed.stops)
+    }
+
+    /// Of leg `leg`.
+    #[inline(always)]
+    pub(super) fn leg(&self, leg: usize) -> &ActivePieces<S> {
+        &self.legs[leg]
+    }
+}
+
+impl Pieces<f64> {
+    /// The coefficients of all legs.
+    ///
+    /// # Panics
+    /// Without a leg, or with more than a vehicle may have.
+    pub fn new(legs: &[LegPieces<f64>]) -> Self {
+        Self {
+            legs: PerLeg::from_fn(legs.len(), |leg| ActivePieces::new(legs[leg])),
         }
-        pieces
     }
 
     /// Sets the coefficients of leg `leg`.
     pub fn set_leg(&mut self, leg: usize, pieces: &LegPieces<f64>) {
-        let GroupPieces { legs, pressed } = &mut self.groups[leg / LANES];
-        pieces.set_lane(legs, leg % LANES);
-        *pressed = Pressed::of(legs);
+        self.legs[leg] = ActivePieces::new(*pieces);
+    }
+}
+
+impl<const N: usize> Pieces<Wide<N>> {
+    /// So many legs in the air, in all lanes.
+    pub fn absent(legs: usize) -> Self {
+        Self {
+            legs: PerLeg::same(legs, ActivePieces::new(LegPieces::absent().shared())),
+        }
     }
 
-    /// Whether any pad presses on a stop.
-    #[inline(always)]
-    pub(super) fn press_stops(&self) -> bool {
-        press_stops(&self.groups)
-    }
-
-    /// The coefficients of leg `leg`.
-    pub(super) fn leg(&self, leg: usize) -> LegPieces<f64> {
-        LegPieces::lane(&self.groups[leg / LANES].legs, leg % LANES)
+    /// Puts the coefficients of leg `leg` into a lane.
+    pub fn set_lane(&mut self, lane: usize, leg: usize, pieces: &Pieces<f64>) {
+        let ActivePieces { leg: all, pressed } = &mut self.legs[leg];
+        pieces.legs[leg].leg.set_lane(all, lane);
+        *pressed = Pressed::of(all);
     }
 }

@@ -1,36 +1,41 @@
 //! The linear equations of a stage of an implicit step. Legs touch the body but not each other, so eliminating them
 //! leaves six equations.
 
+use arrayvec::ArrayVec;
 use nalgebra::{Matrix6, Vector3, Vector4, Vector6};
-use num_traits::{One, Zero};
 
 use super::{LegResponse, Response, none, product};
-use crate::formation::Formation;
+use crate::integrator::rosenbrock::StageEquations;
+use crate::per_leg::MOST_LEGS;
 use crate::products::{times, transposed_times};
 use crate::scalar::Real;
 use crate::state::{Body, LegState, State, quaternion_rate};
 
-impl<F: Formation<LEGS>, const LEGS: usize> Response<F, LEGS> {
+impl<S: Real> Response<S> {
     /// The equations of an implicit stage of weight τ (s).
     #[inline(always)]
-    pub fn over(&self, tau: F::Body) -> System<'_, F, LEGS> {
-        let mut matrix = Matrix6::from([[F::Body::zero(); 6]; 6]);
+    pub fn over(&self, tau: S) -> System<'_, S> {
+        let mut matrix = Matrix6::from([[S::zero(); 6]; 6]);
         for i in 0..3 {
             matrix[(i, i)] = self.mass;
             for k in 0..3 {
                 matrix[(3 + i, 3 + k)] = self.inertia[(i, k)];
             }
         }
-        let mut legs = F::groups(|_| Eliminated::nothing());
-        for group in 0..F::GROUPS {
-            let body = legs[group].eliminate(&self.groups[group], F::shared(tau));
+        let mut legs = ArrayVec::new();
+        for leg in &self.legs {
+            let (eliminated, body) = Eliminated::from(leg, tau);
+            legs.push(eliminated);
             for column in 0..6 {
-                F::add(&mut matrix.data.0[column], &body.data.0[column]);
+                for row in 0..6 {
+                    S::one_round();
+                    matrix[(row, column)] += body[(row, column)];
+                }
             }
         }
         // L U in place, with ones on the diagonal of L and the inverse of that of U.
         for pivot in 0..6 {
-            let inverse = F::Body::one() / matrix[(pivot, pivot)];
+            let inverse = S::one() / matrix[(pivot, pivot)];
             matrix[(pivot, pivot)] = inverse;
             for row in pivot + 1..6 {
                 matrix[(row, pivot)] *= inverse;
@@ -64,20 +69,9 @@ struct Eliminated<S> {
 }
 
 impl<S: Real> Eliminated<S> {
-    /// No legs.
+    /// Eliminates a leg: what that leaves of it in the body's equations.
     #[inline(always)]
-    fn nothing() -> Self {
-        let zero = S::zero();
-        Self {
-            columns: [none(); 2],
-            inverse: [[zero; 2]; 2],
-            rows: [none(); 2],
-        }
-    }
-
-    /// Eliminates a group of legs: what that leaves of them in the body's equations.
-    #[inline(always)]
-    fn eliminate(&mut self, leg: &LegResponse<S>, tau: S) -> Matrix6<S> {
+    fn from(leg: &LegResponse<S>, tau: S) -> (Self, Matrix6<S>) {
         let [follows, bends] = leg.pad_turn;
         let [link_inertia, pad_inertia] = leg.inertia;
         let squared = tau * tau;
@@ -144,29 +138,28 @@ impl<S: Real> Eliminated<S> {
                 }
             }
         }
-        *self = Self {
+        let eliminated = Self {
             columns,
             inverse,
             rows: solved,
         };
-        body
+        (eliminated, body)
     }
 }
 
 /// The equations (1/τ − J) u = r of an implicit stage, factored: J is the derivative of the motion as far as
 /// forces answer, u and r are states.
-#[derive(Debug, Clone, Copy)]
-pub struct System<'a, F: Formation<LEGS>, const LEGS: usize> {
-    response: &'a Response<F, LEGS>,
-    tau: F::Body,
-    factors: Matrix6<F::Body>,
-    legs: F::Groups<Eliminated<F::Leg>>,
+#[derive(Debug, Clone)]
+pub struct System<'a, S> {
+    response: &'a Response<S>,
+    tau: S,
+    factors: Matrix6<S>,
+    legs: ArrayVec<Eliminated<S>, MOST_LEGS>,
 }
 
-impl<F: Formation<LEGS>, const LEGS: usize> System<'_, F, LEGS> {
-    /// Writes u with (1/τ − J) u = r. What works and pads at rest on their stops accumulate is left out.
+impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
     #[inline(always)]
-    pub fn solve(&self, r: &State<F::Body, LEGS>, u: &mut State<F::Body, LEGS>) {
+    fn solve(&self, r: &State<S>, u: &mut State<S>) {
         let tau = self.tau;
         let response = self.response;
         let given = r.body();
@@ -183,11 +176,13 @@ impl<F: Formation<LEGS>, const LEGS: usize> System<'_, F, LEGS> {
         let push = transposed_times(&response.rotation, &given.velocity) * response.mass;
         let twist = times(&response.inertia, &given.rate);
         let mut body = Vector6::new(push.x, push.y, push.z, twist.x, twist.y, twist.z);
-        let mut rates = F::groups(|_| [F::Leg::zero(); 2]);
-        for group in 0..F::GROUPS {
-            let legs = F::legs(r, group);
-            let forces = self.legs_push(group, &known, &legs, &mut rates[group]);
-            F::add(&mut body.data.0[0], &forces.data.0[0]);
+        let mut rates = ArrayVec::<_, MOST_LEGS>::new();
+        for leg in 0..self.legs.len() {
+            let (forces, rate) = self.leg_pushes(leg, &known, &r.leg(leg));
+            rates.push(rate);
+            for i in 0..6 {
+                body[i] += forces[i];
+            }
         }
         body *= tau;
         let f = &self.factors;
@@ -213,35 +208,43 @@ impl<F: Formation<LEGS>, const LEGS: usize> System<'_, F, LEGS> {
             quaternion: (given.quaternion + turning) * tau,
             rate,
         });
-        for group in 0..F::GROUPS {
-            let legs = self.legs_follow(group, &body, &F::legs(r, group), &rates[group]);
-            F::set_legs(u, group, &legs);
+        for (leg, rates) in rates.iter().enumerate() {
+            u.set_leg(leg, &self.leg_follows(leg, &body, &r.leg(leg), rates));
         }
     }
 
-    /// The gain of each leg's hinge: 0 where its pad is at rest on a stop, so that nothing depends on its rate.
     #[inline(always)]
-    pub fn hinge_gains(&self) -> [F::Body; LEGS] {
-        F::one_by_one(|group| self.response.groups[group].hinge_gain)
-    }
-
-    /// Forces of a group of legs on the body, with the body's velocities yet to be found, over τ; `rates` become
-    /// what link and pad would move at if the body did not.
-    #[inline(always)]
-    fn legs_push(
+    fn accumulate(
         &self,
-        group: usize,
-        known: &Vector6<F::Body>,
-        given: &LegState<F::Leg>,
-        rates: &mut [F::Leg; 2],
-    ) -> Vector6<F::Leg> {
-        let (leg, eliminated) = (&self.response.groups[group], &self.legs[group]);
-        let tau = F::shared(self.tau);
-        let known = F::shared_six(&(known * self.tau));
+        before: &State<S>,
+        h: S,
+        slopes: [&State<S>; 3],
+        after: &mut State<S>,
+        error: &mut State<S>,
+    ) {
+        for (leg, response) in self.response.legs.iter().enumerate() {
+            after.accumulate(leg, before, h, slopes, response.hinge_gain, error);
+        }
+    }
+}
+
+impl<S: Real> System<'_, S> {
+    /// Forces of a leg on the body, with the body's velocities yet to be found, over τ, and what link
+    /// and pad would move at if the body did not.
+    #[inline(always)]
+    fn leg_pushes(
+        &self,
+        leg: usize,
+        known: &Vector6<S>,
+        given: &LegState<S>,
+    ) -> (Vector6<S>, [S; 2]) {
+        let (leg, eliminated) = (&self.response.legs[leg], &self.legs[leg]);
+        let tau = self.tau;
+        let known = known * self.tau;
         let link = given.link_angle * tau;
         let [_, bends] = leg.pad_turn;
         let pad = given.pad_turn * tau * bends;
-        let mut forces: Vector6<F::Leg> = none();
+        let mut forces: Vector6<S> = none();
         let mut on_link = leg.inertia[0] * given.link_rate + leg.link_torque.dot(&known, link, pad);
         let in_link = given.pad_rate - given.link_rate;
         let mut on_pad = leg.inertia[1] * in_link + leg.hinge_torque.dot(&known, link, pad);
@@ -254,39 +257,38 @@ impl<F: Formation<LEGS>, const LEGS: usize> System<'_, F, LEGS> {
         let [[a, b], [c, d]] = eliminated.inverse;
         let link = a * on_link + b * on_pad;
         let pad = c * on_link + d * on_pad;
-        *rates = [link * tau, pad * tau];
+        let rates = [link * tau, pad * tau];
         forces -= eliminated.columns[0] * link;
         if leg.swings_pads {
             forces -= eliminated.columns[1] * pad;
         }
-        forces
+        (forces, rates)
     }
 
-    /// What links and pads do as the body does this.
+    /// What link and pad do as the body does this.
     #[inline(always)]
-    fn legs_follow(
+    fn leg_follows(
         &self,
-        group: usize,
-        body: &Vector6<F::Body>,
-        given: &LegState<F::Leg>,
-        rates: &[F::Leg; 2],
-    ) -> LegState<F::Leg> {
-        let (leg, eliminated) = (&self.response.groups[group], &self.legs[group]);
-        let known = F::shared_six(body);
+        leg: usize,
+        body: &Vector6<S>,
+        given: &LegState<S>,
+        rates: &[S; 2],
+    ) -> LegState<S> {
+        let (leg, eliminated) = (&self.response.legs[leg], &self.legs[leg]);
         let [mut link_rate, mut pad_in_link] = *rates;
-        link_rate -= product(&eliminated.rows[0], &known);
+        link_rate -= product(&eliminated.rows[0], body);
         if leg.swings_pads {
-            pad_in_link -= product(&eliminated.rows[1], &known);
+            pad_in_link -= product(&eliminated.rows[1], body);
         }
         let pad_rate = pad_in_link + link_rate;
-        let tau = F::shared(self.tau);
+        let tau = self.tau;
         let [follows, _] = leg.pad_turn;
         LegState {
             link_angle: (given.link_angle + leg.link_moves * link_rate) * tau,
             link_rate,
             pad_turn: (given.pad_turn + follows * pad_rate) * tau,
             pad_rate,
-            work: [F::Leg::zero(); 6],
+            work: [S::zero(); 6],
         }
     }
 }

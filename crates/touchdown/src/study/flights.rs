@@ -87,9 +87,8 @@ fn fly(vehicle: &Vehicle, conditions: &[(&str, f64)]) -> Result<Flown, Failure> 
     )
     .map_err(|invalid| Failure::running(invalid.allowed))?;
     let mut moments = Vec::new();
-    let landing = land_observed(vehicle, &scene, &settings, INTERVAL, |instant| {
-        moments.push(moment(instant));
-    });
+    let mut observe = |instant: &Instant| moments.push(moment(instant));
+    let landing = land_observed(vehicle, &scene, &settings, INTERVAL, &mut observe);
     Ok(Flown { landing, moments })
 }
 

@@ -3,6 +3,7 @@
 
 use std::fmt::Write;
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 
 use touchdown_dynamics::methods::{ErrorLimits, Method};
 use touchdown_dynamics::outcome::Class;
@@ -115,11 +116,12 @@ pub fn table(
         }
     }
     let workers = Workers::start(threads)?;
+    let vehicle = Arc::new(vehicle.clone());
     let cancel = interrupt::flag()?;
     for first in first_intervals(RUNS) {
         let control = control(ErrorLimits::default(), first, LEAST_INTERVAL)?;
         let settings = settings(Method::Report(control))?;
-        let landings = workers.cases(|_| vehicle, &scenes, &settings, &(), &cancel)?;
+        let landings = workers.cases(|_| Arc::clone(&vehicle), &scenes, &settings, &(), &cancel)?;
         for (row, landing) in rows.iter_mut().zip(landings) {
             row.2 += usize::from(landing.outcome.class() == Class::Unstable);
         }

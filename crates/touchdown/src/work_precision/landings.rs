@@ -1,10 +1,11 @@
 //! Cost and error of single landings, on one thread.
 
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Instant as Clock;
 
 use rayon::prelude::*;
-use touchdown_dynamics::landing::abreast::{Request, land_many};
+use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::landing::{land, land_observed};
 use touchdown_dynamics::record::Instant;
 use touchdown_dynamics::scene::{Scene, Settings};
@@ -135,19 +136,17 @@ impl Landings<'_> {
             .cycle()
             .take(REPEATED * self.scenes.len());
         let count = scenes.clone().count() as f64;
-        let mut requests = scenes.map(|scene| Request {
-            key: (),
-            vehicle: self.vehicle,
+        let vehicle = Arc::new(self.vehicle.clone());
+        let mut requests = scenes.enumerate().map(|(key, scene)| Request {
+            key,
+            vehicle: Arc::clone(&vehicle),
             scene: *scene,
             settings: *settings,
         });
         let clock = Clock::now();
-        let occupancy = land_many(
-            || requests.next(),
-            |(), landing| {
-                black_box(landing);
-            },
-        );
+        let occupancy = land_many(&mut || requests.next(), &mut |_, landing| {
+            black_box(landing);
+        });
         let time = clock.elapsed().as_secs_f64() * 1e6;
         (time / count, occupancy.share())
     }
@@ -157,14 +156,15 @@ fn seen(vehicle: &Vehicle, scene: &Scene, tolerance: f64) -> Result<Seen, Failur
     let mut instants = [None, None];
     let mut count = 0;
     let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
-    let landing = land_observed(vehicle, scene, &settings, INTERVAL, |instant| {
+    let mut observe = |instant: &Instant| {
         // The end of a landing is reported too, but not at a full interval.
         let is_regular = (instant.time - INTERVAL * count as f64).abs() < 1e-9;
         if let (true, Some(k)) = (is_regular, COMPARED.iter().position(|&n| n == count)) {
             instants[k] = Some(instant.clone());
         }
         count += 1;
-    });
+    };
+    let landing = land_observed(vehicle, scene, &settings, INTERVAL, &mut observe);
     Ok(Seen {
         instants,
         least_angle: landing.min_stability_angle.to_degrees(),

@@ -48,7 +48,7 @@ fn land(
 ) -> Result<(IntegrationSummary, Vec<(f64, f64)>), Failure> {
     let control = report(ErrorLimits::default(), first)?;
     let mut stepper = Recorded {
-        method: StepDoubling::new(check::<3>(&control), control.intervals()),
+        method: StepDoubling::new(check(&control, vehicle.legs().len()), control.intervals()),
         time: 0.0,
         intervals: Vec::new(),
     };
@@ -58,7 +58,7 @@ fn land(
         (vehicle, scene),
         &settings,
         f64::INFINITY,
-        |_| {},
+        &mut |_| {},
     );
     Ok((stepper.method.into_summary(), stepper.intervals))
 }

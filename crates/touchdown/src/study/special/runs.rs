@@ -79,8 +79,9 @@ impl Run {
     /// The landing, looked at every `interval` seconds.
     pub fn of(vehicle: &Vehicle, scene: &Scene, settings: &Settings, interval: f64) -> Self {
         let mut moments = Vec::new();
-        let observe = |instant: &Instant| moments.push(instant.clone());
-        let (landing, integration) = land_observed(vehicle, scene, settings, interval, observe);
+        let mut observe = |instant: &Instant| moments.push(instant.clone());
+        let (landing, integration) =
+            land_observed(vehicle, scene, settings, interval, &mut observe);
         Self {
             landing,
             integration,

@@ -51,7 +51,7 @@ fn freed(vehicle: &Vehicle) -> Result<Vec<Point>, Failure> {
     let mut stepper = RungeKutta { interval: INTERVAL };
     let mut evaluator = Evaluator {
         system: &model,
-        memory: [[0.0; 3]; LEGS],
+        memory: [[0.0; 3]; LEGS].into(),
         evaluations: 0,
     };
     let mut points = Vec::new();

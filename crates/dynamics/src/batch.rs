@@ -1,0 +1,378 @@
+//! Many landings in a batch: each has its own time, length of steps, laws and events, and those whose next steps are of
+//! one kind take them together, a lane of a register for each.
+//!
+//! A landing comes out the same, bit for bit, as alone and whatever lands beside it.
+
+mod lane_steps;
+
+use std::sync::Arc;
+
+use crate::landing::{NextStart, Simulation, StepKind, land};
+use crate::methods::Method;
+use crate::motion::Motion;
+use crate::outcome::Outcome;
+use crate::per_leg::PerLeg;
+use crate::record::Landing;
+use crate::registers::{Baseline, Lanes};
+#[cfg(target_arch = "x86_64")]
+use crate::registers::{Eight, Four};
+use crate::scene::{Scene, Settings};
+use crate::vehicle::Vehicle;
+
+use lane_steps::LaneSteps;
+
+/// Landings under way per lane: so many that the lanes of explicit or of implicit steps can nearly always be filled.
+const UNDER_WAY: usize = 2;
+/// Lanes that must be filled for a step in all of them to pay, four or eight: it takes as long as so many steps alone.
+const LEAST_FILLED: usize = 3;
+
+/// A landing to be computed.
+#[derive(Debug, Clone)]
+pub struct Request {
+    /// What its result is told by.
+    pub key: usize,
+    /// What lands.
+    pub vehicle: Arc<Vehicle>,
+    /// How it touches down.
+    pub scene: Scene,
+    /// How that is computed.
+    pub settings: Settings,
+}
+
+/// How full lanes were.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Occupancy {
+    /// Steps taken, rejected ones included.
+    pub steps: u64,
+    /// Lanes there were for them: one for each that was taken alone.
+    pub lanes: u64,
+}
+
+impl Occupancy {
+    /// Share of the lanes that were filled; not a number where nobody landed.
+    pub fn share(&self) -> f64 {
+        self.steps as f64 / self.lanes as f64
+    }
+}
+
+/// Lanes of a batch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Width {
+    /// One landing after the other.
+    One,
+    /// Two lanes, which any processor has.
+    Two,
+    /// Four lanes: AVX2 on x86-64.
+    Four,
+    /// Eight lanes: AVX-512 on x86-64.
+    Eight,
+}
+
+impl Width {
+    /// All widths, narrow to wide.
+    pub const ALL: [Self; 4] = [Self::One, Self::Two, Self::Four, Self::Eight];
+
+    /// Number of lanes.
+    pub fn lanes(self) -> usize {
+        match self {
+            Self::One => 1,
+            Self::Two => 2,
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+
+    /// Whether this processor has registers so wide.
+    pub fn is_supported(self) -> bool {
+        match self {
+            Self::One | Self::Two => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Four => Four::try_new().is_some(),
+            #[cfg(target_arch = "x86_64")]
+            Self::Eight => Eight::try_new().is_some(),
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => false,
+        }
+    }
+
+    /// The width at which this processor lands fastest.
+    pub fn fastest() -> Self {
+        [Self::Eight, Self::Four]
+            .into_iter()
+            .find(|width| width.is_supported())
+            .unwrap_or(Self::One)
+    }
+}
+
+/// Computes the landings that `next` asks for, several at a time; `done` gets each result with its key. Ends once
+/// `next` asks for none while none is under way: until then it is called before every step for which there is room.
+pub fn land_many(
+    next: &mut dyn FnMut() -> Option<Request>,
+    done: &mut dyn FnMut(usize, Landing),
+) -> Occupancy {
+    land_in_lanes(Width::fastest(), next, done)
+}
+
+/// [`land_many`] in so many lanes, or in the widest there are if this processor has none so wide.
+pub fn land_in_lanes(
+    width: Width,
+    next: &mut dyn FnMut() -> Option<Request>,
+    done: &mut dyn FnMut(usize, Landing),
+) -> Occupancy {
+    match width {
+        Width::One => one_by_one(next, done),
+        Width::Two => in_batch::<_, 2>(Baseline, next, done),
+        #[cfg(target_arch = "x86_64")]
+        Width::Four => match Four::try_new() {
+            Some(registers) => in_batch::<_, 4>(registers, next, done),
+            None => in_batch::<_, 2>(Baseline, next, done),
+        },
+        #[cfg(target_arch = "x86_64")]
+        Width::Eight => match Eight::try_new() {
+            Some(registers) => in_batch::<_, 8>(registers, next, done),
+            None => land_in_lanes(Width::Four, next, done),
+        },
+        #[cfg(not(target_arch = "x86_64"))]
+        _ => in_batch::<_, 2>(Baseline, next, done),
+    }
+}
+
+fn one_by_one(
+    next: &mut dyn FnMut() -> Option<Request>,
+    done: &mut dyn FnMut(usize, Landing),
+) -> Occupancy {
+    let mut occupancy = Occupancy::default();
+    while let Some(request) = next() {
+        let landing = land(&request.vehicle, &request.scene, &request.settings);
+        occupancy.steps += landing.steps;
+        occupancy.lanes += landing.steps;
+        done(request.key, landing);
+    }
+    occupancy
+}
+
+fn in_batch<R: Lanes<N>, const N: usize>(
+    registers: R,
+    next: &mut dyn FnMut() -> Option<Request>,
+    done: &mut dyn FnMut(usize, Landing),
+) -> Occupancy {
+    let Some(first) = next() else {
+        return Occupancy::default();
+    };
+    let mut batch: Batch<R, N> = Batch::new(registers, &first);
+    batch.start(&first, done);
+    loop {
+        while batch.under_way < UNDER_WAY * N
+            && let Some(request) = next()
+        {
+            batch.start(&request, done);
+        }
+        if batch.under_way == 0 {
+            return batch.occupancy;
+        }
+        batch.step(done);
+    }
+}
+
+/// A landing of a batch.
+struct Member {
+    /// What its result is told by.
+    key: usize,
+    simulation: Simulation<'static>,
+    /// Changes of the coefficients of each leg that its lane has seen.
+    changes_seen: PerLeg<u64>,
+}
+
+/// Landings that take steps of one kind.
+struct LaneGroup<const N: usize> {
+    steps: Box<LaneSteps<N>>,
+    lanes: [Option<Box<Member>>; N],
+    /// Those that wait for a lane.
+    waiting: Vec<Box<Member>>,
+}
+
+impl<const N: usize> LaneGroup<N> {
+    fn new(motion: &Motion<f64>) -> Self {
+        Self {
+            steps: Box::new(LaneSteps::new(motion)),
+            lanes: std::array::from_fn(|_| None),
+            waiting: Vec::with_capacity(UNDER_WAY * N),
+        }
+    }
+
+    fn filled(&self) -> usize {
+        self.lanes.iter().flatten().count()
+    }
+
+    /// Gives free lanes to landings that wait.
+    fn fill(&mut self) {
+        for (lane, place) in self.lanes.iter_mut().enumerate() {
+            if place.is_some() {
+                continue;
+            }
+            let Some(mut member) = self.waiting.pop() else {
+                return;
+            };
+            self.steps.load(lane, &member.simulation);
+            member.changes_seen = member.simulation.trajectory.changes;
+            *place = Some(member);
+        }
+    }
+}
+
+/// All landings under way. They have as many legs as the first.
+struct Batch<R, const N: usize> {
+    registers: R,
+    legs: usize,
+    under_way: usize,
+    explicit: LaneGroup<N>,
+    implicit: LaneGroup<N>,
+    /// Those that have ended, whose places others take.
+    ended: Vec<Box<Member>>,
+    occupancy: Occupancy,
+}
+
+impl<R: Lanes<N>, const N: usize> Batch<R, N> {
+    /// A batch for landings such as this one; there are none in it yet.
+    fn new(registers: R, first: &Request) -> Self {
+        let motion = Motion::new(&first.vehicle, &first.scene);
+        Self {
+            registers,
+            legs: motion.leg_count(),
+            under_way: 0,
+            explicit: LaneGroup::new(&motion),
+            implicit: LaneGroup::new(&motion),
+            ended: Vec::with_capacity(UNDER_WAY * N),
+            occupancy: Occupancy::default(),
+        }
+    }
+
+    fn group(&mut self, kind: StepKind) -> &mut LaneGroup<N> {
+        match kind {
+            StepKind::Explicit => &mut self.explicit,
+            StepKind::Implicit => &mut self.implicit,
+        }
+    }
+
+    /// Starts a landing. Methods of 1966 and vehicles with another number of legs have no lanes here.
+    fn start(&mut self, request: &Request, done: &mut dyn FnMut(usize, Landing)) {
+        let Request {
+            key,
+            vehicle,
+            scene,
+            settings,
+        } = request;
+        if settings.method() != Method::Located || vehicle.legs().len() != self.legs {
+            return done(*key, land(vehicle, scene, settings));
+        }
+        let member = Member {
+            key: *key,
+            simulation: Simulation::new(vehicle, scene, settings, None),
+            changes_seen: PerLeg::same(self.legs, 0),
+        };
+        let member = match self.ended.pop() {
+            Some(mut place) => {
+                *place = member;
+                place
+            }
+            None => Box::new(member),
+        };
+        self.under_way += 1;
+        self.advance(member, Simulation::begin, done);
+    }
+
+    /// Lets a landing that is in no lane do something, and then wait for one.
+    fn advance(
+        &mut self,
+        mut member: Box<Member>,
+        act: impl FnOnce(&mut Simulation<'static>) -> Result<(), Outcome>,
+        done: &mut dyn FnMut(usize, Landing),
+    ) {
+        match act(&mut member.simulation) {
+            Ok(()) => self.group(member.simulation.kind()).waiting.push(member),
+            Err(outcome) => self.end(member, outcome, done),
+        }
+    }
+
+    /// Tells the result of a landing.
+    fn end(&mut self, member: Box<Member>, outcome: Outcome, done: &mut dyn FnMut(usize, Landing)) {
+        self.under_way -= 1;
+        done(member.key, member.simulation.conclude(outcome));
+        self.ended.push(member);
+    }
+
+    /// Takes a step of the kind that fills more lanes, or one of each landing alone where that is faster.
+    fn step(&mut self, done: &mut dyn FnMut(usize, Landing)) {
+        self.explicit.fill();
+        self.implicit.fill();
+        let [explicit, implicit] = [self.explicit.filled(), self.implicit.filled()];
+        let (kind, filled) = if implicit > explicit {
+            (StepKind::Implicit, implicit)
+        } else {
+            (StepKind::Explicit, explicit)
+        };
+        if filled < LEAST_FILLED.min(N) {
+            self.step_alone(done);
+        } else {
+            self.occupancy.steps += filled as u64;
+            self.occupancy.lanes += N as u64;
+            self.step_in_lanes(kind, done);
+        }
+    }
+
+    fn step_alone(&mut self, done: &mut dyn FnMut(usize, Landing)) {
+        for lane in 0..N {
+            for kind in [StepKind::Explicit, StepKind::Implicit] {
+                if let Some(member) = self.group(kind).lanes[lane].take() {
+                    self.occupancy.steps += 1;
+                    self.occupancy.lanes += 1;
+                    self.advance(member, Simulation::step, done);
+                }
+            }
+        }
+    }
+
+    fn step_in_lanes(&mut self, kind: StepKind, done: &mut dyn FnMut(usize, Landing)) {
+        let registers = self.registers;
+        let LaneGroup { steps, lanes, .. } = self.group(kind);
+        steps.take(registers, kind);
+        steps.store(
+            registers,
+            kind,
+            lanes
+                .each_mut()
+                .map(|member| (member.as_mut()).map(|member| &mut member.simulation)),
+        );
+
+        let mut goes_on = [false; N];
+        for (lane, goes_on) in goes_on.iter_mut().enumerate() {
+            let group = self.group(kind);
+            let Some(mut member) = group.lanes[lane].take() else {
+                continue;
+            };
+            let simulation = &mut member.simulation;
+            let (rate, errors) = (group.steps.rate(lane), group.steps.errors(lane));
+            match simulation.end_lane_step(rate, errors) {
+                Ok(next) if simulation.kind() == kind => {
+                    match next {
+                        NextStart::StepStart => {}
+                        NextStart::StepEnd => *goes_on = true,
+                        NextStart::Elsewhere => group.steps.load_start(lane, simulation),
+                    }
+                    let changes = simulation.trajectory.changes;
+                    for leg in 0..changes.len() {
+                        if member.changes_seen[leg] != changes[leg] {
+                            group.steps.load_pieces(lane, leg, simulation);
+                        }
+                    }
+                    group.steps.load_length(lane, simulation);
+                    member.changes_seen = changes;
+                    group.lanes[lane] = Some(member);
+                }
+                Ok(_) => self.group(simulation.kind()).waiting.push(member),
+                Err(outcome) => self.end(member, outcome, done),
+            }
+        }
+        self.group(kind).steps.go_on(registers, goes_on);
+    }
+}

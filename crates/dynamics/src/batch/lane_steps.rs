@@ -1,0 +1,247 @@
+//! Steps of several landings, a lane for each, compiled for the registers there are.
+
+use pulp::NullaryFnOnce;
+
+use crate::integrator::step::Step;
+use crate::landing::{Respond, Simulation, StepKind, TakeStep};
+use crate::motion::{Glance, Motion, Pieces};
+use crate::registers::{Lanes, Registers};
+use crate::response::Response;
+use crate::state::State;
+use crate::wide::Wide;
+
+/// Steps of one kind, a lane for each landing.
+pub(super) struct LaneSteps<const N: usize> {
+    motion: Motion<Wide<N>>,
+    pieces: Pieces<Wide<N>>,
+    response: Response<Wide<N>>,
+    step: Step<Wide<N>, State<Wide<N>>>,
+    /// Overwritten by the stages of implicit steps.
+    stages: [State<Wide<N>>; 6],
+    length: Wide<N>,
+    /// Signals midway through implicit steps, and at the ends.
+    middle: Glance<Wide<N>>,
+    signals: Glance<Wide<N>>,
+    /// Rates (1/s) that no decay exceeds at the starts of implicit steps.
+    rate: Wide<N>,
+    /// Estimated errors ([`Step::error`]).
+    errors: [Wide<N>; 2],
+    /// Where the numbers of lanes go that hold no landing.
+    idle: Box<[Idle; N]>,
+}
+
+struct Idle {
+    step: Step<f64, State<f64>>,
+    signals: Glance<f64>,
+    middle: Glance<f64>,
+}
+
+impl<const N: usize> LaneSteps<N> {
+    /// Lanes for landings such as this one; there are none in them yet.
+    pub(super) fn new(motion: &Motion<f64>) -> Self {
+        let legs = motion.leg_count();
+        let wide: Motion<Wide<N>> = motion.in_all_lanes();
+        let zero = State::zero(legs);
+        Self {
+            response: wide.response(),
+            motion: wide,
+            pieces: Pieces::absent(legs),
+            step: Step::from(zero, zero),
+            stages: [zero; 6],
+            length: Wide([0.0; N]),
+            middle: Glance::blank(legs),
+            signals: Glance::blank(legs),
+            rate: Wide([0.0; N]),
+            errors: [Wide([0.0; N]); 2],
+            idle: Box::new(std::array::from_fn(|_| Idle {
+                step: Step::from(State::zero(legs), State::zero(legs)),
+                signals: Glance::blank(legs),
+                middle: Glance::blank(legs),
+            })),
+        }
+    }
+
+    /// Puts a landing into a lane.
+    pub(super) fn load(&mut self, lane: usize, simulation: &Simulation<'_>) {
+        self.motion.set_lane(lane, &simulation.trajectory.motion);
+        for leg in 0..self.motion.leg_count() {
+            self.load_pieces(lane, leg, simulation);
+        }
+        self.load_start(lane, simulation);
+        self.load_length(lane, simulation);
+    }
+
+    /// Puts the coefficients of a leg that are in force into a lane.
+    pub(super) fn load_pieces(&mut self, lane: usize, leg: usize, simulation: &Simulation<'_>) {
+        self.pieces
+            .set_lane(lane, leg, &simulation.trajectory.pieces);
+    }
+
+    /// Puts the start of a step into a lane.
+    pub(super) fn load_start(&mut self, lane: usize, simulation: &Simulation<'_>) {
+        let step = &simulation.trajectory.step;
+        self.step.before.set_lane(lane, &step.before);
+        self.step.slopes[0].set_lane(lane, &step.slopes[0]);
+    }
+
+    /// Puts the length of a step into a lane.
+    pub(super) fn load_length(&mut self, lane: usize, simulation: &Simulation<'_>) {
+        self.length.0[lane] = simulation.length();
+    }
+
+    /// Rate (1/s) that no decay in a lane exceeds at the start of the implicit step there.
+    pub(super) fn rate(&self, lane: usize) -> f64 {
+        self.rate.0[lane]
+    }
+
+    /// Estimated error of the step in a lane ([`Step::error`]).
+    pub(super) fn errors(&self, lane: usize) -> [f64; 2] {
+        self.errors.map(|error| error.0[lane])
+    }
+
+    /// Takes a step in all lanes.
+    pub(super) fn take<R: Registers>(&mut self, registers: R, kind: StepKind) {
+        if kind == StepKind::Implicit {
+            self.rate = registers.dispatch(Respond(
+                &self.motion,
+                &self.step.before,
+                &self.pieces,
+                &mut self.response,
+            ));
+        }
+        self.errors = registers.dispatch(TakeStep {
+            registers,
+            kind,
+            motion: &self.motion,
+            pieces: &self.pieces,
+            response: &self.response,
+            step: &mut self.step,
+            length: self.length,
+            stages: &mut self.stages,
+            middle: &mut self.middle,
+            signals: &mut self.signals,
+        });
+    }
+
+    /// Hands each landing its step.
+    pub(super) fn store<R: Lanes<N>>(
+        &mut self,
+        registers: R,
+        kind: StepKind,
+        landings: [Option<&mut Simulation<'static>>; N],
+    ) {
+        registers.dispatch(Store {
+            registers,
+            kind,
+            steps: self,
+            landings,
+        });
+    }
+
+    /// Goes on to the ends of the steps in some lanes.
+    pub(super) fn go_on<R: Registers>(&mut self, registers: R, lanes: [bool; N]) {
+        registers.dispatch(GoOn { steps: self, lanes });
+    }
+}
+
+/// Where the numbers of a lane go.
+struct Place<'a> {
+    step: &'a mut Step<f64, State<f64>>,
+    middle: &'a mut Glance<f64>,
+    signals: &'a mut Glance<f64>,
+}
+
+/// Hands each landing its step.
+struct Store<'a, R, const N: usize> {
+    registers: R,
+    kind: StepKind,
+    steps: &'a mut LaneSteps<N>,
+    landings: [Option<&'a mut Simulation<'static>>; N],
+}
+
+impl<R: Lanes<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self {
+            registers,
+            kind,
+            steps,
+            landings,
+        } = self;
+        let mut idle = steps.idle.iter_mut();
+        let mut places = landings.map(|landing| {
+            // There are as many idle places as lanes.
+            let idle = idle.next();
+            match (landing, idle) {
+                (Some(simulation), _) => {
+                    let trajectory = &mut simulation.trajectory;
+                    Place {
+                        step: &mut trajectory.step,
+                        middle: &mut trajectory.middle,
+                        signals: trajectory.signals.ahead_mut(),
+                    }
+                }
+                (
+                    None,
+                    Some(Idle {
+                        step,
+                        signals,
+                        middle,
+                    }),
+                ) => Place {
+                    step,
+                    middle,
+                    signals,
+                },
+                (None, None) => unreachable!("an idle place for each lane"),
+            }
+        });
+        let Step { after, slopes, .. } = &steps.step;
+        after.deal(
+            registers,
+            places.each_mut().map(|place| &mut place.step.after),
+        );
+        for (k, slope) in slopes.iter().enumerate().skip(1) {
+            slope.deal(
+                registers,
+                places.each_mut().map(|place| &mut place.step.slopes[k]),
+            );
+        }
+        if kind == StepKind::Implicit {
+            let glances = places.each_mut().map(|place| &mut *place.middle);
+            steps.middle.deal(registers, glances);
+        }
+        let glances = places.each_mut().map(|place| &mut *place.signals);
+        steps.signals.deal(registers, glances);
+    }
+}
+
+/// Goes on to the ends of the steps in some lanes.
+struct GoOn<'a, const N: usize> {
+    steps: &'a mut LaneSteps<N>,
+    lanes: [bool; N],
+}
+
+impl<const N: usize> NullaryFnOnce for GoOn<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let mut stays = Wide([1.0; N]);
+        for lane in 0..N {
+            if self.lanes[lane] {
+                stays.0[lane] = 0.0;
+            }
+        }
+        let Step {
+            before,
+            after,
+            slopes: [first, .., last],
+            ..
+        } = &mut self.steps.step;
+        before.replace(stays, after);
+        first.replace(stays, last);
+    }
+}

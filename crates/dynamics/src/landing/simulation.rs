@@ -1,0 +1,410 @@
+//! A landing followed from step to step until its outcome.
+
+use std::convert::Infallible;
+
+use super::account::History;
+use super::step_attempt::{StepKind, TakeStep};
+use super::trajectory::{Earlier, Trajectory};
+use super::verdict::Outlook;
+use crate::contact::LegMode;
+use crate::integrator::step::Step;
+use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
+use crate::motion::{FreeFlight, Signal};
+use crate::outcome::{Failure, Outcome};
+use crate::per_leg::PerLeg;
+use crate::record::Landing;
+use crate::registers::Registers;
+use crate::scene::{Scene, Settings};
+use crate::stability::Judge;
+use crate::vehicle::Vehicle;
+
+/// First step after touchdown, s.
+const FIRST_STEP: f64 = 1e-4;
+/// So many events within so short a time (s) are chattering too: the laws switch to and fro while
+/// the time creeps.
+const BURST: u64 = 4000;
+const BURST_TIME: f64 = 1e-5;
+/// Steps, rejected ones included, before a landing is given up.
+const MOST_STEPS: u64 = 2_000_000;
+/// How far the body turns in a step of free flight, rad, over the fourth root of the tolerance: the cubics through the
+/// depths of its feet at both ends are then right to about half of the tolerance.
+const TURN: f64 = 2.0;
+
+/// Where the next step starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum NextStart {
+    /// Where the step did, which was rejected.
+    StepStart,
+    /// At its end.
+    StepEnd,
+    /// At an event or kink within it, or after free flight.
+    Elsewhere,
+}
+
+/// A landing under way, with the step that it takes next.
+pub(crate) struct Simulation<'o> {
+    pub(crate) trajectory: Trajectory<'o>,
+    outlook: Outlook,
+    control: StepControl,
+    /// Steps aimed at, rejected ones included.
+    attempts: u64,
+    /// Number of events and time (s) from which a burst is counted.
+    burst: (u64, f64),
+    /// Length that error control and the laws allow to the step, s.
+    whole: f64,
+    /// Its length, s.
+    length: f64,
+    kind: StepKind,
+    /// Whether the step is known to be of that kind.
+    is_kind_known: bool,
+}
+
+impl<'o> Simulation<'o> {
+    /// A landing at its first contact.
+    pub(crate) fn new(
+        vehicle: &Vehicle,
+        scene: &Scene,
+        settings: &Settings,
+        history: Option<History<'o>>,
+    ) -> Self {
+        let trajectory = Trajectory::new(vehicle, scene, settings, history);
+        let judge = Judge::new(scene, trajectory.calm_height);
+        let seen = judge.observe(&trajectory.motion, &trajectory.start);
+        Self {
+            trajectory,
+            outlook: Outlook::new(judge, seen),
+            control: StepControl::new(FIRST_STEP),
+            attempts: 0,
+            burst: (0, 0.0),
+            whole: 0.0,
+            length: 0.0,
+            kind: StepKind::Explicit,
+            is_kind_known: false,
+        }
+    }
+
+    /// Follows the landing to its outcome.
+    pub(super) fn run(&mut self) -> Outcome {
+        let mut landing = || {
+            self.begin()?;
+            loop {
+                self.step()?;
+            }
+        };
+        let Err(outcome): Result<Infallible, _> = landing();
+        outcome
+    }
+
+    /// Judges the touchdown and gets ready for the first step.
+    ///
+    /// # Errors
+    /// The outcome, if there already is one.
+    pub(crate) fn begin(&mut self) -> Result<(), Outcome> {
+        let trajectory = &mut self.trajectory;
+        self.outlook.begin(trajectory)?;
+        trajectory.settle()?;
+        self.burst = (trajectory.events, trajectory.time);
+        self.aim()?;
+        Ok(())
+    }
+
+    /// Kind of the next step.
+    pub(crate) fn kind(&self) -> StepKind {
+        self.kind
+    }
+
+    /// Length of the next step, s.
+    pub(crate) fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Takes the next step and gets ready for the one after it.
+    ///
+    /// # Errors
+    /// The outcome, when the landing has ended.
+    pub(crate) fn step(&mut self) -> Result<(), Outcome> {
+        if !self.is_kind_known {
+            self.find_kind();
+        }
+        let trajectory = &mut self.trajectory;
+        let registers = trajectory.registers;
+        let errors = registers.dispatch(TakeStep {
+            registers,
+            kind: self.kind,
+            motion: &trajectory.motion,
+            pieces: &trajectory.pieces,
+            response: trajectory.stiffness.response(),
+            step: &mut trajectory.step,
+            stages: &mut trajectory.stages,
+            length: self.length,
+            middle: &mut trajectory.middle,
+            signals: trajectory.signals.ahead_mut(),
+        });
+        self.end_step(errors)?;
+        Ok(())
+    }
+
+    /// Goes on from a step that was taken in a lane, at whose start no velocity decays faster than at `rate` (1/s), and
+    /// whose error was estimated like this ([`crate::integrator::step::Step::error`]); gets ready for the next.
+    ///
+    /// # Errors
+    /// The outcome, when the landing has ended.
+    pub(crate) fn end_lane_step(
+        &mut self,
+        rate: f64,
+        errors: [f64; 2],
+    ) -> Result<NextStart, Outcome> {
+        let trajectory = &mut self.trajectory;
+        // After an implicit step the next is taken for one too: only then it shows whether that was right.
+        if !self.is_kind_known && !trajectory.stiffness.exceeds_at(rate, self.length) {
+            self.kind = StepKind::Explicit;
+            self.is_kind_known = true;
+            return Ok(NextStart::StepStart);
+        }
+        trajectory.step.length = self.length;
+        trajectory.step.weights = self.kind.weights();
+        self.end_step(errors)
+    }
+
+    /// Goes on to the end of the step, to what comes before, or back to its start; gets ready for the next.
+    #[inline(always)]
+    fn end_step(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
+        let trajectory = &mut self.trajectory;
+        trajectory.evaluations += self.kind.evaluations();
+        trajectory.is_middle_seen = self.kind == StepKind::Implicit;
+        if trajectory.is_middle_seen {
+            trajectory.tell_pad_rates();
+        }
+        let tolerance = trajectory.settings.tolerance();
+        let error = (motion / tolerance).max(work / trajectory.greatest_work_error());
+        let error = if motion.is_nan() {
+            f64::INFINITY
+        } else {
+            error
+        };
+        let next = if self.accept(error) {
+            self.go_on()?
+        } else {
+            NextStart::StepStart
+        };
+        let flew = self.aim()?;
+        Ok(if flew { NextStart::Elsewhere } else { next })
+    }
+
+    /// Flies while all legs hang, then chooses the next step; whether it flew.
+    ///
+    /// # Errors
+    /// The outcome, if no further step is to be taken.
+    #[inline(always)]
+    fn aim(&mut self) -> Result<bool, Outcome> {
+        let mut flew = false;
+        while self.trajectory.all_legs_hang() {
+            flew = true;
+            self.fly()?;
+        }
+        let left = self.time_left()?;
+        let trajectory = &mut self.trajectory;
+        self.whole = (self.control.proposed())
+            .min(trajectory.longest_step())
+            .min(left);
+        self.length = if trajectory.locates_kinks {
+            trajectory.past_kink(self.whole)
+        } else {
+            self.whole
+        };
+        if self.length < SHORTEST {
+            return Err(Outcome::Failure(Failure::StepCollapse));
+        }
+        // In a lane an implicit step shows by itself whether it is rightly one.
+        self.is_kind_known = false;
+        if self.kind == StepKind::Explicit {
+            self.find_kind();
+        }
+        Ok(flew)
+    }
+
+    /// Finds out of what kind the next step is.
+    fn find_kind(&mut self) {
+        self.is_kind_known = true;
+        self.kind = if self.trajectory.is_stiff(self.length) {
+            StepKind::Implicit
+        } else {
+            StepKind::Explicit
+        };
+    }
+
+    /// Time left for another step, s.
+    ///
+    /// # Errors
+    /// The outcome, if no further step is to be taken.
+    #[inline(always)]
+    fn time_left(&mut self) -> Result<f64, Outcome> {
+        let limit = self.trajectory.settings.time_limit();
+        if self.attempts == MOST_STEPS {
+            return Err(Outcome::Failure(Failure::StepLimit));
+        }
+        self.attempts += 1;
+        if self.trajectory.time > limit - SHORTEST {
+            return Err(Outcome::TimeExpired);
+        }
+        Ok(limit - self.trajectory.time)
+    }
+
+    /// Whether a step with this error in units of the tolerance was good enough.
+    #[inline(always)]
+    fn accept(&mut self, error: f64) -> bool {
+        let order = self.trajectory.step.weights.error_order;
+        let is_good = self.control.accept(self.length, error, order);
+        if is_good && self.length < self.whole {
+            self.control.keep(self.whole);
+        }
+        is_good
+    }
+
+    /// A step of free flight.
+    #[cold]
+    #[inline(never)]
+    fn fly(&mut self) -> Result<(), Outcome> {
+        let left = self.time_left()?;
+        let trajectory = &mut self.trajectory;
+        let flight = (trajectory.motion).free_flight(&trajectory.step.before, &trajectory.pieces);
+        let turn = TURN * trajectory.settings.tolerance().sqrt().sqrt();
+        let longest = LONGEST
+            .min(turn / trajectory.step.before.body().rate.norm())
+            .min(trajectory.longest_step());
+        let length = flight.reach(longest).min(left);
+        if length < SHORTEST {
+            return Err(Outcome::Failure(Failure::StepCollapse));
+        }
+        trajectory.begin_flight(flight, length);
+        let ended = self.go_on();
+        self.trajectory.free = None;
+        ended.map(|_| ())
+    }
+
+    /// Goes on to the end of a step, or to the first event or verdict within it.
+    ///
+    /// # Errors
+    /// The outcome, when the landing has ended.
+    #[inline(always)]
+    fn go_on(&mut self) -> Result<NextStart, Outcome> {
+        let Self {
+            trajectory,
+            outlook,
+            control,
+            burst,
+            ..
+        } = self;
+        let length = trajectory.step.length;
+        if !trajectory.step.after.is_finite() {
+            return Err(Outcome::Failure(Failure::NonFinite));
+        }
+        trajectory.steps += 1;
+        let event = trajectory.find_event();
+        let reach = event.as_ref().map_or(1.0, |node| node.theta);
+        let kink = if trajectory.locates_kinks {
+            trajectory.kink_before(reach)
+        } else {
+            None
+        };
+        let event = event.filter(|_| kink.is_none());
+        let reach = kink.unwrap_or(reach);
+        let judged = trajectory.judge(outlook, reach);
+        let reach = judged.map_or(reach, |(theta, _)| theta);
+        trajectory.report(reach);
+        if judged.is_some() || kink.is_some() {
+            let end = trajectory.look_at(reach);
+            trajectory.note_struts(Some(&end), reach);
+        } else {
+            trajectory.note_struts(event.as_ref().map(|node| &node.signals), reach);
+        }
+        trajectory.time += reach * length;
+        let goes_to_end = event.is_none() && kink.is_none();
+        if let Some((_, verdict)) = judged {
+            trajectory.go_to(reach);
+            return Err(verdict.into());
+        }
+        if let Some(event) = event {
+            trajectory.go_to(reach);
+            *trajectory.signals.now_mut() = event.signals;
+            trajectory.earlier = None;
+            control.restart();
+            trajectory.cross()?;
+            trajectory.settle()?;
+            if trajectory.events - burst.0 > BURST {
+                if trajectory.time - burst.1 < BURST_TIME {
+                    return Err(Outcome::Failure(Failure::Chattering));
+                }
+                *burst = (trajectory.events, trajectory.time);
+            }
+        } else {
+            let start = &trajectory.step.slopes[0];
+            let link_accelerations = PerLeg::from_fn(start.leg_count(), |j| start.link_rate(j));
+            trajectory.signals.go_on();
+            if kink.is_some() {
+                trajectory.go_to(reach);
+                trajectory.events += 1;
+                trajectory.evaluate();
+            } else {
+                let Step {
+                    before,
+                    after,
+                    slopes: [first, .., last],
+                    ..
+                } = &mut trajectory.step;
+                before.assign(after);
+                first.assign(last);
+            }
+            trajectory.earlier = Some(Earlier {
+                link_accelerations,
+                length: reach * length,
+            });
+        }
+        trajectory.follow();
+        Ok(if goes_to_end {
+            NextStart::StepEnd
+        } else {
+            NextStart::Elsewhere
+        })
+    }
+
+    /// Reports the end of the landing to its history.
+    pub(super) fn report_end(&mut self) {
+        self.trajectory.report_end();
+    }
+
+    /// What the landing came to.
+    pub(crate) fn conclude(&self, outcome: Outcome) -> Landing {
+        self.trajectory.conclude(outcome)
+    }
+}
+
+impl Trajectory<'_> {
+    /// Whether all legs hang in the air.
+    #[inline(always)]
+    fn all_legs_hang(&self) -> bool {
+        self.modes.iter().all(LegMode::is_hanging)
+    }
+
+    /// Starts a step of free flight of this length (s): where it ends is known.
+    fn begin_flight(&mut self, flight: FreeFlight, length: f64) {
+        self.step.length = length;
+        self.step.after = flight.at(length);
+        self.free = Some(flight);
+        self.kinks.fill(None);
+        self.is_middle_seen = false;
+        self.evaluate_end();
+    }
+
+    /// Rates of pads at rest are known only once an implicit step is taken: writes those of its middle and end.
+    #[inline(always)]
+    fn tell_pad_rates(&mut self) {
+        let (weights, slopes) = self.step.change(0.5);
+        let rates = self.step.before.pad_rates_advanced(weights, slopes);
+        for (j, &rate) in rates.iter().enumerate() {
+            self.middle.set(j, Signal::PadRate, rate);
+            let end = self.step.after.leg(j).pad_rate;
+            self.signals.ahead_mut().set(j, Signal::PadRate, end);
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! A step tried, explicit or implicit, for one landing or for several in lanes: the one place where the method of the
+//! integrator, the equations of motion and the registers meet.
+
+use pulp::NullaryFnOnce;
+
+use crate::integrator::rosenbrock::GAMMA;
+use crate::integrator::step::{Step, Weights};
+use crate::integrator::{dormand_prince, rosenbrock};
+use crate::motion::{Glance, Motion, Pieces};
+use crate::registers::Registers;
+use crate::response::Response;
+use crate::scalar::Real;
+use crate::state::State;
+
+/// Kind of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum StepKind {
+    Explicit,
+    Implicit,
+}
+
+impl StepKind {
+    /// Evaluations of the derivative in such a step.
+    pub(crate) fn evaluations(self) -> u64 {
+        match self {
+            Self::Explicit => dormand_prince::EVALUATIONS,
+            Self::Implicit => rosenbrock::EVALUATIONS,
+        }
+    }
+
+    /// Weights of its slopes.
+    pub(crate) fn weights(self) -> Weights<f64> {
+        match self {
+            Self::Explicit => dormand_prince::weights(),
+            Self::Implicit => rosenbrock::weights(),
+        }
+    }
+}
+
+/// A step to try.
+pub(crate) struct TakeStep<'a, R, S> {
+    pub(crate) registers: R,
+    pub(crate) kind: StepKind,
+    pub(crate) motion: &'a Motion<S>,
+    pub(crate) pieces: &'a Pieces<S>,
+    /// How forces answer at its start, for an implicit step.
+    pub(crate) response: &'a Response<S>,
+    pub(crate) step: &'a mut Step<S, State<S>>,
+    /// Length of the step, s.
+    pub(crate) length: S,
+    /// Overwritten by the stages of an implicit step.
+    pub(crate) stages: &'a mut [State<S>; 6],
+    /// Where the signals in the middle of an implicit step go.
+    pub(crate) middle: &'a mut Glance<S>,
+    /// Where the signals at its end go.
+    pub(crate) signals: &'a mut Glance<S>,
+}
+
+impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
+    /// Estimated error of the step ([`Step::error`]).
+    type Output = [S; 2];
+
+    #[inline(always)]
+    fn call(self) -> [S; 2] {
+        let Self {
+            registers,
+            kind,
+            motion,
+            pieces,
+            response,
+            step,
+            length,
+            stages,
+            middle,
+            signals,
+        } = self;
+        let stops = pieces.press_stops();
+        let derivative = |state: &State<S>, slope: &mut State<S>| {
+            if stops {
+                registers.dispatch(Derive::<true, S>(motion, state, pieces, slope));
+            } else {
+                registers.dispatch(Derive::<false, S>(motion, state, pieces, slope));
+            }
+        };
+        let evaluate = |state: &State<S>, slope: &mut State<S>, signals: &mut Glance<S>| {
+            if stops {
+                registers.dispatch(Evaluate::<true, S>(motion, state, pieces, slope, signals));
+            } else {
+                registers.dispatch(Evaluate::<false, S>(motion, state, pieces, slope, signals));
+            }
+        };
+        let last = |state: &State<S>, slope: &mut State<S>| evaluate(state, slope, signals);
+        match kind {
+            StepKind::Explicit => step.take_explicit(length, derivative, last),
+            StepKind::Implicit => {
+                let system = response.over(S::constant(GAMMA) * length);
+                let midway = |state: &State<S>, slope: &mut State<S>| {
+                    evaluate(state, slope, middle);
+                };
+                step.take_implicit(length, &system, stages, derivative, midway, last);
+            }
+        }
+        step.error()
+    }
+}
+
+/// The derivative at a state.
+struct Derive<'a, const STOPS: bool, S>(
+    &'a Motion<S>,
+    &'a State<S>,
+    &'a Pieces<S>,
+    &'a mut State<S>,
+);
+
+impl<const STOPS: bool, S: Real> NullaryFnOnce for Derive<'_, STOPS, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(motion, state, pieces, slope) = self;
+        motion.derivative::<STOPS>(state, pieces, slope);
+    }
+}
+
+/// The derivative and the signals at a state.
+pub(super) struct Evaluate<'a, const STOPS: bool, S>(
+    pub(super) &'a Motion<S>,
+    pub(super) &'a State<S>,
+    pub(super) &'a Pieces<S>,
+    pub(super) &'a mut State<S>,
+    pub(super) &'a mut Glance<S>,
+);
+
+impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(motion, state, pieces, slope, signals) = self;
+        motion.evaluate::<STOPS>(state, pieces, slope, signals);
+    }
+}
+
+/// How forces answer at a state.
+pub(crate) struct Respond<'a, S>(
+    pub(crate) &'a Motion<S>,
+    pub(crate) &'a State<S>,
+    pub(crate) &'a Pieces<S>,
+    pub(crate) &'a mut Response<S>,
+);
+
+impl<S: Real> NullaryFnOnce for Respond<'_, S> {
+    /// Rate (1/s) that no decay of a velocity exceeds.
+    type Output = S;
+
+    #[inline(always)]
+    fn call(self) -> S {
+        let Self(motion, state, pieces, response) = self;
+        motion.respond(state, pieces, response);
+        response.greatest_rate()
+    }
+}

@@ -1,0 +1,214 @@
+//! The trajectory of one landing: where it is, which laws hold, and what has been noted on the way.
+
+use arrayvec::ArrayVec;
+
+use super::account::History;
+use super::peaks::StrutPeaks;
+use super::ranges::{SignalRanges, Watches};
+use super::step_attempt::Evaluate;
+use super::stiffness::Stiffness;
+use super::trail::Trail;
+use crate::contact::{LegLaws, LegMode};
+use crate::energy::kinetic;
+use crate::integrator::step::Step;
+use crate::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
+use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::registers::{Registers, Single};
+use crate::scene::{Scene, Settings};
+use crate::stability::calm_height;
+use crate::state::State;
+use crate::strut::GentleKinks;
+use crate::touchdown::touchdown;
+use crate::vehicle::Vehicle;
+
+/// Tolerance up to which gentle kinks of the laws are located: at looser ones steps run over them.
+const KINKS_LOCATED: f64 = 1e-6;
+/// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
+/// steps still closes to the tolerance.
+const WORK_SHARE: f64 = 0.01;
+/// Time within which an event is located, s: this times the tolerance, but within these limits.
+const EVENT_RESOLUTION: f64 = 1e-3;
+const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
+
+/// The step before.
+pub(super) struct Earlier {
+    /// Accelerations of the links at its start, rad/s².
+    pub(super) link_accelerations: PerLeg<f64>,
+    /// Its length, s.
+    pub(super) length: f64,
+}
+
+/// A landing under way.
+pub(crate) struct Trajectory<'o> {
+    pub(super) registers: Single,
+    pub(super) scene: Scene,
+    pub(super) settings: Settings,
+    pub(crate) motion: Motion<f64>,
+    /// Height of the CG over the surface above which motion has not subsided, ft.
+    pub(super) calm_height: f64,
+    pub(super) stiffness: Stiffness,
+    /// Time within which an event is located, s.
+    pub(super) event_resolution: f64,
+    /// Kinetic energy at touchdown and the work of raising the vehicle by the height of its CG, ft·lb:
+    /// what the account of energies closes to, times the tolerance.
+    energy: f64,
+    /// Whether steps end at gentle kinks.
+    pub(super) locates_kinks: bool,
+    pub(super) laws: ArrayVec<LegLaws, MOST_LEGS>,
+    pub(super) modes: PerLeg<LegMode>,
+    pub(crate) pieces: Pieces<f64>,
+    /// How often those of each leg have changed.
+    pub(crate) changes: PerLeg<u64>,
+    pub(super) ranges: SignalRanges,
+    /// Signals that may have left their range within the last step.
+    pub(super) suspects: Watches,
+    /// The gentle kinks next to each strut that works.
+    pub(super) kinks: PerLeg<Option<GentleKinks>>,
+    pub(super) time: f64,
+    /// The present state and its derivative are the start of the step.
+    pub(crate) step: Step<f64, State<f64>>,
+    /// Overwritten by the stages of implicit steps.
+    pub(super) stages: [State<f64>; 6],
+    /// How the present step goes on if it is one of free flight.
+    pub(super) free: Option<FreeFlight>,
+    pub(crate) signals: Trail,
+    /// The signals in the middle of the step, if it is implicit or was looked into.
+    pub(crate) middle: Glance<f64>,
+    pub(super) is_middle_seen: bool,
+    /// The step before, if no law has changed since.
+    pub(super) earlier: Option<Earlier>,
+    pub(super) start: State<f64>,
+    pub(super) least_angle: (f64, f64),
+    pub(super) least_clearance: f64,
+    pub(super) peaks: StrutPeaks,
+    pub(super) pad_contact: PerLeg<Option<f64>>,
+    pub(super) block_contact: PerLeg<Option<f64>>,
+    pub(super) steps: u64,
+    pub(super) evaluations: u64,
+    pub(super) events: u64,
+    pub(super) history: Option<History<'o>>,
+}
+
+impl<'o> Trajectory<'o> {
+    pub(super) fn new(
+        vehicle: &Vehicle,
+        scene: &Scene,
+        settings: &Settings,
+        history: Option<History<'o>>,
+    ) -> Self {
+        let motion = Motion::new(vehicle, scene);
+        let legs = motion.leg_count();
+        let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
+        let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
+        let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.legs().iter())
+            .map(|leg| {
+                LegLaws::new(leg, settings.crush_rule())
+                    .with_friction(settings.friction_profile())
+                    .within(settings.tolerance())
+            })
+            .collect();
+        let modes = PerLeg::from_fn(legs, |j| LegMode::untouched(&laws[j]));
+        let pieces = Pieces::new(&PerLeg::from_fn(legs, |j| modes[j].pieces(&laws[j])));
+        let state = touchdown(vehicle, scene, &motion);
+        let energy = kinetic(&motion, &state)
+            + motion.mass() * motion.gravity() * vehicle.center_of_gravity_height();
+        Self {
+            registers: Single::new(),
+            scene: *scene,
+            settings: *settings,
+            calm_height: calm_height(vehicle),
+            stiffness: Stiffness::new(&motion, settings.tolerance()),
+            event_resolution: resolution,
+            energy,
+            motion,
+            locates_kinks: settings.tolerance() <= KINKS_LOCATED,
+            ranges: SignalRanges::new(&PerLeg::from_fn(legs, |j| modes[j].ranges(&laws[j]))),
+            laws,
+            modes,
+            pieces,
+            changes: PerLeg::same(legs, 1),
+            suspects: Watches::new(),
+            kinks: PerLeg::same(legs, None),
+            time: 0.0,
+            step: Step::from(state, State::zero(legs)),
+            stages: [State::zero(legs); 6],
+            free: None,
+            signals: Trail::new(legs),
+            middle: Glance::blank(legs),
+            is_middle_seen: false,
+            earlier: None,
+            start: state,
+            least_angle: (f64::INFINITY, 0.0),
+            least_clearance: f64::INFINITY,
+            peaks: StrutPeaks::none(legs),
+            pad_contact: PerLeg::same(legs, None),
+            block_contact: PerLeg::same(legs, None),
+            steps: 0,
+            evaluations: 0,
+            events: 0,
+            history,
+        }
+    }
+
+    /// Number of legs.
+    pub(super) fn leg_count(&self) -> usize {
+        self.motion.leg_count()
+    }
+
+    /// Error of work allowed to a step, ft·lb.
+    pub(crate) fn greatest_work_error(&self) -> f64 {
+        WORK_SHARE * self.settings.tolerance() * self.energy
+    }
+
+    /// Whether a step of this length (s) is stiff.
+    pub(super) fn is_stiff(&mut self, length: f64) -> bool {
+        let Self {
+            registers,
+            motion,
+            step,
+            pieces,
+            stiffness,
+            ..
+        } = self;
+        stiffness.exceeds(*registers, length, motion, &step.before, pieces)
+    }
+
+    /// The longest step that the laws allow whatever the error, s.
+    pub(super) fn longest_step(&self) -> f64 {
+        let pad_rate = |j| self.signals.now().of(j, Signal::PadRate);
+        let legs = self.modes.iter().enumerate();
+        legs.map(|(j, mode)| mode.longest_step(pad_rate(j)))
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Time at fraction θ of the step, s.
+    pub(super) fn time_at(&self, theta: f64) -> f64 {
+        self.time + theta * self.step.length
+    }
+
+    /// Derivative and signals at the end of the step.
+    pub(super) fn evaluate_end(&mut self) {
+        let [.., last] = &mut self.step.slopes;
+        self.registers.dispatch(Evaluate::<true, f64>(
+            &self.motion,
+            &self.step.after,
+            &self.pieces,
+            last,
+            self.signals.ahead_mut(),
+        ));
+        self.evaluations += 1;
+    }
+
+    /// Derivative and signals of the present state.
+    pub(super) fn evaluate(&mut self) {
+        let [first, ..] = &mut self.step.slopes;
+        self.registers.dispatch(Evaluate::<true, f64>(
+            &self.motion,
+            &self.step.before,
+            &self.pieces,
+            first,
+            self.signals.now_mut(),
+        ));
+        self.evaluations += 1;
+    }
+}

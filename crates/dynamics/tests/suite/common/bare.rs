@@ -1,0 +1,181 @@
+//! The equations of motion and one Runge-Kutta step without the landing around them.
+
+use touchdown_dynamics::contact::{LegLaws, LegMode};
+use touchdown_dynamics::integrator::event::Exit;
+use touchdown_dynamics::integrator::rosenbrock::GAMMA;
+use touchdown_dynamics::integrator::step::StateVector;
+use touchdown_dynamics::integrator::step::Step;
+use touchdown_dynamics::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
+use touchdown_dynamics::response::Response;
+use touchdown_dynamics::scene::{CrushRule, Scene};
+use touchdown_dynamics::state::State;
+use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_dynamics::wide::Wide;
+
+/// A vehicle in a scene with fixed pieces of all laws.
+#[derive(Clone)]
+pub struct Bare {
+    /// Its equations of motion.
+    pub motion: Motion<f64>,
+    laws: Vec<LegLaws>,
+    pieces: Pieces<f64>,
+}
+
+impl Bare {
+    /// A vehicle that touches nothing.
+    pub fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
+        let rule = CrushRule::PivotRate;
+        let laws: Vec<LegLaws> = (vehicle.legs().iter())
+            .map(|leg| LegLaws::new(leg, rule))
+            .collect();
+        let untouched: Vec<_> = (laws.iter())
+            .map(|laws| LegMode::untouched(laws).pieces(laws))
+            .collect();
+        let pieces = Pieces::new(&untouched);
+        Self {
+            motion: Motion::new(vehicle, scene),
+            laws,
+            pieces,
+        }
+    }
+
+    /// Puts in place the pieces that hold at a state.
+    pub fn settle(&mut self, state: &State<f64>) {
+        let mut state = *state;
+        let mut modes: Vec<LegMode> = self.laws.iter().map(LegMode::untouched).collect();
+        for _ in 0..32 {
+            let mut derivative = State::zero(3);
+            let mut signals = Glance::blank(3);
+            self.motion
+                .evaluate::<true>(&state, &self.pieces, &mut derivative, &mut signals);
+            let mut changed = false;
+            for (j, mode) in modes.iter_mut().enumerate() {
+                let ranges = mode.ranges(&self.laws[j]);
+                let left = ranges
+                    .iter()
+                    .zip(Signal::ALL)
+                    .find_map(|(range, signal)| Some((signal, range.exit(signals.of(j, signal))?)));
+                if let Some((signal, exit)) = left {
+                    changed = true;
+                    let (laws, before) = (&self.laws[j], *mode);
+                    mode.cross(laws, j, signal, exit, signals.leg(j)).unwrap();
+                    let mut leg = state.leg(j);
+                    leg.pad_turn = mode.pad_turn(laws, before.pad_angle(laws, leg.pad_turn));
+                    state.set_leg(j, &leg);
+                }
+            }
+            let pieces: Vec<_> = (modes.iter().zip(&self.laws))
+                .map(|(mode, laws)| mode.pieces(laws))
+                .collect();
+            self.pieces = Pieces::new(&pieces);
+            if !changed {
+                return;
+            }
+        }
+        panic!("laws do not settle");
+    }
+
+    /// Lets all pads touch and lift off again at a state in the air: links that move outward run down from then on.
+    pub fn lift_off(&mut self, state: &State<f64>) {
+        let signals = self.signals(state);
+        let lifted = self.laws.iter().enumerate().map(|(j, laws)| {
+            let mut mode = LegMode::untouched(laws);
+            for exit in [Exit::Above, Exit::Below] {
+                mode.cross(laws, j, Signal::OuterInterference, exit, signals.leg(j))
+                    .unwrap();
+            }
+            mode.pieces(laws)
+        });
+        self.pieces = Pieces::new(&lifted.collect::<Vec<_>>());
+    }
+
+    /// Writes the time derivative of a state.
+    pub fn derivative(&self, state: &State<f64>, slope: &mut State<f64>) {
+        self.motion.derivative::<true>(state, &self.pieces, slope);
+    }
+
+    /// The equations of motion in lanes, this vehicle in each, and the coefficients in force.
+    pub fn in_lanes<const N: usize>(&self) -> (Motion<Wide<N>>, Pieces<Wide<N>>) {
+        let legs = self.motion.leg_count();
+        let mut pieces = Pieces::absent(legs);
+        for lane in 0..N {
+            for leg in 0..legs {
+                pieces.set_lane(lane, leg, &self.pieces);
+            }
+        }
+        (self.motion.in_all_lanes(), pieces)
+    }
+
+    /// The signals of all legs, torques included.
+    pub fn signals(&self, state: &State<f64>) -> Glance<f64> {
+        self.motion.signals(state, &self.pieces, true)
+    }
+
+    /// How the forces answer at a state.
+    pub fn response(&self, state: &State<f64>) -> Response<f64> {
+        let mut response = self.motion.response();
+        self.motion.respond(state, &self.pieces, &mut response);
+        response
+    }
+
+    /// The flight from a state on, all legs hanging.
+    pub fn free_flight(&self, state: &State<f64>) -> FreeFlight {
+        self.motion.free_flight(state, &self.pieces)
+    }
+
+    /// One step of `length` seconds.
+    pub fn step(&self, state: &State<f64>, length: f64) -> Step<f64, State<f64>> {
+        let mut step = self.standing_at(state);
+        let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
+        step.take_explicit(length, derivative, derivative);
+        step
+    }
+
+    /// One implicit step of `length` seconds.
+    pub fn implicit_step(&self, state: &State<f64>, length: f64) -> Step<f64, State<f64>> {
+        self.implicit_step_and_middle(state, length).0
+    }
+
+    /// One implicit step of `length` seconds, and the state at which it evaluates its middle.
+    pub fn implicit_step_and_middle(
+        &self,
+        state: &State<f64>,
+        length: f64,
+    ) -> (Step<f64, State<f64>>, State<f64>) {
+        let mut step = self.standing_at(state);
+        let mut midway = *state;
+        let response = self.response(state);
+        let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
+        let middle = |state: &State<f64>, slope: &mut _| {
+            midway = *state;
+            derivative(state, slope);
+        };
+        let system = response.over(GAMMA * length);
+        let mut stages = [State::zero(3); 6];
+        step.take_implicit(length, &system, &mut stages, derivative, middle, derivative);
+        (step, midway)
+    }
+
+    fn standing_at(&self, state: &State<f64>) -> Step<f64, State<f64>> {
+        let mut slope = State::zero(3);
+        self.derivative(state, &mut slope);
+        Step::from(*state, slope)
+    }
+
+    /// `count` implicit steps through `time` seconds.
+    pub fn march_implicit(&self, state: &State<f64>, time: f64, count: u32) -> State<f64> {
+        let length = time / f64::from(count);
+        (0..count).fold(*state, |state, _| self.implicit_step(&state, length).after)
+    }
+
+    /// `count` steps through `time` seconds.
+    pub fn march(&self, state: &State<f64>, time: f64, count: u32) -> State<f64> {
+        let length = time / f64::from(count);
+        (0..count).fold(*state, |state, _| self.step(&state, length).after)
+    }
+}
+
+/// Greatest difference of what moves in two states, relative above 1 and absolute below.
+pub fn distance(one: &State<f64>, other: &State<f64>) -> f64 {
+    State::greatest_error([1.0, -1.0], [one, other], one, other)[0]
+}

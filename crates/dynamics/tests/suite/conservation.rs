@@ -1,0 +1,90 @@
+//! What has to be conserved: momentum and energy in free flight, the energy account of landings.
+
+use crate::common::bare::Bare;
+use crate::common::random::{crush_rule, fixed_list, usual_conditions};
+use crate::common::{level_scene, sample_deck, table_4_1};
+use nalgebra::{Vector3, Vector4};
+use rayon::prelude::*;
+use touchdown_dynamics::landing::land;
+use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::state::{Body, State, rotation};
+use touchdown_dynamics::touchdown::extended_legs;
+use touchdown_dynamics::vehicle::Vehicle;
+
+/// A tumbling vehicle far above the ground.
+fn tumbling(vehicle: &Vehicle) -> State<f64> {
+    let legs = extended_legs(vehicle);
+    let body = Body {
+        position: Vector3::new(0.0, 0.0, -500.0),
+        velocity: Vector3::new(3.0, -11.0, 14.0),
+        quaternion: Vector4::new(0.9, 0.1, -0.2, 0.3),
+        rate: Vector3::new(2.0, -1.5, 3.0),
+    };
+    State::new(&body, &legs)
+}
+
+/// Angular momentum about the CG in ground axes, slug·ft²/s.
+fn angular_momentum(vehicle: &Vehicle, body: &Body<f64>) -> Vector3<f64> {
+    rotation(&body.quaternion) * (vehicle.inertia() * body.rate)
+}
+
+/// Kinetic and potential energy, ft·lb.
+fn energy(vehicle: &Vehicle, body: &Body<f64>) -> f64 {
+    let translation = vehicle.mass() * body.velocity.norm_squared();
+    let rotation = body.rate.dot(&(vehicle.inertia() * body.rate));
+    0.5 * (translation + rotation) - vehicle.mass() * vehicle.gravity() * body.position.z
+}
+
+#[test]
+fn free_flight_conserves_momentum_and_energy() {
+    let vehicle = table_4_1();
+    let bare = Bare::new(&vehicle, &level_scene(180.0, 0.0, 11.0));
+    let start = tumbling(&vehicle);
+    let before = start.body();
+    let time = 2.0;
+    let after = bare.march(&start, time, 4000).body();
+
+    let turned = (rotation(&after.quaternion) - rotation(&before.quaternion)).norm();
+    assert!(turned > 1.0, "it hardly turned: {turned}");
+    let fallen = Vector3::new(0.0, 0.0, vehicle.gravity() * time);
+    let momentum = after.velocity - before.velocity - fallen;
+    assert!(
+        momentum.norm() < 1e-12 * before.velocity.norm(),
+        "{momentum}"
+    );
+    let (l0, l1) = (
+        angular_momentum(&vehicle, &before),
+        angular_momentum(&vehicle, &after),
+    );
+    assert!((l1 - l0).norm() < 1e-12 * l0.norm(), "{l0} became {l1}");
+    let (e0, e1) = (energy(&vehicle, &before), energy(&vehicle, &after));
+    assert!((e1 - e0).abs() < 1e-12 * e0.abs(), "{e0} became {e1}");
+}
+
+/// Greatest gap in the energy account, ft·lb; six times what was found.
+const GAP: f64 = 1e-5;
+
+#[test]
+fn the_energy_account_of_a_thousand_landings_closes() {
+    let strategy = (usual_conditions(), crush_rule(), proptest::bool::ANY);
+    let gaps: Vec<_> = fixed_list(&strategy, 1000)
+        .into_par_iter()
+        .filter_map(|(conditions, rule, first)| {
+            let vehicle = if first { table_4_1() } else { sample_deck() };
+            let scene = Scene::new(conditions).unwrap();
+            let settings = Settings::new(1e-8, 10.0, rule).unwrap();
+            let landing = land(&vehicle, &scene, &settings);
+            let account = &landing.energies;
+            // Energy in play: all that came in went somewhere or is left.
+            assert!(account.initial_kinetic > 200.0);
+            assert!(account.dissipated() > 0.0);
+            let landed = !matches!(landing.outcome, Outcome::Failure(_));
+            landed.then_some((account.closure().abs(), conditions))
+        })
+        .collect();
+    assert!(gaps.len() > 950, "only {} landed", gaps.len());
+    let worst = gaps.iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+    println!("gap at most {:.2e} ft·lb", worst.0);
+    assert!(worst.0 < GAP, "{worst:?}");
+}

@@ -1,0 +1,100 @@
+//! The extremes that a landing reports (least stability angle and clearance, greatest forces and strokes of its
+//! struts) are those that a close watch on it sees.
+
+use crate::common::random::{fixed_list, usual_conditions};
+use crate::common::{settings, table_4_1};
+use touchdown_dynamics::landing::{Instant, land_observed};
+use touchdown_dynamics::per_leg::PerLeg;
+use touchdown_dynamics::scene::{Conditions, Scene};
+
+/// Time between looks, s.
+const INTERVAL: f64 = 1e-4;
+/// Landings watched: these, and those in which the CG comes nearly to a halt between two steps and turns round, so
+/// that σ dips for a few milliseconds.
+const FIRST: usize = 60;
+const TURNING_ROUND: [usize; 6] = [211, 754, 769, 1870, 2583, 2659];
+
+fn watched() -> Vec<(usize, Conditions)> {
+    let list = fixed_list(&usual_conditions(), 1 + TURNING_ROUND[5]);
+    (list.into_iter().enumerate())
+        .filter(|(index, _)| *index < FIRST || TURNING_ROUND.contains(index))
+        .collect()
+}
+
+/// Extremes as they were seen, the least ones negative: all are greatest values.
+struct Seen([f64; 8]);
+
+impl Seen {
+    const NAMES: [&str; 8] = [
+        "least angle, rad",
+        "least clearance, ft",
+        "force 1, lb",
+        "force 2, lb",
+        "force 3, lb",
+        "stroke 1, ft",
+        "stroke 2, ft",
+        "stroke 3, ft",
+    ];
+
+    fn new(angle: f64, clearance: f64, forces: PerLeg<f64>, strokes: PerLeg<f64>) -> Self {
+        let ([f1, f2, f3], [s1, s2, s3]) = (&*forces, &*strokes) else {
+            panic!("three legs");
+        };
+        Self([-angle, -clearance, *f1, *f2, *f3, *s1, *s2, *s3])
+    }
+}
+
+#[test]
+fn no_close_look_sees_more_than_the_extremes_that_are_reported() {
+    let vehicle = table_4_1();
+    // Allowed at the tolerances of searches and of single landings: angle in rad, clearance and stroke in ft.
+    for (tolerance, [angle, length]) in [(3e-5, [1e-5, 1e-5]), (1e-6, [1e-6, 1e-5])] {
+        for (index, conditions) in watched() {
+            let scene = Scene::new(conditions).unwrap();
+            let mut seen = Seen([f64::NEG_INFINITY; 8]);
+            let landing = land_observed(
+                &vehicle,
+                &scene,
+                &settings(tolerance),
+                INTERVAL,
+                &mut |now: &Instant| {
+                    let Seen(look) = Seen::new(
+                        now.stability_angle,
+                        now.clearance,
+                        now.legs.map(|leg| leg.strut_force.abs()),
+                        now.legs.map(|leg| leg.stroke),
+                    );
+                    seen = Seen(std::array::from_fn(|k| seen.0[k].max(look[k])));
+                },
+            );
+            let reported = Seen::new(
+                landing.min_stability_angle,
+                landing.min_clearance,
+                landing.max_strut_force,
+                landing.max_stroke,
+            );
+            let force = |k: usize| 2e-4 * reported.0[k];
+            let short = [
+                angle,
+                length,
+                force(2),
+                force(3),
+                force(4),
+                length,
+                length,
+                length,
+            ];
+            // Looks may pass over the very top of a peak.
+            let beyond = [1e-3, 1e-3, 5.0, 5.0, 5.0, 1e-4, 1e-4, 1e-4];
+            for (k, name) in Seen::NAMES.into_iter().enumerate() {
+                let over = seen.0[k] - reported.0[k];
+                assert!(
+                    over <= short[k] && over >= -beyond[k],
+                    "landing {index} at {tolerance:e}, {name}: {} reported, {} seen",
+                    reported.0[k],
+                    seen.0[k]
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! Tests of whole landings and of the equations behind them, in one program.
+
+mod common;
+
+mod allocations;
+mod any_scene;
+mod attitude;
+mod batch;
+mod closed_forms;
+mod conservation;
+mod convergence;
+mod extremes;
+mod footing;
+mod impact_surface;
+mod laws;
+mod methods_of_1966;
+mod reference_histories;
+mod reference_landings;
+mod reference_transitions;
+mod report_integrator;
+mod response;
+mod sample_run;
+mod symmetry;
+mod table_4_3;

@@ -1,0 +1,177 @@
+//! The response is what forces do when the motion changes a little.
+
+use crate::common::bare::Bare;
+use crate::common::scenes::pressed_in;
+use crate::common::{level_scene, table_4_1};
+use nalgebra::{Vector3, Vector4};
+use touchdown_dynamics::integrator::rosenbrock::StageEquations;
+use touchdown_dynamics::integrator::step::StateVector;
+use touchdown_dynamics::motion::Signal;
+use touchdown_dynamics::state::{LegState, State, quaternion_rate};
+use touchdown_dynamics::touchdown::touchdown;
+
+/// A vehicle that stands along the slope with all its feet `depth` ft deep, sliding and turning, its struts stroking
+/// and returning.
+fn pressed(depth: f64, sliding: f64) -> (Bare, State<f64>) {
+    let vehicle = table_4_1();
+    let scene = level_scene(170.0, -10.0, 11.0);
+    let mut bare = Bare::new(&vehicle, &scene);
+    let first = touchdown(&vehicle, &scene, &bare.motion);
+    let mut state = pressed_in(first, [-0.8, 0.3, -0.1], Vector3::new(0.2, -0.3, 0.1));
+    let mut body = state.body();
+    let slope = scene.conditions().slope;
+    let (sine, cosine) = (0.5 * slope).sin_cos();
+    body.quaternion = Vector4::new(cosine, -sine, 0.0, 0.0);
+    body.velocity = Vector3::new(sliding, 0.3 * sliding, 0.0);
+    state.set_body(&body);
+    let deep = bare.signals(&state).of(0, Signal::OuterInterference);
+    body.position.z += (depth - deep) / slope.cos();
+    state.set_body(&body);
+    bare.settle(&state);
+    (bare, state)
+}
+
+const STILL: LegState<f64> = LegState {
+    link_angle: 0.0,
+    link_rate: 0.0,
+    pad_turn: 0.0,
+    pad_rate: 0.0,
+    work: [0.0; 6],
+};
+
+fn of_leg(j: usize, leg: LegState<f64>) -> State<f64> {
+    let mut state = State::zero(3);
+    state.set_leg(j, &leg);
+    state
+}
+
+/// Changes of one kind: velocities of the body along and about three axes, its displacements, and for each leg the
+/// rates of link and pad and their angles.
+fn changes(quaternion: &Vector4<f64>) -> Vec<State<f64>> {
+    let mut changes = Vec::new();
+    for kind in 0..4 {
+        for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+            let mut body = State::<f64>::zero(3).body();
+            match kind {
+                0 => body.velocity = axis,
+                1 => body.rate = axis,
+                2 => body.position = axis,
+                _ => body.quaternion = quaternion_rate(quaternion, &axis),
+            }
+            changes.push(State::new(&body, &[STILL; 3]));
+        }
+    }
+    for j in 0..3 {
+        let mut of_kind = |change: &dyn Fn(&mut LegState<f64>)| {
+            let mut leg = STILL;
+            change(&mut leg);
+            changes.push(of_leg(j, leg));
+        };
+        of_kind(&|leg| leg.link_rate = 1.0);
+        of_kind(&|leg| leg.pad_rate = 1.0);
+        of_kind(&|leg| leg.link_angle = 1.0);
+        of_kind(&|leg| leg.pad_turn = 1.0);
+    }
+    changes
+}
+
+fn greatest(s: &State<f64>) -> f64 {
+    State::greatest_error([1.0], [s], &State::zero(3), &State::zero(3))[0]
+}
+
+/// Change of the slope per change of the state along `u`.
+fn answered(bare: &Bare, state: &State<f64>, u: &State<f64>) -> State<f64> {
+    let epsilon = 1e-6 / greatest(u);
+    let [up, down] = [epsilon, -epsilon].map(|epsilon| {
+        let mut slope = State::zero(3);
+        bare.derivative(&state.advanced_motion([epsilon], [u]), &mut slope);
+        slope
+    });
+    let mut change = State::zero(3);
+    change.set_mean_rate(&down, &up, 2.0 * epsilon);
+    change
+}
+
+#[test]
+fn implicit_stages_solve_the_equations_of_small_motions() {
+    let tau = 3e-4;
+    // Stuck and sliding at either branch of friction; with blocks pressed in as well.
+    for (depth, sliding) in [(0.06, 0.01), (0.06, 0.4), (0.06, 4.0), (0.9, 0.01)] {
+        let (bare, state) = pressed(depth, sliding);
+        let response = bare.response(&state);
+        let system = response.over(tau);
+        let rotations = 9..12;
+        let mut answers = 0;
+        for (k, r) in changes(&state.body().quaternion).iter().enumerate() {
+            let mut u = State::zero(3);
+            system.solve(r, &mut u);
+            let answered = answered(&bare, &state, &u);
+            let off = State::zero(3).advanced([1.0 / tau, -1.0, -1.0], [&u, &answered, r]);
+            let off = greatest(&off);
+            let answered = greatest(&answered);
+            // As the body turns, levers of all forces turn with it, which is left out: it is not stiff.
+            let bound = if rotations.contains(&k) {
+                2000.0
+            } else {
+                5e-3 * answered.max(1.0)
+            };
+            assert!(
+                off < bound,
+                "{depth} ft deep at {sliding} ft/s, change {k}: off {off:e} of {answered:e}"
+            );
+            answers += u32::from(answered > 1.0);
+        }
+        assert_eq!(
+            answers, 20,
+            "all but displacements along the surface, at no speed of the pads"
+        );
+    }
+}
+
+#[test]
+fn greatest_rate_is_the_trace_of_what_velocities_do() {
+    let (bare, state) = pressed(0.06, 0.01);
+    let trace: f64 = changes(&state.body().quaternion)
+        .iter()
+        .enumerate()
+        .map(|(k, speed)| {
+            let slope = answered(&bare, &state, speed);
+            match k {
+                0..3 => slope.body().velocity[k],
+                3..6 => slope.body().rate[k - 3],
+                12 | 16 | 20 => slope.leg((k - 12) / 4).link_rate,
+                _ => 0.0,
+            }
+        })
+        .sum();
+    let rate = bare.response(&state).greatest_rate();
+    assert!(rate > 1000.0, "{rate}");
+    // Products of inertia are left out.
+    assert!((rate / -trace - 1.0).abs() < 0.03, "{rate}, not {trace}");
+}
+
+#[test]
+fn signals_said_to_have_rates_change_at_those_rates() {
+    const TIME: f64 = 1e-6;
+    for (depth, sliding) in [(0.02, 1.0), (-0.03, 2.0)] {
+        let (bare, state) = pressed(depth, sliding);
+        let told = bare.signals(&state);
+        let mut slope = State::zero(3);
+        bare.derivative(&state, &mut slope);
+        let [before, after] =
+            [-TIME, TIME].map(|time| bare.signals(&state.advanced_motion([time], [&slope])));
+        for j in 0..3 {
+            for k in 0..Signal::RATED {
+                let [signal, rate] = [k, k + Signal::RATED].map(|k| Signal::ALL[k]);
+                let change = (after.of(j, signal) - before.of(j, signal)) / (2.0 * TIME);
+                let rate = told.of(j, rate);
+                assert!(
+                    (change - rate).abs() < 1e-7 * (1.0 + rate.abs()),
+                    "{signal:?} of leg {j}: {change} instead of {rate}"
+                );
+            }
+        }
+        // Something
+        assert!(told.of(0, Signal::OuterRate).abs() > 0.1);
+    }
+}

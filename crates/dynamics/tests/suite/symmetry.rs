@@ -1,0 +1,248 @@
+//! Symmetries of the vehicle are symmetries of its landings.
+
+use crate::common::random::{crush_rule, fixed_list, usual_conditions};
+use crate::common::scenes::history;
+use crate::common::{PRINCIPAL, sample_deck, surveyor, table_4_1};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use rayon::prelude::*;
+use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
+use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+use touchdown_dynamics::record::{Instant, Landing};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
+
+/// Touchdowns that turn as well.
+fn touchdowns(count: usize) -> Vec<(Conditions, CrushRule)> {
+    fixed_list(&(usual_conditions(), crush_rule()), count)
+        .into_iter()
+        .map(|(conditions, rule)| {
+            let angular_velocity = [0.1, -0.2, 0.3];
+            (
+                Conditions {
+                    angular_velocity,
+                    ..conditions
+                },
+                rule,
+            )
+        })
+        .collect()
+}
+
+/// How far two landings are from being images of each other.
+#[derive(Clone, Copy)]
+struct Deviation {
+    /// Of the histories up to the earlier end, ft and rad.
+    motion: f64,
+    /// Of end time (s), least stability angle (rad) and clearance (ft).
+    end: f64,
+}
+
+impl Deviation {
+    fn max(self, other: Self) -> Self {
+        Self {
+            motion: self.motion.max(other.motion),
+            end: self.end.max(other.end),
+        }
+    }
+}
+
+/// A landing and its image.
+struct Pair {
+    deviation: Deviation,
+    /// How far the landing itself goes astray when its velocity differs by rounding; looked at where the image does.
+    astray: Deviation,
+}
+
+/// What is asked of all images but those of landings that go astray by rounding.
+const LIMIT: f64 = 1e-5;
+/// Changes of velocity, in units of its last place, that show whether a landing does.
+const NUDGES: [f64; 8] = [-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0];
+/// How much further astray than by any nudge an image may be: it differs by more roundings than one.
+const FURTHER: f64 = 10.0;
+
+type Followed = (Landing, Vec<Instant>);
+
+/// Lands from `conditions` and from their `image`. The CG moves to `image_position`, leg `j`
+/// becomes leg `image_leg[j]`.
+fn compare(
+    vehicle: &Vehicle,
+    image: impl Fn(&Conditions) -> Conditions + Sync,
+    image_position: impl Fn(Vector3<f64>) -> Vector3<f64> + Sync,
+    image_leg: [usize; 3],
+) -> Vec<Pair> {
+    touchdowns(200)
+        .par_iter()
+        .map(|(conditions, rule)| {
+            let settings = Settings::new(1e-6, 1.5, *rule).unwrap();
+            let landing = |conditions: Conditions| {
+                history(vehicle, &Scene::new(conditions).unwrap(), &settings, 0.05)
+            };
+            let one = landing(*conditions);
+            let other = landing(image(conditions));
+            let (end, class) = (mapped(&one.0.outcome, image_leg), one.0.outcome.class());
+            assert_eq!(class, other.0.outcome.class(), "{conditions:?}");
+            if class != Class::Stable {
+                assert_eq!(end, other.0.outcome, "{conditions:?}");
+            }
+            let deviation = apart(&one, &other, &image_position, image_leg);
+            let mut astray = Deviation {
+                motion: 0.0,
+                end: 0.0,
+            };
+            if deviation.motion.max(deviation.end) > LIMIT {
+                for nudge in NUDGES {
+                    let horizontal_velocity =
+                        conditions.horizontal_velocity * (1.0 + nudge * f64::EPSILON);
+                    let nudged = landing(Conditions {
+                        horizontal_velocity,
+                        ..*conditions
+                    });
+                    astray = astray.max(apart(&one, &nudged, &|position| position, [0, 1, 2]));
+                }
+            }
+            Pair { deviation, astray }
+        })
+        .collect()
+}
+
+/// How far a landing is from being the image of another.
+fn apart(
+    (one, instants): &Followed,
+    (other, images): &Followed,
+    image_position: &impl Fn(Vector3<f64>) -> Vector3<f64>,
+    image_leg: [usize; 3],
+) -> Deviation {
+    let compared = instants.len().min(images.len()) - 1;
+    let motion = (instants.iter().zip(images).take(compared))
+        .flat_map(|(instant, other)| {
+            let position = (image_position(instant.position) - other.position).norm();
+            let links =
+                (0..3).map(|j| instant.legs[j].link_angle - other.legs[image_leg[j]].link_angle);
+            links.chain([position, instant.clearance - other.clearance])
+        })
+        .fold(0.0, |worst: f64, off| worst.max(off.abs()));
+    let end = [
+        one.end_time - other.end_time,
+        one.min_stability_angle - other.min_stability_angle,
+        one.min_clearance - other.min_clearance,
+    ]
+    .into_iter()
+    .fold(0.0, |worst: f64, off| worst.max(off.abs()));
+    Deviation { motion, end }
+}
+
+/// Only rounding tells images apart. It grows where a vehicle bounces, in one landing of a hundred by so much that
+/// it cannot tell its image from itself after a nudge.
+fn check(what: &str, pairs: &[Pair], number: fn(&Deviation) -> f64) {
+    let mut sorted: Vec<f64> = pairs.iter().map(|pair| number(&pair.deviation)).collect();
+    sorted.sort_by(f64::total_cmp);
+    let (most, worst) = (sorted[sorted.len() * 9 / 10], sorted[sorted.len() - 1]);
+    println!("{what}: nine of ten within {most:.1e}, all within {worst:.1e}");
+    assert!(most < 1e-9, "{what}: {most:e}");
+    let beyond: Vec<_> = (pairs.iter())
+        .map(|pair| [number(&pair.deviation), number(&pair.astray)])
+        .filter(|[deviation, _]| *deviation > LIMIT)
+        .collect();
+    println!("{what}: beyond the limit, and astray by nudges: {beyond:?}");
+    assert!(beyond.len() <= pairs.len() / 100, "{what}: {beyond:?}");
+    assert!(
+        beyond
+            .iter()
+            .all(|[deviation, astray]| *deviation < FURTHER * astray),
+        "{what}: {beyond:?}"
+    );
+}
+
+fn mapped(outcome: &Outcome, image_leg: [usize; 3]) -> Outcome {
+    match outcome {
+        Outcome::Bottomed { leg } => Outcome::Bottomed {
+            leg: image_leg[*leg],
+        },
+        Outcome::Failure(Failure::PadInclination { leg }) => {
+            Outcome::Failure(Failure::PadInclination {
+                leg: image_leg[*leg],
+            })
+        }
+        other => other.clone(),
+    }
+}
+
+#[test]
+fn mirror_images() {
+    let mirror = |conditions: &Conditions| {
+        let Euler { pitch, yaw, roll } = conditions.attitude.euler();
+        let [x, y, z] = conditions.angular_velocity;
+        Conditions {
+            cross_slope: -conditions.cross_slope,
+            attitude: Attitude::from_euler(Euler {
+                pitch,
+                yaw: -yaw,
+                roll: -roll,
+            }),
+            angular_velocity: [x, -y, -z],
+            ..*conditions
+        }
+    };
+    let flip = |position: Vector3<f64>| Vector3::new(-position.x, position.y, position.z);
+    let pairs = compare(&surveyor(1.445, PRINCIPAL), mirror, flip, [0, 2, 1]);
+    check("motion", &pairs, |d| d.motion);
+    check("end", &pairs, |d| d.end);
+}
+
+#[test]
+fn a_third_of_a_turn_permutes_the_legs() {
+    let third = 120f64.to_radians();
+    let turn = |conditions: &Conditions| {
+        let tip = conditions.attitude.tip();
+        let [x, y, z] = conditions.angular_velocity;
+        let (sine, cosine) = third.sin_cos();
+        Conditions {
+            attitude: Attitude::from_tip(Tip {
+                nominal_roll: tip.nominal_roll + third,
+                ..tip
+            }),
+            angular_velocity: [cosine * x + sine * y, cosine * y - sine * x, z],
+            ..*conditions
+        }
+    };
+    let pairs = compare(&sample_deck(), turn, |position| position, [1, 2, 0]);
+    // Motion counts as subsided by body rates component by component, which do not turn along: the
+    // end of a landing is no symmetric notion.
+    check("motion", &pairs, |d| d.motion);
+}
+
+/// The turns and mirrors about the centreline, other than none, that carry every leg to another's place.
+fn leg_symmetries() -> [Matrix3<f64>; 5] {
+    let turn = |degrees: f64| {
+        Rotation3::from_axis_angle(&Vector3::z_axis(), degrees.to_radians()).into_inner()
+    };
+    let across_leg_1 = Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, 1.0));
+    let mirror = |azimuth: f64| turn(-azimuth) * across_leg_1 * turn(azimuth);
+    [
+        turn(120.0),
+        turn(240.0),
+        mirror(0.0),
+        mirror(120.0),
+        mirror(240.0),
+    ]
+}
+
+#[test]
+fn inertia_leaves_the_surveyor_no_symmetry_of_its_legs() {
+    let changes = |vehicle: &Vehicle| {
+        let inertia = vehicle.inertia();
+        leg_symmetries().map(|g| (g * inertia * g.transpose() - inertia).amax())
+    };
+    let near = |changes: [f64; 5], expected: [f64; 5]| {
+        let all = changes.iter().zip(expected);
+        assert!(
+            all.clone().all(|(a, b)| (a - b).abs() < 0.005),
+            "{changes:?}"
+        );
+    };
+    near(changes(&table_4_1()), [8.94, 11.87, 13.62, 3.03, 8.94]);
+    // Its mirror plane is that of leg 1; unequal moments about x and y still forbid any turn.
+    let without_products = surveyor(1.445, PRINCIPAL);
+    near(changes(&without_products), [2.87, 2.87, 0.0, 2.87, 2.87]);
+    near(changes(&sample_deck()), [0.0; 5]);
+}
