@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use touchdown_sweep::input_keys::{tables, word_choices};
+use touchdown_sweep::unit::unit;
 
 const REFERENCE: &str = include_str!(concat!(
     env!("CARGO_MANIFEST_DIR"),
@@ -89,5 +90,29 @@ fn words_and_their_defaults_are_those_of_the_code() {
             _ => &words[0],
         };
         assert_eq!(row[3], *default, "{key}");
+    }
+}
+
+#[test]
+fn units_are_those_that_keys_carry() {
+    let page = documented();
+    let with_units = [
+        ("vehicle", ""),
+        ("vehicle.inertia_slug_ft2", "vehicle.inertia_slug_ft2."),
+        ("vehicle.linkage", ""),
+        ("vehicle.strut", ""),
+        ("vehicle.footpad", ""),
+        ("vehicle.block", ""),
+        ("vehicle.legs", ""),
+        ("scene", ""),
+        ("search", ""),
+        ("solver", ""),
+    ];
+    for (table, prefix) in with_units {
+        for row in page[table].iter().filter(|row| !row[1].is_empty()) {
+            let name = format!("{prefix}{}", row[0].trim_matches('`'));
+            let plain = row[1].replace('·', " ").replace('²', "2");
+            assert_eq!(plain, unit(&name), "{name}");
+        }
     }
 }

@@ -8,6 +8,7 @@ use std::process::Command;
 
 use serde_json::Value;
 use tempfile::TempDir;
+use touchdown_sweep::unit::unit;
 
 const PAGE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/output.md"));
 const LEGS: usize = 3;
@@ -183,4 +184,22 @@ fn columns_of_landings_are_described() {
     for key in landing.as_object().unwrap().keys() {
         assert!(PAGE.contains(&format!("`{key}`")), "{key} is not described");
     }
+}
+
+#[test]
+fn units_are_those_that_columns_carry() {
+    let rows = PAGE.lines().filter(|row| row.starts_with("| `"));
+    let cells =
+        |row: &str| -> Vec<String> { row.split('|').map(|c| c.trim().to_owned()).collect() };
+    let mut checked = 0;
+    for row in rows.map(cells).filter(|row| row.len() == 5) {
+        let unit_of_row = row[2].replace('·', " ");
+        // Words have no unit; that of some columns follows from another column.
+        if unit_of_row.is_empty() || unit_of_row.contains("of ") || unit_of_row.contains("per ") {
+            continue;
+        }
+        assert_eq!(unit_of_row, unit(row[1].trim_matches('`')), "{}", row[1]);
+        checked += 1;
+    }
+    assert!(checked > 60, "{checked} units");
 }
