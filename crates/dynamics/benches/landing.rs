@@ -16,7 +16,7 @@ use common::{level_scene, settings, table_4_1};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use pulp::NullaryFnOnce;
-use touchdown_dynamics::landing::land;
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::motion::{Motion, Pieces};
 use touchdown_dynamics::registers::Registers;
 #[cfg(target_arch = "x86_64")]

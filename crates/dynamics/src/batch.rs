@@ -7,7 +7,8 @@ mod lane_steps;
 
 use std::sync::Arc;
 
-use crate::landing::{NextStart, Simulation, StepKind, land};
+use crate::land::land;
+use crate::landing::{NextStart, Simulation, StepKind};
 use crate::methods::Method;
 use crate::motion::Motion;
 use crate::outcome::Outcome;

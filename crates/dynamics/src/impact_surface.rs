@@ -14,7 +14,8 @@ use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::attitude::{Attitude, Euler};
 use crate::invalid::{Invalid, require};
-use crate::landing::{Landing, land};
+use crate::land::land;
+use crate::landing::Landing;
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;

@@ -1,47 +1,46 @@
 //! One landing: integrate from first contact until an outcome, and report.
 
 mod account;
+pub mod critical_feet;
+pub mod energy;
 mod events;
+mod history;
 mod kinks;
 mod peaks;
 mod ranges;
 mod rates;
+pub mod record;
 mod simulation;
+pub mod stability;
 mod step_attempt;
+mod strut_peaks;
 mod stiffness;
+pub mod touchdown;
 mod trail;
 mod trajectory;
 mod verdict;
 mod within;
 
-use crate::methods::{self, Method};
-pub use crate::record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
 use crate::scene::{Scene, Settings};
 use crate::vehicle::Vehicle;
 
-use account::History;
+use history::History;
 
 pub(crate) use rates::final_rates;
 pub(crate) use simulation::{NextStart, Simulation};
 pub(crate) use step_attempt::{Respond, StepKind, TakeStep};
 
-/// Computes a landing.
-pub fn land(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Landing {
-    land_observed(vehicle, scene, settings, f64::INFINITY, &mut |_| {})
-}
+pub use record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
 
-/// Computes a landing and reports its state every `interval` seconds from first contact on, and
+/// Computes a landing, its events located, and reports its state every `interval` seconds from first contact on, and
 /// at the end.
-pub fn land_observed(
+pub fn land_located(
     vehicle: &Vehicle,
     scene: &Scene,
     settings: &Settings,
     interval: f64,
     observe: &mut dyn FnMut(&Instant),
 ) -> Landing {
-    if settings.method() != Method::Located {
-        return methods::land_observed(vehicle, scene, settings, interval, observe).0;
-    }
     let history = interval
         .is_finite()
         .then(|| History::new(interval, observe));

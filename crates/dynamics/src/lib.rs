@@ -10,48 +10,39 @@
 //! elementary functions included, so that it comes out the same, bit for bit, on every machine; those
 //! of the standard library come from the machine's own and are not allowed here (`clippy.toml`).
 //!
-//! | idea | module |
-//! |---|---|
-//! | the lander and the touchdown | [`vehicle`], [`profile`], [`scene`], [`attitude`] |
-//! | where everything is | [`state`], [`kinematics`] |
-//! | the laws | [`crush`], [`friction`], [`strut`], [`hinge`] |
-//! | the motion, how its forces answer, and which piece of each law is active | [`motion`], [`response`], [`contact`] |
-//! | the answer | [`critical_feet`], [`stability`], [`outcome`], [`touchdown`], [`landing`], [`record`] |
-//! | the surface from impact times | [`impact_surface`] |
-//! | how it is integrated | [`integrator`], [`model_version`] |
-//! | many landings, a lane of a register for each | [`batch`], [`wide`], [`registers`] |
-//! | how it was integrated in 1966, and what that was compared with | [`methods`] |
+//! The crate has floors, each of which knows only those below it (`scripts/floors.py` checks that):
+//!
+//! | floor | what | modules |
+//! |---|---|---|
+//! | [`batch`] | many landings, a lane of a register for each | |
+//! | [`land`], [`methods`], [`impact_surface`] | one landing by any method; the methods of 1966; the surface from impact times | |
+//! | [`landing`] | one landing: steps, events, verdicts, its account | [`touchdown`], [`energy`], [`critical_feet`], [`stability`], [`record`] |
+//! | `equations` | where everything is and how it moves | [`state`], [`kinematics`], [`motion`], [`response`] |
+//! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`settings`], [`method`], [`error_control`] |
+//! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], [`signal`], [`outcome`] |
+//! | `design` | plain data of a lander | [`parts`], [`profile`], [`attitude`], [`rules`], [`invalid`] |
+//! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
+//! | `numbers` | scalars, lanes, registers, one item a leg | [`scalar`], [`wide`], [`registers`], [`per_leg`], [`products`] |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-pub mod attitude;
+mod design;
+mod equations;
+mod lander;
+mod laws;
+mod numbers;
+
 pub mod batch;
-pub mod contact;
-pub mod critical_feet;
-pub mod crush;
-pub mod energy;
-pub mod friction;
-pub mod hinge;
 pub mod impact_surface;
 pub mod integrator;
-pub mod invalid;
-pub mod kinematics;
+pub mod land;
 pub mod landing;
 pub mod methods;
 pub mod model_version;
-pub mod motion;
-pub mod outcome;
-pub mod per_leg;
-pub mod products;
-pub mod profile;
-pub mod record;
-pub mod registers;
-pub mod response;
-pub mod scalar;
-pub mod scene;
-pub mod stability;
-pub mod state;
-pub mod strut;
-pub mod touchdown;
-pub mod vehicle;
-pub mod wide;
+
+pub use design::{attitude, invalid, parts, profile, rules};
+pub use equations::{kinematics, motion, response, state};
+pub use lander::{error_control, method, scene, settings, vehicle};
+pub use landing::{critical_feet, energy, record, stability, touchdown};
+pub use laws::{contact, crush, friction, hinge, leg_pieces, outcome, signal, strut};
+pub use numbers::{per_leg, products, registers, scalar, wide};

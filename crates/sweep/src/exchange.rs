@@ -203,13 +203,21 @@ mod tests {
         exchange.ask(search, Arc::new(vehicle), scene, settings, sender);
     }
 
+    /// A landing that panics.
+    fn broken(
+        next: &mut dyn FnMut() -> Option<Request>,
+        _: &mut dyn FnMut(usize, Landing),
+    ) -> Occupancy {
+        assert!(next().is_none(), "broken");
+        Occupancy::default()
+    }
+
     #[test]
     fn a_thread_that_panics_lets_the_others_go() {
         let exchange = Exchange::between(2);
         ask(&exchange, 0);
         let panicked = std::thread::scope(|scope| {
-            let threads =
-                [(), ()].map(|()| scope.spawn(|| exchange.land_with(|_, _| panic!("broken"))));
+            let threads = [(), ()].map(|()| scope.spawn(|| exchange.land_with(broken)));
             threads.map(|thread| thread.join().is_err())
         });
         assert_eq!(panicked.iter().filter(|panicked| **panicked).count(), 1);

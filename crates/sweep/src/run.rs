@@ -343,7 +343,7 @@ async fn find(
 mod tests {
     use std::path::Path;
 
-    use touchdown_dynamics::landing::land;
+    use touchdown_dynamics::land::land;
     use touchdown_dynamics::scene::CrushRule;
 
     use super::*;

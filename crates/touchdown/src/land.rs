@@ -5,8 +5,8 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::Instant;
-use touchdown_dynamics::methods::land_observed;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::deposit::Folder;
@@ -159,7 +159,7 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
         }
     };
     let (landing, integration) =
-        land_observed(&vehicle.vehicle, &scene, settings, interval, &mut observe);
+        land_with_summary(&vehicle.vehicle, &scene, settings, interval, &mut observe);
 
     if let Some((folder, name)) = history_place {
         written.map_err(Failure::running)?;

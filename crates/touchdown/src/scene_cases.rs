@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::{Instant, Landing};
-use touchdown_dynamics::methods::land_observed;
 use touchdown_sweep::deposit::Folder;
 use touchdown_sweep::history::History;
 use touchdown_sweep::scene_file::{self, SceneCase};
@@ -49,7 +49,7 @@ fn land(case: &SceneCase, seconds: f64) -> Result<(Landing, Vec<u8>), Failure> {
             written = history.add(instant);
         }
     };
-    let (landing, _) = land_observed(vehicle, scene, &case.settings, seconds, &mut observe);
+    let (landing, _) = land_with_summary(vehicle, scene, &case.settings, seconds, &mut observe);
     written.map_err(Failure::running)?;
     Ok((landing, history.table().map_err(Failure::running)?))
 }

@@ -4,7 +4,8 @@ use libm::sincos;
 use nalgebra::Vector3;
 
 use crate::invalid::Invalid;
-use crate::landing::{Instant, land_observed};
+use crate::land::land_observed;
+use crate::landing::Instant;
 use crate::scene::{CrushRule, Scene, Settings};
 use crate::vehicle::Vehicle;
 

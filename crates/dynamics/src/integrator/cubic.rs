@@ -1,7 +1,7 @@
 //! Exits of signals whose rates are known: values and rates at both ends of a step are those of a cubic, which
 //! tells where a signal leaves its range, or that it stays, before anything in between is looked at.
 
-use super::event::{CAUTION, Exit, Node, Seen, Signals, Watch, locate};
+use super::event::{CAUTION, Exit, Seen, Signals, Watch, locate};
 
 /// Signals of which some have known rates.
 pub trait Rated: Signals {
@@ -65,20 +65,26 @@ impl<'a, V: Rated> Prospect<'a, V> {
         }
     }
 
-    /// The first exit of any signal, if the foresight is that one leaves: a node just outside, within
-    /// `resolution` of the exit. `evaluate` writes the signals at a fraction of the step.
-    pub fn exit(&self, resolution: f64, evaluate: impl FnMut(f64, &mut V)) -> Node<V> {
+    /// The first exit of any signal, if the foresight is that one leaves: where it is just outside, within
+    /// `resolution` of the exit, and which of `places` has the signals there. `evaluate` writes the signals at a
+    /// fraction of the step.
+    pub fn exit(
+        &self,
+        resolution: f64,
+        places: &mut [V; 3],
+        evaluate: impl FnMut(f64, &mut V),
+    ) -> (f64, usize) {
         let seen = |theta, signals| Seen { theta, signals };
         let end = seen(1.0, self.end);
-        let nodes = [seen(0.0, self.start), end, end].map(Node::of);
-        let predict = |[inside, outside, _]: [&Node<V>; 3]| {
+        let nodes = [seen(0.0, self.start), end, end];
+        let predict = |[inside, outside, _]: [Seen<'_, V>; 3]| {
             let width = outside.theta - inside.theta;
-            let ends = [&inside.signals, &outside.signals];
+            let ends = [inside.signals, outside.signals];
             let cubic = |watch: &Watch| Cubic::of(watch.signal, ends, width * self.length);
             let exits = self.watches.iter().map(|watch| cubic(watch).exit(watch));
             inside.theta + width * exits.fold(1.0, f64::min)
         };
-        locate(nodes, self.watches, resolution, predict, evaluate)
+        locate(nodes, self.watches, resolution, predict, places, evaluate)
     }
 }
 
@@ -204,7 +210,7 @@ impl Cubic {
 
 #[cfg(test)]
 mod tests {
-    use super::super::event::Bounds;
+    use super::super::event::{Bounds, Node};
     use super::*;
 
     /// Two values and their rates.
@@ -248,10 +254,15 @@ mod tests {
         let [start, end] = &ends;
         let prospect = Prospect::new([start, end], LENGTH, watches);
         let mut looks = 0;
-        let exit = prospect.exit(resolution, |theta, signals| {
+        let mut places = [[0.0; 4]; 3];
+        let (theta, place) = prospect.exit(resolution, &mut places, |theta, signals| {
             looks += 1;
             *signals = told(from, theta);
         });
+        let exit = Node {
+            theta,
+            signals: places[place],
+        };
         (exit, looks)
     }
 

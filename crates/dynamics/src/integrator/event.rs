@@ -193,13 +193,15 @@ pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bo
 /// Finds the first exit of any signal within a step, or a part of it, that was looked at where it starts, where all
 /// signals are inside, between and where it ends. `evaluate` writes the signals at a fraction of the step. Excursions
 /// that begin and end between the looks are looked for where three neighbouring values bend
-/// toward an end of the range. Returns the node just outside, within `resolution` of the exit.
+/// toward an end of the range. Returns where it is just outside, within `resolution` of the exit, and which of
+/// `places` has the signals there; the other places are overwritten.
 pub fn first_exit<V: Signals>(
     [start, middle, end]: [Seen<'_, V>; 3],
     watches: &[Watch],
     resolution: f64,
+    places: &mut [V; 3],
     mut evaluate: impl FnMut(f64, &mut V),
-) -> Option<Node<V>> {
+) -> Option<(f64, usize)> {
     let mut out_at_middle = false;
     let mut out_at_end = false;
     let mut earliest: Option<(Node<V>, Node<V>)> = None;
@@ -231,17 +233,18 @@ pub fn first_exit<V: Signals>(
             }
         }
     }
-    let nodes = match earliest {
-        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => [a, b, Node::of(end)],
-        _ if out_at_middle => [start, middle, end].map(Node::of),
-        _ if out_at_end => [middle, end, start].map(Node::of),
+    let nodes = match &earliest {
+        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => [a.seen(), b.seen(), end],
+        _ if out_at_middle => [start, middle, end],
+        _ if out_at_end => [middle, end, start],
         _ => return None,
     };
-    let predict = |nodes: [&Node<V>; 3]| {
+    let predict = |nodes: [Seen<'_, V>; 3]| {
         let exits = watches.iter().map(|watch| exit_on_parabola(watch, nodes));
         exits.fold(f64::INFINITY, f64::min)
     };
-    Some(locate(nodes, watches, resolution, predict, evaluate))
+    let exit = locate(nodes, watches, resolution, predict, places, evaluate);
+    Some(exit)
 }
 
 /// Fraction of the step at which the parabola through three nodes has its extremum, with its
@@ -304,21 +307,29 @@ const MOST_FAILURES: u32 = 2;
 
 /// Narrows the bracket from the first of three nodes, inside, to the second, outside, until its far end lies
 /// within `resolution` of the exit. `predict` says where that is, from the ends of the bracket and the node
-/// that was one last. After predictions that do not halve the bracket it is halved.
+/// that was one last. After predictions that do not halve the bracket it is halved. Returns the far end, and which of
+/// `places` has the signals there.
 pub(super) fn locate<V: Signals>(
-    mut nodes: [Node<V>; 3],
+    nodes: [Seen<'_, V>; 3],
     watches: &[Watch],
     resolution: f64,
-    predict: impl Fn([&Node<V>; 3]) -> f64,
+    predict: impl Fn([Seen<'_, V>; 3]) -> f64,
+    places: &mut [V; 3],
     mut evaluate: impl FnMut(f64, &mut V),
-) -> Node<V> {
+) -> (f64, usize) {
+    let mut thetas = nodes.map(|node| node.theta);
+    // The signals of a node are those it came with until a new one takes its place.
+    let mut given = nodes.map(|node| Some(node.signals));
     // The nodes stay where they are, but for the one that a new one takes the place of.
     let [mut inside, mut outside, mut third] = [0, 1, 2];
     let mut failures = 0;
     loop {
-        let (a, b) = (nodes[inside].theta, nodes[outside].theta);
+        let (a, b) = (thetas[inside], thetas[outside]);
         let width = b - a;
-        let exit = predict([inside, outside, third].map(|index| &nodes[index]));
+        let exit = predict([inside, outside, third].map(|index| Seen {
+            theta: thetas[index],
+            signals: given[index].unwrap_or(&places[index]),
+        }));
         let middle = a + 0.5 * width;
         // A little beyond the exit, to land outside.
         let aim = exit + 0.25 * resolution;
@@ -330,21 +341,20 @@ pub(super) fn locate<V: Signals>(
         };
         let is_narrow = b - exit <= resolution || width <= resolution;
         if is_narrow || theta <= a || theta >= b {
-            let [first, second, last] = nodes;
-            return match outside {
-                0 => first,
-                1 => second,
-                _ => last,
-            };
+            if let Some(signals) = given[outside] {
+                places[outside] = *signals;
+            }
+            return (b, outside);
         }
-        nodes[third].theta = theta;
-        evaluate(theta, &mut nodes[third].signals);
-        if any_outside(&nodes[third].signals, watches) {
+        thetas[third] = theta;
+        given[third] = None;
+        evaluate(theta, &mut places[third]);
+        if any_outside(&places[third], watches) {
             std::mem::swap(&mut third, &mut outside);
         } else {
             std::mem::swap(&mut third, &mut inside);
         }
-        if nodes[outside].theta - nodes[inside].theta > 0.5 * width {
+        if thetas[outside] - thetas[inside] > 0.5 * width {
             failures += 1;
         } else {
             failures = 0;
@@ -355,15 +365,15 @@ pub(super) fn locate<V: Signals>(
 /// Where a signal that is inside at the first of three nodes leaves its range on the parabola through all of
 /// them, if it is outside at the second; infinite if it is not. The nodes' other signals have no say: of two that leave, one may be
 /// far outside where the other has just left.
-fn exit_on_parabola<V: Signals>(watch: &Watch, [inside, outside, third]: [&Node<V>; 3]) -> f64 {
-    let value = |node: &Node<V>| node.signals.get(watch.signal);
+fn exit_on_parabola<V: Signals>(watch: &Watch, [inside, outside, third]: [Seen<'_, V>; 3]) -> f64 {
+    let value = |node: Seen<'_, V>| node.signals.get(watch.signal);
     let border = match watch.range.exit(value(outside)) {
         None => return f64::INFINITY,
         Some(Exit::Below) => watch.range.lower,
         Some(Exit::Above) => watch.range.upper,
     };
     let beyond = value(outside) - border;
-    let place = |node: &Node<V>| (node.theta, (value(node) - border) / beyond);
+    let place = |node: Seen<'_, V>| (node.theta, (value(node) - border) / beyond);
     exit_between(place(inside), outside.theta, place(third))
 }
 
@@ -422,12 +432,13 @@ mod tests {
                     nodes.each_ref().map(Node::seen),
                     &watches,
                     resolution,
+                    &mut [[0.0; 2]; 3],
                     |theta, signals| {
                         looks += 1;
                         *signals = told(theta, from, pace);
                     },
                 );
-                let beyond = found.unwrap().theta - border.min(from);
+                let beyond = found.unwrap().0 - border.min(from);
                 assert!(beyond > 0.0 && beyond <= resolution, "{beyond}");
                 assert!(looks < 8, "{looks}");
             }

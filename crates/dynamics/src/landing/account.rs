@@ -1,4 +1,4 @@
-//! The account of a landing: energies, history, result.
+//! The account of a landing: instants of its history, energies, result.
 
 use super::rates::final_rates;
 use super::trajectory::Trajectory;
@@ -8,41 +8,6 @@ use crate::per_leg::PerLeg;
 use crate::record::{Energies, Foot, Instant, Landing, LegWork};
 use crate::stability::Judge;
 use crate::state::State;
-
-/// When to report to whom.
-pub(crate) struct History<'o> {
-    interval: f64,
-    reported: u64,
-    last: f64,
-    observe: &'o mut dyn FnMut(&Instant),
-}
-
-impl<'o> History<'o> {
-    /// Reports every `interval` seconds.
-    pub(super) fn new(interval: f64, observe: &'o mut dyn FnMut(&Instant)) -> Self {
-        Self {
-            interval,
-            reported: 0,
-            last: f64::NEG_INFINITY,
-            observe,
-        }
-    }
-
-    /// Next time to report at, s.
-    fn next(&self) -> f64 {
-        if self.reported == 0 {
-            0.0
-        } else {
-            self.interval * self.reported as f64
-        }
-    }
-
-    fn report(&mut self, instant: &Instant) {
-        (self.observe)(instant);
-        self.last = instant.time;
-        self.reported += 1;
-    }
-}
 
 impl Trajectory<'_> {
     /// Reports the instants that are due up to fraction `reach` of the step.

@@ -4,7 +4,7 @@ use super::trajectory::Trajectory;
 use super::within::{Between, Look};
 use crate::contact::LegMode;
 use crate::integrator::cubic::{Foresight, Prospect};
-use crate::integrator::event::{Node, Seen, Watch, first_exit};
+use crate::integrator::event::{Seen, Watch, first_exit};
 use crate::motion::{Glance, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::registers::Registers;
@@ -13,8 +13,9 @@ use crate::registers::Registers;
 const MOST_CHANGES: usize = 64;
 
 impl Trajectory<'_> {
-    /// The first point of the step at which a law changes its active piece.
-    pub(super) fn find_event(&mut self) -> Option<Node<Glance<f64>>> {
+    /// The first fraction of the step at which a law changes its active piece, and which of the `places` has the
+    /// signals there.
+    pub(super) fn find_event(&mut self) -> Option<(f64, usize)> {
         let [before, start, end] = [
             self.signals.before(),
             self.signals.now(),
@@ -78,12 +79,13 @@ impl Trajectory<'_> {
         let found = match foresight {
             Foresight::Stays => None,
             Foresight::Leaves => {
-                Some(Prospect::new([start, end], length, suspects).exit(resolution, &mut look))
+                let prospect = Prospect::new([start, end], length, suspects);
+                Some(prospect.exit(resolution, &mut self.places, &mut look))
             }
             Foresight::Doubtful => {
                 let seen = |theta, signals| Seen { theta, signals };
                 let looks = [seen(0.0, start), seen(0.5, &self.middle), seen(1.0, end)];
-                first_exit(looks, suspects, resolution, &mut look)
+                first_exit(looks, suspects, resolution, &mut self.places, &mut look)
             }
         };
         self.evaluations += looks;

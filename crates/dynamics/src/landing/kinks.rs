@@ -118,10 +118,17 @@ impl Trajectory<'_> {
             }
         }
         let nodes = [&start, &middle, &end].map(Node::seen);
-        let kink = first_exit(nodes, &watches, RESOLUTION, |theta, signals| {
-            *signals = look(theta);
-        });
-        kink.map(|kink| kink.theta)
+        let mut places = [start.signals; 3];
+        let kink = first_exit(
+            nodes,
+            &watches,
+            RESOLUTION,
+            &mut places,
+            |theta, signals| {
+                *signals = look(theta);
+            },
+        );
+        kink.map(|(theta, _)| theta)
     }
 }
 

@@ -30,7 +30,7 @@ impl SignalRanges {
     /// The ranges of all legs, signal by signal.
     pub(super) fn new(legs: &[[Bounds; Signal::RANGED]]) -> Self {
         let mut ranges = Self {
-            registers: Single::new(),
+            registers: Single::fastest(),
             legs: PerLeg::same(legs.len(), Ranges::free()),
         };
         for (leg, bounds) in legs.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use super::account::History;
+use super::history::History;
 use super::step_attempt::{StepKind, TakeStep};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::Outlook;
@@ -301,7 +301,7 @@ impl<'o> Simulation<'o> {
         }
         trajectory.steps += 1;
         let event = trajectory.find_event();
-        let reach = event.as_ref().map_or(1.0, |node| node.theta);
+        let reach = event.map_or(1.0, |(theta, _)| theta);
         let kink = if trajectory.locates_kinks {
             trajectory.kink_before(reach)
         } else {
@@ -309,14 +309,14 @@ impl<'o> Simulation<'o> {
         };
         let event = event.filter(|_| kink.is_none());
         let reach = kink.unwrap_or(reach);
-        let judged = trajectory.judge(outlook, reach);
+        let judged = trajectory.judge(outlook, reach, event.map(|(_, place)| place));
         let reach = judged.map_or(reach, |(theta, _)| theta);
         trajectory.report(reach);
         if judged.is_some() || kink.is_some() {
-            let end = trajectory.look_at(reach);
-            trajectory.note_struts(Some(&end), reach);
+            trajectory.places[0] = trajectory.look_at(reach);
+            trajectory.note_struts(Some(0), reach);
         } else {
-            trajectory.note_struts(event.as_ref().map(|node| &node.signals), reach);
+            trajectory.note_struts(event.map(|(_, place)| place), reach);
         }
         trajectory.time += reach * length;
         let goes_to_end = event.is_none() && kink.is_none();
@@ -324,9 +324,9 @@ impl<'o> Simulation<'o> {
             trajectory.go_to(reach);
             return Err(verdict.into());
         }
-        if let Some(event) = event {
+        if let Some((_, place)) = event {
             trajectory.go_to(reach);
-            *trajectory.signals.now_mut() = event.signals;
+            (trajectory.signals.now_mut()).assign(&trajectory.places[place]);
             trajectory.earlier = None;
             control.restart();
             trajectory.cross()?;

@@ -2,8 +2,8 @@
 
 use arrayvec::ArrayVec;
 
-use super::account::History;
-use super::peaks::StrutPeaks;
+use super::history::History;
+use super::strut_peaks::StrutPeaks;
 use super::ranges::{SignalRanges, Watches};
 use super::step_attempt::Evaluate;
 use super::stiffness::Stiffness;
@@ -75,6 +75,8 @@ pub(crate) struct Trajectory<'o> {
     /// The signals in the middle of the step, if it is implicit or was looked into.
     pub(crate) middle: Glance<f64>,
     pub(super) is_middle_seen: bool,
+    /// Signals at the points of the step that an event was closed in by.
+    pub(super) places: [Glance<f64>; 3],
     /// The step before, if no law has changed since.
     pub(super) earlier: Option<Earlier>,
     pub(super) start: State<f64>,
@@ -102,7 +104,9 @@ impl<'o> Trajectory<'o> {
         let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
         let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.legs().iter())
             .map(|leg| {
-                LegLaws::new(leg, settings.crush_rule())
+                leg.laws()
+                    .clone()
+                    .with_crush_rule(settings.crush_rule())
                     .with_friction(settings.friction_profile())
                     .within(settings.tolerance())
             })
@@ -113,7 +117,7 @@ impl<'o> Trajectory<'o> {
         let energy = kinetic(&motion, &state)
             + motion.mass() * motion.gravity() * vehicle.center_of_gravity_height();
         Self {
-            registers: Single::new(),
+            registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
             calm_height: calm_height(vehicle),
@@ -136,6 +140,7 @@ impl<'o> Trajectory<'o> {
             signals: Trail::new(legs),
             middle: Glance::blank(legs),
             is_middle_seen: false,
+            places: [Glance::blank(legs); 3],
             earlier: None,
             start: state,
             least_angle: (f64::INFINITY, 0.0),

@@ -3,8 +3,9 @@
 use super::trajectory::Trajectory;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
-use crate::motion::Footing;
+use crate::motion::{Footing, Glance};
 use crate::stability::{Judge, Observation, Verdict};
+use crate::state::Body;
 
 /// Parabolas laid toward a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
@@ -62,8 +63,14 @@ impl Outlook {
 }
 
 impl Trajectory<'_> {
-    /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls.
-    pub(super) fn judge(&mut self, outlook: &mut Outlook, reach: f64) -> Option<(f64, Verdict)> {
+    /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls. Of an `event` there
+    /// one of the `places` has the signals.
+    pub(super) fn judge(
+        &mut self,
+        outlook: &mut Outlook,
+        reach: f64,
+        event: Option<usize>,
+    ) -> Option<(f64, Verdict)> {
         let resolution = self.event_resolution / self.step.length;
         let mut start = Node {
             theta: 0.0,
@@ -73,10 +80,16 @@ impl Trajectory<'_> {
             (outlook.judge).watch(&start.signals, self.least_angle.0);
             let judge = &outlook.judge;
             let look = |theta: f64| {
-                if theta == 1.0 {
-                    let body = self.step.after.body();
+                let told = |signals: &Glance<f64>, body: &Body<f64>| {
                     let depth = self.motion.surface().depth(&body.position);
-                    judge.observe_footing(&Footing::told(self.signals.ahead(), depth), &body)
+                    judge.observe_footing(&Footing::told(signals, depth), body)
+                };
+                if theta == 1.0 {
+                    told(self.signals.ahead(), &self.step.after.body())
+                } else if let Some(place) = event
+                    && theta == reach
+                {
+                    told(&self.places[place], &self.motion_at(theta).body())
                 } else {
                     judge.observe(&self.motion, &self.motion_at(theta))
                 }
@@ -101,8 +114,17 @@ impl Trajectory<'_> {
             }
             let middle = node(0.5 * (start.theta + end.theta));
             let nodes = [&start, &middle, &end].map(Node::seen);
-            let exit = first_exit(nodes, judge.watches(), resolution, |theta, signals| {
-                *signals = look(theta);
+            let mut places = [end.signals; 3];
+            let exit = first_exit(
+                nodes,
+                judge.watches(),
+                resolution,
+                &mut places,
+                |theta, signals| *signals = look(theta),
+            );
+            let exit = exit.map(|(theta, place)| Node {
+                theta,
+                signals: places[place],
             });
             let Some(exit) = exit else {
                 if is_plain {

@@ -46,7 +46,10 @@ impl ForceModel {
     pub fn new(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Self {
         let laws: Vec<LegLaws> = (vehicle.legs().iter())
             .map(|leg| {
-                LegLaws::new(leg, settings.crush_rule()).with_friction(settings.friction_profile())
+                leg.laws()
+                    .clone()
+                    .with_crush_rule(settings.crush_rule())
+                    .with_friction(settings.friction_profile())
             })
             .collect();
         let untouched = PerLeg::from_fn(laws.len(), |j| {

@@ -9,10 +9,10 @@
 use std::collections::VecDeque;
 
 use super::error_check::{ErrorCheck, Worst};
-use super::error_control::Intervals;
 use super::integration_summary::IntegrationSummary;
 use super::runge_kutta::step;
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
+use crate::error_control::Intervals;
 
 /// Doubling multiplies the error by 32 and what is allowed by 2.
 const SMALL_ENOUGH: f64 = 1.0 / 16.0;

@@ -7,10 +7,10 @@
 //! next interval, and is taken back only when an interval is tried again from its start.
 
 use super::error_check::ErrorCheck;
-use super::error_control::Intervals;
 use super::integration_summary::IntegrationSummary;
 use super::runge_kutta::step;
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
+use crate::error_control::Intervals;
 
 /// The method under way.
 #[derive(Debug, Clone)]

@@ -7,7 +7,7 @@ use crate::attitude::Attitude;
 use crate::per_leg::PerLeg;
 use crate::state::State;
 
-use super::error_control::ErrorLimits;
+use crate::error_control::ErrorLimits;
 
 /// Energies that are summed over the legs: struts, footpads, blocks, sliding of both.
 const ENERGIES: usize = 5;

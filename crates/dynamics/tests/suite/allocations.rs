@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::common::{level_scene, settings, table_4_1};
 use allocation_counter::measure;
 use touchdown_dynamics::batch::{Request, land_many};
-use touchdown_dynamics::landing::{Landing, land};
+use touchdown_dynamics::land::land;
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::Scene;
 
 /// Landings that rock back, topple, slide and bounce.

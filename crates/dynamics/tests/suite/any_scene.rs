@@ -4,7 +4,8 @@
 use crate::common::random::{crush_rule, drawn, fixed_list, wild_scene, wild_vehicle};
 use proptest::prelude::*;
 use rayon::prelude::*;
-use touchdown_dynamics::landing::{Instant, Landing, land_observed};
+use touchdown_dynamics::land::land_observed;
+use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::outcome::{Failure, Outcome};
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;

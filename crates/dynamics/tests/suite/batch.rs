@@ -7,7 +7,8 @@ use crate::common::random::{fixed_list, usual_conditions, wild_scene, wild_vehic
 use crate::common::{level_scene, settings, table_4_1};
 use touchdown_dynamics::batch::{Occupancy, Request, Width, land_in_lanes, land_many};
 use touchdown_dynamics::friction::FrictionProfile;
-use touchdown_dynamics::landing::{Landing, land};
+use touchdown_dynamics::land::land;
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::methods::{FixedInterval, Method};
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;

@@ -5,7 +5,7 @@ use crate::common::random::{crush_rule, fixed_list, usual_conditions};
 use crate::common::{level_scene, sample_deck, table_4_1};
 use nalgebra::{Vector3, Vector4};
 use rayon::prelude::*;
-use touchdown_dynamics::landing::land;
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::state::{Body, State, rotation};

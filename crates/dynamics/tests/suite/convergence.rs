@@ -4,7 +4,8 @@
 use crate::common::bare::{Bare, distance};
 use crate::common::{level_scene, scenes, settings, table_4_1};
 use nalgebra::Vector3;
-use touchdown_dynamics::landing::{Instant, land, land_observed};
+use touchdown_dynamics::land::{land, land_observed};
+use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::state::State;

@@ -3,7 +3,8 @@
 
 use crate::common::random::{fixed_list, usual_conditions};
 use crate::common::{settings, table_4_1};
-use touchdown_dynamics::landing::{Instant, land_observed};
+use touchdown_dynamics::land::land_observed;
+use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::scene::{Conditions, Scene};
 

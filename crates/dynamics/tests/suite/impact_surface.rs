@@ -6,7 +6,7 @@ use crate::common::{sample_deck, table_4_1};
 use nalgebra::{Matrix3, Vector3};
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::impact_surface::{Approach, NoSurface, determine};
-use touchdown_dynamics::landing::land;
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;

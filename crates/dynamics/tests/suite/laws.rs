@@ -2,7 +2,7 @@
 //! (42)-(45), friction profile C, and crushing along a path worked by hand.
 
 use crate::common::surveyor_leg;
-use touchdown_dynamics::contact::{LegLaws, LegMode};
+use touchdown_dynamics::contact::LegMode;
 use touchdown_dynamics::crush::{Crush, CrushLaw};
 use touchdown_dynamics::friction::{FrictionProfile, Sliding};
 use touchdown_dynamics::integrator::event::Exit;
@@ -108,7 +108,7 @@ fn a_strut_leaves_its_stop_without_a_change_of_law() {
 #[test]
 fn the_ranges_of_a_leg_stand_in_the_order_of_its_signals() {
     let leg = Leg::new(surveyor_leg(0.0)).unwrap();
-    let laws = LegLaws::new(&leg, CrushRule::PivotRate);
+    let laws = leg.laws().clone().with_crush_rule(CrushRule::PivotRate);
     let ranges = LegMode::untouched(&laws).ranges(&laws);
     let range = |signal: Signal| ranges[signal as usize];
     let elements = [
@@ -136,7 +136,7 @@ fn the_ranges_of_a_leg_stand_in_the_order_of_its_signals() {
 #[test]
 fn a_pad_that_has_touched_is_stopped_at_pressure_not_at_contact_while_its_strut_works() {
     let leg = Leg::new(surveyor_leg(0.0)).unwrap();
-    let laws = LegLaws::new(&leg, CrushRule::PivotRate);
+    let laws = leg.laws().clone().with_crush_rule(CrushRule::PivotRate);
     let mut mode = LegMode::untouched(&laws);
     let mut signals = [0.0; Signal::COUNT];
     signals[Signal::InnerInterference as usize] = -0.01;

@@ -3,7 +3,8 @@
 use crate::common::complaints::Complaints;
 use crate::common::{Row, landing_case, reference, settings};
 use rayon::prelude::*;
-use touchdown_dynamics::landing::{Landing, land};
+use touchdown_dynamics::land::land;
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::Settings;
 
 /// Landings that end later bounce, and are sensitive to the last digit, s.

@@ -5,7 +5,7 @@ use crate::common::complaints::Complaints;
 use crate::common::{Row, level, level_scene, reference, settings, table_4_1};
 use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Tip};
-use touchdown_dynamics::landing::land;
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 

@@ -4,10 +4,9 @@
 use crate::common::{Row, reference, sample_deck, scenes, settings, table_4_1};
 use nalgebra::Vector3;
 use rayon::prelude::*;
+use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::{Instant, Landing};
-use touchdown_dynamics::methods::{
-    ErrorControl, ErrorLimits, IntegrationSummary, Method, land_observed,
-};
+use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, IntegrationSummary, Method};
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
@@ -26,7 +25,7 @@ fn first_intervals(count: usize) -> impl IndexedParallelIterator<Item = f64> {
 }
 
 fn sample_run(settings: &Settings) -> (Landing, IntegrationSummary) {
-    land_observed(
+    land_with_summary(
         &sample_deck(),
         &scenes::sample_run(),
         settings,
@@ -140,7 +139,7 @@ fn typical_error(vehicle: &Vehicle, scene: &Scene, scale: f64, exact: &Vector3<f
             let mut track = Vec::new();
             let mut observe = |instant: &Instant| track.push(instant.position);
             let settings = report(scale, first);
-            let (_, summary) = land_observed(vehicle, scene, &settings, 0.1, &mut observe);
+            let (_, summary) = land_with_summary(vehicle, scene, &settings, 0.1, &mut observe);
             (summary.mean_interval(), (track[10] - exact).norm())
         })
         .collect();
@@ -160,7 +159,7 @@ fn the_observed_order_is_far_below_four() {
     ] {
         let mut exact = Vec::new();
         let mut observe = |instant: &Instant| exact.push(instant.position);
-        land_observed(&vehicle, &scene, &settings(1e-10), 0.1, &mut observe);
+        land_with_summary(&vehicle, &scene, &settings(1e-10), 0.1, &mut observe);
         let [(coarse, error), (fine, smaller)] =
             [1e-1, 1e-5].map(|scale| typical_error(&vehicle, &scene, scale, &exact[10]));
         let order = (error / smaller).ln() / (coarse / fine).ln();
@@ -179,7 +178,7 @@ fn table_4_3_is_what_this_integrator_gives() {
         .map(|first| {
             let mut velocities = Vec::new();
             let mut observe = |instant: &Instant| velocities.push(instant.velocity);
-            land_observed(
+            land_with_summary(
                 &table_4_1(),
                 &scene,
                 &report(1.0, first),

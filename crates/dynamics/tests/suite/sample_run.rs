@@ -2,7 +2,7 @@
 //! converged, the landing takes the other branch; under the section rule it is near the print.
 
 use crate::common::{reference, sample_deck, scenes, settings};
-use touchdown_dynamics::landing::land;
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::{CrushRule, Settings};
 

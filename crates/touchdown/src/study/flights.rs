@@ -3,7 +3,8 @@
 
 use std::fmt::Write;
 
-use touchdown_dynamics::landing::{Instant, Landing, land_observed};
+use touchdown_dynamics::land::land_observed;
+use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::scene_input::NamedConditions;

@@ -6,7 +6,7 @@ use std::time::Instant as Clock;
 
 use rayon::prelude::*;
 use touchdown_dynamics::batch::{Request, land_many};
-use touchdown_dynamics::landing::{land, land_observed};
+use touchdown_dynamics::land::{land, land_observed};
 use touchdown_dynamics::record::Instant;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;

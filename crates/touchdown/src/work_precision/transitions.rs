@@ -1,7 +1,7 @@
 //! Error of the transition velocity.
 
 use rayon::prelude::*;
-use touchdown_dynamics::landing::land;
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;

@@ -26,7 +26,7 @@ impl Bare {
     pub fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
         let rule = CrushRule::PivotRate;
         let laws: Vec<LegLaws> = (vehicle.legs().iter())
-            .map(|leg| LegLaws::new(leg, rule))
+            .map(|leg| (leg).laws().clone().with_crush_rule(rule))
             .collect();
         let untouched: Vec<_> = (laws.iter())
             .map(|laws| LegMode::untouched(laws).pieces(laws))

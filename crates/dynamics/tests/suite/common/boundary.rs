@@ -1,6 +1,6 @@
 //! A plain search for the first velocity at which a landing is no longer stable.
 
-use touchdown_dynamics::landing::land;
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;

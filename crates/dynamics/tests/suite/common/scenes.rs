@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 use touchdown_dynamics::attitude::{Attitude, Euler};
-use touchdown_dynamics::landing::{Instant, Landing, land_observed};
+use touchdown_dynamics::land::land_observed;
+use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::vehicle::Vehicle;

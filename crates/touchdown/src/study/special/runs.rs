@@ -1,9 +1,8 @@
 //! The landing that the special studies look at, by any method.
 
+use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::{Instant, Landing};
-use touchdown_dynamics::methods::{
-    ErrorControl, ErrorLimits, IntegrationSummary, Method, land_observed,
-};
+use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, IntegrationSummary, Method};
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::scene_input::NamedConditions;
@@ -81,7 +80,7 @@ impl Run {
         let mut moments = Vec::new();
         let mut observe = |instant: &Instant| moments.push(instant.clone());
         let (landing, integration) =
-            land_observed(vehicle, scene, settings, interval, &mut observe);
+            land_with_summary(vehicle, scene, settings, interval, &mut observe);
         Self {
             landing,
             integration,

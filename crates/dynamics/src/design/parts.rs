@@ -1,0 +1,122 @@
+//! The parts of a lander as an input file describes them: plain numbers, not yet checked.
+//!
+//! Foot, slug, pound, second and radian throughout.
+
+use nalgebra::Matrix3;
+
+use crate::profile::Profile;
+
+/// Moments and products of inertia about the CG in vehicle axes, slug·ft², products as the
+/// report's input gives them: the inertia matrix holds their negatives (59).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs)]
+pub struct Inertia {
+    pub xx: f64,
+    pub yy: f64,
+    pub zz: f64,
+    pub xy: f64,
+    pub xz: f64,
+    pub yz: f64,
+}
+
+impl Inertia {
+    /// The inertia matrix J (59).
+    pub fn matrix(&self) -> Matrix3<f64> {
+        Matrix3::new(
+            self.xx, -self.xy, -self.xz, //
+            -self.xy, self.yy, -self.yz, //
+            -self.xz, -self.yz, self.zz,
+        )
+    }
+}
+
+/// What an input file says of one leg.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LegDesign {
+    /// Azimuth θj of the leg about the centreline, rad; leg 1 of the Surveyor is at 0, along y.
+    pub azimuth: f64,
+    /// The lower link and its hinges.
+    pub linkage: Linkage,
+    /// The shock absorber.
+    pub strut: Strut,
+    /// The crushable footpad.
+    pub footpad: Footpad,
+    /// The crushable body block.
+    pub block: Block,
+}
+
+/// The lower link and the hinges it shares with the strut (Figures 2-4 and 2-5 of the report).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Linkage {
+    /// Distance l_p from the centreline to the lower hardpoint, ft.
+    pub lower_hardpoint_radius: f64,
+    /// Length l_L of the lower link, hardpoint to footpad pivot, ft.
+    pub lower_link_length: f64,
+    /// Distance l_A between the hardpoints, ft.
+    pub hardpoint_distance: f64,
+    /// Angle β between the line joining the hardpoints and the centreline, rad.
+    pub hardpoint_angle: f64,
+    /// Moment of inertia I_γ of the lower link about the lower hardpoint, slug·ft².
+    pub inertia: f64,
+}
+
+/// The shock absorber (42)-(45).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strut {
+    /// Length l_D0 when extended, ft.
+    pub extended_length: f64,
+    /// Least length l_Dmin, ft: bottoming ends the landing.
+    pub minimum_length: f64,
+    /// Structural stiffness K_s below the preload, lb/ft.
+    pub structural_stiffness: f64,
+    /// Preload F_p, lb.
+    pub preload: f64,
+    /// Spring constant K_D above the preload, lb/ft.
+    pub spring_constant: f64,
+    /// Seal friction ν, a fraction of the spring force.
+    pub friction_fraction: f64,
+    /// Compression damping R_c, lb·s²/ft².
+    pub compression_damping: f64,
+    /// Rebound damping R_R, lb·s²/ft².
+    pub rebound_damping: f64,
+    /// Growth SRL of the rebound damping with stroke, 1/ft.
+    pub rebound_growth: f64,
+    /// Multiplier S_K of the spring constant against stroke in ft.
+    pub spring_profile: Profile,
+    /// Multiplier S_D of the compression damping against stroke in ft.
+    pub damping_profile: Profile,
+}
+
+/// The crushable footpad, hinged at the end of the lower link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Footpad {
+    /// Diameter d_f, ft.
+    pub diameter: f64,
+    /// Uncrushed height h_f0 below the pivot, ft.
+    pub height: f64,
+    /// Crush pressure C_f by which the profile is multiplied, lb/ft².
+    pub crush_pressure: f64,
+    /// Moment of inertia I_α about the pivot, slug·ft².
+    pub inertia: f64,
+    /// Least angle α between pad and link, rad (inner stop).
+    pub minimum_angle: f64,
+    /// Greatest angle α between pad and link, rad (outer stop).
+    pub maximum_angle: f64,
+    /// Relative crush pressure against interference in ft.
+    pub profile: Profile,
+}
+
+/// The crushable block under the body beside each leg.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// Distance l_c from the centreline, ft.
+    pub radius: f64,
+    /// Uncrushed height h_B0 below the lower hardpoint plane, ft.
+    pub height: f64,
+    /// Diameter d_B, ft.
+    pub diameter: f64,
+    /// Crush pressure C_B by which the profile is multiplied, lb/ft².
+    pub crush_pressure: f64,
+    /// Relative crush pressure against interference in ft.
+    pub profile: Profile,
+}

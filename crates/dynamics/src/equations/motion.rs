@@ -1,0 +1,333 @@
+//! The equations of motion (55), (60), (68), (69) as straight-line arithmetic (model chapter 6).
+//!
+//! Which piece of each law is active arrives as coefficients, [`Pieces`]. There is no table search
+//! here and no branch but one: what carries no pressure is passed over. Along with the derivative come the
+//! signals whose ranges tell how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
+//! a lane for each ([`crate::wide`]); leg follows leg.
+
+mod footing;
+mod free_flight;
+mod glance;
+mod leg;
+mod leg_response;
+mod pieces;
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::kinematics::{BodyFrame, LegGeometry, Surface};
+use crate::per_leg::PerLeg;
+use crate::products::times;
+use crate::scalar::Real;
+use crate::scene::Scene;
+use crate::state::{Body, LegState, State, quaternion_rate};
+use crate::vehicle::Vehicle;
+use crate::wide::{Abreast, Wide, abreast};
+
+use leg::{LegAction, LegMotion};
+
+pub use crate::leg_pieces::LegPieces;
+pub use crate::signal::{LegSignals, Signal};
+pub use footing::Footing;
+pub use free_flight::FreeFlight;
+pub use glance::Glance;
+pub use pieces::Pieces;
+
+/// Forces on one leg, lb.
+#[derive(Debug, Clone, Copy)]
+pub struct LegLoads<S> {
+    /// Strut force F, compression positive.
+    pub strut: S,
+    /// Normal force N on the pad.
+    pub pad_normal: S,
+    /// Friction force on the pad.
+    pub pad_friction: S,
+    /// Normal force on the block.
+    pub block_normal: S,
+    /// Friction force on the block.
+    pub block_friction: S,
+}
+
+abreast!(LegLoads {
+    strut,
+    pad_normal,
+    pad_friction,
+    block_normal,
+    block_friction,
+});
+
+/// The equations of motion of a vehicle on a surface, or of several landings, a lane for each.
+#[derive(Debug, Clone, Copy)]
+pub struct Motion<S> {
+    surface: Surface<S>,
+    gravity: S,
+    mass: S,
+    inverse_mass: S,
+    inertia: Matrix3<S>,
+    inverse_inertia: Matrix3<S>,
+    legs: PerLeg<LegMotion<S>>,
+}
+
+impl Motion<f64> {
+    /// The equations of motion of a vehicle in a scene.
+    pub fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
+        let inertia = *vehicle.inertia();
+        // A positive definite matrix has an inverse; the vehicle was checked.
+        let inverse_inertia = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
+        let depth = vehicle.center_of_gravity_height();
+        let legs = vehicle.legs();
+        Self {
+            surface: Surface::new(scene),
+            gravity: vehicle.gravity(),
+            mass: vehicle.mass(),
+            inverse_mass: 1.0 / vehicle.mass(),
+            inertia,
+            inverse_inertia,
+            legs: PerLeg::from_fn(legs.len(), |j| LegMotion::new(&legs[j], depth, scene)),
+        }
+    }
+
+    /// The same landing in all lanes.
+    pub fn in_all_lanes<const N: usize>(&self) -> Motion<Wide<N>> {
+        Motion {
+            surface: self.surface.shared(),
+            gravity: self.gravity.shared(),
+            mass: self.mass.shared(),
+            inverse_mass: self.inverse_mass.shared(),
+            inertia: self.inertia.shared(),
+            inverse_inertia: self.inverse_inertia.shared(),
+            legs: self.legs.map(|leg| leg.shared()),
+        }
+    }
+
+    /// Acceleration of gravity, ft/s².
+    pub fn gravity(&self) -> f64 {
+        self.gravity
+    }
+
+    /// Mass, slug.
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Inertia matrix J (59), slug·ft².
+    pub fn inertia(&self) -> &Matrix3<f64> {
+        &self.inertia
+    }
+
+    /// Moment of inertia of the lower link of leg `index` about its hardpoint, slug·ft².
+    pub fn link_inertia(&self, index: usize) -> f64 {
+        self.legs[index].link_inertia
+    }
+
+    /// Signals of all legs, the link torques only if asked for: no other signal is a force.
+    pub fn signals(
+        &self,
+        state: &State<f64>,
+        pieces: &Pieces<f64>,
+        with_torques: bool,
+    ) -> Glance<f64> {
+        let mut signals = Glance::blank(self.leg_count());
+        self.look(state, pieces, with_torques, &mut signals);
+        signals
+    }
+
+    /// Writes the signals of all legs into `signals`, the link torques only if asked for.
+    #[inline(always)]
+    pub fn look(
+        &self,
+        state: &State<f64>,
+        pieces: &Pieces<f64>,
+        with_torques: bool,
+        signals: &mut Glance<f64>,
+    ) {
+        let frame = self.surface.frame(&state.body());
+        for leg in 0..self.leg_count() {
+            let action = if with_torques {
+                self.action::<true, true, true>(leg, &frame, state, pieces)
+            } else {
+                self.action::<false, true, true>(leg, &frame, state, pieces)
+            };
+            signals.set_leg(leg, &action.signals);
+        }
+    }
+
+    /// Loads of all legs.
+    pub fn loads(&self, state: &State<f64>, pieces: &Pieces<f64>) -> PerLeg<LegLoads<f64>> {
+        let frame = self.surface.frame(&state.body());
+        PerLeg::from_fn(self.leg_count(), |leg| {
+            self.action::<true, true, true>(leg, &frame, state, pieces)
+                .loads
+        })
+    }
+}
+
+impl<const N: usize> Motion<Wide<N>> {
+    /// Puts a landing into a lane.
+    pub fn set_lane(&mut self, lane: usize, one: &Motion<f64>) {
+        one.surface.set_lane(&mut self.surface, lane);
+        one.gravity.set_lane(&mut self.gravity, lane);
+        one.mass.set_lane(&mut self.mass, lane);
+        one.inverse_mass.set_lane(&mut self.inverse_mass, lane);
+        one.inertia.set_lane(&mut self.inertia, lane);
+        one.inverse_inertia
+            .set_lane(&mut self.inverse_inertia, lane);
+        for (leg, legs) in one.legs.iter().zip(self.legs.iter_mut()) {
+            leg.set_lane(legs, lane);
+        }
+    }
+}
+
+impl<S: Real> Motion<S> {
+    /// Number of legs.
+    #[inline(always)]
+    pub fn leg_count(&self) -> usize {
+        self.legs.len()
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> &Surface<S> {
+        &self.surface
+    }
+
+    /// Geometry of leg `index`.
+    pub fn geometry(&self, index: usize) -> &LegGeometry<S> {
+        &self.legs[index].geometry
+    }
+
+    /// Writes the time derivative of the state. `STOPS` says whether pads press on stops
+    /// ([`Pieces::press_stops`]): known beforehand, it takes no branch among the equations, which would cost more than
+    /// what is so seldom asked for.
+    #[inline(always)]
+    pub fn derivative<const STOPS: bool>(
+        &self,
+        state: &State<S>,
+        pieces: &Pieces<S>,
+        derivative: &mut State<S>,
+    ) {
+        let body = state.body();
+        let frame = self.surface.frame(&body);
+        let mut push = Push::none();
+        for leg in 0..self.legs.len() {
+            let action = self.action::<true, false, STOPS>(leg, &frame, state, pieces);
+            derivative.set_leg(leg, &action.derivative);
+            push.add(&action);
+        }
+        self.move_body(&body, &frame, &push, derivative);
+    }
+
+    /// Writes the time derivative of the state and the signals of all legs; `STOPS` as for [`Self::derivative`].
+    #[inline(always)]
+    pub fn evaluate<const STOPS: bool>(
+        &self,
+        state: &State<S>,
+        pieces: &Pieces<S>,
+        derivative: &mut State<S>,
+        signals: &mut Glance<S>,
+    ) {
+        let body = state.body();
+        let frame = self.surface.frame(&body);
+        let mut push = Push::none();
+        for leg in 0..self.legs.len() {
+            let action = self.action::<true, true, STOPS>(leg, &frame, state, pieces);
+            derivative.set_leg(leg, &action.derivative);
+            signals.set_leg(leg, &action.signals);
+            push.add(&action);
+        }
+        self.move_body(&body, &frame, &push, derivative);
+    }
+
+    /// Writes how the body moves as the legs push it (55), (60).
+    #[inline(always)]
+    fn move_body(
+        &self,
+        body: &Body<S>,
+        frame: &BodyFrame<S>,
+        push: &Push<S>,
+        derivative: &mut State<S>,
+    ) {
+        let mut acceleration = times(&frame.rotation, &push.force) * self.inverse_mass;
+        acceleration.z += self.gravity;
+        let momentum = times(&self.inertia, &body.rate);
+        let twist = push.torque - body.rate.cross(&momentum);
+        derivative.set_body(&Body {
+            position: body.velocity,
+            velocity: acceleration,
+            quaternion: quaternion_rate(&body.quaternion, &body.rate),
+            rate: times(&self.inverse_inertia, &twist),
+        });
+    }
+
+    /// What a leg does ([`LegMotion::action`]), pads that press on a stop included.
+    #[inline(always)]
+    fn action<const FORCES: bool, const SIGNALS: bool, const STOPS: bool>(
+        &self,
+        leg: usize,
+        frame: &BodyFrame<S>,
+        state: &State<S>,
+        pieces: &Pieces<S>,
+    ) -> LegAction<S> {
+        let (motion, pieces) = (&self.legs[leg], pieces.leg(leg));
+        let leg = state.leg(leg);
+        if STOPS && pieces.pressed.stops {
+            let mut action = motion.action::<FORCES, SIGNALS>(
+                frame,
+                &at_angle(pieces, leg),
+                &pieces.leg,
+                pieces.pressed,
+            );
+            let turning = &mut action.derivative.pad_turn;
+            *turning = pieces.leg.hinge.turning(*turning, leg.pad_rate);
+            action.signals[Signal::PadTurn as usize] = leg.pad_turn;
+            action
+        } else {
+            motion.action::<FORCES, SIGNALS>(frame, &leg, &pieces.leg, pieces.pressed)
+        }
+    }
+}
+
+/// A leg with the angle α of its pad in place of what the pad has turned: where a pad presses on a stop of its hinge, α
+/// falls behind (`hinge`; model chapter 6). The equations of a leg take the angle.
+#[inline(always)]
+fn at_angle<S: Real>(pieces: &pieces::ActivePieces<S>, leg: LegState<S>) -> LegState<S> {
+    if pieces.pressed.stops {
+        LegState {
+            pad_turn: pad_angle(&pieces.leg, leg.pad_turn),
+            ..leg
+        }
+    } else {
+        leg
+    }
+}
+
+/// Angle α of a pad that has turned like this, rad.
+#[cold]
+#[inline(never)]
+fn pad_angle<S: Real>(pieces: &LegPieces<S>, turn: S) -> S {
+    pieces.hinge.angle(turn)
+}
+
+/// How all legs push the body, in vehicle axes.
+struct Push<S> {
+    /// Force, lb.
+    force: Vector3<S>,
+    /// Torque about the CG, ft·lb.
+    torque: Vector3<S>,
+}
+
+impl<S: Real> Push<S> {
+    #[inline(always)]
+    fn none() -> Self {
+        Self {
+            force: Vector3::from([S::zero(); 3]),
+            torque: Vector3::from([S::zero(); 3]),
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, leg: &LegAction<S>) {
+        for i in 0..3 {
+            self.force[i] += leg.force[i];
+            self.torque[i] += leg.torque[i];
+        }
+    }
+}

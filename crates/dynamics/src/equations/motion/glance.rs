@@ -1,0 +1,114 @@
+//! The signals of all legs at one instant.
+
+use super::{LegSignals, Signal};
+use crate::integrator::cubic::Rated;
+use crate::integrator::event::Signals;
+use crate::integrator::ranges::LANES;
+use crate::per_leg::PerLeg;
+use crate::registers::Lanes;
+use crate::scalar::Real;
+use crate::wide::Wide;
+
+/// Signals of all legs at one instant, leg by leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub struct Glance<S> {
+    legs: PerLeg<LegSignals<S>>,
+}
+
+/// Leading signals of a leg, in whole quads, that hold all that have ranges.
+const RANGED: usize = Signal::RANGED.next_multiple_of(LANES);
+
+impl<S: Real> Glance<S> {
+    /// Nothing seen yet: all signals of so many legs are zero.
+    pub fn blank(legs: usize) -> Self {
+        Self {
+            legs: PerLeg::same(legs, [S::zero(); Signal::COUNT]),
+        }
+    }
+
+    /// Number of legs.
+    #[inline(always)]
+    pub fn leg_count(&self) -> usize {
+        self.legs.len()
+    }
+
+    /// Becomes another set of signals of as many legs.
+    #[inline(always)]
+    pub fn assign(&mut self, other: &Self) {
+        self.legs.copy_from_slice(&other.legs);
+    }
+
+    /// A signal of leg `leg`.
+    #[inline(always)]
+    pub fn of(&self, leg: usize, signal: Signal) -> S {
+        self.legs[leg][signal as usize]
+    }
+
+    /// All signals of leg `leg`.
+    #[inline(always)]
+    pub fn leg(&self, leg: usize) -> &LegSignals<S> {
+        &self.legs[leg]
+    }
+
+    /// Writes a signal of leg `leg`.
+    #[inline(always)]
+    pub fn set(&mut self, leg: usize, signal: Signal, value: S) {
+        self.legs[leg][signal as usize] = value;
+    }
+
+    /// Writes all signals of leg `leg`.
+    #[inline(always)]
+    pub(super) fn set_leg(&mut self, leg: usize, signals: &LegSignals<S>) {
+        self.legs[leg] = *signals;
+    }
+}
+
+impl Glance<f64> {
+    /// Quads of signals that hold all of a leg that have ranges.
+    pub const RANGED_QUADS: usize = RANGED / LANES;
+    /// Leading quads that hold signals whose rates are signals too.
+    pub const RATED_QUADS: usize = Signal::RATED / LANES;
+
+    /// The signals of leg `leg` that have ranges, four at a time.
+    #[inline(always)]
+    pub fn ranged(&self, leg: usize) -> &[[f64; LANES]] {
+        self.legs[leg][..RANGED].as_chunks().0
+    }
+
+    /// Index of a signal of leg `leg` among all.
+    #[inline(always)]
+    pub fn index(leg: usize, signal: Signal) -> usize {
+        leg * Signal::COUNT + signal as usize
+    }
+}
+
+impl<const N: usize> Glance<Wide<N>> {
+    /// Writes the signals of each landing.
+    #[inline(always)]
+    pub fn deal<R: Lanes<N>>(&self, registers: R, glances: [&mut Glance<f64>; N]) {
+        registers.deal(
+            self.legs.as_flattened(),
+            glances.map(|glance| glance.legs.as_flattened_mut()),
+        );
+    }
+}
+
+impl Rated for Glance<f64> {
+    #[inline(always)]
+    fn has_rate(index: usize) -> bool {
+        index % Signal::COUNT < Signal::RATED
+    }
+
+    #[inline(always)]
+    fn rate(&self, index: usize) -> f64 {
+        self.get(index + Signal::RATED)
+    }
+}
+
+impl Signals for Glance<f64> {
+    #[inline(always)]
+    fn get(&self, index: usize) -> f64 {
+        self.legs.as_flattened()[index]
+    }
+}

@@ -1,0 +1,99 @@
+//! The coefficients that the equations of motion work with.
+
+use crate::leg_pieces::LegPieces;
+use crate::per_leg::PerLeg;
+use crate::scalar::Real;
+use crate::wide::{Abreast, Wide};
+
+/// What presses on a leg, in any lane.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pressed {
+    /// A footpad on the surface.
+    pub(super) pads: bool,
+    /// A block on the surface.
+    pub(super) blocks: bool,
+    /// A footpad on a stop of its hinge.
+    pub(super) stops: bool,
+}
+
+impl Pressed {
+    /// Of a leg with these coefficients.
+    #[inline(always)]
+    pub(super) fn of<S: Real>(legs: &LegPieces<S>) -> Self {
+        let [outer, inner] = &legs.pad;
+        Self {
+            pads: !(outer.is_slack() && inner.is_slack()),
+            blocks: !legs.block.is_slack(),
+            stops: legs.hinge.is_pressed(),
+        }
+    }
+}
+
+/// Coefficients in force on a leg.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ActivePieces<S> {
+    pub(super) leg: LegPieces<S>,
+    pub(super) pressed: Pressed,
+}
+
+impl<S: Real> ActivePieces<S> {
+    fn new(leg: LegPieces<S>) -> Self {
+        Self {
+            pressed: Pressed::of(&leg),
+            leg,
+        }
+    }
+}
+
+/// Coefficients in force on all legs.
+#[derive(Debug, Clone, Copy)]
+pub struct Pieces<S> {
+    legs: PerLeg<ActivePieces<S>>,
+}
+
+impl<S: Real> Pieces<S> {
+    /// Whether any pad presses on a stop.
+    #[inline(always)]
+    pub fn press_stops(&self) -> bool {
+        self.legs.iter().any(|leg| leg.pressed.stops)
+    }
+
+    /// Of leg `leg`.
+    #[inline(always)]
+    pub(super) fn leg(&self, leg: usize) -> &ActivePieces<S> {
+        &self.legs[leg]
+    }
+}
+
+impl Pieces<f64> {
+    /// The coefficients of all legs.
+    ///
+    /// # Panics
+    /// Without a leg, or with more than a vehicle may have.
+    pub fn new(legs: &[LegPieces<f64>]) -> Self {
+        Self {
+            legs: PerLeg::from_fn(legs.len(), |leg| ActivePieces::new(legs[leg])),
+        }
+    }
+
+    /// Sets the coefficients of leg `leg`.
+    pub fn set_leg(&mut self, leg: usize, pieces: &LegPieces<f64>) {
+        self.legs[leg] = ActivePieces::new(*pieces);
+    }
+}
+
+impl<const N: usize> Pieces<Wide<N>> {
+    /// So many legs in the air, in all lanes.
+    pub fn absent(legs: usize) -> Self {
+        Self {
+            legs: PerLeg::same(legs, ActivePieces::new(LegPieces::absent().shared())),
+        }
+    }
+
+    /// Puts the coefficients of leg `leg` into a lane.
+    pub fn set_lane(&mut self, lane: usize, leg: usize, pieces: &Pieces<f64>) {
+        let ActivePieces { leg: all, pressed } = &mut self.legs[leg];
+        pieces.legs[leg].leg.set_lane(all, lane);
+        *pressed = Pressed::of(all);
+    }
+}

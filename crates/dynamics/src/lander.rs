@@ -1,0 +1,7 @@
+//! What lands and how: a vehicle and a touchdown, checked once and correct from then on, and how that is computed.
+
+pub mod error_control;
+pub mod method;
+pub mod scene;
+pub mod settings;
+pub mod vehicle;

@@ -1,0 +1,49 @@
+//! The methods of integration that can be chosen.
+
+use super::error_control::ErrorControl;
+use crate::invalid::{Invalid, require};
+
+/// How the equations of motion are integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Method {
+    /// Every change of a law is located in time: module `landing`.
+    #[default]
+    Located,
+    /// The report's step doubling.
+    Report(ErrorControl),
+    /// Runge-Kutta of order 4 at a fixed interval.
+    RungeKutta(FixedInterval),
+    /// Trapezoidal at a fixed interval.
+    Trapezoidal(FixedInterval),
+    /// Milne's predictor and corrector.
+    Milne(ErrorControl),
+}
+
+/// A checked fixed interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FixedInterval(f64);
+
+impl FixedInterval {
+    /// Checks an interval, s.
+    ///
+    /// # Errors
+    /// It must lie in [1e-6, 1] s.
+    pub fn new(seconds: f64) -> Result<Self, Invalid> {
+        require("interval_s", seconds, "1e-6 ≤ value ≤ 1", |v| {
+            (1e-6..=1.0).contains(&v)
+        })?;
+        Ok(Self(seconds))
+    }
+
+    /// The interval, s.
+    pub fn seconds(self) -> f64 {
+        self.0
+    }
+}
+
+impl Default for FixedInterval {
+    /// That of 4.1.2.
+    fn default() -> Self {
+        Self(0.002)
+    }
+}

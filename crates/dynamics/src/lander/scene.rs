@@ -1,0 +1,82 @@
+//! The touchdown: speed, direction, attitude, slope and friction, and how to compute it.
+
+pub use super::settings::Settings;
+use crate::attitude::Attitude;
+pub use crate::rules::CrushRule;
+
+use crate::invalid::{Invalid, non_negative, require};
+
+/// Touchdown conditions as an input says them; foot, second, radian.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conditions {
+    /// Downward velocity V_V of the CG, ft/s, ≥ 0.
+    pub vertical_velocity: f64,
+    /// Horizontal speed V_H of the CG, ft/s, ≥ 0.
+    pub horizontal_velocity: f64,
+    /// Cross-slope λ: direction of V_H, rad; π is straight downhill, 0 uphill.
+    pub cross_slope: f64,
+    /// Attitude at first contact.
+    pub attitude: Attitude,
+    /// Angular velocity in vehicle axes, rad/s.
+    pub angular_velocity: [f64; 3],
+    /// Slope θs of the surface, rad, |θs| < π/2.
+    pub slope: f64,
+    /// Nominal friction coefficient μ0 under the footpads.
+    pub pad_friction: f64,
+    /// Nominal friction coefficient μ0 under the body blocks.
+    pub block_friction: f64,
+}
+
+/// Checked touchdown conditions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scene(Conditions);
+
+impl Scene {
+    /// Checks touchdown conditions.
+    ///
+    /// # Errors
+    /// Names the first quantity outside its range, in the words of the sweep file.
+    pub fn new(conditions: Conditions) -> Result<Self, Invalid> {
+        non_negative("vertical_velocity_fps", conditions.vertical_velocity)?;
+        non_negative("horizontal_velocity_fps", conditions.horizontal_velocity)?;
+        require(
+            "cross_slope_deg",
+            conditions.cross_slope.to_degrees(),
+            "a finite number",
+            |_| true,
+        )?;
+        for rate in conditions.angular_velocity {
+            require(
+                "angular_velocity_dps",
+                rate.to_degrees(),
+                "a finite number",
+                |_| true,
+            )?;
+        }
+        require(
+            "slope_deg",
+            conditions.slope.to_degrees(),
+            "-90 < value < 90",
+            |v| v.abs() < 90.0,
+        )?;
+        non_negative("friction", conditions.pad_friction)?;
+        non_negative("block_friction", conditions.block_friction)?;
+        Ok(Self(conditions))
+    }
+
+    /// The conditions.
+    pub fn conditions(&self) -> &Conditions {
+        &self.0
+    }
+
+    /// The same touchdown at another horizontal speed.
+    ///
+    /// # Errors
+    /// When the speed is negative or not finite.
+    pub fn with_horizontal_velocity(&self, speed: f64) -> Result<Self, Invalid> {
+        Self::new(Conditions {
+            horizontal_velocity: speed,
+            ..self.0
+        })
+    }
+}

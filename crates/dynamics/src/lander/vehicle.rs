@@ -1,0 +1,292 @@
+//! The lander: mass properties and legs (model chapter 8), checked once and correct from then on.
+//!
+//! Foot, slug, pound, second and radian throughout. The plain structs ([`LegDesign`] and its
+//! parts) are what an input file says; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
+//! that every law of the model can use without asking again.
+
+use libm::{asin, sin};
+use nalgebra::{Matrix3, SymmetricEigen};
+
+use crate::contact::LegLaws;
+pub use crate::parts::{Block, Footpad, Inertia, LegDesign, Linkage, Strut};
+
+use crate::invalid::{Invalid, non_negative, positive, require};
+use crate::per_leg::MOST_LEGS;
+use crate::profile::Profile;
+
+/// Legs that a vehicle needs to stand on.
+pub const LEAST_LEGS: usize = 3;
+
+/// Mass properties and legs of a lander.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Vehicle {
+    mass: f64,
+    gravity: f64,
+    center_of_gravity_height: f64,
+    inertia: Matrix3<f64>,
+    legs: Vec<Leg>,
+}
+
+/// A leg whose numbers are consistent.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Leg {
+    design: LegDesign,
+    extended_angle: f64,
+    laws: LegLaws,
+}
+
+impl Leg {
+    /// Checks a leg.
+    ///
+    /// # Errors
+    /// Names the first quantity outside its range, in the words of the vehicle file.
+    pub fn new(design: LegDesign) -> Result<Self, Invalid> {
+        require("azimuth_deg", design.azimuth, "a finite number", |_| true)?;
+        let LegDesign {
+            linkage,
+            strut,
+            footpad,
+            block,
+            ..
+        } = &design;
+
+        positive(
+            "linkage.lower_hardpoint_radius_ft",
+            linkage.lower_hardpoint_radius,
+        )?;
+        positive("linkage.lower_link_length_ft", linkage.lower_link_length)?;
+        positive("linkage.hardpoint_distance_ft", linkage.hardpoint_distance)?;
+        require(
+            "linkage.hardpoint_angle_deg",
+            linkage.hardpoint_angle.to_degrees(),
+            "between 0 and 90",
+            |v| (0.0..=90.0).contains(&v),
+        )?;
+        positive("linkage.inertia_slug_ft2", linkage.inertia)?;
+
+        positive("strut.extended_length_ft", strut.extended_length)?;
+        let extended = strut.extended_length;
+        require(
+            "strut.minimum_length_ft",
+            strut.minimum_length,
+            "positive and below strut.extended_length_ft",
+            |v| v > 0.0 && v < extended,
+        )?;
+        positive(
+            "strut.structural_stiffness_lb_per_ft",
+            strut.structural_stiffness,
+        )?;
+        positive("strut.preload_lb", strut.preload)?;
+        non_negative("strut.spring_constant_lb_per_ft", strut.spring_constant)?;
+        require(
+            "strut.friction_fraction",
+            strut.friction_fraction,
+            "0 ≤ value < 1",
+            |v| (0.0..1.0).contains(&v),
+        )?;
+        non_negative("strut.compression_damping", strut.compression_damping)?;
+        non_negative("strut.rebound_damping", strut.rebound_damping)?;
+        non_negative("strut.rebound_growth_per_ft", strut.rebound_growth)?;
+
+        positive("footpad.diameter_ft", footpad.diameter)?;
+        positive("footpad.height_ft", footpad.height)?;
+        positive("footpad.crush_pressure_psf", footpad.crush_pressure)?;
+        positive("footpad.inertia_slug_ft2", footpad.inertia)?;
+        crush_profile("footpad.profile", &footpad.profile)?;
+
+        positive("block.radius_ft", block.radius)?;
+        require("block.height_ft", block.height, "a finite number", |_| true)?;
+        positive("block.diameter_ft", block.diameter)?;
+        positive("block.crush_pressure_psf", block.crush_pressure)?;
+        crush_profile("block.profile", &block.profile)?;
+
+        let extended_angle = extended_angle(linkage, strut)?;
+        let (minimum, maximum) = (footpad.minimum_angle, footpad.maximum_angle);
+        let extended_deg = extended_angle.to_degrees();
+        require(
+            "footpad.minimum_angle_deg",
+            minimum.to_degrees(),
+            &format!("below the angle of the extended link, {extended_deg:.4} deg"),
+            |v| v > -90.0 && v < extended_deg,
+        )?;
+        require(
+            "footpad.maximum_angle_deg",
+            maximum.to_degrees(),
+            &format!("above the angle of the extended link, {extended_deg:.4} deg"),
+            |v| v < 90.0 && v > extended_deg,
+        )?;
+        Ok(Self {
+            laws: LegLaws::of(&design),
+            design,
+            extended_angle,
+        })
+    }
+
+    /// The leg as designed.
+    pub fn design(&self) -> &LegDesign {
+        &self.design
+    }
+
+    /// Its laws, made of the design once for all landings.
+    pub fn laws(&self) -> &LegLaws {
+        &self.laws
+    }
+
+    /// Lower-link angle γ at which the strut has its extended length, rad: where γ starts.
+    pub fn extended_angle(&self) -> f64 {
+        self.extended_angle
+    }
+
+    /// Height of the lower hardpoints over level ground with the strut extended, ft.
+    pub fn stance(&self) -> f64 {
+        let design = &self.design;
+        design.linkage.lower_link_length * sin(self.extended_angle) + design.footpad.height
+    }
+}
+
+/// A crush profile starts at zero pressure, and no later segment is steeper than the first, which
+/// is the elastic line: otherwise crushing would heal.
+fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
+    require(
+        quantity,
+        profile.knots()[0][1],
+        "zero pressure at zero interference",
+        |p| p == 0.0,
+    )?;
+    let segments = profile.segments();
+    let elastic = positive(quantity, segments[0].slope)?;
+    for segment in &segments[1..] {
+        require(
+            quantity,
+            segment.slope,
+            &format!("no segment falling or steeper than the first ({elastic} per ft)"),
+            |slope| slope >= 0.0 && slope <= elastic * (1.0 + 1e-6),
+        )?;
+    }
+    Ok(())
+}
+
+/// Solves (11) for the angle γ of the extended strut.
+fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
+    let (a, l) = (linkage.hardpoint_distance, linkage.lower_link_length);
+    let sine = (strut.extended_length * strut.extended_length - a * a - l * l) / (2.0 * a * l);
+    require(
+        "strut.extended_length_ft",
+        strut.extended_length,
+        "a length that the hardpoints and the lower link can span",
+        |_| sine.abs() < 1.0,
+    )?;
+    let angle = asin(sine) + linkage.hardpoint_angle;
+    require(
+        "strut.extended_length_ft",
+        strut.extended_length,
+        "a length at which the lower link stands between -60 and 60 deg",
+        |_| angle.abs() < 60f64.to_radians(),
+    )?;
+    Ok(angle)
+}
+
+impl Vehicle {
+    /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
+    /// lower hardpoints ΔCG (ft), inertia, and legs in the order in which they stand around the
+    /// centreline.
+    ///
+    /// # Errors
+    /// Names the first quantity outside its range, in the words of the vehicle file.
+    pub fn new(
+        mass: f64,
+        gravity: f64,
+        center_of_gravity_height: f64,
+        inertia: Inertia,
+        legs: impl Into<Vec<Leg>>,
+    ) -> Result<Self, Invalid> {
+        let legs = legs.into();
+        positive("mass_slug", mass)?;
+        positive("gravity_fps2", gravity)?;
+        require(
+            "center_of_gravity_height_ft",
+            center_of_gravity_height,
+            "a finite number",
+            |_| true,
+        )?;
+        let Inertia {
+            xx,
+            yy,
+            zz,
+            xy,
+            xz,
+            yz,
+        } = inertia;
+        for (name, value) in [("xx", xx), ("yy", yy), ("zz", zz)] {
+            positive(&format!("inertia_slug_ft2.{name}"), value)?;
+        }
+        for (name, value) in [("xy", xy), ("xz", xz), ("yz", yz)] {
+            require(
+                &format!("inertia_slug_ft2.{name}"),
+                value,
+                "a finite number",
+                |_| true,
+            )?;
+        }
+        let matrix = inertia.matrix();
+        let least = SymmetricEigen::new(matrix).eigenvalues.min();
+        require(
+            "inertia_slug_ft2 (least principal moment)",
+            least,
+            "positive: the inertia matrix must be positive definite",
+            |v| v > 0.0,
+        )?;
+        require(
+            "legs",
+            legs.len() as f64,
+            &format!("{LEAST_LEGS} to {MOST_LEGS} legs"),
+            |_| (LEAST_LEGS..=MOST_LEGS).contains(&legs.len()),
+        )?;
+        for (index, leg) in legs.iter().enumerate() {
+            require(
+                &format!("center_of_gravity_height_ft (over footpad {})", index + 1),
+                center_of_gravity_height + leg.stance(),
+                "the CG above the footpads",
+                |v| v > 0.0,
+            )?;
+        }
+        Ok(Self {
+            mass,
+            gravity,
+            center_of_gravity_height,
+            inertia: matrix,
+            legs,
+        })
+    }
+
+    /// Mass, slug.
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Acceleration of gravity, ft/s².
+    pub fn gravity(&self) -> f64 {
+        self.gravity
+    }
+
+    /// Height ΔCG of the CG above the plane of the lower hardpoints, ft.
+    pub fn center_of_gravity_height(&self) -> f64 {
+        self.center_of_gravity_height
+    }
+
+    /// Height of the CG over level ground on which the vehicle stands with its struts extended, ft.
+    pub fn standing_height(&self) -> f64 {
+        let stances = self.legs.iter().map(Leg::stance);
+        self.center_of_gravity_height + stances.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Inertia matrix J about the CG, vehicle axes, slug·ft².
+    pub fn inertia(&self) -> &Matrix3<f64> {
+        &self.inertia
+    }
+
+    /// The legs, in ring order.
+    pub fn legs(&self) -> &[Leg] {
+        &self.legs
+    }
+}

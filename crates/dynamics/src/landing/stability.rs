@@ -1,0 +1,344 @@
+//! Stability angle, critical feet and the quantities outcomes are judged by (2.7, model chapter 7).
+
+use arrayvec::ArrayVec;
+use libm::{atan2, hypot};
+use nalgebra::Vector3;
+use num_traits::Zero;
+
+use crate::critical_feet::{CriticalFeet, critical_feet};
+use crate::integrator::event::{Bounds, Signals, Watch};
+use crate::integrator::ranges::{LANES, Quad, Ranges};
+use crate::motion::{Footing, Motion};
+use crate::outcome::Outcome;
+use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::scene::Scene;
+use crate::state::{Body, State};
+use crate::vehicle::Vehicle;
+
+/// Speed below which the CG has no direction of its own, ft/s.
+const DIRECTIONLESS: f64 = 0.001;
+/// Least magnitude of the denominator of (76), ft²/s.
+const LEAST_DENOMINATOR: f64 = 1e-4;
+/// Calm: speed (ft/s) and angular rate (rad/s) components below which motion has subsided.
+const CALM_SPEED: f64 = 2.0;
+const CALM_RATE: f64 = 0.1;
+/// Subsided motion stays within this height over the extended vehicle's own, ft.
+const CALM_MARGIN: f64 = 0.5;
+/// Rock-back: σ has been below this, rad, and has risen from its least value by that, rad.
+#[allow(
+    clippy::approx_constant,
+    reason = "the listing's rounded number, not a quarter of π"
+)]
+const ROCKED_UP: f64 = 0.7854;
+const ROCKED_BACK: f64 = 0.874;
+/// Tangent of the angle by which the CG's horizontal velocity may turn from one look to the next. σ follows that
+/// direction, and where the CG all but stands still the velocity turns round within milliseconds.
+const MOST_TURN: f64 = 0.05;
+/// Slacks: foot side (ft²/s or ft), stability angle (rad), the rest (ft/s, rad/s, ft).
+const SIDE_SLACK: f64 = 1e-9;
+const ANGLE_SLACK: f64 = 1e-12;
+const CALM_SLACK: f64 = 1e-11;
+
+/// Height of the CG over the surface above which motion has not subsided, ft.
+pub fn calm_height(vehicle: &Vehicle) -> f64 {
+    vehicle.standing_height() + CALM_MARGIN
+}
+
+/// The plane in which toppling is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Plane {
+    /// That of the CG's horizontal velocity.
+    Motion,
+    /// That of the steepest slope, while the CG hardly moves sideways.
+    Slope,
+}
+
+/// What outcomes are judged by, at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Observation {
+    /// What has a range: σ; what has to calm down; the side of each foot, positive to the left of the plane.
+    ranged: [[f64; LANES]; QUADS],
+    legs: usize,
+    /// Stability angle σ, rad (79); positive inboard of the critical feet.
+    pub angle: f64,
+    /// Least height of the lower hardpoints over the surface (71), ft.
+    pub clearance: f64,
+}
+
+/// Quantities that have to calm down: Ẋ, Ẏ, Ż in ft/s, ω in rad/s, height of the CG over the surface in ft.
+const CALM: usize = 7;
+/// Where σ, the quantities that have to calm down, and the sides of the feet are among what has a range.
+const ANGLE: usize = 0;
+const FIRST_CALM: usize = 1;
+const FIRST_SIDE: usize = FIRST_CALM + CALM;
+/// Quads of what has a range.
+const QUADS: usize = (FIRST_SIDE + MOST_LEGS).div_ceil(LANES);
+
+impl Observation {
+    fn new(sides: &[f64], angle: f64, calm: [f64; CALM], clearance: f64) -> Self {
+        let mut ranged = [[0.0; LANES]; QUADS];
+        let numbers = ranged.as_flattened_mut();
+        numbers[ANGLE] = angle;
+        numbers[FIRST_CALM..][..CALM].copy_from_slice(&calm);
+        numbers[FIRST_SIDE..][..sides.len()].copy_from_slice(sides);
+        Self {
+            ranged,
+            legs: sides.len(),
+            angle,
+            clearance,
+        }
+    }
+
+    /// The quads that hold anything.
+    fn ranged(&self) -> &[[f64; LANES]] {
+        &self.ranged[..(FIRST_SIDE + self.legs).div_ceil(LANES)]
+    }
+
+    fn sides(&self) -> PerLeg<f64> {
+        PerLeg::from_fn(self.legs, |leg| self.get(FIRST_SIDE + leg))
+    }
+
+    fn calm(&self) -> [f64; CALM] {
+        std::array::from_fn(|k| self.get(FIRST_CALM + k))
+    }
+}
+
+impl Signals for Observation {
+    #[inline(always)]
+    fn get(&self, index: usize) -> f64 {
+        self.ranged.as_flattened()[index]
+    }
+}
+
+/// Verdict on a vehicle at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// All feet on one side of the plane.
+    Yaw,
+    /// σ ≤ 0.
+    Pitch,
+    /// Rocked up and came back.
+    Rockback,
+    /// Motion subsided.
+    Subsided,
+}
+
+impl From<Verdict> for Outcome {
+    fn from(verdict: Verdict) -> Self {
+        match verdict {
+            Verdict::Yaw => Self::UnstableYaw,
+            Verdict::Pitch => Self::UnstablePitch,
+            Verdict::Rockback => Self::StableRockback,
+            Verdict::Subsided => Self::StableSubsided,
+        }
+    }
+}
+
+/// How stability is being judged: plane, critical feet, and which limits the motion is within.
+#[derive(Debug, Clone)]
+pub struct Judge {
+    /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
+    slope_side: f64,
+    calm_height: f64,
+    plane: Plane,
+    feet: CriticalFeet,
+    ranges: Ranges<QUADS>,
+    watches: ArrayVec<Watch, { QUADS * LANES }>,
+}
+
+impl Judge {
+    /// A judge for a scene, who has yet to look. Motion counts as subsided only while the CG is
+    /// within `calm_height` (ft) of the surface.
+    pub fn new(scene: &Scene, calm_height: f64) -> Self {
+        let slope = scene.conditions().slope;
+        Self {
+            slope_side: if slope == 0.0 { 1.0 } else { -slope.signum() },
+            calm_height,
+            plane: Plane::Motion,
+            feet: CriticalFeet {
+                negative: 0,
+                positive: 1,
+            },
+            ranges: Ranges::free(),
+            watches: ArrayVec::new(),
+        }
+    }
+
+    /// Chooses plane and critical feet anew; σ is then measured against them until a signal
+    /// leaves its range.
+    ///
+    /// # Errors
+    /// [`Verdict::Yaw`] when all feet stand on one side of the plane.
+    pub fn look(
+        &mut self,
+        motion: &Motion<f64>,
+        state: &State<f64>,
+    ) -> Result<Observation, Verdict> {
+        let velocity = state.body().velocity;
+        let slow = |speed: f64| speed.abs() < DIRECTIONLESS;
+        self.plane = if slow(velocity.x) && slow(velocity.y) {
+            Plane::Slope
+        } else {
+            Plane::Motion
+        };
+        self.watches.clear();
+        let sides = self.observe(motion, state).sides();
+        self.feet = critical_feet(&sides.map(|side| side >= 0.0)).ok_or(Verdict::Yaw)?;
+        Ok(self.observe(motion, state))
+    }
+
+    /// What the chosen plane and critical feet show at a state.
+    pub fn observe(&self, motion: &Motion<f64>, state: &State<f64>) -> Observation {
+        self.observe_footing(&motion.footing(state), &state.body())
+    }
+
+    /// The same where the feet are known to stand like this.
+    pub fn observe_footing(&self, footing: &Footing, body: &Body<f64>) -> Observation {
+        let Footing {
+            feet,
+            depth,
+            hardpoint_depths,
+        } = footing;
+        let (vx, vy) = (body.velocity.x, body.velocity.y);
+        let sides = feet.map(|foot| match self.plane {
+            Plane::Motion => vy * foot.x - vx * foot.y,
+            Plane::Slope => self.slope_side * foot.x,
+        });
+        let clearance = hardpoint_depths
+            .iter()
+            .fold(f64::INFINITY, |least, depth| least.min(-depth));
+        let angle = self.angle(&feet[self.feet.negative], &feet[self.feet.positive], vx, vy);
+        let (v, rate) = (&body.velocity, &body.rate);
+        let calm = [v.x, v.y, v.z, rate.x, rate.y, rate.z, -depth];
+        Observation::new(&sides, angle, calm, clearance)
+    }
+
+    /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
+    /// where the line joining the critical feet meets the plane. A lies in the plane, so its
+    /// horizontal part has the direction of motion and σ is a plain polar angle.
+    fn angle(&self, from: &Vector3<f64>, to: &Vector3<f64>, vx: f64, vy: f64) -> f64 {
+        let span = to - from;
+        let denominator = match self.plane {
+            Plane::Motion => vx * span.y - vy * span.x,
+            Plane::Slope => 0.0,
+        };
+        let along = if denominator.abs() >= LEAST_DENOMINATOR {
+            (vy * from.x - vx * from.y) / denominator
+        } else if span.x != 0.0 {
+            -from.x / span.x
+        } else {
+            0.5
+        };
+        let a = from + span * along;
+        match self.plane {
+            Plane::Motion => {
+                let speed = (vx * vx + vy * vy).sqrt();
+                atan2((a.x * vx + a.y * vy) / speed, a.z)
+            }
+            Plane::Slope => atan2(hypot(a.x, a.y), a.z),
+        }
+    }
+
+    /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
+    /// observed now and the least σ so far. They stay until the next look, but for the end of
+    /// rockback.
+    pub fn watch(&mut self, seen: &Observation, least_angle: f64) {
+        let highest = if least_angle < ROCKED_UP {
+            least_angle + ROCKED_BACK
+        } else {
+            f64::INFINITY
+        };
+        let angle = Bounds {
+            lower: 0.0,
+            upper: highest + ANGLE_SLACK,
+        };
+        if self.watches.is_empty() {
+            let sides = seen.sides().into_iter().map(|side| {
+                let range = if side >= 0.0 {
+                    Bounds::above(0.0)
+                } else {
+                    Bounds::below(0.0)
+                };
+                range.widened(SIDE_SLACK)
+            });
+            let calm = seen.calm().into_iter().enumerate().map(|(index, value)| {
+                calm_cell(self.calm_height, index, value).widened(CALM_SLACK)
+            });
+            let angle = std::iter::once((ANGLE, angle));
+            let calm = (FIRST_CALM..).zip(calm);
+            for (signal, range) in angle.chain(calm).chain((FIRST_SIDE..).zip(sides)) {
+                self.watches.push(Watch { signal, range });
+                self.ranges.set(signal, range);
+            }
+        } else {
+            self.watches[ANGLE].range = angle;
+            self.ranges.set(ANGLE, angle);
+        }
+    }
+
+    /// Whether no range can have been left within a step, as observations before the step before, at the start and
+    /// at the end of the step tell, `ratio` being this step's length over that one's.
+    pub fn keep(&self, observations: [&Observation; 3], ratio: f64) -> bool {
+        let looks = observations.map(Observation::ranged);
+        let mut reach = [Quad::zero(); QUADS];
+        self.ranges.keep(looks, ratio, &mut reach)
+    }
+
+    /// Share of a stretch of motion in which the plane of judgement turns so little that looks at the ends
+    /// tell what σ does between, the CG's velocity changing evenly from end to end: 1 if it is all of it.
+    pub fn share_within_turn(&self, start: &Observation, end: &Observation) -> f64 {
+        let horizontal = |seen: &Observation| (seen.get(FIRST_CALM), seen.get(FIRST_CALM + 1));
+        let ((ax, ay), (bx, by)) = (horizontal(start), horizontal(end));
+        let (sine, cosine) = (ax * by - ay * bx, ax * bx + ay * by);
+        if self.plane == Plane::Slope || sine.abs() <= MOST_TURN * cosine {
+            return 1.0;
+        }
+        // The direction it has after the turn, and how far either end is off it.
+        let turn = MOST_TURN.copysign(sine);
+        let (dx, dy) = (ax - turn * ay, ay + turn * ax);
+        let (before, after) = (ax * dy - ay * dx, bx * dy - by * dx);
+        before / (before - after)
+    }
+
+    /// The ranges last chosen.
+    pub fn watches(&self) -> &[Watch] {
+        &self.watches
+    }
+
+    /// The verdict on what is observed now, if there is one.
+    pub fn verdict(&self, seen: &Observation, least_angle: f64) -> Option<Verdict> {
+        let [vx, vy, vz, wx, wy, wz, height] = seen.calm();
+        let calm = [vx, vy, vz].iter().all(|v| v.abs() <= CALM_SPEED)
+            && [wx, wy, wz].iter().all(|w| w.abs() <= CALM_RATE)
+            && height <= self.calm_height;
+        if seen.angle <= 0.0 {
+            Some(Verdict::Pitch)
+        } else if least_angle < ROCKED_UP && seen.angle - least_angle > ROCKED_BACK {
+            Some(Verdict::Rockback)
+        } else if calm {
+            Some(Verdict::Subsided)
+        } else {
+            None
+        }
+    }
+}
+
+/// The stretch between two neighbouring limits in which a calm quantity lies.
+fn calm_cell(calm_height: f64, index: usize, value: f64) -> Bounds {
+    let limits: &[f64] = match index {
+        0 | 1 => &[-CALM_SPEED, -DIRECTIONLESS, DIRECTIONLESS, CALM_SPEED],
+        2 => &[-CALM_SPEED, CALM_SPEED],
+        3..=5 => &[-CALM_RATE, CALM_RATE],
+        _ => &[calm_height],
+    };
+    let mut cell = Bounds::FREE;
+    for &limit in limits {
+        if value >= limit {
+            cell.lower = limit;
+        } else {
+            cell.upper = limit;
+            break;
+        }
+    }
+    cell
+}

@@ -1,0 +1,90 @@
+//! The greatest force and stroke of each strut so far.
+
+use crate::integrator::cubic::greatest;
+use crate::integrator::event::{FAR_LONGER, falls};
+use crate::motion::{Glance, Signal};
+use crate::per_leg::PerLeg;
+
+/// Share by which a force has to be greater to be sought.
+const NOTABLE: f64 = 1e-4;
+
+/// The greatest values so far.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StrutPeaks {
+    /// Magnitude of the force F, lb.
+    pub(super) force: PerLeg<f64>,
+    /// Stroke δ, ft.
+    pub(super) stroke: PerLeg<f64>,
+}
+
+impl StrutPeaks {
+    pub(super) fn none(legs: usize) -> Self {
+        Self {
+            force: PerLeg::same(legs, 0.0),
+            stroke: PerLeg::same(legs, 0.0),
+        }
+    }
+
+    /// Takes note of a stretch of `length` s by what is seen at its ends.
+    #[inline(always)]
+    pub(super) fn note(&mut self, ends: [&Glance<f64>; 2], length: f64) {
+        let [start, end] = ends;
+        for (j, peak) in self.stroke.iter_mut().enumerate() {
+            *peak = peak.max(end.of(j, Signal::Stroke));
+            let rate = |signals: &Glance<f64>| signals.of(j, Signal::StrokeRate);
+            if rate(start) > 0.0 && rate(end) < 0.0 {
+                let stroke = Glance::<f64>::index(j, Signal::Stroke);
+                *peak = peak.max(greatest(stroke, ends, length));
+            }
+        }
+        for signals in ends {
+            self.note_forces(signals);
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn note_forces(&mut self, signals: &Glance<f64>) {
+        for (j, peak) in self.force.iter_mut().enumerate() {
+            *peak = peak.max(force(signals, j));
+        }
+    }
+
+    /// Force on strut `leg` worth seeking, lb.
+    #[inline(always)]
+    pub(super) fn notable_force(&self, leg: usize) -> f64 {
+        (1.0 + NOTABLE) * self.force[leg]
+    }
+
+    /// Whether the force on any strut may have been greater than ever between three looks at a step.
+    #[inline(always)]
+    pub(super) fn may_be_exceeded(&self, looks: [&Glance<f64>; 3]) -> bool {
+        (0..self.force.len()).any(|j| {
+            let [start, middle, end] = looks.map(|signals| force(signals, j));
+            let turn = (middle - start).abs() + (end - middle).abs();
+            start.max(middle).max(end) + turn > self.notable_force(j)
+        })
+    }
+
+    /// Whether it may have been so within a stretch of which only the ends were looked at, as looks before the
+    /// stretch before, at the start and at the end tell, `ratio` being its length over that one's.
+    #[inline(always)]
+    pub(super) fn may_be_hidden(&self, looks: [&Glance<f64>; 3], ratio: f64) -> bool {
+        let share = ratio / (1.0 + ratio);
+        (0..self.force.len()).any(|j| {
+            let [before, start, end] = looks.map(|signals| force(signals, j));
+            let change = end - start;
+            if ratio > FAR_LONGER {
+                return start.max(end) + change.abs() > self.notable_force(j);
+            }
+            // A parabola through the three would not exceed its ends by more than a quarter of this.
+            let bend = share * (change - ratio * (start - before)).abs();
+            let rises = falls(-before, -start, -end, ratio);
+            !rises && start.max(end) + bend > self.notable_force(j)
+        })
+    }
+}
+
+/// Magnitude of the force on strut `leg`, lb.
+pub(super) fn force(signals: &Glance<f64>, leg: usize) -> f64 {
+    signals.of(leg, Signal::StrutForce).abs()
+}

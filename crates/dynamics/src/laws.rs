@@ -1,0 +1,10 @@
+//! The laws of a leg, each cut into pieces: coefficients, ranges in which they hold, and what comes next.
+
+pub mod contact;
+pub mod crush;
+pub mod friction;
+pub mod hinge;
+pub mod leg_pieces;
+pub mod outcome;
+pub mod signal;
+pub mod strut;

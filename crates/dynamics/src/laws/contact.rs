@@ -1,0 +1,357 @@
+//! The active piece of every law of one leg, and how events change it.
+//!
+//! A [`LegMode`] is the discrete side of a leg's state: crush memory, friction branches, strut and
+//! hinge. It yields the coefficients for the equations of motion and the range of each signal over
+//! which they hold; when a signal leaves its range, [`LegMode::cross`] puts the next piece in
+//! place.
+
+mod choice;
+
+use crate::crush::{Crush, CrushLaw};
+use crate::friction::{FrictionProfile, Sliding};
+use crate::hinge::{Hinge, Stops};
+use crate::integrator::event::{Bounds, Exit};
+use crate::leg_pieces::LegPieces;
+use crate::outcome::{Failure, Outcome};
+use crate::parts::LegDesign;
+use crate::rules::CrushRule;
+use crate::signal::{LegSignals, Signal};
+use crate::strut::{GentleKinks, Stance, StrutLaw};
+
+pub use choice::Choice;
+
+/// cos 65 deg: a loaded pad inclined further has no law in the model.
+const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
+
+/// Distance from its resting place on a stop at which a pad counts as arrived, rad: at least this,
+/// and at least this share of the tolerance.
+const PAD_ARRIVAL: f64 = 1e-12;
+const PAD_ARRIVAL_SHARE: f64 = 0.01;
+
+/// The laws of one leg. A clone shares its tables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LegLaws {
+    pad: CrushLaw,
+    block: CrushLaw,
+    strut: StrutLaw,
+    stops: Stops,
+    rule: CrushRule,
+    friction: FrictionProfile,
+}
+
+impl LegLaws {
+    /// The laws of a leg that is designed like this, under the default rule.
+    pub fn of(design: &LegDesign) -> Self {
+        Self {
+            pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
+            block: CrushLaw::new(&design.block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD),
+            strut: StrutLaw::new(&design.strut),
+            stops: Stops {
+                inner: design.footpad.minimum_angle,
+                outer: design.footpad.maximum_angle,
+                arrival: PAD_ARRIVAL,
+            },
+            rule: CrushRule::default(),
+            friction: FrictionProfile::default(),
+        }
+    }
+
+    /// The same laws under another crush rule.
+    pub fn with_crush_rule(self, rule: CrushRule) -> Self {
+        Self { rule, ..self }
+    }
+
+    /// The same laws with another friction profile.
+    pub fn with_friction(self, friction: FrictionProfile) -> Self {
+        Self { friction, ..self }
+    }
+
+    /// The same laws with their changes no more exact than landings at this tolerance need.
+    pub fn within(self, tolerance: f64) -> Self {
+        let arrival = PAD_ARRIVAL.max(PAD_ARRIVAL_SHARE * tolerance);
+        Self {
+            stops: Stops {
+                arrival,
+                ..self.stops
+            },
+            strut: self.strut.within(tolerance),
+            ..self
+        }
+    }
+}
+
+/// The discrete state of one leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LegMode {
+    pad: [Crush; 2],
+    block: Crush,
+    /// Whether any section has touched the surface yet.
+    pad_has_touched: bool,
+    block_has_touched: bool,
+    pad_sliding: Sliding,
+    block_sliding: Sliding,
+    stance: Stance,
+    hinge: Hinge,
+}
+
+impl LegMode {
+    /// A leg before its first contact.
+    pub fn untouched(laws: &LegLaws) -> Self {
+        Self {
+            pad: [Crush::untouched(&laws.pad); 2],
+            block: Crush::untouched(&laws.block),
+            pad_has_touched: false,
+            block_has_touched: false,
+            pad_sliding: Sliding::Steady,
+            block_sliding: Sliding::Steady,
+            stance: Stance::extended(false, 0.0),
+            hinge: Hinge::free(),
+        }
+    }
+
+    /// The longest step that the laws allow whatever the error, s, at a rate state α̇ (rad/s).
+    pub fn longest_step(&self, pad_rate: f64) -> f64 {
+        self.hinge.longest_step(pad_rate)
+    }
+
+    /// Angle α of the footpad, rad, that has turned like this.
+    pub fn pad_angle(&self, laws: &LegLaws, turn: f64) -> f64 {
+        self.hinge.angle(laws.stops, turn)
+    }
+
+    /// Whether the hinge of the footpad does something else than in another mode.
+    pub fn has_other_hinge(&self, other: &Self) -> bool {
+        self.hinge != other.hinge
+    }
+
+    /// What the footpad has turned by at an angle α, rad.
+    pub fn pad_turn(&self, laws: &LegLaws, angle: f64) -> f64 {
+        self.hinge.turn(laws.stops, angle)
+    }
+
+    /// Whether the leg hangs in the air, its link still.
+    pub fn is_hanging(&self) -> bool {
+        self.stance.is_hanging()
+    }
+
+    /// Whether either pad section is in contact.
+    pub fn pad_in_contact(&self) -> bool {
+        self.pad.iter().any(Crush::in_contact)
+    }
+
+    /// Whether the block is in contact.
+    pub fn block_in_contact(&self) -> bool {
+        self.block.in_contact()
+    }
+
+    /// Whether the leg is on the surface.
+    fn on_surface(&self) -> bool {
+        self.pad_in_contact() || self.block_in_contact()
+    }
+
+    /// Whether it matters at once when an element that carries no pressure gains or loses contact:
+    /// the first contact of its pad or block is noted, and an extended leg hangs or rests on its stop by it,
+    /// unless another element presses on the surface anyway.
+    fn is_contact_watched(&self, has_touched: bool) -> bool {
+        let is_pressed = self.pad_loaded() || self.block.is_loaded();
+        !has_touched || self.stance.is_extended() && !is_pressed
+    }
+
+    /// Finds out about contacts that were not watched.
+    fn update_contact(&mut self, signals: &LegSignals<f64>) {
+        let [pad_is_watched, block_is_watched] =
+            [self.pad_has_touched, self.block_has_touched].map(|has| self.is_contact_watched(has));
+        let [outer, inner] = &mut self.pad;
+        for (element, is_watched, signal) in [
+            (outer, pad_is_watched, Signal::OuterInterference),
+            (inner, pad_is_watched, Signal::InnerInterference),
+            (&mut self.block, block_is_watched, Signal::BlockInterference),
+        ] {
+            if !is_watched {
+                element.update_contact(signals[signal as usize]);
+            }
+        }
+    }
+
+    fn pad_loaded(&self) -> bool {
+        self.pad.iter().any(Crush::is_loaded)
+    }
+
+    /// Coefficients of the active pieces.
+    pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
+        let (strut, link) = self.stance.pieces(&laws.strut);
+        LegPieces {
+            pad: self.pad.map(|section| section.line(&laws.pad)),
+            block: self.block.line(&laws.block),
+            pad_friction: self.pad_sliding.piece(laws.friction),
+            block_friction: self.block_sliding.piece(laws.friction),
+            strut,
+            link,
+            hinge: self.hinge.piece(laws.stops),
+        }
+    }
+
+    /// Plastic sets of outboard section, inboard section and block, ft.
+    pub fn sets(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 3] {
+        [
+            self.pad[0].set_at(&laws.pad, signals[Signal::OuterInterference as usize]),
+            self.pad[1].set_at(&laws.pad, signals[Signal::InnerInterference as usize]),
+            self.block
+                .set_at(&laws.block, signals[Signal::BlockInterference as usize]),
+        ]
+    }
+
+    /// Centres the coefficients of laws that only bend a little on a stroke δ (ft), where the leg is now;
+    /// whether any changed.
+    pub fn follow(&mut self, laws: &LegLaws, stroke: f64) -> bool {
+        self.stance.follow(&laws.strut, stroke)
+    }
+
+    /// The gentle kinks of the strut law on either side of where the leg is now, its link at a rate γ̇ (rad/s),
+    /// if its strut works.
+    pub fn gentle_kinks(&self, laws: &LegLaws, link_rate: f64) -> Option<GentleKinks> {
+        self.stance.gentle_kinks(&laws.strut, link_rate)
+    }
+
+    /// Ranges of the signals over which the active pieces hold, signal by signal.
+    pub fn ranges(&self, laws: &LegLaws) -> [Bounds; Signal::RANGED] {
+        let only = |holds: bool, range: Bounds| if holds { range } else { Bounds::FREE };
+        let by_pivot = laws.rule == CrushRule::PivotRate;
+        let pad_loaded = self.pad_loaded();
+        let [outer, inner] = &self.pad;
+        let interference = |element: &Crush, law: &CrushLaw, has_touched: bool| {
+            element.interference_bounds(law, self.is_contact_watched(has_touched))
+        };
+        [
+            interference(outer, &laws.pad, self.pad_has_touched),
+            interference(inner, &laws.pad, self.pad_has_touched),
+            interference(&self.block, &laws.block, self.block_has_touched),
+            self.stance.stroke_bounds(&laws.strut),
+            outer.rate_bounds(),
+            inner.rate_bounds(),
+            self.block.rate_bounds(),
+            Bounds::FREE,
+            only(by_pivot, outer.drive_bounds().meet(inner.drive_bounds())),
+            only(by_pivot, self.block.drive_bounds()),
+            only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
+            only(
+                self.block.is_loaded(),
+                self.block_sliding.bounds(laws.friction),
+            ),
+            self.stance.rate_bounds(&laws.strut),
+            self.stance.torque_bounds(),
+            self.hinge.turn_bounds(laws.stops),
+            self.hinge.rate_bounds(),
+            self.hinge.speed_bounds(),
+            only(pad_loaded, Bounds::above(LEAST_PAD_INCLINATION)),
+        ]
+    }
+
+    /// Puts the next piece in place after `signal` left its range. `leg` is this leg's index.
+    ///
+    /// # Errors
+    /// The outcome, when the event ends the landing.
+    pub fn cross(
+        &mut self,
+        laws: &LegLaws,
+        leg: usize,
+        signal: Signal,
+        exit: Exit,
+        signals: &LegSignals<f64>,
+    ) -> Result<(), Outcome> {
+        self.update_contact(signals);
+        let before = *self;
+        let value = |signal: Signal| signals[signal as usize];
+        let driven = |rate: Signal| laws.rule == CrushRule::Section || value(rate) >= 0.0;
+        match signal {
+            Signal::OuterInterference => {
+                let driven = driven(Signal::PivotRate);
+                self.pad[0].cross_interference(&laws.pad, exit, value(signal), driven);
+            }
+            Signal::InnerInterference => {
+                let driven = driven(Signal::PivotRate);
+                self.pad[1].cross_interference(&laws.pad, exit, value(signal), driven);
+            }
+            Signal::BlockInterference => {
+                let driven = driven(Signal::BlockCentreRate);
+                self.block
+                    .cross_interference(&laws.block, exit, value(signal), driven);
+            }
+            Signal::OuterRate => {
+                self.pad[0].leave_front(&laws.pad, value(Signal::OuterInterference));
+            }
+            Signal::InnerRate => {
+                self.pad[1].leave_front(&laws.pad, value(Signal::InnerInterference));
+            }
+            Signal::BlockRate => {
+                self.block
+                    .leave_front(&laws.block, value(Signal::BlockInterference));
+            }
+            Signal::PivotRate => {
+                let driven = exit == Exit::Above;
+                self.pad[0].drive(&laws.pad, driven, value(Signal::OuterInterference));
+                self.pad[1].drive(&laws.pad, driven, value(Signal::InnerInterference));
+            }
+            Signal::BlockCentreRate => {
+                self.block.drive(
+                    &laws.block,
+                    exit == Exit::Above,
+                    value(Signal::BlockInterference),
+                );
+            }
+            Signal::PadSliding => {
+                self.pad_sliding = self.pad_sliding.neighbour(exit == Exit::Above);
+            }
+            Signal::BlockSliding => {
+                self.block_sliding = self.block_sliding.neighbour(exit == Exit::Above);
+            }
+            Signal::Stroke => {
+                if exit == Exit::Above && value(signal) >= laws.strut.bottoming_stroke() {
+                    return Err(Outcome::Bottomed { leg });
+                }
+                let rate = value(Signal::LinkRate);
+                self.stance
+                    .cross_stroke(&laws.strut, exit, before.on_surface(), rate);
+            }
+            Signal::LinkRate => {
+                let stroke = value(Signal::Stroke);
+                let rate = value(signal);
+                self.stance
+                    .cross_rate(&laws.strut, before.on_surface(), stroke, rate);
+            }
+            Signal::LinkTorque => self.stance.cross_torque(exit),
+            Signal::PadTurn => self.hinge.cross_turn(exit),
+            Signal::PadRate => self.hinge.cross_rate(),
+            Signal::HingeSpeed => self.hinge.cross_speed(exit),
+            Signal::StrokeRate
+            | Signal::StrutForce
+            | Signal::StrutLever
+            | Signal::FootX
+            | Signal::FootY
+            | Signal::FootZ
+            | Signal::HardpointDepth => {}
+            Signal::PadInclination => {
+                return Err(Outcome::Failure(Failure::PadInclination { leg }));
+            }
+        }
+        self.follow_contact(laws, &before, signals);
+        Ok(())
+    }
+
+    /// What contact gained or lost brings with it: which friction branch holds, whether the link
+    /// hangs or rests on its stop.
+    fn follow_contact(&mut self, laws: &LegLaws, before: &Self, signals: &LegSignals<f64>) {
+        let value = |signal: Signal| signals[signal as usize];
+        self.pad_has_touched |= self.pad_in_contact();
+        self.block_has_touched |= self.block_in_contact();
+        if self.pad_loaded() && !before.pad_loaded() {
+            self.pad_sliding = Sliding::at(laws.friction, value(Signal::PadSliding));
+        }
+        if self.block.is_loaded() && !before.block.is_loaded() {
+            self.block_sliding = Sliding::at(laws.friction, value(Signal::BlockSliding));
+        }
+        if self.on_surface() != before.on_surface() && self.stance.is_extended() {
+            self.stance = Stance::extended(self.on_surface(), value(Signal::LinkRate));
+        }
+    }
+}

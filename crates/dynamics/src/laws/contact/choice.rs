@@ -1,0 +1,106 @@
+//! The pieces of a leg's laws chosen afresh from a state, for methods that locate no events.
+
+use super::LegLaws;
+use crate::friction::Sliding;
+use crate::hinge::Hinge;
+use crate::integrator::event::Exit;
+use crate::leg_pieces::LegPieces;
+use crate::outcome::{Failure, Outcome};
+use crate::rules::CrushRule;
+use crate::signal::{LegSignals, Signal};
+use crate::strut::Stance;
+
+/// What a leg's laws say at one state.
+#[derive(Debug, Clone, Copy)]
+pub struct Choice {
+    /// Plastic sets of outboard section, inboard section and block that they leave, ft.
+    pub sets: [f64; 3],
+    /// Whether a section of the footpad is in contact.
+    pub pad_in_contact: bool,
+    /// Whether the block is in contact.
+    pub block_in_contact: bool,
+    stance: Stance,
+}
+
+impl Choice {
+    /// Whether the leg rests on its extension stop on the surface: the torque of the surface on
+    /// the link has yet to say whether it is pushed in.
+    pub fn awaits_torque(&self) -> bool {
+        self.stance == Stance::Stopped { pushed: false }
+    }
+
+    /// The torque of the surface pushes the link off its stop.
+    pub fn push(&mut self, laws: &LegLaws, pieces: &mut LegPieces<f64>) {
+        self.stance.cross_torque(Exit::Below);
+        pieces.link = self.stance.pieces(&laws.strut).1;
+    }
+}
+
+impl LegLaws {
+    /// Puts into `pieces` those that hold where the signals say the leg is, its elements having kept
+    /// `sets` (ft).
+    pub fn choose(
+        &self,
+        sets: [f64; 3],
+        signals: &LegSignals<f64>,
+        pieces: &mut LegPieces<f64>,
+    ) -> Choice {
+        let value = |signal: Signal| signals[signal as usize];
+        let driven = |rate: Signal| self.rule == CrushRule::Section || value(rate) >= 0.0;
+        let sliding =
+            |signal: Signal| Sliding::at(self.friction, value(signal)).piece(self.friction);
+        let section = |k: usize, signal: Signal| {
+            self.pad
+                .answer(sets[k], value(signal), driven(Signal::PivotRate))
+        };
+        let pad = [
+            section(0, Signal::OuterInterference),
+            section(1, Signal::InnerInterference),
+        ];
+        let block = self.block.answer(
+            sets[2],
+            value(Signal::BlockInterference),
+            driven(Signal::BlockCentreRate),
+        );
+        let pad_in_contact = pad.iter().any(|section| section.in_contact);
+        let stance = Stance::at(
+            &self.strut,
+            pad_in_contact || block.in_contact,
+            value(Signal::Stroke),
+            value(Signal::LinkRate),
+        );
+        let hinge = Hinge::at(self.stops, value(Signal::PadTurn), value(Signal::PadRate));
+        let (strut, link) = stance.pieces(&self.strut);
+        *pieces = LegPieces {
+            pad: pad.map(|section| section.line),
+            block: block.line,
+            pad_friction: sliding(Signal::PadSliding),
+            block_friction: sliding(Signal::BlockSliding),
+            strut,
+            link,
+            hinge: hinge.piece_as_written(self.stops),
+        };
+        Choice {
+            sets: [pad[0].set, pad[1].set, block.set],
+            pad_in_contact,
+            block_in_contact: block.in_contact,
+            stance,
+        }
+    }
+
+    /// How leg `leg` ends the landing, if it does: bottomed, or its loaded footpad inclined beyond
+    /// what the model has a law for.
+    pub fn end(
+        &self,
+        leg: usize,
+        pieces: &LegPieces<f64>,
+        signals: &LegSignals<f64>,
+    ) -> Option<Outcome> {
+        if signals[Signal::Stroke as usize] > self.strut.bottoming_stroke() {
+            return Some(Outcome::Bottomed { leg });
+        }
+        let loaded = pieces.pad.iter().any(|line| !line.is_slack());
+        let inclined = signals[Signal::PadInclination as usize] < super::LEAST_PAD_INCLINATION;
+        (loaded && inclined).then_some(Outcome::Failure(Failure::PadInclination { leg }))
+    }
+}

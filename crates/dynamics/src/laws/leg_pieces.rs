@@ -1,0 +1,51 @@
+//! The coefficients of all laws of a leg, as the equations of motion work with them.
+
+use crate::crush::PressureLine;
+use crate::friction::FrictionPiece;
+use crate::hinge::HingePiece;
+use crate::strut::{LinkPiece, StrutPiece};
+use crate::wide::abreast;
+
+/// Coefficients of the active piece of every law of one leg.
+#[derive(Debug, Clone, Copy)]
+pub struct LegPieces<S> {
+    /// Pressure on the outboard and inboard pad sections.
+    pub pad: [PressureLine<S>; 2],
+    /// Pressure on the block.
+    pub block: PressureLine<S>,
+    /// Friction under the pad.
+    pub pad_friction: FrictionPiece<S>,
+    /// Friction under the block.
+    pub block_friction: FrictionPiece<S>,
+    /// Shock absorber.
+    pub strut: StrutPiece<S>,
+    /// Lower link.
+    pub link: LinkPiece<S>,
+    /// Footpad hinge.
+    pub hinge: HingePiece<S>,
+}
+
+abreast!(LegPieces {
+    pad,
+    block,
+    pad_friction,
+    block_friction,
+    strut,
+    link,
+    hinge,
+});
+
+impl LegPieces<f64> {
+    /// Of a leg that is not there: it neither pushes nor moves.
+    pub fn absent() -> Self {
+        Self {
+            pad: [PressureLine::slack(); 2],
+            block: PressureLine::slack(),
+            pad_friction: FrictionPiece::none(),
+            block_friction: FrictionPiece::none(),
+            strut: StrutPiece::slack(),
+            link: LinkPiece::still(),
+            hinge: HingePiece::still(),
+        }
+    }
+}

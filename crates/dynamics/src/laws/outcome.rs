@@ -1,0 +1,110 @@
+//! How a landing can end (model chapter 7).
+
+use std::fmt;
+
+/// The end of a landing. Feet and legs are counted from 0 here and from 1 in every output.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// The vehicle rocked up, did not topple, and came back onto other feet.
+    StableRockback,
+    /// Motion subsided near the ground.
+    StableSubsided,
+    /// The CG passed outboard of the critical feet.
+    UnstablePitch,
+    /// All feet came to one side of the plane of motion.
+    UnstableYaw,
+    /// The strut of this leg reached its least length.
+    Bottomed {
+        /// Index of the leg, from 0.
+        leg: usize,
+    },
+    /// None of these before the time limit.
+    TimeExpired,
+    /// The landing could not be computed to its end.
+    Failure(Failure),
+}
+
+/// Why a landing could not be computed to its end.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, PartialEq)]
+pub enum Failure {
+    /// A loaded footpad inclined more than 65 deg, where the model has no law.
+    PadInclination {
+        /// Index of the leg, from 0.
+        leg: usize,
+    },
+    /// The step size fell below what the time can resolve.
+    StepCollapse,
+    /// More steps than any landing needs.
+    StepLimit,
+    /// A number left the representable range.
+    NonFinite,
+    /// The laws kept switching without time advancing.
+    Chattering,
+}
+
+/// Coarse class of an outcome: what a boundary search tells apart.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Class {
+    /// Did not topple and no strut bottomed, a landing out of time included.
+    Stable,
+    /// Toppled, in pitch or in yaw.
+    Unstable,
+    /// A strut bottomed.
+    Bottomed,
+    /// Could not be computed.
+    Failure,
+}
+
+impl Outcome {
+    /// The class of this outcome.
+    pub fn class(&self) -> Class {
+        match self {
+            Self::StableRockback | Self::StableSubsided | Self::TimeExpired => Class::Stable,
+            Self::UnstablePitch | Self::UnstableYaw => Class::Unstable,
+            Self::Bottomed { .. } => Class::Bottomed,
+            Self::Failure(_) => Class::Failure,
+        }
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StableRockback => f.write_str("stable-rockback"),
+            Self::StableSubsided => f.write_str("stable-subsided"),
+            Self::UnstablePitch => f.write_str("unstable-pitch"),
+            Self::UnstableYaw => f.write_str("unstable-yaw"),
+            Self::Bottomed { leg } => write!(f, "bottomed-leg-{}", leg + 1),
+            Self::TimeExpired => f.write_str("time-expired"),
+            Self::Failure(_) => f.write_str("failure"),
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::PadInclination { leg } => {
+                write!(f, "loaded footpad {} inclined more than 65 deg", leg + 1)
+            }
+            Self::StepCollapse => f.write_str("integration step collapsed"),
+            Self::StepLimit => f.write_str("too many integration steps"),
+            Self::NonFinite => f.write_str("a state is no longer finite"),
+            Self::Chattering => f.write_str("contact laws chatter without advancing in time"),
+        }
+    }
+}
+
+impl fmt::Display for Class {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable",
+            Self::Bottomed => "bottomed",
+            Self::Failure => "failure",
+        })
+    }
+}

@@ -1,0 +1,95 @@
+//! What is watched on a leg.
+
+/// What is watched on a leg: each signal has a range over which the active pieces hold. First come those
+/// whose rates are signals too, then those rates in the same order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Signal {
+    /// I of the outboard pad section, ft.
+    OuterInterference,
+    /// I of the inboard pad section, ft.
+    InnerInterference,
+    /// I of the block, ft.
+    BlockInterference,
+    /// Strut stroke δ, ft.
+    Stroke,
+    /// dI/dt of the outboard pad section, ft/s.
+    OuterRate,
+    /// dI/dt of the inboard pad section, ft/s.
+    InnerRate,
+    /// dI/dt of the block, ft/s.
+    BlockRate,
+    /// dδ/dt, ft/s.
+    StrokeRate,
+    /// Rate of the pad pivot into the ground, ft/s.
+    PivotRate,
+    /// Rate of the crushed block centre into the ground, ft/s.
+    BlockCentreRate,
+    /// S² of the pad, ft²/s².
+    PadSliding,
+    /// S² of the block, ft²/s².
+    BlockSliding,
+    /// Link rate γ̇, rad/s.
+    LinkRate,
+    /// Torque of the surface on the link, ft·lb.
+    LinkTorque,
+    /// What the pad has turned by, rad: α, but of a pad that presses on a stop.
+    PadTurn,
+    /// Pad rate state α̇, rad/s.
+    PadRate,
+    /// Hinge speed before the clip, rad/s.
+    HingeSpeed,
+    /// cos ξ of the pad.
+    PadInclination,
+    /// Strut force F, lb: for the record, without a range.
+    StrutForce,
+    /// Strut lever dl_D/dγ (12), ft: for the record, as are the next.
+    StrutLever,
+    /// X of the footpad pivot (7) relative to the CG, ground axes, ft.
+    FootX,
+    /// Y of the same, ft.
+    FootY,
+    /// Z of the same, ft.
+    FootZ,
+    /// Depth of the lower hardpoint (6) below the surface (negative above), ft.
+    HardpointDepth,
+}
+
+impl Signal {
+    /// Number of signals of a leg.
+    pub const COUNT: usize = 24;
+    /// Leading ones that have ranges.
+    pub const RANGED: usize = 18;
+    /// Leading ones that have their rates among the signals, so many places on.
+    pub const RATED: usize = 4;
+
+    /// Every signal, in storage order.
+    pub const ALL: [Self; Self::COUNT] = [
+        Self::OuterInterference,
+        Self::InnerInterference,
+        Self::BlockInterference,
+        Self::Stroke,
+        Self::OuterRate,
+        Self::InnerRate,
+        Self::BlockRate,
+        Self::StrokeRate,
+        Self::PivotRate,
+        Self::BlockCentreRate,
+        Self::PadSliding,
+        Self::BlockSliding,
+        Self::LinkRate,
+        Self::LinkTorque,
+        Self::PadTurn,
+        Self::PadRate,
+        Self::HingeSpeed,
+        Self::PadInclination,
+        Self::StrutForce,
+        Self::StrutLever,
+        Self::FootX,
+        Self::FootY,
+        Self::FootZ,
+        Self::HardpointDepth,
+    ];
+}
+
+/// The signals of one leg, indexed by [`Signal`].
+pub type LegSignals<S> = [S; Signal::COUNT];

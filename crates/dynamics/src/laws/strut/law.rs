@@ -1,0 +1,202 @@
+//! The law of one strut (42)-(45), cut into stretches of stroke over which it keeps one piece.
+
+use std::sync::Arc;
+
+use super::{Kinked, STOP_STROKE, StrutPiece};
+use crate::parts;
+use crate::profile::Profile;
+
+/// A stretch of stroke over which tables and spring law keep one piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct StrokeSegment {
+    upper: f64,
+    /// Beyond the elastic limit.
+    is_plastic: bool,
+    /// Whether the law only bends a little at the upper end.
+    is_gentle_above: bool,
+    /// Whether it does not even bend there.
+    goes_on_above: bool,
+    /// S_K = offset + slope δ.
+    multiplier: [f64; 2],
+    /// Compression damping R_c S_D = offset + slope δ.
+    compression: [f64; 2],
+}
+
+/// The law of one strut.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StrutLaw {
+    segments: Arc<[StrokeSegment]>,
+    structural_stiffness: f64,
+    preload: f64,
+    spring_constant: f64,
+    elastic_limit: f64,
+    /// Rebound damping R_R (1 + SRL δ) = offset + slope δ.
+    rebound: [f64; 2],
+    friction_fraction: f64,
+    bottoming_stroke: f64,
+    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
+    turning_slack: f64,
+}
+
+/// Turning slack: at least this (rad/s), and this times the tolerance. Where the link turns round,
+/// force and damping are continuous and only curvature jumps: a link that trembles about standstill
+/// by less does not turn.
+const TURNING_SLACK: f64 = 1e-11;
+const TURNING_SLACK_PER_TOLERANCE: f64 = 10.0;
+
+impl StrutLaw {
+    /// The law of a strut, cut where any of its pieces changes.
+    pub fn new(strut: &parts::Strut) -> Self {
+        let elastic_limit = strut.preload / strut.structural_stiffness;
+        let tables = [&strut.spring_profile, &strut.damping_profile];
+        let mut knots: Vec<f64> = tables
+            .iter()
+            .flat_map(|p| p.knots()[1..p.knots().len() - 1].iter().map(|k| k[0]))
+            .chain([0.0, STOP_STROKE, elastic_limit, f64::INFINITY])
+            .collect();
+        let bends_at = |stroke: f64| {
+            let mut bends = tables.iter().flat_map(|p| p.knots());
+            stroke == elastic_limit || bends.any(|knot| knot[0] == stroke)
+        };
+        knots.sort_by(f64::total_cmp);
+        knots.dedup();
+        let mut lower = f64::NEG_INFINITY;
+        let segments = knots
+            .into_iter()
+            .map(|upper| {
+                let line = |profile: &Profile, factor: f64| {
+                    let s = profile.segment_at(lower);
+                    [factor * s.offset, factor * s.slope]
+                };
+                let segment = StrokeSegment {
+                    upper,
+                    is_plastic: lower >= elastic_limit,
+                    is_gentle_above: upper.is_finite()
+                        && (lower >= elastic_limit
+                            || upper == 0.0 && strut.damping_profile.knots()[0][1] == 1.0),
+                    goes_on_above: upper == STOP_STROKE && !bends_at(upper),
+                    multiplier: line(&strut.spring_profile, 1.0),
+                    compression: if upper <= 0.0 {
+                        [strut.compression_damping, 0.0]
+                    } else {
+                        line(&strut.damping_profile, strut.compression_damping)
+                    },
+                };
+                lower = upper;
+                segment
+            })
+            .collect();
+        Self {
+            segments,
+            structural_stiffness: strut.structural_stiffness,
+            preload: strut.preload,
+            spring_constant: strut.spring_constant,
+            elastic_limit,
+            rebound: [
+                strut.rebound_damping,
+                strut.rebound_damping * strut.rebound_growth,
+            ],
+            friction_fraction: strut.friction_fraction,
+            bottoming_stroke: strut.extended_length - strut.minimum_length,
+            turning_slack: TURNING_SLACK,
+        }
+    }
+
+    /// The same law with turns of the link no more exact than landings at this tolerance need.
+    pub fn within(self, tolerance: f64) -> Self {
+        Self {
+            turning_slack: TURNING_SLACK.max(TURNING_SLACK_PER_TOLERANCE * tolerance),
+            ..self
+        }
+    }
+
+    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
+    pub(super) fn turning_slack(&self) -> f64 {
+        self.turning_slack
+    }
+
+    /// Stroke at which the strut bottoms, ft.
+    pub fn bottoming_stroke(&self) -> f64 {
+        self.bottoming_stroke
+    }
+
+    pub(super) fn segment_at(&self, stroke: f64) -> usize {
+        let last = self.segments.len() - 1;
+        self.segments
+            .iter()
+            .position(|s| stroke < s.upper)
+            .unwrap_or(last)
+    }
+
+    /// Lower end of a segment.
+    pub(super) fn lower(&self, segment: usize) -> f64 {
+        match segment {
+            0 => f64::NEG_INFINITY,
+            _ => self.segments[segment - 1].upper,
+        }
+    }
+
+    /// Upper end of a segment.
+    pub(super) fn upper(&self, segment: usize) -> f64 {
+        self.segments[segment].upper
+    }
+
+    /// Whether a leg that extends in this segment is on its stop.
+    pub(super) fn is_on_stop(&self, segment: usize) -> bool {
+        self.segments[segment].upper <= STOP_STROKE
+    }
+
+    /// Whether the law goes on unchanged above the upper end of this segment.
+    pub(super) fn goes_on_above(&self, segment: usize) -> bool {
+        self.segments[segment].goes_on_above
+    }
+
+    /// Whether a step may run over the lower end of this segment.
+    pub(super) fn is_gentle_below(&self, segment: usize) -> bool {
+        segment > 0 && self.segments[segment - 1].is_gentle_above
+    }
+
+    /// Whether the law only bends a little at the upper end of this segment.
+    pub(super) fn is_gentle_above(&self, segment: usize) -> bool {
+        self.segments[segment].is_gentle_above
+    }
+
+    /// A table over a segment and, across gentle kinks, its neighbours.
+    fn kinked(&self, segment: usize, table: impl Fn(&StrokeSegment) -> [f64; 2]) -> Kinked<f64> {
+        let [offset, slope] = table(&self.segments[segment]);
+        let slope_of = |other: usize| table(&self.segments[other])[1];
+        let below = if self.is_gentle_below(segment) {
+            [self.lower(segment), slope - slope_of(segment - 1)]
+        } else {
+            [0.0; 2]
+        };
+        let above = if self.is_gentle_above(segment) {
+            [self.segments[segment].upper, slope_of(segment + 1) - slope]
+        } else {
+            [0.0; 2]
+        };
+        Kinked {
+            offset,
+            slope,
+            kinks: [below, above],
+        }
+    }
+
+    /// Coefficients over a segment.
+    pub(super) fn piece(&self, segment: usize) -> StrutPiece<f64> {
+        let (base, growth) = if self.segments[segment].is_plastic {
+            ([self.preload, 0.0], self.spring_constant)
+        } else {
+            ([0.0, self.structural_stiffness], 0.0)
+        };
+        StrutPiece {
+            base,
+            growth,
+            multiplier: self.kinked(segment, |s| s.multiplier),
+            elastic_limit: self.elastic_limit,
+            friction_fraction: self.friction_fraction,
+            compression: self.kinked(segment, |s| s.compression),
+            rebound: self.rebound,
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Tests of whole searches and of input files, in one program.
+
+mod fuzz;
+mod hidden_bands;
+mod search_switches;
+mod sensitivity;

@@ -1,0 +1,18 @@
+//! Tests of the program as a user runs it, in one binary.
+
+mod common;
+
+mod bad_landings;
+mod bad_sweeps;
+mod committed_results;
+mod full_disk;
+mod interruptions;
+mod plots;
+mod runs;
+mod samples;
+mod scene_files;
+mod sensitivities;
+mod stress;
+mod study;
+mod surface;
+mod work_precision;

@@ -1,0 +1,130 @@
+//! `touchdown stress`, a little of it; and what it once found.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+#[allow(dead_code, reason = "every test file uses its own part")]
+use std::collections::BTreeMap;
+
+use crate::common::Bench;
+
+/// Wild landings that could once not be computed or made no sense, from `touchdown stress`; the reason in
+/// the column `why`.
+const FOUND: &str = include_str!("found-by-stress.csv");
+/// The tolerance of sweeps, and of wild landings.
+const TOLERANCE: &str = "3e-5";
+
+type Row = BTreeMap<String, String>;
+
+/// The rows of a table by the names of their columns.
+fn rows(text: &str) -> Vec<Row> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    reader.deserialize().map(Result::unwrap).collect()
+}
+
+/// Lands cases again at a tolerance: their rows.
+fn land_again(bench: &Bench, vehicle: &str, cases: &str, tolerance: &str) -> Vec<Row> {
+    let input = ["land", "--vehicle", vehicle, "--cases", cases];
+    let rest = ["--tolerance", tolerance, "--out", "again.csv", "--quiet"];
+    let done = bench.run(&[&input[..], &rest[..]].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    rows(&bench.read("again.csv"))
+}
+
+#[test]
+fn kills_and_wild_landings_are_told_and_land_again_as_they_did() {
+    let bench = Bench::new();
+    let arguments = ["stress", "--kills", "2", "--landings", "60", "--quiet"];
+    let done = bench.run(&arguments);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    for fragment in [
+        "2 of 2 kills",
+        "nothing lost, no difference",
+        "60 wild landings, seed 1966, tolerance 3e-5",
+        "%  unstable-pitch",
+        "of the energy in play",
+        "every number is one, every account of energy closes",
+    ] {
+        assert!(done.out.contains(fragment), "{fragment}: {}", done.out);
+    }
+    // Neither the journal nor the folder of the kills stays.
+    let left = bench.list("stress");
+    assert_eq!(left, ["stress-cases.csv", "stress-vehicle.toml"]);
+    let kept = rows(&bench.read("stress/stress-cases.csv"));
+    assert!(kept.len() >= 5, "{}", done.out);
+    let [vehicle, cases] = ["stress/stress-vehicle.toml", "stress/stress-cases.csv"];
+    for (kept, landed) in kept
+        .iter()
+        .zip(land_again(&bench, vehicle, cases, TOLERANCE))
+    {
+        let why = &kept["why"];
+        let is_beyond = landed["failure"].ends_with("inclined more than 65 deg");
+        assert_eq!(why.contains("no law: "), is_beyond, "{why}: {landed:?}");
+        let has_failed = landed["outcome"] == "failure" && !is_beyond;
+        assert_eq!(why.contains("failure: "), has_failed, "{why}: {landed:?}");
+        // To the last bit, or the greatest of all would not come out at the same.
+        if let Some((_, number)) = why.split_once("most steps") {
+            assert!(
+                number.is_empty() && done.out.contains(&landed["steps"]),
+                "{landed:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_seed_says_what_is_landed() {
+    let landed = |seed: &str| {
+        let bench = Bench::new();
+        let count = ["stress", "--kills", "0", "--landings", "20"];
+        let done = bench.run(&[&count[..], &["--seed", seed, "--quiet"]].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        bench.read("stress/stress-cases.csv")
+    };
+    let first = landed("1");
+    assert_eq!(landed("1"), first);
+    assert_ne!(landed("2"), first);
+}
+
+/// A folder that cannot be written, and more landings than there are numbers for.
+#[test]
+fn bad_input_is_refused_before_anything_is_killed() {
+    let bench = Bench::new();
+    bench.write("file", "");
+    bench
+        .run(&["stress", "--out", "file"])
+        .refused(&["file: output folder cannot be written"]);
+    bench
+        .run(&["stress", "--landings", "2000000000000"])
+        .refused(&["count", "2000000000000"]);
+    bench
+        .run(&["stress", "--tolerance", "0.5"])
+        .refused(&["--tolerance = 0.5", "1e-2"]);
+    assert!(!bench.path("stress").exists());
+}
+
+/// What stress once found still fails alike, or is computed: then with numbers throughout and an account of
+/// energy that closes, at a tolerance at which it has to.
+#[test]
+fn what_stress_once_found_makes_sense() {
+    let bench = Bench::new();
+    bench.write("cases.csv", FOUND);
+    let found = rows(FOUND);
+    let landed = land_again(&bench, "surveyor.toml", "cases.csv", "1e-6");
+    assert_eq!(landed.len(), found.len());
+    for (found, landed) in found.iter().zip(&landed) {
+        let is_number = |cell: &String| cell != "NaN" && cell != "inf" && cell != "-inf";
+        assert!(landed.values().all(is_number), "{landed:?}");
+        if landed["outcome"] == "failure" {
+            assert!(
+                found["why"].contains(&landed["failure"]),
+                "{found:?} {landed:?}"
+            );
+            continue;
+        }
+        let number = |name: &str| -> f64 { landed[name].parse().unwrap() };
+        let kinetic = number("initial_kinetic_energy_ftlb");
+        let in_play = 1.0 + kinetic + number("potential_energy_change_ftlb").abs();
+        let open = number("energy_closure_ftlb").abs() / in_play;
+        assert!(open < 4e-6, "{found:?}: {open}");
+    }
+}
