@@ -167,13 +167,18 @@ fn examples_of_the_guide_work() {
     check_page("docs/guide.md");
 }
 
-#[test]
-fn links_between_documents_lead_somewhere() {
+/// All pages of `docs/`, and the README.
+fn pages() -> Vec<PathBuf> {
     let docs = fs::read_dir(root().join("docs")).unwrap();
     let notes = fs::read_dir(root().join("docs/notes")).unwrap();
     let pages = docs.chain(notes).map(|entry| entry.unwrap().path());
     let pages = pages.filter(|path| path.extension().is_some_and(|kind| kind == "md"));
-    for page in pages.chain([root().join("README.md")]) {
+    pages.chain([root().join("README.md")]).collect()
+}
+
+#[test]
+fn links_between_documents_lead_somewhere() {
+    for page in pages() {
         let text = fs::read_to_string(&page).unwrap();
         for rest in text.split("](").skip(1) {
             let target = rest.split(')').next().unwrap_or_default();
@@ -183,6 +188,21 @@ fn links_between_documents_lead_somewhere() {
             }
             let there = page.parent().unwrap().join(file);
             assert!(there.exists(), "{}: {target}", page.display());
+        }
+    }
+}
+
+#[test]
+fn files_that_documents_name_are_there() {
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        for quoted in text.split('`').skip(1).step_by(2) {
+            let name = quoted.split_whitespace().next().unwrap_or_default();
+            let folders = ["crates/", "scripts/", "sweeps/", "results/"];
+            let is_path = folders.iter().any(|folder| name.starts_with(folder));
+            if is_path && !name.contains(['*', '<']) {
+                assert!(root().join(name).exists(), "{}: {name}", page.display());
+            }
         }
     }
 }
