@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What each skip of a search spares, and that it changes nothing: the level-vehicle grid searched
 without skips, with each alone, and as the sweeps of Phase II are (five minutes on one core). Prints
-the table and the points of docs/skips.md.
+the table and the points of docs/notes/skips.md.
 
     scripts/skips.py [OPTIONS OF touchdown sweep ...]
 

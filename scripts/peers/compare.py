@@ -126,8 +126,8 @@ def main():
         for tolerance in tolerances:
             print(f"{integrator} {tolerance or ''}", file=sys.stderr)
             rows.append(measure(cases, integrator, tolerance, converged))
-    readme = None if quick else ROOT / "README.md"
-    print(write(rows, versions(), HERE / "target/quick" if quick else ROOT / "results", readme))
+    folder = HERE / "target/quick" if quick else ROOT / "results"
+    print(write(rows, versions(), folder))
 
 
 if __name__ == "__main__":

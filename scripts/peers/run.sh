@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Time against error of the same landings: SciPy, ode_solvers and diffsol beside touchdown.
 # Builds everything, measures on one core (about 5 minutes), prints the table and writes
-# results/peers.csv, results/peers.md and the table in README.md. With --quick: ten landings, written
-# to target/quick.
+# results/peers.csv and results/peers.md. With --quick: ten landings, written to target/quick.
 #
 # Needs Python 3.11 or later with venv, and a Rust toolchain.
 set -euo pipefail

@@ -33,20 +33,6 @@ HEADING = [
     "pitch error at 1 s, deg, median / 90 %",
     "other outcomes",
 ]
-# What the README quotes: columns, and each integrator at the tolerance with which it is at home here.
-QUOTED_COLUMNS = [0, 1, 2, 5, 6]
-QUOTED = [
-    ("SciPy LSODA", 1e-6),
-    ("ode_solvers Dopri5", 1e-4),
-    ("ode_solvers Dopri5", 1e-6),
-    ("diffsol TSIT45", 1e-6),
-    ("touchdown --method report", None),
-    ("touchdown", 1e-4),
-    ("touchdown", 3e-5),
-    ("touchdown", 1e-6),
-]
-BEGIN = "<!-- written by scripts/peers/run.sh -->"
-END = "<!-- end -->"
 
 
 def power(number, digits):
@@ -78,9 +64,9 @@ def text(rows):
     )
 
 
-def markdown(rows, columns=range(len(HEADING))):
+def markdown(rows):
     lines = [HEADING, ["---"] * len(HEADING)] + [cells(row) for row in rows]
-    return "\n".join("| " + " | ".join(line[k] for k in columns) + " |" for line in lines)
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
 def processor():
@@ -94,8 +80,8 @@ def processor():
     return (names[0] if names else platform.machine()) + wide
 
 
-def write(rows, versions, folder, readme):
-    """Writes peers.csv and peers.md to a folder and the short table into the README; the table."""
+def write(rows, versions, folder):
+    """Writes peers.csv and peers.md to a folder; returns the table."""
     folder.mkdir(parents=True, exist_ok=True)
     today = datetime.date.today().isoformat()
     measured = f"{today}, one core of an {processor()}"
@@ -112,15 +98,6 @@ def write(rows, versions, folder, readme):
         f"Written by `scripts/peers/run.sh` on {measured}.\n{versions}.\n\n"
         f"{NOTES}\n\n{markdown(rows)}\n"
     )
-    if readme is not None:
-        quoted = [row for row in rows if (row.integrator, row.tolerance) in QUOTED]
-        before, rest = readme.read_text().split(BEGIN, 1)
-        after = rest.split(END, 1)[1]
-        table = markdown(quoted, QUOTED_COLUMNS)
-        readme.write_text(
-            f"{before}{BEGIN}\n{table}\n\nMeasured {measured}; `scripts/peers/run.sh` measures it "
-            f"again.\n{END}{after}"
-        )
     return f"{measured}\n{versions}\n\n{text(rows)}"
 
 

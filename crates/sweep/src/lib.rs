@@ -38,7 +38,7 @@ pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
 use journal::known;
 pub use journal::{header, merge, point_set, shard};
 use output::parquet_table;
-pub use output::{bands_table, cases, history, results, sensitivity_table, tables};
+pub use output::{bands_table, cases, history, input_keys, results, sensitivity_table, tables};
 use points::{axis_input, sample_input, sensitivity_input};
 pub use points::{design, distribution, grid, levels, parameter, sample};
 use search::{at_once, loose_scan};

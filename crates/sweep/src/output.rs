@@ -3,6 +3,7 @@
 pub mod bands_table;
 pub mod cases;
 pub mod history;
+pub mod input_keys;
 pub(crate) mod parquet_table;
 pub mod results;
 pub mod sensitivity_table;

@@ -19,7 +19,7 @@ pub(crate) const KEYS: [&str; 6] = [
     "error_per_second",
 ];
 
-const LIMITS: [&str; 7] = [
+pub(crate) const LIMITS: [&str; 7] = [
     "pad_angle_deg",
     "link_rate_dps",
     "link_angle_deg",

@@ -7,7 +7,7 @@ use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::section::Section;
 
-const SEARCH: [&str; 9] = [
+pub(crate) const SEARCH: [&str; 9] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",

@@ -15,7 +15,7 @@ use crate::section::Section;
 
 const INCHES_PER_FOOT: f64 = 12.0;
 
-const VEHICLE: [&str; 10] = [
+pub(crate) const VEHICLE: [&str; 10] = [
     "name",
     "mass_slug",
     "gravity_fps2",
@@ -27,16 +27,16 @@ const VEHICLE: [&str; 10] = [
     "block",
     "legs",
 ];
-const INERTIA: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
-const LEG: [&str; 5] = ["azimuth_deg", "linkage", "strut", "footpad", "block"];
-const LINKAGE: [&str; 5] = [
+pub(crate) const INERTIA: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
+pub(crate) const LEG: [&str; 5] = ["azimuth_deg", "linkage", "strut", "footpad", "block"];
+pub(crate) const LINKAGE: [&str; 5] = [
     "lower_hardpoint_radius_ft",
     "lower_link_length_ft",
     "hardpoint_distance_ft",
     "hardpoint_angle_deg",
     "inertia_slug_ft2",
 ];
-const STRUT: [&str; 11] = [
+pub(crate) const STRUT: [&str; 11] = [
     "extended_length_ft",
     "minimum_length_ft",
     "structural_stiffness_lb_per_ft",
@@ -49,7 +49,7 @@ const STRUT: [&str; 11] = [
     "spring_profile",
     "damping_profile",
 ];
-const FOOTPAD: [&str; 7] = [
+pub(crate) const FOOTPAD: [&str; 7] = [
     "diameter_ft",
     "height_ft",
     "crush_pressure_psf",
@@ -58,15 +58,15 @@ const FOOTPAD: [&str; 7] = [
     "maximum_angle_deg",
     "profile",
 ];
-const BLOCK: [&str; 5] = [
+pub(crate) const BLOCK: [&str; 5] = [
     "radius_ft",
     "height_ft",
     "diameter_ft",
     "crush_pressure_psf",
     "profile",
 ];
-const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
-const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
+pub(crate) const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
+pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
 /// Factor on the ordinates of a table, 1 when it is left out.
 const SCALE: &str = "scale";
 

@@ -17,7 +17,7 @@ use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 
 /// Columns that every table of cases must have.
-const REQUIRED: [&str; 6] = [
+pub(crate) const REQUIRED: [&str; 6] = [
     "case",
     "vertical_velocity_fps",
     "horizontal_velocity_fps",
@@ -26,7 +26,7 @@ const REQUIRED: [&str; 6] = [
     "friction",
 ];
 /// Columns of the attitude, unless it is given in tip form.
-const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
+pub(crate) const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
 
 /// The cases of a table, in its order.
 #[derive(Debug, Clone)]

@@ -11,7 +11,7 @@ use crate::parameter::Parameter;
 use crate::section::Found;
 use crate::section::{Layer, Section};
 
-const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
+pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
 /// Keys of an axis that is sampled.
 const SAMPLED: [&str; 4] = ["mean", "sd", "file", "column"];
 const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";

@@ -14,9 +14,9 @@ use crate::sample::{Sample, SampledAxis, Spread};
 use crate::section::Found;
 use crate::section::Section;
 
-const SAMPLE: [&str; 4] = ["design", "count", "seed", "stop_at_interval_width"];
+pub(crate) const SAMPLE: [&str; 4] = ["design", "count", "seed", "stop_at_interval_width"];
 /// Keys of an axis.
-const FORM: [&str; 8] = [
+pub(crate) const FORM: [&str; 8] = [
     "from", "to", "spacing", "mean", "sd", "file", "column", "zip",
 ];
 /// Greatest seed that TOML and JSON keep exactly.

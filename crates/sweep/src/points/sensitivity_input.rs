@@ -5,7 +5,7 @@ use crate::parameter::{Home, Parameter};
 use crate::scene_input::HORIZONTAL_VELOCITY;
 use crate::section::Section;
 
-const SENSITIVITY: [&str; 1] = ["parameters"];
+pub(crate) const SENSITIVITY: [&str; 1] = ["parameters"];
 const ALLOWED: &str = "a list of dotted names, such as \"vehicle.strut.compression_damping\"";
 
 /// Reads `[sensitivity]`; nothing is asked for without it.

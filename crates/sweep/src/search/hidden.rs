@@ -10,7 +10,7 @@
 //! interval is searched for the least margin itself. Twice, because a new contact bends the course of
 //! a margin within a scan step.
 //!
-//! What such looks find is in `docs/skips.md`, with the bands that are missed: those of which no margin
+//! What such looks find is in `docs/notes/skips.md`, with the bands that are missed: those of which no margin
 //! tells, because all of them run on smoothly from one side of the band to the other.
 
 use touchdown_dynamics::outcome::Class;

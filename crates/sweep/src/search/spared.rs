@@ -1,7 +1,7 @@
 //! Work that skips spared a search, in counts that the search itself knows.
 //!
 //! How many evaluations of the equations of motion a landing would have taken that was not computed, only
-//! a search without the skip tells: `docs/skips.md` has both for the level-vehicle grid.
+//! a search without the skip tells: `docs/notes/skips.md` has both for the level-vehicle grid.
 
 use std::ops::AddAssign;
 

@@ -20,7 +20,9 @@ use crate::sweep_file::{locate_condition, named_vehicle};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 
-const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver", "case"];
+pub(crate) const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver", "case"];
+/// Keys of a case that are no parameters.
+pub(crate) const CASE: [&str; 2] = ["name", "vehicle"];
 const VEHICLE: &str = "the path of a vehicle file, relative to this file";
 const CASES: &str = "tables [[case]]";
 const NAME: &str = "letters, digits, - and _ in quotes, other than those of the cases before";
@@ -98,9 +100,10 @@ impl<'d> Changes<'d> {
             parameters: Vec::new(),
         };
         for (name, found) in entry.leaves()? {
+            let [own_name, own_vehicle] = CASE;
             match (name.as_str(), &found.node.value) {
-                ("name", _) => changes.name = Some(found),
-                ("vehicle", Value::Text(_)) => changes.vehicle = Some(found),
+                (key, _) if key == own_name => changes.name = Some(found),
+                (key, Value::Text(_)) if key == own_vehicle => changes.vehicle = Some(found),
                 _ => {
                     let parameter = Parameter::named(&name, LEGS)
                         .filter(|known| !known.name().starts_with("search."));

@@ -2,5 +2,6 @@
 
 mod fuzz;
 mod hidden_bands;
+mod reference_of_keys;
 mod search_switches;
 mod sensitivity;

@@ -1,0 +1,80 @@
+//! Every key of every input file, table by table: what `docs/reference.md` is checked against.
+
+use crate::sensitivity_input::SENSITIVITY;
+use crate::sweep::SWEEP;
+use crate::{
+    axis_input, cases, method_input, sample_input, scene_file, scene_input, search_input,
+    settings_input, vehicle_file,
+};
+
+/// A table of an input file and the keys that it may have.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeyTable {
+    /// Name of the table: the file, then the table within it.
+    pub name: &'static str,
+    /// Its keys.
+    pub keys: Vec<&'static str>,
+}
+
+/// A key of an input file whose value is one of a few words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WordChoice {
+    /// The key.
+    pub key: &'static str,
+    /// The words.
+    pub words: Vec<&'static str>,
+}
+
+/// All tables of all input files. A case may have every parameter of the scene, the vehicle and the
+/// solver beside the keys listed here.
+pub fn tables() -> Vec<KeyTable> {
+    let table = |name, keys: &[&'static str]| KeyTable {
+        name,
+        keys: keys.to_vec(),
+    };
+    let solver = [&settings_input::SOLVER[..], &method_input::KEYS].concat();
+    let required = [&cases::REQUIRED[..], &cases::EULER].concat();
+    vec![
+        table("vehicle", &vehicle_file::VEHICLE),
+        table("vehicle.inertia_slug_ft2", &vehicle_file::INERTIA),
+        table("vehicle.linkage", &vehicle_file::LINKAGE),
+        table("vehicle.strut", &vehicle_file::STRUT),
+        table("vehicle.strut.profile", &vehicle_file::MULTIPLIER),
+        table("vehicle.footpad", &vehicle_file::FOOTPAD),
+        table("vehicle.block", &vehicle_file::BLOCK),
+        table("vehicle.profile", &vehicle_file::PRESSURE),
+        table("vehicle.legs", &vehicle_file::LEG),
+        table("sweep", &SWEEP),
+        table("scene", &scene_input::NAMES),
+        table("axis", &axis_input::FORM),
+        table("sample", &sample_input::SAMPLE),
+        table("sampled axis", &sample_input::FORM),
+        table("search", &search_input::SEARCH),
+        table("sensitivity", &SENSITIVITY),
+        table("solver", &solver),
+        table("solver.error_per_second", &method_input::LIMITS),
+        table("scene file", &scene_file::SCENE_FILE),
+        table("case", &scene_file::CASE),
+        table("table of cases", &required),
+    ]
+}
+
+/// All keys whose values are words.
+pub fn word_choices() -> Vec<WordChoice> {
+    fn words<T>(choices: &[(&'static str, T)]) -> Vec<&'static str> {
+        choices.iter().map(|(word, _)| *word).collect()
+    }
+    let choice = |key, words| WordChoice { key, words };
+    vec![
+        choice("bands", words(&search_input::EXTENTS)),
+        choice("scan", words(&search_input::SCANS)),
+        choice("refinement", words(&search_input::REFINEMENTS)),
+        choice("certainty", words(&search_input::DOUBTS)),
+        choice("crush_rule", settings_input::CRUSH_RULES.to_vec()),
+        choice(
+            "friction_profile",
+            settings_input::FRICTION_PROFILES.to_vec(),
+        ),
+        choice("method", method_input::METHODS.to_vec()),
+    ]
+}

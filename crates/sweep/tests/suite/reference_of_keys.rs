@@ -1,0 +1,118 @@
+//! The reference of input files describes the keys that the program reads, no more and no less.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+use std::collections::BTreeMap;
+
+use touchdown_sweep::input_keys::{tables, word_choices};
+use touchdown_sweep::unit::unit;
+
+const REFERENCE: &str = include_str!(concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../docs/reference.md"
+));
+
+/// Rows of a table of the page, cell by cell.
+type Rows = Vec<Vec<String>>;
+
+/// The tables of keys of the page, by the names in their markers.
+fn documented() -> BTreeMap<String, Rows> {
+    let mut found = BTreeMap::new();
+    let mut lines = REFERENCE.lines();
+    while let Some(line) = lines.next() {
+        let marker = line.strip_prefix("<!-- keys: ");
+        let Some(name) = marker.and_then(|rest| rest.strip_suffix(" -->")) else {
+            continue;
+        };
+        let heading = lines.next().unwrap_or_default();
+        assert_eq!(heading, "| key | unit | allowed | default | meaning |");
+        let rows = lines.by_ref().take_while(|row| row.starts_with('|'));
+        let cells = |row: &str| -> Vec<String> {
+            let inner = row.trim_matches('|').split('|');
+            inner.map(|cell| cell.trim().to_owned()).collect()
+        };
+        let rows: Rows = rows.skip(1).map(cells).collect();
+        for row in &rows {
+            assert_eq!(row.len(), 5, "{name}: {row:?}");
+            assert!(!row[4].is_empty(), "{name}: {} has no meaning", row[0]);
+        }
+        assert!(found.insert(name.to_owned(), rows).is_none(), "{name}");
+    }
+    found
+}
+
+#[test]
+fn keys_are_those_of_the_code() {
+    let of_code: BTreeMap<String, Vec<String>> = tables()
+        .into_iter()
+        .map(|table| {
+            let keys = table.keys.iter().map(|key| format!("`{key}`"));
+            (table.name.to_owned(), keys.collect())
+        })
+        .collect();
+    let of_page: BTreeMap<String, Vec<String>> = documented()
+        .into_iter()
+        .map(|(name, rows)| (name, rows.into_iter().map(|row| row[0].clone()).collect()))
+        .collect();
+    let names = |tables: &BTreeMap<String, Vec<String>>| -> Vec<String> {
+        tables.keys().cloned().collect()
+    };
+    assert_eq!(names(&of_page), names(&of_code));
+    for (name, keys) in of_code {
+        let sorted = |mut keys: Vec<String>| {
+            keys.sort();
+            keys
+        };
+        assert_eq!(sorted(of_page[&name].clone()), sorted(keys), "{name}");
+    }
+}
+
+#[test]
+fn words_and_their_defaults_are_those_of_the_code() {
+    let page = documented();
+    let rows: Vec<&Vec<String>> = ["search", "solver"]
+        .iter()
+        .flat_map(|name| &page[*name])
+        .collect();
+    for choice in word_choices() {
+        let key = format!("`{}`", choice.key);
+        let row = rows.iter().find(|row| row[0] == key);
+        let row = row.unwrap_or_else(|| panic!("{key} is not described"));
+        let words: Vec<String> = choice
+            .words
+            .iter()
+            .map(|word| format!("`\"{word}\"`"))
+            .collect();
+        assert_eq!(row[2], words.join(", "), "{key}");
+        let default = match choice.key {
+            // The default of the friction profile is the last letter.
+            "friction_profile" => &words[2],
+            _ => &words[0],
+        };
+        assert_eq!(row[3], *default, "{key}");
+    }
+}
+
+#[test]
+fn units_are_those_that_keys_carry() {
+    let page = documented();
+    let with_units = [
+        ("vehicle", ""),
+        ("vehicle.inertia_slug_ft2", "vehicle.inertia_slug_ft2."),
+        ("vehicle.linkage", ""),
+        ("vehicle.strut", ""),
+        ("vehicle.footpad", ""),
+        ("vehicle.block", ""),
+        ("vehicle.legs", ""),
+        ("scene", ""),
+        ("search", ""),
+        ("solver", ""),
+    ];
+    for (table, prefix) in with_units {
+        for row in page[table].iter().filter(|row| !row[1].is_empty()) {
+            let name = format!("{prefix}{}", row[0].trim_matches('`'));
+            let plain = row[1].replace('·', " ").replace('²', "2");
+            assert_eq!(plain, unit(&name), "{name}");
+        }
+    }
+}

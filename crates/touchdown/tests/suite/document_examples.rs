@@ -1,0 +1,208 @@
+//! Every example of the documents works.
+//!
+//! A fenced block says by its info string what it is:
+//!
+//! * `toml sweep NAME`, `toml scene NAME`, `toml vehicle NAME`, `csv NAME`: a file that commands of the page
+//!   read. A sweep that none of them runs is checked with `--dry-run`;
+//! * `sh run`: commands that run here and must succeed;
+//! * `sh`: commands that take too long or read files that are not here. Their options must parse;
+//! * `sh other`: commands of other programs, and commands that write outside of the folder. Those of
+//!   `touchdown` must parse.
+//!
+//! The blocks of a page share a folder, which has the vehicles and sweeps of the repository in `sweeps/`.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use tempfile::TempDir;
+
+/// Commands that some builds do not have yet.
+const OPTIONAL: [&str; 3] = ["new", "completions", "man"];
+
+/// A fenced block of a page.
+struct Block {
+    line: usize,
+    info: Vec<String>,
+    text: String,
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn blocks(page: &str) -> Vec<Block> {
+    let text = fs::read_to_string(root().join(page)).unwrap();
+    let mut blocks = Vec::new();
+    let mut open: Option<Block> = None;
+    for (index, line) in text.lines().enumerate() {
+        match (line.strip_prefix("```"), &mut open) {
+            (Some(info), None) => {
+                let info = info.split_whitespace().map(str::to_owned).collect();
+                open = Some(Block {
+                    line: index + 1,
+                    info,
+                    text: String::new(),
+                });
+            }
+            (Some(_), Some(_)) => blocks.extend(open.take()),
+            (None, Some(block)) => {
+                block.text.push_str(line);
+                block.text.push('\n');
+            }
+            (None, None) => {}
+        }
+    }
+    assert!(open.is_none(), "{page}: a block is not closed");
+    blocks
+}
+
+fn copy_tree(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        match entry.file_type().unwrap().is_dir() {
+            true => copy_tree(&entry.path(), &target),
+            false => drop(fs::copy(entry.path(), target).unwrap()),
+        }
+    }
+}
+
+/// The commands of a block for this program: one a line, continued lines joined, comments dropped.
+fn commands(text: &str) -> Vec<Vec<String>> {
+    let joined = text.replace("\\\n", " ");
+    let of_program = |line: &str| {
+        let line = line.split(" #").next().unwrap_or_default().trim();
+        let line = line.split(" > ").next().unwrap_or_default();
+        let rest = line
+            .strip_prefix("cargo run --release -- ")
+            .or_else(|| line.strip_prefix("touchdown "))?;
+        Some(rest.split_whitespace().map(str::to_owned).collect())
+    };
+    joined.lines().filter_map(of_program).collect()
+}
+
+fn run(folder: &Path, arguments: &[String]) -> Result<String, String> {
+    let done = Command::new(env!("CARGO_BIN_EXE_touchdown"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    match done.status.success() {
+        true => Ok(String::from_utf8_lossy(&done.stdout).into_owned()),
+        false => Err(String::from_utf8_lossy(&done.stderr).into_owned()),
+    }
+}
+
+fn has_command(folder: &Path, name: &str) -> bool {
+    run(folder, &["help".to_owned(), name.to_owned()]).is_ok()
+}
+
+/// Whether a block is commands that are run, and one of them reads the file `name`.
+fn runs(block: &Block, name: &str) -> bool {
+    block.info == ["sh", "run"] && block.text.split_whitespace().any(|word| word == name)
+}
+
+/// Does what a block of a page asks for; what went wrong, if anything did.
+fn check(folder: &Path, block: &Block, page: &[Block]) -> Result<(), String> {
+    let info: Vec<&str> = block.info.iter().map(String::as_str).collect();
+    let write = |name: &str| fs::write(folder.join(name), &block.text).unwrap();
+    match info[..] {
+        ["toml", "sweep", name] => {
+            write(name);
+            if page.iter().any(|block| runs(block, name)) {
+                return Ok(());
+            }
+            let check = ["sweep", name, "--dry-run"].map(str::to_owned);
+            run(folder, &check).map(drop)
+        }
+        ["toml", "scene" | "vehicle", name] | ["csv", name] => {
+            write(name);
+            match page.iter().any(|block| block.text.contains(name)) {
+                true => Ok(()),
+                false => Err(format!("nothing reads {name}")),
+            }
+        }
+        ["sh", "run"] => commands(&block.text)
+            .iter()
+            .try_for_each(|command| run(folder, command).map(drop)),
+        ["sh"] | ["sh", "other"] => {
+            for mut command in commands(&block.text) {
+                let is_optional = OPTIONAL.contains(&command[0].as_str());
+                if is_optional && !has_command(folder, &command[0]) {
+                    continue;
+                }
+                command.push("--help".to_owned());
+                run(folder, &command)?;
+            }
+            Ok(())
+        }
+        ["text"] => Ok(()),
+        _ => Err(format!("no such kind of block: {}", info.join(" "))),
+    }
+}
+
+fn check_page(page: &str) {
+    let folder = TempDir::new().unwrap();
+    copy_tree(&root().join("sweeps"), &folder.path().join("sweeps"));
+    let blocks = blocks(page);
+    assert!(blocks.len() > 5, "{page} has {} examples", blocks.len());
+    for block in &blocks {
+        if let Err(said) = check(folder.path(), block, &blocks) {
+            panic!("{page}, line {}: {said}", block.line);
+        }
+    }
+}
+
+#[test]
+fn examples_of_the_readme_work() {
+    check_page("README.md");
+}
+
+#[test]
+fn examples_of_the_guide_work() {
+    check_page("docs/guide.md");
+}
+
+/// All pages of `docs/`, and the README.
+fn pages() -> Vec<PathBuf> {
+    let docs = fs::read_dir(root().join("docs")).unwrap();
+    let notes = fs::read_dir(root().join("docs/notes")).unwrap();
+    let pages = docs.chain(notes).map(|entry| entry.unwrap().path());
+    let pages = pages.filter(|path| path.extension().is_some_and(|kind| kind == "md"));
+    pages.chain([root().join("README.md")]).collect()
+}
+
+#[test]
+fn links_between_documents_lead_somewhere() {
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        for rest in text.split("](").skip(1) {
+            let target = rest.split(')').next().unwrap_or_default();
+            let file = target.split('#').next().unwrap_or_default();
+            if file.is_empty() || file.starts_with("http") {
+                continue;
+            }
+            let there = page.parent().unwrap().join(file);
+            assert!(there.exists(), "{}: {target}", page.display());
+        }
+    }
+}
+
+#[test]
+fn files_that_documents_name_are_there() {
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        for quoted in text.split('`').skip(1).step_by(2) {
+            let name = quoted.split_whitespace().next().unwrap_or_default();
+            let folders = ["crates/", "scripts/", "sweeps/", "results/"];
+            let is_path = folders.iter().any(|folder| name.starts_with(folder));
+            if is_path && !name.contains(['*', '<']) {
+                assert!(root().join(name).exists(), "{}: {name}", page.display());
+            }
+        }
+    }
+}
