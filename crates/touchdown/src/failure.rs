@@ -91,6 +91,7 @@ impl From<RunError> for Failure {
         match error {
             RunError::Cancelled => Self::Interrupted("no unfinished result was written".to_owned()),
             RunError::Journal(error) => error.into(),
+            RunError::TooManyThreads { .. } => Self::Input(InputError::other(error.to_string())),
             other => Self::running(other),
         }
     }

@@ -14,6 +14,7 @@ mod land;
 mod land_files;
 mod least;
 mod merge;
+mod new;
 mod overrides;
 mod overview;
 mod plot;
@@ -21,6 +22,7 @@ mod progress;
 mod report;
 mod say;
 mod scene_cases;
+mod shell;
 mod solver_options;
 mod stress;
 mod study;
@@ -34,7 +36,7 @@ mod work_precision;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 /// How fast sideways may a legged lander touch down before it topples?
 ///
@@ -59,6 +61,8 @@ enum Command {
     Merge(merge::Options),
     /// Draw the pictures of result tables anew
     Plot(plot::Options),
+    /// Write a commented vehicle, sweep or scene file to start from
+    New(new::Options),
     /// Find slope and cross-slope from the times at which the footpads struck the surface
     Surface(surface::Options),
     /// Convert a card deck of the 1966 program to vehicle files, a scene file and tables of cases
@@ -69,6 +73,10 @@ enum Command {
     WorkPrecision(work_precision::Options),
     /// Test this program on this machine: sweeps killed again and again, and wild landings
     Stress(stress::Options),
+    /// Print the completions of a shell
+    Completions(shell::Completions),
+    /// Print a manual page
+    Man(shell::Manual),
 }
 
 fn main() -> ExitCode {
@@ -77,11 +85,14 @@ fn main() -> ExitCode {
         Command::Sweep(options) => sweep::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Plot(options) => plot::run(&options),
+        Command::New(options) => new::run(&options),
         Command::Surface(options) => surface::run(&options),
         Command::ImportDeck(options) => import_deck::run(&options),
         Command::Study(options) => study::run(&options),
         Command::WorkPrecision(options) => work_precision::run(&options),
         Command::Stress(options) => stress::run(&options),
+        Command::Completions(options) => shell::completions(&options, Cli::command()),
+        Command::Man(options) => shell::manual(&options, Cli::command()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -14,6 +14,7 @@ mod runs;
 mod samples;
 mod scene_files;
 mod sensitivities;
+mod starting_files;
 mod stress;
 mod study;
 mod surface;

@@ -1,0 +1,88 @@
+//! `touchdown new`: commented files to start from.
+
+use std::fs::File;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use touchdown_sweep::input_error::{InputError, Place};
+
+use crate::failure::Failure;
+use crate::say::say;
+
+const VEHICLE: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SWEEP: &str = include_str!("new/sweep.toml");
+const SCENE: &str = include_str!("new/scene.toml");
+/// What the templates say for the path of the vehicle file.
+const VEHICLE_PATH: &str = "VEHICLE";
+
+const EXAMPLES: &str = "\
+Examples:
+  A vehicle of your own, and a sweep of it:
+    touchdown new vehicle lander.toml
+    touchdown new sweep trade.toml
+    touchdown sweep trade.toml --out results
+
+  A sweep of a vehicle that there is already:
+    touchdown new sweep trade.toml --vehicle sweeps/vehicles/surveyor-table-4-1.toml";
+
+/// Options of `new`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Options {
+    #[command(subcommand)]
+    kind: Kind,
+}
+
+#[derive(Debug, Subcommand)]
+enum Kind {
+    /// A vehicle file: the Surveyor, each of its numbers explained
+    Vehicle(NewFile),
+    /// A sweep file: V_H over roll and cross-slope
+    Sweep(NamesVehicle),
+    /// A scene file: a touchdown and two cases that differ from it
+    Scene(NamesVehicle),
+}
+
+#[derive(Debug, Args)]
+struct NewFile {
+    /// File to write; one that exists is left alone
+    #[arg(value_name = "FILE.toml")]
+    file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct NamesVehicle {
+    #[command(flatten)]
+    new: NewFile,
+    /// Vehicle file that it names, relative to it
+    #[arg(long, value_name = "FILE", default_value = "lander.toml")]
+    vehicle: String,
+}
+
+/// Runs `new`.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    match &options.kind {
+        Kind::Vehicle(new) => write(&new.file, VEHICLE),
+        Kind::Sweep(named) => write(&named.new.file, &naming(SWEEP, &named.vehicle)),
+        Kind::Scene(named) => write(&named.new.file, &naming(SCENE, &named.vehicle)),
+    }
+}
+
+/// A template that names this vehicle file.
+fn naming(template: &str, vehicle: &str) -> String {
+    let escaped = vehicle.replace('\\', "\\\\").replace('"', "\\\"");
+    template.replace(VEHICLE_PATH, &escaped)
+}
+
+fn write(file: &Path, text: &str) -> Result<(), Failure> {
+    let mut new = File::create_new(file).map_err(|error| {
+        let complaint = match error.kind() {
+            ErrorKind::AlreadyExists => "exists already: allowed is the name of a new file".into(),
+            _ => format!("cannot be written: {error}"),
+        };
+        InputError::other(complaint).at(Place::file(file))
+    })?;
+    new.write_all(text.as_bytes()).map_err(Failure::running)?;
+    say(&format!("written: {}\n", file.display()))
+}

@@ -1,0 +1,51 @@
+//! `touchdown completions` and `touchdown man`: what shells and manuals are told of the program.
+
+use clap::{Args, Command};
+use clap_complete::Shell;
+use touchdown_sweep::input_error::InputError;
+
+use crate::failure::Failure;
+use crate::say::say;
+
+/// Options of `completions`.
+#[derive(Debug, Args)]
+pub struct Completions {
+    /// Shell whose completions are printed
+    shell: Shell,
+}
+
+/// Options of `man`.
+#[derive(Debug, Args)]
+pub struct Manual {
+    /// Page of this command instead of the program's own
+    #[arg(value_name = "COMMAND")]
+    command: Option<String>,
+}
+
+/// Prints the completions of a program.
+pub fn completions(options: &Completions, mut program: Command) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(options.shell, &mut program, "touchdown", &mut script);
+    say(&String::from_utf8_lossy(&script))
+}
+
+/// Prints the manual page of a program, or of one of its commands.
+pub fn manual(options: &Manual, mut program: Command) -> Result<(), Failure> {
+    program.build();
+    let page = match &options.command {
+        None => program,
+        Some(name) => {
+            let found = program.find_subcommand(name).cloned();
+            let names = program.get_subcommands().map(Command::get_name);
+            let names = names.collect::<Vec<_>>().join(", ");
+            found.ok_or_else(|| {
+                InputError::other(format!("there is no command {name}: allowed are {names}"))
+            })?
+        }
+    };
+    let mut text = Vec::new();
+    clap_mangen::Man::new(page)
+        .render(&mut text)
+        .map_err(Failure::running)?;
+    say(&String::from_utf8_lossy(&text))
+}

@@ -1,0 +1,101 @@
+//! Files to start from, completions and manual pages, and how many threads there may be.
+
+use crate::common::{BASELINE, Bench};
+
+#[test]
+fn new_files_are_valid_as_written_and_never_replace_another() {
+    let bench = Bench::new();
+    for (kind, file) in [
+        ("vehicle", "lander.toml"),
+        ("sweep", "trade.toml"),
+        ("scene", "touchdown.toml"),
+    ] {
+        let done = bench.run(&["new", kind, file]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        assert!(bench.read(file).starts_with("# "), "{file} says what it is");
+        let written = bench.read(file);
+        bench
+            .run(&["new", kind, file])
+            .refused(&[file, "exists already"]);
+        assert_eq!(bench.read(file), written);
+    }
+    let counted = bench.run(&["sweep", "trade.toml", "--out", "results", "--dry-run"]);
+    assert_eq!(counted.code, Some(0), "{}", counted.err);
+    let landed = bench.run(&["land", "touchdown.toml", "--out", "landings"]);
+    assert_eq!(landed.code, Some(0), "{}", landed.err);
+    let cases = bench.list("landings");
+    assert!(
+        cases.contains(&"touchdown-softer.csv".to_owned()),
+        "{cases:?}"
+    );
+}
+
+#[test]
+fn new_sweeps_name_the_vehicle_that_is_given() {
+    let bench = Bench::new();
+    let done = bench.run(&["new", "sweep", "of.toml", "--vehicle", "surveyor.toml"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let counted = bench.run(&["sweep", "of.toml", "--out", "results", "--dry-run"]);
+    assert_eq!(counted.code, Some(0), "{}", counted.err);
+    bench
+        .run(&["new", "scene", "no-such-folder/scene.toml"])
+        .refused(&["no-such-folder/scene.toml", "cannot be written"]);
+}
+
+#[test]
+fn shells_and_manuals_know_every_command() {
+    let bench = Bench::new();
+    for shell in ["bash", "zsh", "fish"] {
+        let done = bench.run(&["completions", shell]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        assert!(done.out.contains("import-deck"), "{shell}");
+    }
+    let page = bench.run(&["man"]).out;
+    assert!(
+        page.contains(".TH touchdown 1") && page.contains("import\\-deck"),
+        "{page}"
+    );
+    let page = bench.run(&["man", "sweep"]).out;
+    assert!(page.contains("dry\\-run"), "{page}");
+    bench.run(&["man", "swep"]).refused(&["swep", "sweep"]);
+}
+
+#[test]
+fn more_threads_than_a_machine_bears_are_refused() {
+    let bench = Bench::new();
+    bench.write("cases.csv", "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,pitch_deg,yaw_deg,roll_deg,slope_deg,friction\na,14,5,180,0,0,0,15,1\n");
+    let sweep = [
+        "sweep",
+        "sweep.toml",
+        "--out",
+        "results",
+        "--threads",
+        "5000",
+    ];
+    bench.run(&sweep).refused(&["5000", "allowed are 1 to"]);
+    assert_eq!(bench.list("results"), Vec::<String>::new());
+    let cases = [
+        "land",
+        "--vehicle",
+        "surveyor.toml",
+        "--cases",
+        "cases.csv",
+        "--out",
+        "out.csv",
+        "--threads",
+        "5000",
+    ];
+    bench.run(&cases).refused(&["5000", "allowed are 1 to"]);
+    // However few cores there are, some more threads than cores do no harm.
+    let done = bench.run(&[
+        "sweep",
+        "sweep.toml",
+        "--out",
+        "results",
+        "--quiet",
+        "--threads",
+        "16",
+    ]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.run(&BASELINE).code, Some(0));
+}
