@@ -169,7 +169,7 @@ fn draw_words(
             .map_err(drawing)
     };
     for kind in KINDS {
-        if let Some((x, speed)) = stations::broadest(stations, kind, high) {
+        if let Some((x, speed)) = shading::broadest(stations, kind, high) {
             write(ink::word(kind), x, speed, ink::mark(kind))?;
         }
     }
@@ -201,7 +201,7 @@ fn legend(stations: &[Station], searched_to: Option<f64>) -> Vec<(Mark, String)>
     // Regions too narrow for their word.
     let wordless = KINDS.into_iter().filter(|kind| {
         regions.iter().any(|region| region.kind == *kind)
-            && stations::broadest(stations, *kind, high).is_none()
+            && shading::broadest(stations, *kind, high).is_none()
     });
     entries.extend(wordless.map(|kind| (Mark::Region(kind), ink::word(kind).to_owned())));
     if stations.iter().any(|station| station.transition.is_none()) {

@@ -84,6 +84,27 @@ fn bands(station: &Station, high: f64) -> Vec<Band> {
     }
 }
 
+/// Middle of the tallest region of a kind that is broad enough for a word, and its height there.
+pub fn broadest(stations: &[Station], kind: Kind, high: f64) -> Option<(f64, f64)> {
+    let regions = regions(stations, high);
+    // Regions side by side make one: the widest run of them that touch.
+    let same: Vec<_> = regions
+        .iter()
+        .filter(|region| region.kind == kind)
+        .collect();
+    let runs = same.chunk_by(|a, b| a.corners[1] == b.corners[0] || a.corners[2] == b.corners[3]);
+    let width = |run: &&[&Region]| {
+        let (first, last) = (run.first(), run.last());
+        last.map_or(0.0, |region| region.corners[1].0)
+            - first.map_or(0.0, |region| region.corners[0].0)
+    };
+    let run = runs
+        .filter(|run| run.len() > 1)
+        .max_by(|a, b| width(a).total_cmp(&width(b)))?;
+    let [(x0, a), (x1, b), (_, c), (_, d)] = run[run.len() / 2].corners;
+    Some((0.5 * (x0 + x1), 0.25 * (a + b + c + d)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -144,5 +165,13 @@ mod tests {
         assert_eq!(found.len(), 2);
         assert_eq!(found[1].kind, Kind::Bottomed);
         assert_eq!(found[1].corners[0], (0.0, 20.0));
+    }
+
+    #[test]
+    fn broadest_run_has_at_least_three_points() {
+        let run: Vec<Station> = (0..5).map(|i| station(i as f64, Some(12.0))).collect();
+        assert_eq!(broadest(&run, Kind::Unstable, 20.0), Some((2.5, 16.0)));
+        assert_eq!(broadest(&run[..2], Kind::Unstable, 20.0), None);
+        assert_eq!(broadest(&run, Kind::Bottomed, 20.0), None);
     }
 }

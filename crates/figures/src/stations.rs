@@ -1,8 +1,7 @@
 //! The points of a profile along its axis: their extent, neighbours and runs.
 
 use crate::bands_table::{Band, BandsTable};
-use crate::boundary_table::{BoundaryTable, Kind, Transition};
-use crate::shading;
+use crate::boundary_table::{BoundaryTable, Transition};
 
 /// A point of the profile.
 #[derive(Debug, Clone)]
@@ -73,30 +72,10 @@ pub fn segments(
         .filter_map(|pair| Some((&pair[0], &pair[1], pair[0].transition?, pair[1].transition?)))
 }
 
-/// Middle of the tallest region of a kind that is broad enough for a word, and its height there.
-pub fn broadest(stations: &[Station], kind: Kind, high: f64) -> Option<(f64, f64)> {
-    let regions = shading::regions(stations, high);
-    // Regions side by side make one: the widest run of them that touch.
-    let same: Vec<_> = regions
-        .iter()
-        .filter(|region| region.kind == kind)
-        .collect();
-    let runs = same.chunk_by(|a, b| a.corners[1] == b.corners[0] || a.corners[2] == b.corners[3]);
-    let width = |run: &&[&shading::Region]| {
-        let (first, last) = (run.first(), run.last());
-        last.map_or(0.0, |region| region.corners[1].0)
-            - first.map_or(0.0, |region| region.corners[0].0)
-    };
-    let run = runs
-        .filter(|run| run.len() > 1)
-        .max_by(|a, b| width(a).total_cmp(&width(b)))?;
-    let [(x0, a), (x1, b), (_, c), (_, d)] = run[run.len() / 2].corners;
-    Some((0.5 * (x0 + x1), 0.25 * (a + b + c + d)))
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::boundary_table::Kind;
 
     pub(crate) fn station(x: f64, speed: Option<f64>) -> Station {
         let transition = speed.map(|speed| Transition {
@@ -126,13 +105,5 @@ pub(crate) mod tests {
         assert_eq!(vertical_range(&stations[1..], Some(25.0)), (0.0, 25.0));
         assert_eq!(vertical_range(&stations, None), (10.0, 14.0));
         assert_eq!(horizontal_range(&stations), (-1.05, 1.05));
-    }
-
-    #[test]
-    fn broadest_run_has_at_least_three_points() {
-        let run: Vec<Station> = (0..5).map(|i| station(i as f64, Some(12.0))).collect();
-        assert_eq!(broadest(&run, Kind::Unstable, 20.0), Some((2.5, 16.0)));
-        assert_eq!(broadest(&run[..2], Kind::Unstable, 20.0), None);
-        assert_eq!(broadest(&run, Kind::Bottomed, 20.0), None);
     }
 }

@@ -5,10 +5,10 @@
 //! ones, and the group (`zip`) of axes that move together.
 
 use crate::document::{Entry, Value};
-use crate::found::Found;
 use crate::input_error::InputError;
 use crate::levels::Levels;
 use crate::parameter::Parameter;
+use crate::section::Found;
 use crate::section::{Layer, Section};
 
 pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];

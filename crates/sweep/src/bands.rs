@@ -4,36 +4,34 @@
 //! between neighbouring landings of different class is narrowed down. Whatever third class that
 //! meets becomes a band of its own.
 
-use serde::{Deserialize, Serialize};
-use touchdown_dynamics::outcome::{Class, Outcome};
-
 use crate::at_once::at_once;
-use crate::boundary::{Boundary, Search};
+pub use crate::boundary::Band;
+
+use crate::boundary::Boundary;
 use crate::certainty::{Certainty, Variation};
 use crate::hidden;
 use crate::looks::Looks;
 use crate::loose_scan::Scanned;
+use crate::search_range::{Extent, Search};
 use crate::spared::Spared;
 use crate::trial::{Sample, Trial};
 
-/// A range of speeds in which landings end alike.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Band {
-    /// Lower end, ft/s: the middle of the bracket below, or the lowest speed searched.
-    pub from: f64,
-    /// Upper end, ft/s: the middle of the bracket above, or the highest speed searched.
-    pub to: f64,
-    /// How landings end in it.
-    pub class: Class,
-    /// How the computed landing nearest to the middle of the band ended.
-    pub outcome: Outcome,
-    /// Width of the bracket of the upper transition, ft/s; `None` at the end of the range.
-    pub bracket_width: Option<f64>,
-    /// How well the upper transition is determined.
-    pub certainty: Certainty,
-}
-
 impl Search {
+    /// Searches as much of the range as [`Search::extent`] says with `land`, which lands at a given
+    /// horizontal speed with a variation. Asks for several landings at a time where all of them are needed.
+    ///
+    /// # Errors
+    /// Only what `land` gives up with, at once.
+    pub async fn boundary<Stop>(
+        &self,
+        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Boundary, Stop> {
+        match self.extent {
+            Extent::First => self.first_transition(land).await,
+            Extent::All => self.all_bands(land).await,
+        }
+    }
+
     /// Searches all bands with `land`, which lands at a given horizontal speed with a variation. The
     /// first transition is the one that [`Search::first_transition`] finds, unless a hidden band lies
     /// below it.

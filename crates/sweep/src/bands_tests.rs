@@ -10,6 +10,7 @@ use std::cell::Cell;
 use std::convert::Infallible;
 use std::task::Poll;
 use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::outcome::Outcome;
 
 const SEARCH: Search = Search {
     from: 0.0,

@@ -1,54 +1,30 @@
-//! The first speed at which a lander does no longer land stably.
-//!
-//! Outcomes can re-enter: above the speed at which a lander topples it may be stable again. A
-//! bisection over the whole range could then settle on any of the changes, so the range is
-//! scanned upward in steps first and only the step in which the outcome changes is narrowed down.
-
-use std::cell::Cell;
+//! What a search for a boundary finds: the first transition, all bands, and what that cost.
 
 use serde::{Deserialize, Serialize};
-use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::outcome::{Class, Outcome};
 
-use crate::bands::Band;
-use crate::certainty::{self, Certainty, Doubt, Variation};
+pub use crate::search_range::{Extent, Search};
+
+use crate::certainty::Certainty;
 use crate::looks::Looks;
-use crate::loose_scan::Scanned;
-use crate::refine::{Narrowed, Narrowing, Refinement};
-use crate::scan::Scan;
 use crate::spared::Spared;
-use crate::trial::{Sample, Trial};
+use crate::trial::{Sample, first_unstable};
 
-/// Where to search, ft/s, and how closely.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Search {
-    /// Lowest speed, ft/s.
+/// A range of speeds in which landings end alike.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Band {
+    /// Lower end, ft/s: the middle of the bracket below, or the lowest speed searched.
     pub from: f64,
-    /// Highest speed, ft/s.
+    /// Upper end, ft/s: the middle of the bracket above, or the highest speed searched.
     pub to: f64,
-    /// Step of the scan, ft/s.
-    pub scan_step: f64,
-    /// Greatest width of the final bracket, ft/s.
-    pub tolerance: f64,
-    /// How much of the range is searched.
-    pub extent: Extent,
-    /// How it is scanned.
-    pub scan: Scan,
-    /// What the solver's tolerance is multiplied by for the scan.
-    pub scan_looseness: f64,
-    /// How brackets are narrowed.
-    pub refinement: Refinement,
-    /// Which transitions are put to the test.
-    pub doubt: Doubt,
-}
-
-/// How much of the range of speeds a search goes through.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Extent {
-    /// Up to the first transition.
-    #[default]
-    First,
-    /// All of it: every band between transitions.
-    All,
+    /// How landings end in it.
+    pub class: Class,
+    /// How the computed landing nearest to the middle of the band ended.
+    pub outcome: Outcome,
+    /// Width of the bracket of the upper transition, ft/s; `None` at the end of the range.
+    pub bracket_width: Option<f64>,
+    /// How well the upper transition is determined.
+    pub certainty: Certainty,
 }
 
 /// The first change away from a stable landing.
@@ -91,130 +67,14 @@ pub struct Boundary {
     pub evaluations: u64,
 }
 
-impl Search {
-    /// Number of speeds in the scan.
-    pub fn scan_count(&self) -> u64 {
-        ((self.to - self.from) / self.scan_step - 1e-9).ceil() as u64 + 1
-    }
-
-    /// The `index`-th speed of the scan, ft/s: full steps from below, and the upper end.
-    pub fn scan_speed(&self, index: u64) -> f64 {
-        (self.from + index as f64 * self.scan_step).min(self.to)
-    }
-
-    /// Landings that one search is expected to take at most.
-    pub fn most_landings(&self) -> u64 {
-        let halvings = libm::log2(self.scan_step / self.tolerance).ceil().max(0.0);
-        self.scan_count() + halvings as u64
-    }
-
-    /// Searches as much of the range as [`Search::extent`] says with `land`, which lands at a given
-    /// horizontal speed with a variation. Asks for several landings at a time where all of them are needed.
-    ///
-    /// # Errors
-    /// Only what `land` gives up with, at once.
-    pub async fn boundary<Stop>(
-        &self,
-        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Boundary, Stop> {
-        match self.extent {
-            Extent::First => self.first_transition(land).await,
-            Extent::All => self.all_bands(land).await,
-        }
-    }
-
-    /// Searches the first transition with `land`, which lands at a given horizontal speed with a
-    /// variation.
-    ///
-    /// # Errors
-    /// Only what `land` gives up with, at once.
-    pub async fn first_transition<Stop>(
-        &self,
-        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Boundary, Stop> {
-        let Scanned {
-            mut samples,
-            spent: replaced,
-            loose,
-        } = self.confirmed_scan(true, &land).await?;
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::Given)).await;
-        let left_out = self.left_out(true, &samples);
-        let mut narrowed = Narrowed::default();
-        if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
-            let (low, high) = (&samples[index - 1], &samples[index]);
-            narrowed = self.narrowing(false).between(low, high, &sample).await?;
-            samples.append(&mut narrowed.samples);
-            samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-        }
-        let mut boundary = Boundary::of(&samples);
-        if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
-            let ends = [&samples[index - 1], &samples[index]];
-            let tested = self.tested(ends, &land).await?;
-            boundary.count(&tested);
-            if let Some(found) = &mut boundary.transition {
-                found.certainty = tested.certainty;
-            }
-        }
-        boundary.looks.gaps = narrowed.looks;
-        boundary.spared += Spared {
-            left_out,
-            loose,
-            replaced: replaced[0],
-            interpolated: narrowed.interpolated,
-            untested: 0,
-        };
-        boundary.landings += narrowed.spent[0] + replaced[0];
-        boundary.evaluations += narrowed.spent[1] + replaced[1];
-        Ok(boundary)
-    }
-
-    /// Puts a change to the test.
-    pub(crate) async fn tested<Stop>(
-        &self,
-        ends: [&Sample; 2],
-        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Tested, Stop> {
-        let spent = Cell::new([0, 0]);
-        let counted = async |speed, variation| {
-            let trial = land(speed, variation).await?;
-            let [landings, evaluations] = spent.get();
-            spent.set([landings + 1, evaluations + trial.evaluations]);
-            Ok(trial)
-        };
-        let certainty = certainty::test(self.doubt, ends, self.scan_step, &counted).await?;
-        let [landings, evaluations] = spent.get();
-        Ok(Tested {
-            certainty,
-            is_spared: self.doubt == Doubt::Doubtful && landings == 0,
-            landings,
-            evaluations,
-        })
-    }
-
-    pub(crate) fn narrowing(&self, to_all: bool) -> Narrowing {
-        Narrowing {
-            refinement: self.refinement,
-            tolerance: self.tolerance,
-            to_all,
-        }
-    }
-
-    /// Number of steps of the scan below a speed of it.
-    pub(crate) fn steps_to(&self, speed: f64) -> u64 {
-        ((speed - self.from) / self.scan_step - 1e-9)
-            .ceil()
-            .max(0.0) as u64
-    }
-}
-
 /// A change that was put to the test.
 pub(crate) struct Tested {
     /// What came of it.
     pub(crate) certainty: Certainty,
     /// Whether its margins told that there was no need to.
-    is_spared: bool,
-    landings: u64,
-    evaluations: u64,
+    pub(crate) is_spared: bool,
+    pub(crate) landings: u64,
+    pub(crate) evaluations: u64,
 }
 
 impl Boundary {
@@ -242,14 +102,3 @@ impl Boundary {
         }
     }
 }
-
-/// Index of the first landing that is not stable.
-pub(crate) fn first_unstable(samples: &[Sample]) -> Option<usize> {
-    samples
-        .iter()
-        .position(|sample| sample.class() != Class::Stable)
-}
-
-#[cfg(test)]
-#[path = "boundary_tests.rs"]
-pub(crate) mod tests;

@@ -14,7 +14,7 @@ use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
 use crate::section::Section;
-use crate::sweep_file::{Job, SWEEP, Sweep};
+use crate::sweep::{Job, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input, vehicle_file};
 
@@ -55,6 +55,24 @@ impl fmt::Display for CaseFault {
 }
 
 impl Sweep {
+    /// Whether the sensitivities that are asked for can be.
+    pub(crate) fn check_sensitivity(&self) -> Result<(), InputError> {
+        let refuse =
+            |complaint: String| Err(InputError::other(complaint).at(self.document.place()));
+        if !self.sensitivity.is_empty() && self.search().is_none() {
+            return refuse("sensitivity: says nothing where job = \"outcome\"".to_owned());
+        }
+        let valueless = |parameter: &&Parameter| self.value(0, parameter).is_none();
+        match self.sensitivity.iter().find(valueless) {
+            Some(parameter) => refuse(format!(
+                "sensitivity to {}: it has no value here: allowed are numbers that the sweep or the \
+                 vehicle file gives",
+                parameter.name()
+            )),
+            None => Ok(()),
+        }
+    }
+
     /// The input of a point.
     ///
     /// # Errors

@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::input_error::{InputError, Place};
 use crate::key_path::KeyPath;
-use crate::library::Source;
+use crate::source::Source;
 
 /// A file and what it says.
 #[derive(Debug, Clone)]

@@ -10,9 +10,10 @@ use touchdown_dynamics::model_version::MODEL_VERSION;
 
 use crate::case::CaseFault;
 use crate::input_error::InputError;
-use crate::instead::{Given, Instead};
+use crate::instead::Instead;
 use crate::library::{Library, Source};
 use crate::shard::Shard;
+use crate::sweep::Given;
 use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 

@@ -3,7 +3,7 @@
 use crate::sensitivity::input::SENSITIVITY;
 use crate::{
     axis_input, cases, method_input, sample_input, scene_file, scene_input, search_input,
-    settings_input, sweep_file, vehicle_file,
+    settings_input, sweep, vehicle_file,
 };
 
 /// A table of an input file and the keys that it may have.
@@ -43,7 +43,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("vehicle.block", &vehicle_file::BLOCK),
         table("vehicle.profile", &vehicle_file::PRESSURE),
         table("vehicle.legs", &vehicle_file::LEG),
-        table("sweep", &sweep_file::SWEEP),
+        table("sweep", &sweep::SWEEP),
         table("scene", &scene_input::NAMES),
         table("axis", &axis_input::FORM),
         table("sample", &sample_input::SAMPLE),

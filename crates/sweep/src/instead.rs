@@ -1,9 +1,5 @@
 //! What holds instead of what a sweep file says, for one study more than it tells.
 
-use std::path::PathBuf;
-
-use serde::{Deserialize, Serialize};
-
 use crate::case;
 use crate::document::Value;
 use crate::input_error::InputError;
@@ -11,7 +7,7 @@ use crate::key_path::KeyPath;
 use crate::parameter::Home;
 use crate::section::Section;
 use crate::sensitivity::input;
-use crate::sweep_file::{Job, SWEEP, Sweep};
+use crate::sweep::{Given, Job, SWEEP, Sweep};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
@@ -25,15 +21,6 @@ pub struct Instead {
     pub words: Vec<(String, String)>,
     /// Parameters on which the transition's dependence is asked; the file's where there are none.
     pub sensitivity: Vec<String>,
-}
-
-/// What was given instead, by the names of files and words.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Given {
-    pub(crate) vehicle: Option<PathBuf>,
-    pub(crate) words: Vec<(String, String)>,
-    #[serde(default)]
-    pub(crate) sensitivity: Vec<String>,
 }
 
 impl Sweep {

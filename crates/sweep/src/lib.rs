@@ -2,7 +2,7 @@
 //!
 //! | step | modules |
 //! |---|---|
-//! | read what was asked | [`document`], [`section`], [`found`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`scene_file`], [`instead`], [`cases`], [`deck`], [`input_keys`] |
+//! | read what was asked | [`document`], [`section`], [`vehicle_file`], [`scene_input`], [`settings_input`], [`method_input`], [`sweep_file`], [`scene_file`], [`instead`], [`cases`], [`deck`], [`input_keys`] |
 //! | what varies, and the input of every point | [`parameter`], [`levels`], [`grid`], [`distribution`], [`sample`], [`design`], [`case`] |
 //! | find where the lander begins to topple | [`trial`], [`boundary`], [`bands`], [`scan`], [`refine`], [`lattice`], [`hidden`], [`looks`], [`certainty`], [`spared`] |
 //! | how much its place depends on the input | [`sensitivity`] |
@@ -31,7 +31,7 @@ pub mod distribution;
 pub mod document;
 mod exchange;
 pub mod findings;
-pub mod found;
+pub mod first_transition;
 pub mod grid;
 pub mod header;
 pub mod hidden;
@@ -65,11 +65,14 @@ pub mod scan;
 pub mod scene_file;
 pub mod scene_input;
 mod search_input;
+pub mod search_range;
 pub mod section;
 pub mod sensitivity;
 pub mod settings_input;
 pub mod shard;
+pub mod source;
 pub mod spared;
+pub mod sweep;
 pub mod sweep_file;
 pub mod tables;
 pub mod tally;

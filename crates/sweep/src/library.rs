@@ -1,21 +1,12 @@
 //! Where the text of input files comes from: the disk, or a copy that was kept of it.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use serde::{Deserialize, Serialize};
+pub use crate::source::Source;
 
 use crate::document::Document;
 use crate::input_error::{InputError, Place};
-
-/// A file word for word.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Source {
-    /// Its path, as it was given or follows from a file that names it.
-    pub path: PathBuf,
-    /// What it says.
-    pub text: String,
-}
 
 /// Where files are read.
 #[derive(Debug, Clone, Copy)]

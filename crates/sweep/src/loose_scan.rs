@@ -8,8 +8,8 @@
 use touchdown_dynamics::outcome::Class;
 
 use crate::at_once::at_once;
-use crate::boundary::Search;
 use crate::certainty::Variation;
+use crate::search_range::Search;
 use crate::trial::{Sample, Trial};
 
 /// A scan whose changes hold at the solver's tolerance.
@@ -97,8 +97,8 @@ mod tests {
     use std::convert::Infallible;
 
     use super::*;
-    use crate::boundary::tests::SEARCH;
     use crate::boundary::{Boundary, Extent};
+    use crate::first_transition::tests::SEARCH;
     use futures::executor::block_on;
 
     const LOOSE: Search = Search {

@@ -83,8 +83,9 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
     ]
 }
 
-/// The record of a sweep: all of its input with defaults filled in, counts and circumstances.
-pub fn record(sweep: &Sweep, tally: &Tally, circumstances: Circumstances) -> Value {
+/// The record of a sweep: all of its input with defaults filled in, the program's version, and counts. The same for
+/// every run: neither times nor threads.
+pub fn record(sweep: &Sweep, tally: &Tally, version: &str) -> Value {
     let mut input = json!({
         "sweep_file": sweep.path.display().to_string(),
         "vehicle_file": sweep.vehicle.document.path().display().to_string(),
@@ -95,7 +96,7 @@ pub fn record(sweep: &Sweep, tally: &Tally, circumstances: Circumstances) -> Val
     json!({
         "title": sweep.title,
         "statement": sweep.statement,
-        "program": { "name": "touchdown", "version": circumstances.version },
+        "program": { "name": "touchdown", "version": version },
         "input": input,
         "counts": {
             "points": tally.points,
@@ -114,8 +115,6 @@ pub fn record(sweep: &Sweep, tally: &Tally, circumstances: Circumstances) -> Val
             "hidden_bands_found": tally.looks.all().finds,
             "outcomes": outcomes(tally),
         },
-        "threads": circumstances.threads,
-        "wall_time_s": circumstances.wall_time,
     })
 }
 
@@ -194,16 +193,11 @@ mod tests {
     #[test]
     fn record_holds_the_resolved_input() {
         let (sweep, boundaries) = example();
-        let circumstances = Circumstances {
-            version: "1.2.3",
-            threads: Some(2),
-            wall_time: Some(0.5),
-        };
         let mut tally = Tally::default();
         for (point, boundary) in boundaries.iter().enumerate() {
             tally.add(&sweep, point, &Finding::Boundary(boundary.clone()));
         }
-        let record = record(&sweep, &tally, circumstances);
+        let record = record(&sweep, &tally, "1.2.3");
         assert_eq!(record["program"]["version"], "1.2.3");
         assert_eq!(record["input"]["scene"]["block_friction"], 1.0);
         assert_eq!(record["input"]["scene"].get("roll_deg"), None);

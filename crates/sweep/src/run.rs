@@ -36,6 +36,10 @@ use crate::trial::{Scales, Trial};
 /// time.
 const SEARCHES: usize = 16;
 
+/// Threads that are allowed for each core, and however few cores there are: more only slow a run down.
+const THREADS_PER_CORE: usize = 4;
+const LEAST_THREAD_LIMIT: usize = 16;
+
 /// Whoever wants to know how far a run is. Called from all threads.
 pub trait Observer: Sync {
     /// A point of the grid, by its number, is about to be computed, beside others.
@@ -63,6 +67,13 @@ pub enum RunError {
     },
     /// Results could not be kept.
     Journal(JournalError),
+    /// More threads were asked for than a machine with so many cores is allowed.
+    TooManyThreads {
+        /// Threads asked for.
+        asked: usize,
+        /// The most that are allowed.
+        most: usize,
+    },
     /// The threads could not be started.
     Threads(rayon::ThreadPoolBuildError),
 }
@@ -75,6 +86,10 @@ impl fmt::Display for RunError {
                 write!(f, "the point {place} has no valid input: {fault}")
             }
             Self::Journal(error) => error.fmt(f),
+            Self::TooManyThreads { asked, most } => write!(
+                f,
+                "threads = {asked}: allowed are 1 to {most} on this machine; results do not depend on them"
+            ),
             Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
         }
     }
@@ -92,8 +107,15 @@ impl Workers {
     /// Starts `threads` threads, or one for each core.
     ///
     /// # Errors
-    /// When the system does not let them start.
+    /// When they are more than four a core, and more than 16, or the system does not let them start.
     pub fn start(threads: Option<NonZeroUsize>) -> Result<Self, RunError> {
+        let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+        let most = LEAST_THREAD_LIMIT.max(THREADS_PER_CORE * cores);
+        if let Some(asked) = threads.map(NonZeroUsize::get)
+            && asked > most
+        {
+            return Err(RunError::TooManyThreads { asked, most });
+        }
         rayon::ThreadPoolBuilder::new()
             // Zero lets rayon count the cores.
             .num_threads(threads.map_or(0, NonZeroUsize::get))

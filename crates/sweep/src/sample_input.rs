@@ -8,10 +8,10 @@ use std::path::Path;
 
 use crate::axis_input::{AxisEntry, is_logarithmic, only};
 use crate::distribution::Distribution;
-use crate::found::Found;
 use crate::input_error::{InputError, Place};
 use crate::library::{Library, Source};
 use crate::sample::{Sample, SampledAxis, Spread};
+use crate::section::Found;
 use crate::section::Section;
 
 pub(crate) const SAMPLE: [&str; 4] = ["design", "count", "seed", "stop_at_interval_width"];

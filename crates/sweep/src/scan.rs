@@ -27,18 +27,11 @@ use futures::future::try_join;
 use touchdown_dynamics::outcome::Class;
 
 use crate::at_once::at_once;
-use crate::boundary::{Search, first_unstable};
-use crate::trial::Sample;
+pub use crate::search_range::Scan;
 
-/// How the range is scanned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Scan {
-    /// At every step.
-    #[default]
-    Full,
-    /// At every step but between quiet landings.
-    Skipping,
-}
+use crate::search_range::Search;
+use crate::trial::Sample;
+use crate::trial::first_unstable;
 
 /// Free-fall times after which a landing has not ended soon.
 const SOON: f64 = 1.4;

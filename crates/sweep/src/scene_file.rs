@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 use touchdown_dynamics::scene::{Scene, Settings};
 
 use crate::document::{Document, Value};
-use crate::found::Found;
 use crate::input_error::{InputError, Place};
 use crate::library::Library;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{NAMES, NamedConditions, SceneFault};
+use crate::section::Found;
 use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::{locate_condition, named_vehicle};

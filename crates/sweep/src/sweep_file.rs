@@ -1,81 +1,25 @@
 //! Sweep files: which vehicle, which conditions are fixed, which vary, and where to search.
 
-use std::path::{Path, PathBuf};
-
-use touchdown_dynamics::scene::Settings;
+use std::path::Path;
 
 use crate::axis_input::{self, AxisEntry};
-use crate::boundary::Search;
+pub use crate::sweep::{Job, Sweep};
+
 use crate::case::CaseFault;
 use crate::design::Design;
 use crate::document::Document;
-use crate::found::Found;
 use crate::grid::{Grid, GridFault};
 use crate::input_error::InputError;
-use crate::instead::Given;
-use crate::library::{Library, Source};
+use crate::library::Library;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
+use crate::section::Found;
 use crate::section::Section;
 use crate::sensitivity::input;
+use crate::sweep::{Given, SWEEP};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{case, sample_input, search_input, settings_input};
-
-/// Keys of a sweep file.
-pub(crate) const SWEEP: [&str; 10] = [
-    "title",
-    "statement",
-    "job",
-    "vehicle",
-    "scene",
-    "axes",
-    "sample",
-    "search",
-    "sensitivity",
-    "solver",
-];
-
-/// What a sweep asks at every point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Job {
-    /// From which horizontal velocity on landings are no longer stable.
-    Boundary(Search),
-    /// How one landing ends.
-    Outcome {
-        /// Width of the intervals of the probabilities at which enough is known.
-        enough: Option<f64>,
-    },
-}
-
-/// Everything that determines the result of a sweep.
-#[derive(Debug, Clone)]
-pub struct Sweep {
-    /// The sweep file.
-    pub path: PathBuf,
-    /// What the sweep is about, in the words of its file.
-    pub title: String,
-    /// What was said before of what the sweep shows, for its picture to stand against.
-    pub statement: Option<String>,
-    /// The vehicle; what varies of it has its first value.
-    pub vehicle: VehicleFile,
-    /// Conditions that do not vary.
-    pub fixed: NamedConditions,
-    /// What varies, one parameter for each axis.
-    pub axes: Vec<Parameter>,
-    /// The values over which it varies.
-    pub design: Design,
-    /// What is asked at every point; what varies of it has its first value.
-    pub job: Job,
-    /// How landings are computed; what varies of it has its first value.
-    pub settings: Settings,
-    /// Parameters on which the first transition's dependence is asked.
-    pub sensitivity: Vec<Parameter>,
-    /// The files that were read.
-    pub(crate) sources: Vec<Source>,
-    pub(crate) instead: Given,
-    pub(crate) document: Document,
-}
 
 impl Sweep {
     /// Reads a sweep file and the vehicle file that it names, and checks all of both.
@@ -153,61 +97,6 @@ impl Sweep {
         }
         sweep.check_sensitivity()?;
         Ok(sweep)
-    }
-
-    /// Name of the file without folder and ending: results are named after it.
-    pub fn stem(&self) -> String {
-        let stem = self.path.file_stem().unwrap_or(self.path.as_os_str());
-        stem.to_string_lossy().into_owned()
-    }
-
-    /// Whether the sensitivities that are asked for can be.
-    pub(crate) fn check_sensitivity(&self) -> Result<(), InputError> {
-        let refuse =
-            |complaint: String| Err(InputError::other(complaint).at(self.document.place()));
-        if !self.sensitivity.is_empty() && self.search().is_none() {
-            return refuse("sensitivity: says nothing where job = \"outcome\"".to_owned());
-        }
-        let valueless = |parameter: &&Parameter| self.value(0, parameter).is_none();
-        match self.sensitivity.iter().find(valueless) {
-            Some(parameter) => refuse(format!(
-                "sensitivity to {}: it has no value here: allowed are numbers that the sweep or the \
-                 vehicle file gives",
-                parameter.name()
-            )),
-            None => Ok(()),
-        }
-    }
-
-    /// Where to search, if that is what the sweep asks.
-    pub fn search(&self) -> Option<&Search> {
-        match &self.job {
-            Job::Boundary(search) => Some(search),
-            Job::Outcome { .. } => None,
-        }
-    }
-
-    /// Heading of a table of results: the axes, then `columns`.
-    pub fn heading(&self, columns: impl IntoIterator<Item: Into<String>>) -> Vec<String> {
-        let axes = self.axes.iter().map(|axis| axis.name().to_owned());
-        axes.chain(columns.into_iter().map(Into::into)).collect()
-    }
-
-    /// The coordinates of a point as results write them.
-    pub fn coordinates_written(&self, point: usize) -> Vec<String> {
-        let coordinates = self.design.coordinates(point);
-        let varied = self.axes.iter().zip(coordinates);
-        varied.map(|(axis, value)| axis.written(value)).collect()
-    }
-
-    /// The coordinates of a point in words.
-    pub fn place(&self, point: usize) -> String {
-        let written = self.coordinates_written(point);
-        let varied = self.axes.iter().zip(written);
-        let equations: Vec<String> = varied
-            .map(|(axis, value)| format!("{} = {value}", axis.name()))
-            .collect();
-        equations.join(", ")
     }
 }
 

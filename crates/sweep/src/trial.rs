@@ -151,6 +151,13 @@ pub fn margin_jumps(low: &Sample, high: &Sample) -> bool {
     }
 }
 
+/// Index of the first landing that is not stable.
+pub(crate) fn first_unstable(samples: &[Sample]) -> Option<usize> {
+    samples
+        .iter()
+        .position(|sample| sample.class() != Class::Stable)
+}
+
 #[cfg(test)]
 impl Trial {
     /// A landing that ended in a class somehow.

@@ -8,14 +8,15 @@ use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
-use crate::land::{Options, place_of};
+use crate::land_files::place_of;
 use crate::progress::Progress;
 use crate::say::say;
 use crate::{interrupt, summary};
 
 /// Lands all cases and writes their results to `out`.
 pub fn run(
-    options: &Options,
+    workers: &Workers,
+    quiet: bool,
     vehicle: &VehicleFile,
     settings: &Settings,
     table: &Path,
@@ -24,9 +25,8 @@ pub fn run(
     let cases = cases::read(table, vehicle)?;
     let (folder, name) = place_of(out)?;
     let cancel = interrupt::flag()?;
-    let workers = Workers::start(options.threads)?;
 
-    let progress = Progress::start("cases", cases.scenes.len(), options.quiet);
+    let progress = Progress::start("cases", cases.scenes.len(), quiet);
     let landings = workers.cases(
         |case| cases.vehicle(case),
         &cases.scenes,
@@ -39,7 +39,7 @@ pub fn run(
 
     let results = cases::table(&cases.names, &landings).map_err(Failure::running)?;
     let files = folder.deposit(&[(name, results)])?;
-    if !options.quiet {
+    if !quiet {
         say(&summary::cases(
             &landings,
             wall_time,

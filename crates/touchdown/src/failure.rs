@@ -10,7 +10,8 @@ use touchdown_sweep::merge::MergeError;
 use touchdown_sweep::run::RunError;
 use touchdown_sweep::tables::TablesError;
 
-use crate::interrupt;
+/// Exit code after an interruption: 128 + SIGINT, as shells report it.
+pub const INTERRUPTED: u8 = 130;
 
 /// An end other than success.
 #[derive(Debug)]
@@ -29,7 +30,7 @@ impl Failure {
         ExitCode::from(match self {
             Self::Running(_) => 1,
             Self::Input(_) => 2,
-            Self::Interrupted(_) => interrupt::EXIT_CODE,
+            Self::Interrupted(_) => INTERRUPTED,
         })
     }
 

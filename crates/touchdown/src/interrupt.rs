@@ -9,12 +9,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, INTERRUPTED};
 
 /// Longest time from an interruption to the end of the program.
 const PATIENCE: Duration = Duration::from_millis(1700);
-/// 128 + SIGINT, as shells report it.
-pub const EXIT_CODE: u8 = 130;
 
 /// A flag that becomes true when the user interrupts.
 pub fn flag() -> Result<Arc<AtomicBool>, Failure> {
@@ -22,14 +20,14 @@ pub fn flag() -> Result<Arc<AtomicBool>, Failure> {
     let raised = Arc::clone(&cancel);
     ctrlc::set_handler(move || {
         if raised.swap(true, Ordering::Relaxed) {
-            std::process::exit(EXIT_CODE.into());
+            std::process::exit(INTERRUPTED.into());
         }
         thread::spawn(|| {
             thread::sleep(PATIENCE);
             eprintln!(
                 "touchdown: interrupted in the middle of a landing; what is finished is kept"
             );
-            std::process::exit(EXIT_CODE.into());
+            std::process::exit(INTERRUPTED.into());
         });
     })
     .map_err(Failure::running)?;

@@ -2,26 +2,24 @@
 //! file.
 
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::deposit::Folder;
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
+use crate::land_files::{interval, place_of};
 use crate::say::say;
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
 use crate::{cases, report, scene_cases};
-
-/// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
-const LONGEST_HISTORY: f64 = 1e7;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -133,7 +131,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     };
     let vehicle = VehicleFile::read(vehicle)?;
     match (&options.cases, &options.out) {
-        (Some(cases), Some(out)) => cases::run(options, &vehicle, &settings, cases, out),
+        (Some(cases), Some(out)) => {
+            let workers = Workers::start(options.threads)?;
+            cases::run(&workers, options.quiet, &vehicle, &settings, cases, out)
+        }
         (None, Some(_)) => {
             let complaint = "--out says nothing without --cases or a scene file";
             Err(InputError::other(complaint).into())
@@ -182,22 +183,4 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
         ))),
         _ => Ok(()),
     }
-}
-
-/// Checks the time between the rows of a history, s.
-pub fn interval(seconds: f64, time_limit: f64) -> Result<f64, InputError> {
-    let least = time_limit / LONGEST_HISTORY;
-    if seconds >= least && seconds > 0.0 {
-        Ok(seconds)
-    } else {
-        let allowed = format!("a time from {least:e} s, a ten-millionth of the time limit, up");
-        Err(InputError::value("--interval", seconds, &allowed))
-    }
-}
-
-/// Folder, checked to be writable, and name of a file that will be written.
-pub fn place_of(file: &Path) -> Result<(Folder, String), InputError> {
-    let folder = Folder::of(file)?;
-    let name = file.file_name().unwrap_or(file.as_os_str());
-    Ok((folder, name.to_string_lossy().into_owned()))
 }

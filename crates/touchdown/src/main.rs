@@ -11,6 +11,7 @@ mod integration_report;
 mod interrupt;
 mod journal_files;
 mod land;
+mod land_files;
 mod least;
 mod merge;
 mod overrides;

@@ -10,7 +10,7 @@ use touchdown_sweep::scene_file::{self, SceneCase};
 use touchdown_sweep::{cases, method_input::method_words};
 
 use crate::failure::Failure;
-use crate::land::interval;
+use crate::land_files::interval;
 use crate::report::degrees;
 use crate::say::say;
 use crate::summary;

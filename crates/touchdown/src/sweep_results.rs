@@ -48,7 +48,7 @@ pub fn write(
     format: Format,
 ) -> Result<Written, Failure> {
     let tables = Tables::write(sweep, results, folder, format == Format::Parquet)?;
-    let record = results::record(sweep, &tables.tally, circumstances);
+    let record = results::record(sweep, &tables.tally, circumstances.version);
     let record = format!("{record:#}\n");
 
     let mut files = pictures(sweep, &tables, &record)?;

@@ -3,10 +3,10 @@
 use arrayvec::ArrayVec;
 
 use super::history::History;
-use super::strut_peaks::StrutPeaks;
 use super::ranges::{SignalRanges, Watches};
 use super::step_attempt::Evaluate;
 use super::stiffness::Stiffness;
+use super::strut_peaks::StrutPeaks;
 use super::trail::Trail;
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;

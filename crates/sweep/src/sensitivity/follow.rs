@@ -2,9 +2,9 @@
 
 use touchdown_dynamics::outcome::Class;
 
-use crate::boundary::first_unstable;
 use crate::refine::{Narrowing, Refinement};
 use crate::trial::Sample;
+use crate::trial::first_unstable;
 
 /// Where a transition is looked for; speeds in ft/s.
 #[derive(Debug, Clone, Copy)]

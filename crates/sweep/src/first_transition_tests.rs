@@ -1,7 +1,10 @@
 use super::*;
 use crate::certainty::LEAST_LANDINGS;
+use crate::refine::Refinement;
+use crate::search_range::{Extent, Scan};
 use futures::executor::block_on;
 use std::convert::Infallible;
+use touchdown_dynamics::outcome::Class;
 
 pub(crate) const SEARCH: Search = Search {
     from: 0.0,

@@ -1,0 +1,27 @@
+//! The files that `land` writes: where they go, and how long a history may be.
+
+use std::path::Path;
+
+use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::input_error::InputError;
+
+/// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
+const LONGEST_HISTORY: f64 = 1e7;
+
+/// Checks the time between the rows of a history, s.
+pub fn interval(seconds: f64, time_limit: f64) -> Result<f64, InputError> {
+    let least = time_limit / LONGEST_HISTORY;
+    if seconds >= least && seconds > 0.0 {
+        Ok(seconds)
+    } else {
+        let allowed = format!("a time from {least:e} s, a ten-millionth of the time limit, up");
+        Err(InputError::value("--interval", seconds, &allowed))
+    }
+}
+
+/// Folder, checked to be writable, and name of a file that will be written.
+pub fn place_of(file: &Path) -> Result<(Folder, String), InputError> {
+    let folder = Folder::of(file)?;
+    let name = file.file_name().unwrap_or(file.as_os_str());
+    Ok((folder, name.to_string_lossy().into_owned()))
+}
