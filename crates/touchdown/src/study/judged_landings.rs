@@ -46,7 +46,7 @@ pub fn azimuth_112(vehicle: &Vehicle) -> Result<Answer, Failure> {
         verdict: Verdict::of(&[plus.landing.outcome.class() == Class::Unstable]),
         why: "at +112.5 it topples from 11.1 ft/s only; the printed pitch lies between those of \
               +112.5 and −112.5, and the report's tolerance calls 1 in 5 such runs unstable \
-              (`model.md` 9)",
+              (chapter 9 of [the model](../docs/model.md))",
     })
 }
 

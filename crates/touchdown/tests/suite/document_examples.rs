@@ -19,9 +19,6 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-/// Commands that some builds do not have yet.
-const OPTIONAL: [&str; 3] = ["new", "completions", "man"];
-
 /// A fenced block of a page.
 struct Block {
     line: usize,
@@ -97,10 +94,6 @@ fn run(folder: &Path, arguments: &[String]) -> Result<String, String> {
     }
 }
 
-fn has_command(folder: &Path, name: &str) -> bool {
-    run(folder, &["help".to_owned(), name.to_owned()]).is_ok()
-}
-
 /// Whether a block is commands that are run, and one of them reads the file `name`.
 fn runs(block: &Block, name: &str) -> bool {
     block.info == ["sh", "run"] && block.text.split_whitespace().any(|word| word == name)
@@ -131,10 +124,6 @@ fn check(folder: &Path, block: &Block, page: &[Block]) -> Result<(), String> {
             .try_for_each(|command| run(folder, command).map(drop)),
         ["sh"] | ["sh", "other"] => {
             for mut command in commands(&block.text) {
-                let is_optional = OPTIONAL.contains(&command[0].as_str());
-                if is_optional && !has_command(folder, &command[0]) {
-                    continue;
-                }
                 command.push("--help".to_owned());
                 run(folder, &command)?;
             }
