@@ -17,6 +17,7 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use pulp::NullaryFnOnce;
 use touchdown_dynamics::land::land;
+use touchdown_dynamics::lanes::Lanes;
 use touchdown_dynamics::motion::{Motion, Pieces};
 use touchdown_dynamics::registers::Registers;
 #[cfg(target_arch = "x86_64")]
@@ -24,7 +25,6 @@ use touchdown_dynamics::registers::{Eight, Four};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
-use touchdown_dynamics::wide::Wide;
 
 /// V_H of the landings, ft/s.
 const SPEEDS: [f64; 3] = [10.0, 11.38, 12.5];
@@ -126,10 +126,10 @@ fn time_lanes<R: Registers, const N: usize>(bencher: Bencher, registers: Option<
 /// Derivatives in all lanes.
 #[cfg(target_arch = "x86_64")]
 struct Derive<'a, const N: usize>(
-    &'a Motion<Wide<N>>,
-    &'a Pieces<Wide<N>>,
-    &'a State<Wide<N>>,
-    &'a mut State<Wide<N>>,
+    &'a Motion<Lanes<N>>,
+    &'a Pieces<Lanes<N>>,
+    &'a State<Lanes<N>>,
+    &'a mut State<Lanes<N>>,
 );
 
 #[cfg(target_arch = "x86_64")]

@@ -14,7 +14,7 @@ use crate::motion::Motion;
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
 use crate::record::Landing;
-use crate::registers::{Baseline, Lanes};
+use crate::registers::{Baseline, Transpose};
 #[cfg(target_arch = "x86_64")]
 use crate::registers::{Eight, Four};
 use crate::scene::{Scene, Settings};
@@ -152,7 +152,7 @@ fn one_by_one(
     occupancy
 }
 
-fn in_batch<R: Lanes<N>, const N: usize>(
+fn in_batch<R: Transpose<N>, const N: usize>(
     registers: R,
     next: &mut dyn FnMut() -> Option<Request>,
     done: &mut dyn FnMut(usize, Landing),
@@ -207,8 +207,8 @@ impl<const N: usize> LaneGroup<N> {
 
     /// Gives free lanes to landings that wait.
     fn fill(&mut self) {
-        for (lane, place) in self.lanes.iter_mut().enumerate() {
-            if place.is_some() {
+        for (lane, buffer) in self.lanes.iter_mut().enumerate() {
+            if buffer.is_some() {
                 continue;
             }
             let Some(mut member) = self.waiting.pop() else {
@@ -216,7 +216,7 @@ impl<const N: usize> LaneGroup<N> {
             };
             self.steps.load(lane, &member.simulation);
             member.changes_seen = member.simulation.trajectory.changes;
-            *place = Some(member);
+            *buffer = Some(member);
         }
     }
 }
@@ -228,12 +228,12 @@ struct Batch<R, const N: usize> {
     under_way: usize,
     explicit: LaneGroup<N>,
     implicit: LaneGroup<N>,
-    /// Those that have ended, whose places others take.
+    /// Those that have ended, whose buffers others take.
     ended: Vec<Box<Member>>,
     occupancy: Occupancy,
 }
 
-impl<R: Lanes<N>, const N: usize> Batch<R, N> {
+impl<R: Transpose<N>, const N: usize> Batch<R, N> {
     /// A batch for landings such as this one; there are none in it yet.
     fn new(registers: R, first: &Request) -> Self {
         let motion = Motion::new(&first.vehicle, &first.scene);
@@ -272,9 +272,9 @@ impl<R: Lanes<N>, const N: usize> Batch<R, N> {
             changes_seen: PerLeg::same(self.legs, 0),
         };
         let member = match self.ended.pop() {
-            Some(mut place) => {
-                *place = member;
-                place
+            Some(mut buffer) => {
+                *buffer = member;
+                buffer
             }
             None => Box::new(member),
         };
@@ -298,7 +298,7 @@ impl<R: Lanes<N>, const N: usize> Batch<R, N> {
     /// Tells the result of a landing.
     fn end(&mut self, member: Box<Member>, outcome: Outcome, done: &mut dyn FnMut(usize, Landing)) {
         self.under_way -= 1;
-        done(member.key, member.simulation.conclude(outcome));
+        done(member.key, member.simulation.result(outcome));
         self.ended.push(member);
     }
 
@@ -374,6 +374,6 @@ impl<R: Lanes<N>, const N: usize> Batch<R, N> {
                 Err(outcome) => self.end(member, outcome, done),
             }
         }
-        self.group(kind).steps.go_on(registers, goes_on);
+        self.group(kind).steps.finish_step(registers, goes_on);
     }
 }

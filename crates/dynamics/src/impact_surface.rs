@@ -168,7 +168,7 @@ pub fn determine(
     let mut search = Search::new(vehicle, *approach, times)?;
     let guess = search.plane_of_free_flight()?;
     let tangent = search.refine(guess)?;
-    search.conclude(tangent)
+    search.result(tangent)
 }
 
 /// The search for the horizontal tangent (∂Z/∂X, ∂Z/∂Y with the sign of the inward normal).
@@ -388,7 +388,7 @@ impl<'a> Search<'a> {
         Ok(tangent)
     }
 
-    fn conclude(&mut self, tangent: Vector2<f64>) -> Result<ImpactSurface, NoSurface> {
+    fn result(&mut self, tangent: Vector2<f64>) -> Result<ImpactSurface, NoSurface> {
         let trial = self.land(&tangent)?;
         let (approach, way) = self.fly((self.times[self.first] - self.delay).max(0.0))?;
         let scene = self.scene(&approach, &tangent)?;

@@ -10,13 +10,13 @@ mod peaks;
 mod ranges;
 mod rates;
 pub mod record;
+mod signal_history;
 mod simulation;
 pub mod stability;
 mod step_attempt;
 mod stiffness;
 mod strut_peaks;
 pub mod touchdown;
-mod trail;
 mod trajectory;
 mod verdict;
 mod within;
@@ -47,5 +47,5 @@ pub fn land_located(
     let mut simulation = Simulation::new(vehicle, scene, settings, history);
     let outcome = simulation.run();
     simulation.report_end();
-    simulation.conclude(outcome)
+    simulation.result(outcome)
 }

@@ -22,7 +22,7 @@
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], [`signal`], [`outcome`] |
 //! | `design` | plain data of a lander | [`parts`], [`profile`], [`attitude`], [`rules`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
-//! | `numbers` | scalars, lanes, registers, one item a leg | [`scalar`], [`wide`], [`registers`], [`per_leg`], [`products`] |
+//! | `numbers` | scalars, lanes, registers, one item a leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], [`products`] |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
@@ -45,4 +45,4 @@ pub use equations::{kinematics, motion, response, state};
 pub use lander::{error_control, method, scene, settings, vehicle};
 pub use landing::{critical_feet, energy, record, stability, touchdown};
 pub use laws::{contact, crush, friction, hinge, leg_pieces, outcome, signal, strut};
-pub use numbers::{per_leg, products, registers, scalar, wide};
+pub use numbers::{lanes, per_leg, products, registers, scalar};

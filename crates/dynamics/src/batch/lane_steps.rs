@@ -4,43 +4,43 @@ use pulp::NullaryFnOnce;
 
 use crate::integrator::step::Step;
 use crate::landing::{Respond, Simulation, StepKind, TakeStep};
-use crate::motion::{Glance, Motion, Pieces};
-use crate::registers::{Lanes, Registers};
+use crate::lanes::Lanes;
+use crate::motion::{Motion, Pieces, Signals};
+use crate::registers::{Registers, Transpose};
 use crate::response::Response;
 use crate::state::State;
-use crate::wide::Wide;
 
 /// Steps of one kind, a lane for each landing.
 pub(super) struct LaneSteps<const N: usize> {
-    motion: Motion<Wide<N>>,
-    pieces: Pieces<Wide<N>>,
-    response: Response<Wide<N>>,
-    step: Step<Wide<N>, State<Wide<N>>>,
+    motion: Motion<Lanes<N>>,
+    pieces: Pieces<Lanes<N>>,
+    response: Response<Lanes<N>>,
+    step: Step<Lanes<N>, State<Lanes<N>>>,
     /// Overwritten by the stages of implicit steps.
-    stages: [State<Wide<N>>; 6],
-    length: Wide<N>,
-    /// Signals midway through implicit steps, and at the ends.
-    middle: Glance<Wide<N>>,
-    signals: Glance<Wide<N>>,
+    stages: [State<Lanes<N>>; 6],
+    length: Lanes<N>,
+    /// SignalValues midway through implicit steps, and at the ends.
+    middle: Signals<Lanes<N>>,
+    signals: Signals<Lanes<N>>,
     /// Rates (1/s) that no decay exceeds at the starts of implicit steps.
-    rate: Wide<N>,
+    rate: Lanes<N>,
     /// Estimated errors ([`Step::error`]).
-    errors: [Wide<N>; 2],
+    errors: [Lanes<N>; 2],
     /// Where the numbers of lanes go that hold no landing.
     idle: Box<[Idle; N]>,
 }
 
 struct Idle {
     step: Step<f64, State<f64>>,
-    signals: Glance<f64>,
-    middle: Glance<f64>,
+    signals: Signals<f64>,
+    middle: Signals<f64>,
 }
 
 impl<const N: usize> LaneSteps<N> {
     /// Lanes for landings such as this one; there are none in them yet.
     pub(super) fn new(motion: &Motion<f64>) -> Self {
         let legs = motion.leg_count();
-        let wide: Motion<Wide<N>> = motion.in_all_lanes();
+        let wide: Motion<Lanes<N>> = motion.in_all_lanes();
         let zero = State::zero(legs);
         Self {
             response: wide.response(),
@@ -48,15 +48,15 @@ impl<const N: usize> LaneSteps<N> {
             pieces: Pieces::absent(legs),
             step: Step::from(zero, zero),
             stages: [zero; 6],
-            length: Wide([0.0; N]),
-            middle: Glance::blank(legs),
-            signals: Glance::blank(legs),
-            rate: Wide([0.0; N]),
-            errors: [Wide([0.0; N]); 2],
+            length: Lanes([0.0; N]),
+            middle: Signals::blank(legs),
+            signals: Signals::blank(legs),
+            rate: Lanes([0.0; N]),
+            errors: [Lanes([0.0; N]); 2],
             idle: Box::new(std::array::from_fn(|_| Idle {
                 step: Step::from(State::zero(legs), State::zero(legs)),
-                signals: Glance::blank(legs),
-                middle: Glance::blank(legs),
+                signals: Signals::blank(legs),
+                middle: Signals::blank(legs),
             })),
         }
     }
@@ -124,7 +124,7 @@ impl<const N: usize> LaneSteps<N> {
     }
 
     /// Hands each landing its step.
-    pub(super) fn store<R: Lanes<N>>(
+    pub(super) fn store<R: Transpose<N>>(
         &mut self,
         registers: R,
         kind: StepKind,
@@ -139,7 +139,7 @@ impl<const N: usize> LaneSteps<N> {
     }
 
     /// Goes on to the ends of the steps in some lanes.
-    pub(super) fn go_on<R: Registers>(&mut self, registers: R, lanes: [bool; N]) {
+    pub(super) fn finish_step<R: Registers>(&mut self, registers: R, lanes: [bool; N]) {
         registers.dispatch(GoOn { steps: self, lanes });
     }
 }
@@ -147,8 +147,8 @@ impl<const N: usize> LaneSteps<N> {
 /// Where the numbers of a lane go.
 struct Place<'a> {
     step: &'a mut Step<f64, State<f64>>,
-    middle: &'a mut Glance<f64>,
-    signals: &'a mut Glance<f64>,
+    middle: &'a mut Signals<f64>,
+    signals: &'a mut Signals<f64>,
 }
 
 /// Hands each landing its step.
@@ -159,7 +159,7 @@ struct Store<'a, R, const N: usize> {
     landings: [Option<&'a mut Simulation<'static>>; N],
 }
 
-impl<R: Lanes<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
+impl<R: Transpose<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
     type Output = ();
 
     #[inline(always)]
@@ -171,8 +171,8 @@ impl<R: Lanes<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
             landings,
         } = self;
         let mut idle = steps.idle.iter_mut();
-        let mut places = landings.map(|landing| {
-            // There are as many idle places as lanes.
+        let mut buffers = landings.map(|landing| {
+            // There are as many idle buffers as lanes.
             let idle = idle.next();
             match (landing, idle) {
                 (Some(simulation), _) => {
@@ -180,7 +180,7 @@ impl<R: Lanes<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
                     Place {
                         step: &mut trajectory.step,
                         middle: &mut trajectory.middle,
-                        signals: trajectory.signals.ahead_mut(),
+                        signals: trajectory.signals.end_mut(),
                     }
                 }
                 (
@@ -195,26 +195,26 @@ impl<R: Lanes<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
                     middle,
                     signals,
                 },
-                (None, None) => unreachable!("an idle place for each lane"),
+                (None, None) => unreachable!("an idle buffer for each lane"),
             }
         });
         let Step { after, slopes, .. } = &steps.step;
         after.deal(
             registers,
-            places.each_mut().map(|place| &mut place.step.after),
+            buffers.each_mut().map(|buffer| &mut buffer.step.after),
         );
         for (k, slope) in slopes.iter().enumerate().skip(1) {
             slope.deal(
                 registers,
-                places.each_mut().map(|place| &mut place.step.slopes[k]),
+                buffers.each_mut().map(|buffer| &mut buffer.step.slopes[k]),
             );
         }
         if kind == StepKind::Implicit {
-            let glances = places.each_mut().map(|place| &mut *place.middle);
-            steps.middle.deal(registers, glances);
+            let signals = buffers.each_mut().map(|buffer| &mut *buffer.middle);
+            steps.middle.deal(registers, signals);
         }
-        let glances = places.each_mut().map(|place| &mut *place.signals);
-        steps.signals.deal(registers, glances);
+        let signals = buffers.each_mut().map(|buffer| &mut *buffer.signals);
+        steps.signals.deal(registers, signals);
     }
 }
 
@@ -229,7 +229,7 @@ impl<const N: usize> NullaryFnOnce for GoOn<'_, N> {
 
     #[inline(always)]
     fn call(self) {
-        let mut stays = Wide([1.0; N]);
+        let mut stays = Lanes([1.0; N]);
         for lane in 0..N {
             if self.lanes[lane] {
                 stays.0[lane] = 0.0;

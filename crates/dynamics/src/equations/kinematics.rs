@@ -9,12 +9,12 @@ mod plane;
 use libm::sincos;
 use nalgebra::{Matrix3, Vector3};
 
+use crate::lanes::per_lane;
 use crate::products::transposed_times;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, rotation};
 use crate::vehicle::Leg;
-use crate::wide::abreast;
 
 pub use plane::{PlaneDirection, PlanePoint};
 
@@ -35,7 +35,7 @@ pub struct BodyFrame<S> {
     pub upright: S,
 }
 
-abreast!(BodyFrame {
+per_lane!(BodyFrame {
     rotation,
     normal,
     velocity,
@@ -62,7 +62,7 @@ pub struct Surface<S> {
     cosine: S,
 }
 
-abreast!(Surface { sine, cosine });
+per_lane!(Surface { sine, cosine });
 
 impl<S: Real> Surface<S> {
     /// The surface of a scene.
@@ -121,7 +121,7 @@ pub struct LegGeometry<S> {
     block_depth: S,
 }
 
-abreast!(LegGeometry {
+per_lane!(LegGeometry {
     outboard,
     hardpoint_radius,
     hardpoint_depth,

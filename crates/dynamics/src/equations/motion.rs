@@ -7,21 +7,21 @@
 
 mod footing;
 mod free_flight;
-mod glance;
 mod leg;
 mod leg_response;
 mod pieces;
+mod signals;
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::{BodyFrame, LegGeometry, Surface};
+use crate::lanes::{Lanes, PerLane, per_lane};
 use crate::per_leg::PerLeg;
 use crate::products::times;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, LegState, State, quaternion_rate};
 use crate::vehicle::Vehicle;
-use crate::wide::{Abreast, Wide, abreast};
 
 use leg::{LegAction, LegMotion};
 
@@ -29,8 +29,8 @@ pub use crate::leg_pieces::LegPieces;
 pub use crate::signal::{LegSignals, Signal};
 pub use footing::Footing;
 pub use free_flight::FreeFlight;
-pub use glance::Glance;
 pub use pieces::Pieces;
+pub use signals::Signals;
 
 /// Forces on one leg, lb.
 #[derive(Debug, Clone, Copy)]
@@ -47,7 +47,7 @@ pub struct LegLoads<S> {
     pub block_friction: S,
 }
 
-abreast!(LegLoads {
+per_lane!(LegLoads {
     strut,
     pad_normal,
     pad_friction,
@@ -87,15 +87,15 @@ impl Motion<f64> {
     }
 
     /// The same landing in all lanes.
-    pub fn in_all_lanes<const N: usize>(&self) -> Motion<Wide<N>> {
+    pub fn in_all_lanes<const N: usize>(&self) -> Motion<Lanes<N>> {
         Motion {
-            surface: self.surface.shared(),
-            gravity: self.gravity.shared(),
-            mass: self.mass.shared(),
-            inverse_mass: self.inverse_mass.shared(),
-            inertia: self.inertia.shared(),
-            inverse_inertia: self.inverse_inertia.shared(),
-            legs: self.legs.map(|leg| leg.shared()),
+            surface: self.surface.splat(),
+            gravity: self.gravity.splat(),
+            mass: self.mass.splat(),
+            inverse_mass: self.inverse_mass.splat(),
+            inertia: self.inertia.splat(),
+            inverse_inertia: self.inverse_inertia.splat(),
+            legs: self.legs.map(|leg| leg.splat()),
         }
     }
 
@@ -119,14 +119,14 @@ impl Motion<f64> {
         self.legs[index].link_inertia
     }
 
-    /// Signals of all legs, the link torques only if asked for: no other signal is a force.
+    /// SignalValues of all legs, the link torques only if asked for: no other signal is a force.
     pub fn signals(
         &self,
         state: &State<f64>,
         pieces: &Pieces<f64>,
         with_torques: bool,
-    ) -> Glance<f64> {
-        let mut signals = Glance::blank(self.leg_count());
+    ) -> Signals<f64> {
+        let mut signals = Signals::blank(self.leg_count());
         self.look(state, pieces, with_torques, &mut signals);
         signals
     }
@@ -138,7 +138,7 @@ impl Motion<f64> {
         state: &State<f64>,
         pieces: &Pieces<f64>,
         with_torques: bool,
-        signals: &mut Glance<f64>,
+        signals: &mut Signals<f64>,
     ) {
         let frame = self.surface.frame(&state.body());
         for leg in 0..self.leg_count() {
@@ -161,7 +161,7 @@ impl Motion<f64> {
     }
 }
 
-impl<const N: usize> Motion<Wide<N>> {
+impl<const N: usize> Motion<Lanes<N>> {
     /// Puts a landing into a lane.
     pub fn set_lane(&mut self, lane: usize, one: &Motion<f64>) {
         one.surface.set_lane(&mut self.surface, lane);
@@ -222,7 +222,7 @@ impl<S: Real> Motion<S> {
         state: &State<S>,
         pieces: &Pieces<S>,
         derivative: &mut State<S>,
-        signals: &mut Glance<S>,
+        signals: &mut Signals<S>,
     ) {
         let body = state.body();
         let frame = self.surface.frame(&body);
@@ -285,7 +285,7 @@ impl<S: Real> Motion<S> {
     }
 }
 
-/// A leg with the angle α of its pad in place of what the pad has turned: where a pad presses on a stop of its hinge, α
+/// A leg with the angle α of its pad in buffer of what the pad has turned: where a pad presses on a stop of its hinge, α
 /// falls behind (`hinge`; model chapter 6). The equations of a leg take the angle.
 #[inline(always)]
 fn at_angle<S: Real>(pieces: &pieces::ActivePieces<S>, leg: LegState<S>) -> LegState<S> {

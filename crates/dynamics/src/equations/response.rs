@@ -53,7 +53,7 @@ impl<S: Real> Coordinates<S> {
 
 /// Forces that answer one quantity: sliding in one direction, or an interference.
 #[derive(Debug, Clone, Copy)]
-pub struct Answer<S> {
+pub struct ForceDerivative<S> {
     /// Forces per unit of the quantity.
     pub force: Coordinates<S>,
     /// The quantity per velocity.
@@ -62,7 +62,7 @@ pub struct Answer<S> {
     pub displacement: Coordinates<S>,
 }
 
-impl<S: Real> Answer<S> {
+impl<S: Real> ForceDerivative<S> {
     /// Answers nothing.
     #[inline(always)]
     pub fn none() -> Self {
@@ -79,7 +79,7 @@ impl<S: Real> Answer<S> {
 pub struct LegResponse<S> {
     /// Answers of pad and block to sliding along and across and to interference; those of pads, or blocks, that
     /// carry no pressure in the whole group are not among them.
-    answers: [Answer<S>; 6],
+    answers: [ForceDerivative<S>; 6],
     count: usize,
     /// Torque on the link per displacement, not counting the answers, ft·lb.
     pub link_torque: Coordinates<S>,
@@ -104,7 +104,7 @@ impl<S: Real> LegResponse<S> {
     pub fn none() -> Self {
         let zero = S::zero();
         Self {
-            answers: [Answer::none(); 6],
+            answers: [ForceDerivative::none(); 6],
             count: 0,
             link_torque: Coordinates::zero(),
             hinge_torque: Coordinates::zero(),
@@ -127,14 +127,14 @@ impl<S: Real> LegResponse<S> {
 
     /// Adds an answer.
     #[inline(always)]
-    pub fn push(&mut self, answer: &Answer<S>) {
+    pub fn push(&mut self, answer: &ForceDerivative<S>) {
         self.answers[self.count] = *answer;
         self.count += 1;
     }
 
     /// The answers.
     #[inline(always)]
-    fn answers(&self) -> &[Answer<S>] {
+    fn answers(&self) -> &[ForceDerivative<S>] {
         &self.answers[..self.count]
     }
 }
@@ -179,7 +179,7 @@ impl<S: Real> Response<S> {
                 let (force, velocity) = (&answer.force, &answer.velocity);
                 let mut rate = force.link * velocity.link * per_link;
                 for (i, &per_inertia) in per_inertia.iter().enumerate() {
-                    S::one_round();
+                    S::keep_rounds_apart();
                     rate += force.body[i] * velocity.body[i] * per_inertia;
                 }
                 rates += (-rate).max(S::zero());

@@ -238,7 +238,7 @@ impl<S: Real> State<S> {
         result: &mut Self,
     ) {
         for i in 0..BODY_NUMBERS {
-            S::one_round();
+            S::keep_rounds_apart();
             let mut sum = self.body[i];
             for k in 0..TERMS {
                 sum += weights[k] * slopes[k].body[i];
@@ -249,7 +249,7 @@ impl<S: Real> State<S> {
             let (own, slopes) = (&self.legs[j], slopes.map(|slope| &slope.legs[j]));
             let result = &mut result.legs[j];
             for i in 0..LAST {
-                S::one_round();
+                S::keep_rounds_apart();
                 let mut sum = own[i];
                 for k in 0..TERMS {
                     sum += weights[k] * slopes[k][i];
@@ -276,7 +276,7 @@ impl<S: Real> State<S> {
         let (own, before, error) = (&mut self.legs[leg], &before.legs[leg], &mut error.legs[leg]);
         let sixth = S::constant(1.0 / 6.0);
         for i in PAD_RATE..LEG {
-            S::one_round();
+            S::keep_rounds_apart();
             let ends = first[i] + last[i];
             let mean = (ends + S::constant(4.0) * middle[i]) * sixth;
             let past_midpoint = (ends - S::constant(2.0) * middle[i]) * sixth;
@@ -318,7 +318,7 @@ impl<S: Real> StateVector<S> for State<S> {
         let half = S::constant(0.5);
         let weights = [half, half, eighth, -eighth];
         for i in 0..BODY_NUMBERS {
-            S::one_round();
+            S::keep_rounds_apart();
             middle.body[i] = sum(
                 weights,
                 [self.body[i], end.body[i], first.body[i], last.body[i]],
@@ -327,7 +327,7 @@ impl<S: Real> StateVector<S> for State<S> {
         for j in 0..self.legs.len() {
             let [start, end, first, last] = [self, end, first, last].map(|state| &state.legs[j]);
             for i in 0..LEG_MOTION {
-                S::one_round();
+                S::keep_rounds_apart();
                 middle.legs[j][i] = sum(weights, [start[i], end[i], first[i], last[i]]);
             }
         }
@@ -337,12 +337,12 @@ impl<S: Real> StateVector<S> for State<S> {
     fn set_mean_rate(&mut self, start: &Self, end: &Self, length: S) {
         let per_length = S::one() / length;
         for i in 0..BODY_NUMBERS {
-            S::one_round();
+            S::keep_rounds_apart();
             self.body[i] = (end.body[i] - start.body[i]) * per_length;
         }
         for j in 0..self.legs.len() {
             for i in 0..LEG {
-                S::one_round();
+                S::keep_rounds_apart();
                 self.legs[j][i] = (end.legs[j][i] - start.legs[j][i]) * per_length;
             }
         }
@@ -352,12 +352,12 @@ impl<S: Real> StateVector<S> for State<S> {
     fn set_motion_over(&mut self, change: &Self, length: S) {
         let per_length = S::one() / length;
         for i in 0..BODY_NUMBERS {
-            S::one_round();
+            S::keep_rounds_apart();
             self.body[i] = change.body[i] * per_length;
         }
         for j in 0..self.legs.len() {
             for i in 0..LEG_MOTION {
-                S::one_round();
+                S::keep_rounds_apart();
                 self.legs[j][i] = change.legs[j][i] * per_length;
             }
         }
@@ -376,7 +376,7 @@ impl<S: Real> StateVector<S> for State<S> {
         // A maximum drops what is not a number, a sum keeps it.
         let mut all = S::zero();
         for i in 0..BODY_NUMBERS {
-            S::one_round();
+            S::keep_rounds_apart();
             let mut error = S::zero();
             for k in 0..TERMS {
                 error += weights[k] * slopes[k].body[i];
@@ -389,7 +389,7 @@ impl<S: Real> StateVector<S> for State<S> {
         for j in 0..before.legs.len() {
             let (before, after) = (&before.legs[j], &after.legs[j]);
             for i in 0..LEG_MOTION {
-                S::one_round();
+                S::keep_rounds_apart();
                 let mut error = S::zero();
                 for k in 0..TERMS {
                     error += weights[k] * slopes[k].legs[j][i];
@@ -399,7 +399,7 @@ impl<S: Real> StateVector<S> for State<S> {
                 all += scaled;
             }
             for i in LEG_MOTION..LEG {
-                S::one_round();
+                S::keep_rounds_apart();
                 let mut error = S::zero();
                 for k in 0..TERMS {
                     error += weights[k] * slopes[k].legs[j][i];

@@ -1,10 +1,10 @@
 //! Exits of signals whose rates are known: values and rates at both ends of a step are those of a cubic, which
 //! tells where a signal leaves its range, or that it stays, before anything in between is looked at.
 
-use super::event::{CAUTION, Exit, Seen, Signals, Watch, locate};
+use super::event::{CAUTION, Exit, Guard, Sample, SignalValues, locate};
 
-/// Signals of which some have known rates.
-pub trait Rated: Signals {
+/// SignalValues of which some have known rates.
+pub trait Rated: SignalValues {
     /// Whether the rate of signal `index` is known.
     fn has_rate(index: usize) -> bool;
 
@@ -14,7 +14,7 @@ pub trait Rated: Signals {
 
 /// What the ends of a step tell of the signals between them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Foresight {
+pub enum Prediction {
     /// All stay in their ranges.
     Stays,
     /// One leaves its range for good, and none before it for a while.
@@ -25,66 +25,66 @@ pub enum Foresight {
 
 /// A step of which only the ends have been looked at, all signals being inside at its start.
 #[derive(Debug, Clone, Copy)]
-pub struct Prospect<'a, V> {
+pub struct StepEnds<'a, V> {
     length: f64,
     start: &'a V,
     end: &'a V,
-    /// Signals that may have left their ranges.
-    watches: &'a [Watch],
+    /// SignalValues that may have left their ranges.
+    guards: &'a [Guard],
 }
 
-impl<'a, V: Rated> Prospect<'a, V> {
+impl<'a, V: Rated> StepEnds<'a, V> {
     /// A step of `length` s with these signals at its start and end.
-    pub fn new([start, end]: [&'a V; 2], length: f64, watches: &'a [Watch]) -> Self {
+    pub fn new([start, end]: [&'a V; 2], length: f64, guards: &'a [Guard]) -> Self {
         Self {
             length,
             start,
             end,
-            watches,
+            guards,
         }
     }
 
     /// What the ends of the step tell.
-    pub fn foresight(&self) -> Foresight {
+    pub fn prediction(&self) -> Prediction {
         let mut exit = f64::INFINITY;
         let mut doubt = f64::INFINITY;
-        for watch in self.watches {
-            if !V::has_rate(watch.signal) {
-                return Foresight::Doubtful;
+        for guard in self.guards {
+            if !V::has_rate(guard.signal) {
+                return Prediction::Doubtful;
             }
-            let cubic = Cubic::of(watch.signal, [self.start, self.end], self.length);
-            exit = exit.min(cubic.exit(watch));
-            doubt = doubt.min(cubic.doubt(watch));
+            let cubic = Cubic::of(guard.signal, [self.start, self.end], self.length);
+            exit = exit.min(cubic.exit(guard));
+            doubt = doubt.min(cubic.doubt(guard));
         }
         if doubt < exit {
-            Foresight::Doubtful
+            Prediction::Doubtful
         } else if exit <= 1.0 {
-            Foresight::Leaves
+            Prediction::Leaves
         } else {
-            Foresight::Stays
+            Prediction::Stays
         }
     }
 
-    /// The first exit of any signal, if the foresight is that one leaves: where it is just outside, within
-    /// `resolution` of the exit, and which of `places` has the signals there. `evaluate` writes the signals at a
+    /// The first exit of any signal, if the prediction is that one leaves: where it is just outside, within
+    /// `resolution` of the exit, and which of `buffers` has the signals there. `evaluate` writes the signals at a
     /// fraction of the step.
     pub fn exit(
         &self,
         resolution: f64,
-        places: &mut [V; 3],
+        buffers: &mut [V; 3],
         evaluate: impl FnMut(f64, &mut V),
     ) -> (f64, usize) {
-        let seen = |theta, signals| Seen { theta, signals };
+        let seen = |theta, signals| Sample { theta, signals };
         let end = seen(1.0, self.end);
         let nodes = [seen(0.0, self.start), end, end];
-        let predict = |[inside, outside, _]: [Seen<'_, V>; 3]| {
+        let predict = |[inside, outside, _]: [Sample<'_, V>; 3]| {
             let width = outside.theta - inside.theta;
             let ends = [inside.signals, outside.signals];
-            let cubic = |watch: &Watch| Cubic::of(watch.signal, ends, width * self.length);
-            let exits = self.watches.iter().map(|watch| cubic(watch).exit(watch));
+            let cubic = |guard: &Guard| Cubic::of(guard.signal, ends, width * self.length);
+            let exits = self.guards.iter().map(|guard| cubic(guard).exit(guard));
             inside.theta + width * exits.fold(1.0, f64::min)
         };
-        locate(nodes, self.watches, resolution, predict, places, evaluate)
+        locate(nodes, self.guards, resolution, predict, buffers, evaluate)
     }
 }
 
@@ -134,12 +134,12 @@ impl Cubic {
     }
 
     /// Where it turns so near to the end of a range that it takes a look to know; infinite if nowhere.
-    fn doubt(&self, watch: &Watch) -> f64 {
+    fn doubt(&self, guard: &Guard) -> f64 {
         let [least, greatest] = [self.start.min(self.end), self.start.max(self.end)];
         let is_doubtful = |turn: &f64| {
             let value = self.at(*turn);
             let beyond = (value - greatest).max(0.0) + (value - least).min(0.0);
-            watch.range.exit(value + CAUTION * beyond).is_some()
+            guard.range.exit(value + CAUTION * beyond).is_some()
         };
         self.turns().find(is_doubtful).unwrap_or(f64::INFINITY)
     }
@@ -167,8 +167,8 @@ impl Cubic {
     }
 
     /// Where it first leaves a range in which it starts, if it ends outside; infinite if it does not.
-    fn exit(&self, watch: &Watch) -> f64 {
-        let range = watch.range;
+    fn exit(&self, guard: &Guard) -> f64 {
+        let range = guard.range;
         let Some(mut side) = range.exit(self.end) else {
             return f64::INFINITY;
         };
@@ -214,9 +214,9 @@ mod tests {
     use super::*;
 
     /// Two values and their rates.
-    type Told = [f64; 4];
+    type FourSignals = [f64; 4];
 
-    impl Rated for Told {
+    impl Rated for FourSignals {
         fn has_rate(index: usize) -> bool {
             index < 2
         }
@@ -229,7 +229,7 @@ mod tests {
     const LENGTH: f64 = 0.1;
 
     /// A wave and a line, at a fraction of a step that begins at phase `from`.
-    fn told(from: f64, theta: f64) -> Told {
+    fn signals_at(from: f64, theta: f64) -> FourSignals {
         let phase = from + 20.0 * LENGTH * theta;
         [
             phase.sin(),
@@ -239,29 +239,29 @@ mod tests {
         ]
     }
 
-    fn watch(signal: usize, range: Bounds) -> Watch {
-        Watch { signal, range }
+    fn guard(signal: usize, range: Bounds) -> Guard {
+        Guard { signal, range }
     }
 
-    fn foreseen(from: f64, watches: &[Watch]) -> Foresight {
-        let [start, end] = [told(from, 0.0), told(from, 1.0)];
-        Prospect::new([&start, &end], LENGTH, watches).foresight()
+    fn predicted(from: f64, guards: &[Guard]) -> Prediction {
+        let [start, end] = [signals_at(from, 0.0), signals_at(from, 1.0)];
+        StepEnds::new([&start, &end], LENGTH, guards).prediction()
     }
 
     /// The exit, and the looks it took.
-    fn exit(from: f64, watches: &[Watch], resolution: f64) -> (Node<Told>, usize) {
-        let ends = [told(from, 0.0), told(from, 1.0)];
+    fn exit(from: f64, guards: &[Guard], resolution: f64) -> (Node<FourSignals>, usize) {
+        let ends = [signals_at(from, 0.0), signals_at(from, 1.0)];
         let [start, end] = &ends;
-        let prospect = Prospect::new([start, end], LENGTH, watches);
+        let ends = StepEnds::new([start, end], LENGTH, guards);
         let mut looks = 0;
-        let mut places = [[0.0; 4]; 3];
-        let (theta, place) = prospect.exit(resolution, &mut places, |theta, signals| {
+        let mut buffers = [[0.0; 4]; 3];
+        let (theta, buffer) = ends.exit(resolution, &mut buffers, |theta, signals| {
             looks += 1;
-            *signals = told(from, theta);
+            *signals = signals_at(from, theta);
         });
         let exit = Node {
             theta,
-            signals: places[place],
+            signals: buffers[buffer],
         };
         (exit, looks)
     }
@@ -270,31 +270,31 @@ mod tests {
     fn values_and_rates_at_both_ends_tell_what_happens_between() {
         // From −1 rad to 1 rad the wave rises, from 1 to 3 rad it turns at 1.
         assert_eq!(
-            foreseen(-1.0, &[watch(0, Bounds::between(-0.85, 0.85))]),
-            Foresight::Stays
+            predicted(-1.0, &[guard(0, Bounds::between(-0.85, 0.85))]),
+            Prediction::Stays
         );
         assert_eq!(
-            foreseen(-1.0, &[watch(0, Bounds::below(0.8))]),
-            Foresight::Leaves
+            predicted(-1.0, &[guard(0, Bounds::below(0.8))]),
+            Prediction::Leaves
         );
         assert_eq!(
-            foreseen(1.0, &[watch(0, Bounds::below(1.2))]),
-            Foresight::Stays
+            predicted(1.0, &[guard(0, Bounds::below(1.2))]),
+            Prediction::Stays
         );
         for doubtful in [0.9, 0.99, 1.01] {
             let range = Bounds::below(doubtful);
-            assert_eq!(foreseen(1.0, &[watch(0, range)]), Foresight::Doubtful);
+            assert_eq!(predicted(1.0, &[guard(0, range)]), Prediction::Doubtful);
         }
         // The line falls to 0.1; where it leaves at once, what the wave does later does not matter.
-        let low = watch(1, Bounds::above(0.45));
-        let grazed = watch(0, Bounds::below(0.99));
-        assert_eq!(foreseen(1.0, &[low, grazed]), Foresight::Leaves);
-        let late = watch(1, Bounds::above(0.15));
-        assert_eq!(foreseen(1.0, &[late, grazed]), Foresight::Doubtful);
+        let low = guard(1, Bounds::above(0.45));
+        let grazed = guard(0, Bounds::below(0.99));
+        assert_eq!(predicted(1.0, &[low, grazed]), Prediction::Leaves);
+        let late = guard(1, Bounds::above(0.15));
+        assert_eq!(predicted(1.0, &[late, grazed]), Prediction::Doubtful);
         // A signal without a rate takes a look.
         assert_eq!(
-            foreseen(1.0, &[watch(2, Bounds::FREE)]),
-            Foresight::Doubtful
+            predicted(1.0, &[guard(2, Bounds::FREE)]),
+            Prediction::Doubtful
         );
     }
 
@@ -304,7 +304,7 @@ mod tests {
             for k in 0..40 {
                 let border = -0.8 + 0.04 * f64::from(k);
                 let range = Bounds::below(border);
-                let (found, looks) = exit(-1.0, &[watch(0, range)], resolution);
+                let (found, looks) = exit(-1.0, &[guard(0, range)], resolution);
                 let exact = (border.asin() + 1.0) / (20.0 * LENGTH);
                 let beyond = found.theta - exact;
                 assert!(beyond > 0.0 && beyond <= resolution, "{beyond} at {border}");
@@ -317,11 +317,11 @@ mod tests {
     #[test]
     fn of_several_exits_the_first_is_found() {
         // The wave passes 0 in the middle of the step.
-        let wave = watch(0, Bounds::below(0.0));
+        let wave = guard(0, Bounds::below(0.0));
         for (border, first) in [(0.42, 0.2), (0.18, 0.5)] {
-            let line = watch(1, Bounds::above(border));
-            for watches in [[wave, line], [line, wave]] {
-                let (found, _) = exit(-1.0, &watches, 1e-9);
+            let line = guard(1, Bounds::above(border));
+            for guards in [[wave, line], [line, wave]] {
+                let (found, _) = exit(-1.0, &guards, 1e-9);
                 assert!((found.theta - first).abs() < 2e-9, "{}", found.theta);
             }
         }
@@ -337,7 +337,7 @@ mod tests {
             bend: 6.0,
             twist: 0.0,
         };
-        let exit = cubic.exit(&watch(0, Bounds::between(0.0, 0.9)));
+        let exit = cubic.exit(&guard(0, Bounds::between(0.0, 0.9)));
         let first = 0.5 * (1.0 - (1.0f64 / 3.0).sqrt());
         assert!((exit - first).abs() < 1e-8, "{exit}");
     }

@@ -61,7 +61,7 @@ impl Bounds {
         }
     }
 
-    /// Whether there is anything to watch.
+    /// Whether there is anything to guard.
     pub fn is_free(&self) -> bool {
         *self == Self::FREE
     }
@@ -94,12 +94,12 @@ impl Bounds {
 }
 
 /// A set of signals at one instant.
-pub trait Signals: Copy {
+pub trait SignalValues: Copy {
     /// Signal `index`.
     fn get(&self, index: usize) -> f64;
 }
 
-impl<const SIGNALS: usize> Signals for [f64; SIGNALS] {
+impl<const SIGNALS: usize> SignalValues for [f64; SIGNALS] {
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
         self[index]
@@ -108,14 +108,14 @@ impl<const SIGNALS: usize> Signals for [f64; SIGNALS] {
 
 /// A signal that has a range to stay in.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Watch {
+pub struct Guard {
     /// Index of the signal.
     pub signal: usize,
     /// Its range.
     pub range: Bounds,
 }
 
-/// Signals at one point of a step.
+/// SignalValues at one point of a step.
 #[derive(Debug, Clone)]
 pub struct Node<V> {
     /// Fraction of the step, 0 to 1.
@@ -124,9 +124,9 @@ pub struct Node<V> {
     pub signals: V,
 }
 
-/// Signals seen at one point of a step.
+/// SignalValues seen at one point of a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Seen<'a, V> {
+pub struct Sample<'a, V> {
     /// Fraction of the step, 0 to 1.
     pub theta: f64,
     /// The signals there.
@@ -134,7 +134,7 @@ pub struct Seen<'a, V> {
 }
 
 impl<V: Copy> Node<V> {
-    pub(super) fn of(look: Seen<'_, V>) -> Self {
+    pub(super) fn of(look: Sample<'_, V>) -> Self {
         Self {
             theta: look.theta,
             signals: *look.signals,
@@ -142,8 +142,8 @@ impl<V: Copy> Node<V> {
     }
 
     /// A look at this node.
-    pub fn seen(&self) -> Seen<'_, V> {
-        Seen {
+    pub fn sample(&self) -> Sample<'_, V> {
+        Sample {
             theta: self.theta,
             signals: &self.signals,
         }
@@ -152,9 +152,9 @@ impl<V: Copy> Node<V> {
 
 /// Whether any watched signal is outside its range.
 #[inline(always)]
-fn any_outside<V: Signals>(signals: &V, watches: &[Watch]) -> bool {
+fn any_outside<V: SignalValues>(signals: &V, guards: &[Guard]) -> bool {
     let mut outside = false;
-    for Watch { signal, range } in watches {
+    for Guard { signal, range } in guards {
         let value = signals.get(*signal);
         outside |= !(value >= range.lower && value <= range.upper);
     }
@@ -194,25 +194,25 @@ pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bo
 /// signals are inside, between and where it ends. `evaluate` writes the signals at a fraction of the step. Excursions
 /// that begin and end between the looks are looked for where three neighbouring values bend
 /// toward an end of the range. Returns where it is just outside, within `resolution` of the exit, and which of
-/// `places` has the signals there; the other places are overwritten.
-pub fn first_exit<V: Signals>(
-    [start, middle, end]: [Seen<'_, V>; 3],
-    watches: &[Watch],
+/// `buffers` has the signals there; the other buffers are overwritten.
+pub fn first_exit<V: SignalValues>(
+    [start, middle, end]: [Sample<'_, V>; 3],
+    guards: &[Guard],
     resolution: f64,
-    places: &mut [V; 3],
+    buffers: &mut [V; 3],
     mut evaluate: impl FnMut(f64, &mut V),
 ) -> Option<(f64, usize)> {
     let mut out_at_middle = false;
     let mut out_at_end = false;
     let mut earliest: Option<(Node<V>, Node<V>)> = None;
-    for watch in watches {
-        let signal = watch.signal;
+    for guard in guards {
+        let signal = guard.signal;
         let v = [
             start.signals.get(signal),
             middle.signals.get(signal),
             end.signals.get(signal),
         ];
-        let inside = |v: f64| v >= watch.range.lower && v <= watch.range.upper;
+        let inside = |v: f64| v >= guard.range.lower && v <= guard.range.upper;
         let (middle_inside, end_inside) = (inside(v[1]), inside(v[2]));
         out_at_middle |= !middle_inside;
         out_at_end |= !end_inside;
@@ -224,7 +224,7 @@ pub fn first_exit<V: Signals>(
         let turns = (3.0 * slopes[0] - slopes[1]) * (3.0 * slopes[1] - slopes[0]) <= 0.0;
         if turns && middle_inside && end_inside {
             let t = [start.theta, middle.theta, end.theta];
-            if let Some(found) = hidden_excursion(watch, start, t, v, watches, &mut evaluate)
+            if let Some(found) = hidden_excursion(guard, start, t, v, guards, &mut evaluate)
                 && earliest
                     .as_ref()
                     .is_none_or(|(_, known)| found.1.theta < known.theta)
@@ -234,16 +234,18 @@ pub fn first_exit<V: Signals>(
         }
     }
     let nodes = match &earliest {
-        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => [a.seen(), b.seen(), end],
+        Some((a, b)) if !(out_at_middle && middle.theta <= b.theta) => {
+            [a.sample(), b.sample(), end]
+        }
         _ if out_at_middle => [start, middle, end],
         _ if out_at_end => [middle, end, start],
         _ => return None,
     };
-    let predict = |nodes: [Seen<'_, V>; 3]| {
-        let exits = watches.iter().map(|watch| exit_on_parabola(watch, nodes));
+    let predict = |nodes: [Sample<'_, V>; 3]| {
+        let exits = guards.iter().map(|guard| exit_on_parabola(guard, nodes));
         exits.fold(f64::INFINITY, f64::min)
     };
-    let exit = locate(nodes, watches, resolution, predict, places, evaluate);
+    let exit = locate(nodes, guards, resolution, predict, buffers, evaluate);
     Some(exit)
 }
 
@@ -261,12 +263,12 @@ fn vertex(t: [f64; 3], v: [f64; 3]) -> Option<(f64, f64)> {
 
 /// Looks whether a signal that is inside its range at three nodes (at `t`, with values `v`) leaves
 /// it between them. Gives a node where all signals are inside and a later one where one is not.
-fn hidden_excursion<V: Signals>(
-    watch: &Watch,
-    start: Seen<'_, V>,
+fn hidden_excursion<V: SignalValues>(
+    guard: &Guard,
+    start: Sample<'_, V>,
     mut t: [f64; 3],
     mut v: [f64; 3],
-    watches: &[Watch],
+    guards: &[Guard],
     evaluate: &mut impl FnMut(f64, &mut V),
 ) -> Option<(Node<V>, Node<V>)> {
     let mut inside: Option<Node<V>> = None;
@@ -277,7 +279,7 @@ fn hidden_excursion<V: Signals>(
         } else {
             v[0].min(v[1]).min(v[2])
         };
-        watch.range.exit(value + CAUTION * (value - nearest))?;
+        guard.range.exit(value + CAUTION * (value - nearest))?;
         let mut node_at = |theta: f64| {
             let mut node = Node {
                 theta,
@@ -287,11 +289,11 @@ fn hidden_excursion<V: Signals>(
             node
         };
         let node = node_at(theta);
-        if any_outside(&node.signals, watches) {
+        if any_outside(&node.signals, guards) {
             return Some((inside.unwrap_or_else(|| Node::of(start)), node));
         }
         // Keep the three nodes that surround the extremum.
-        let seen = node.signals.get(watch.signal);
+        let seen = node.signals.get(guard.signal);
         if theta < t[1] {
             (t, v) = ([t[0], theta, t[1]], [v[0], seen, v[1]]);
         } else {
@@ -308,27 +310,27 @@ const MOST_FAILURES: u32 = 2;
 /// Narrows the bracket from the first of three nodes, inside, to the second, outside, until its far end lies
 /// within `resolution` of the exit. `predict` says where that is, from the ends of the bracket and the node
 /// that was one last. After predictions that do not halve the bracket it is halved. Returns the far end, and which of
-/// `places` has the signals there.
-pub(super) fn locate<V: Signals>(
-    nodes: [Seen<'_, V>; 3],
-    watches: &[Watch],
+/// `buffers` has the signals there.
+pub(super) fn locate<V: SignalValues>(
+    nodes: [Sample<'_, V>; 3],
+    guards: &[Guard],
     resolution: f64,
-    predict: impl Fn([Seen<'_, V>; 3]) -> f64,
-    places: &mut [V; 3],
+    predict: impl Fn([Sample<'_, V>; 3]) -> f64,
+    buffers: &mut [V; 3],
     mut evaluate: impl FnMut(f64, &mut V),
 ) -> (f64, usize) {
     let mut thetas = nodes.map(|node| node.theta);
-    // The signals of a node are those it came with until a new one takes its place.
+    // The signals of a node are those it came with until a new one takes its buffer.
     let mut given = nodes.map(|node| Some(node.signals));
-    // The nodes stay where they are, but for the one that a new one takes the place of.
+    // The nodes stay where they are, but for the one that a new one takes the buffer of.
     let [mut inside, mut outside, mut third] = [0, 1, 2];
     let mut failures = 0;
     loop {
         let (a, b) = (thetas[inside], thetas[outside]);
         let width = b - a;
-        let exit = predict([inside, outside, third].map(|index| Seen {
+        let exit = predict([inside, outside, third].map(|index| Sample {
             theta: thetas[index],
-            signals: given[index].unwrap_or(&places[index]),
+            signals: given[index].unwrap_or(&buffers[index]),
         }));
         let middle = a + 0.5 * width;
         // A little beyond the exit, to land outside.
@@ -342,14 +344,14 @@ pub(super) fn locate<V: Signals>(
         let is_narrow = b - exit <= resolution || width <= resolution;
         if is_narrow || theta <= a || theta >= b {
             if let Some(signals) = given[outside] {
-                places[outside] = *signals;
+                buffers[outside] = *signals;
             }
             return (b, outside);
         }
         thetas[third] = theta;
         given[third] = None;
-        evaluate(theta, &mut places[third]);
-        if any_outside(&places[third], watches) {
+        evaluate(theta, &mut buffers[third]);
+        if any_outside(&buffers[third], guards) {
             std::mem::swap(&mut third, &mut outside);
         } else {
             std::mem::swap(&mut third, &mut inside);
@@ -365,16 +367,19 @@ pub(super) fn locate<V: Signals>(
 /// Where a signal that is inside at the first of three nodes leaves its range on the parabola through all of
 /// them, if it is outside at the second; infinite if it is not. The nodes' other signals have no say: of two that leave, one may be
 /// far outside where the other has just left.
-fn exit_on_parabola<V: Signals>(watch: &Watch, [inside, outside, third]: [Seen<'_, V>; 3]) -> f64 {
-    let value = |node: Seen<'_, V>| node.signals.get(watch.signal);
-    let border = match watch.range.exit(value(outside)) {
+fn exit_on_parabola<V: SignalValues>(
+    guard: &Guard,
+    [inside, outside, third]: [Sample<'_, V>; 3],
+) -> f64 {
+    let value = |node: Sample<'_, V>| node.signals.get(guard.signal);
+    let border = match guard.range.exit(value(outside)) {
         None => return f64::INFINITY,
-        Some(Exit::Below) => watch.range.lower,
-        Some(Exit::Above) => watch.range.upper,
+        Some(Exit::Below) => guard.range.lower,
+        Some(Exit::Above) => guard.range.upper,
     };
     let beyond = value(outside) - border;
-    let place = |node: Seen<'_, V>| (node.theta, (value(node) - border) / beyond);
-    exit_between(place(inside), outside.theta, place(third))
+    let buffer = |node: Sample<'_, V>| (node.theta, (value(node) - border) / beyond);
+    exit_between(buffer(inside), outside.theta, buffer(third))
 }
 
 /// Where the parabola through a value not above 0 at `a`, 1 at `b` and a third value rises through
@@ -401,7 +406,7 @@ mod tests {
     type Pair = [f64; 2];
 
     /// A signal that rises evenly and one that rises at `pace` from `from` on, faster and faster.
-    fn told(theta: f64, from: f64, pace: f64) -> Pair {
+    fn signals_at(theta: f64, from: f64, pace: f64) -> Pair {
         let late = theta - from;
         [theta, pace * late * (1.0 + late)]
     }
@@ -417,25 +422,25 @@ mod tests {
             (0.4900, 0.0100, 1e-4),
         ] {
             for resolution in [1e-4, 1e-8] {
-                let watches = [border, 0.0].map(Bounds::below);
-                let watches = [0, 1].map(|signal| Watch {
+                let guards = [border, 0.0].map(Bounds::below);
+                let guards = [0, 1].map(|signal| Guard {
                     signal,
-                    range: watches[signal],
+                    range: guards[signal],
                 });
                 let at = |theta| Node {
                     theta,
-                    signals: told(theta, from, pace),
+                    signals: signals_at(theta, from, pace),
                 };
                 let nodes = [0.0, 0.5, 1.0].map(at);
                 let mut looks = 0;
                 let found = first_exit(
-                    nodes.each_ref().map(Node::seen),
-                    &watches,
+                    nodes.each_ref().map(Node::sample),
+                    &guards,
                     resolution,
                     &mut [[0.0; 2]; 3],
                     |theta, signals| {
                         looks += 1;
-                        *signals = told(theta, from, pace);
+                        *signals = signals_at(theta, from, pace);
                     },
                 );
                 let beyond = found.unwrap().0 - border.min(from);

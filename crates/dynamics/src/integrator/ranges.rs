@@ -3,11 +3,11 @@
 use num_traits::Zero;
 
 use crate::integrator::event::{Bounds, stray};
+use crate::lanes::Lanes;
 use crate::scalar::Real;
-use crate::wide::Wide;
 
 /// Four numbers side by side.
-pub type Quad = Wide<LANES>;
+pub type Quad = Lanes<LANES>;
 /// Numbers in a [`Quad`].
 pub const LANES: usize = 4;
 
@@ -155,14 +155,14 @@ impl Farthest {
 /// The greater of two numbers, or the second where either is none: an instruction of the processor.
 #[inline(always)]
 fn greater(a: Quad, b: Quad) -> Quad {
-    Wide(std::array::from_fn(|i| {
+    Lanes(std::array::from_fn(|i| {
         if a.0[i] > b.0[i] { a.0[i] } else { b.0[i] }
     }))
 }
 
 #[inline(always)]
 fn quads(numbers: &[[f64; LANES]]) -> impl Iterator<Item = Quad> {
-    numbers.iter().map(|&four| Wide(four))
+    numbers.iter().map(|&four| Lanes(four))
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::energy::{kinetic, released};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
 use crate::record::{Energies, Foot, Instant, Landing, LegWork};
-use crate::stability::Judge;
+use crate::stability::StabilityMonitor;
 use crate::state::State;
 
 impl Trajectory<'_> {
@@ -36,10 +36,10 @@ impl Trajectory<'_> {
     }
 
     fn instant(&self, state: &State<f64>, time: f64) -> Instant {
-        let mut judge = Judge::new(&self.scene, self.calm_height);
-        let seen = judge
-            .look(&self.motion, state)
-            .unwrap_or_else(|_| judge.observe(&self.motion, state));
+        let mut monitor = StabilityMonitor::new(&self.scene, self.calm_height);
+        let seen = monitor
+            .choose_plane(&self.motion, state)
+            .unwrap_or_else(|_| monitor.observe(&self.motion, state));
         let signals = self.motion.signals(state, &self.pieces, false);
         let loads = self.motion.loads(state, &self.pieces);
         let feet = PerLeg::from_fn(self.leg_count(), |j| Foot {
@@ -53,7 +53,7 @@ impl Trajectory<'_> {
         Instant::new(time, state, &seen, energies, &signals, &loads, feet)
     }
 
-    pub(super) fn conclude(&self, outcome: Outcome) -> Landing {
+    pub(super) fn result(&self, outcome: Outcome) -> Landing {
         Landing {
             outcome,
             end_time: self.time,

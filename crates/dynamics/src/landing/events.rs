@@ -3,9 +3,9 @@
 use super::trajectory::Trajectory;
 use super::within::{Between, Look};
 use crate::contact::LegMode;
-use crate::integrator::cubic::{Foresight, Prospect};
-use crate::integrator::event::{Seen, Watch, first_exit};
-use crate::motion::{Glance, Signal};
+use crate::integrator::cubic::{Prediction, StepEnds};
+use crate::integrator::event::{Guard, Sample, first_exit};
+use crate::motion::{Signal, Signals};
 use crate::outcome::{Failure, Outcome};
 use crate::registers::Registers;
 
@@ -13,13 +13,13 @@ use crate::registers::Registers;
 const MOST_CHANGES: usize = 64;
 
 impl Trajectory<'_> {
-    /// The first fraction of the step at which a law changes its active piece, and which of the `places` has the
+    /// The first fraction of the step at which a law changes its active piece, and which of the `buffers` has the
     /// signals there.
     pub(super) fn find_event(&mut self) -> Option<(f64, usize)> {
         let [before, start, end] = [
-            self.signals.before(),
-            self.signals.now(),
-            self.signals.ahead(),
+            self.signals.previous(),
+            self.signals.start(),
+            self.signals.end(),
         ];
         let (registers, length) = (self.registers, self.step.length);
         let suspects = &mut self.suspects;
@@ -39,7 +39,7 @@ impl Trajectory<'_> {
             free: self.free.as_ref(),
         };
         let mut looks = 0;
-        let mut look = |theta: f64, signals: &mut Glance<f64>| {
+        let mut look = |theta: f64, signals: &mut Signals<f64>| {
             looks += 1;
             registers.dispatch(Look {
                 motion: &self.motion,
@@ -52,47 +52,47 @@ impl Trajectory<'_> {
         };
         let resolution = self.event_resolution / length;
         let is_explicit = !self.is_middle_seen;
-        let foresee = |suspects: &[Watch]| {
+        let predict = |suspects: &[Guard]| {
             if is_explicit {
-                Prospect::new([start, end], length, suspects).foresight()
+                StepEnds::new([start, end], length, suspects).prediction()
             } else {
-                Foresight::Doubtful
+                Prediction::Doubtful
             }
         };
         // Nothing before tells how signals turn under laws that are new: that takes a look at the middle.
         let are_laws_new = self.earlier.is_none();
-        let mut foresight = if are_laws_new {
-            Foresight::Doubtful
+        let mut prediction = if are_laws_new {
+            Prediction::Doubtful
         } else {
-            foresee(suspects)
+            predict(suspects)
         };
-        if foresight == Foresight::Doubtful {
+        if prediction == Prediction::Doubtful {
             if is_explicit {
                 look(0.5, &mut self.middle);
                 self.is_middle_seen = true;
             }
-            (self.ranges).watch_suspects([start, &self.middle, end], suspects);
+            (self.ranges).guard_suspects([start, &self.middle, end], suspects);
             if are_laws_new {
-                foresight = foresee(suspects);
+                prediction = predict(suspects);
             }
         }
-        let found = match foresight {
-            Foresight::Stays => None,
-            Foresight::Leaves => {
-                let prospect = Prospect::new([start, end], length, suspects);
-                Some(prospect.exit(resolution, &mut self.places, &mut look))
+        let found = match prediction {
+            Prediction::Stays => None,
+            Prediction::Leaves => {
+                let ends = StepEnds::new([start, end], length, suspects);
+                Some(ends.exit(resolution, &mut self.buffers, &mut look))
             }
-            Foresight::Doubtful => {
-                let seen = |theta, signals| Seen { theta, signals };
+            Prediction::Doubtful => {
+                let seen = |theta, signals| Sample { theta, signals };
                 let looks = [seen(0.0, start), seen(0.5, &self.middle), seen(1.0, end)];
-                first_exit(looks, suspects, resolution, &mut self.places, &mut look)
+                first_exit(looks, suspects, resolution, &mut self.buffers, &mut look)
             }
         };
         self.evaluations += looks;
         found
     }
 
-    /// Puts the laws in place that hold from the present state on. One change can bring another
+    /// Puts the laws in buffer that hold from the present state on. One change can bring another
     /// with it, so this goes on until every signal lies in its range.
     pub(super) fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
@@ -108,7 +108,7 @@ impl Trajectory<'_> {
     /// Centres the coefficients of laws that bend gently; the laws themselves stay.
     pub(super) fn follow(&mut self) {
         for j in 0..self.leg_count() {
-            let stroke = self.signals.now().of(j, Signal::Stroke);
+            let stroke = self.signals.start().of(j, Signal::Stroke);
             if self.modes[j].follow(&self.laws[j], stroke) {
                 self.choose_pieces(j);
             }
@@ -127,13 +127,13 @@ impl Trajectory<'_> {
     /// Lets each leg follow the first of its signals that is out of its range; whether any was.
     /// Only the first, because the ranges of the others change with it.
     pub(super) fn cross(&mut self) -> Result<bool, Outcome> {
-        let signals = self.signals.now();
+        let signals = self.signals.start();
         let exits = self.ranges.exits(signals);
         for (leg, exit) in exits.iter().enumerate() {
             if let Some((signal, exit)) = *exit {
                 self.events += 1;
                 let laws = &self.laws[leg];
-                let signals = *self.signals.now().leg(leg);
+                let signals = *self.signals.start().leg(leg);
                 let before = self.modes[leg];
                 self.modes[leg].cross(laws, leg, signal, exit, &signals)?;
                 self.turn_pad(leg, &before);

@@ -3,18 +3,18 @@
 //!
 //! Such a kink changes no law, as force is evaluated rightly on either side of it. But a step that runs
 //! over one is of lower order than a step that ends there. So steps aim a little past the first kink that
-//! is foreseen, and end where it is located on their dense output.
+//! is predicted, and end where it is located on their dense output.
 
 use arrayvec::ArrayVec;
 
 use super::trajectory::Trajectory;
-use crate::integrator::event::{Bounds, Node, Signals, Watch, first_exit};
-use crate::motion::{Glance, Signal};
+use crate::integrator::event::{Bounds, Guard, Node, SignalValues, first_exit};
+use crate::motion::{Signal, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 
 /// Share of a step within which its end is moved to a kink.
 const WITHIN: [f64; 2] = [0.03, 0.98];
-/// How far past a foreseen kink a step goes, in units of its way there.
+/// How far past a predicted kink a step goes, in units of its way there.
 const PAST: f64 = 1e-4;
 /// Share of a step within which a kink is located: so little beyond it does not show in the error of a step.
 const RESOLUTION: f64 = 1e-3;
@@ -23,7 +23,7 @@ const RESOLUTION: f64 = 1e-3;
 #[derive(Clone, Copy)]
 struct LinkSignals(PerLeg<[f64; 2]>);
 
-impl Signals for LinkSignals {
+impl SignalValues for LinkSignals {
     fn get(&self, index: usize) -> f64 {
         self.0.as_flattened()[index]
     }
@@ -31,7 +31,7 @@ impl Signals for LinkSignals {
 
 impl Trajectory<'_> {
     /// Length of a step (s) that is to be `length` long, but ends a little past the first kink that is
-    /// foreseen within it.
+    /// predicted within it.
     pub(super) fn past_kink(&mut self, length: f64) -> f64 {
         let [first, last] = WITHIN.map(|share| share * length);
         let mut end = last;
@@ -41,7 +41,7 @@ impl Trajectory<'_> {
         };
         for j in 0..self.leg_count() {
             let acceleration = self.step.slopes[0].link_rate(j);
-            let told = |signal| self.signals.now().of(j, signal);
+            let told = |signal| self.signals.start().of(j, signal);
             let rate = told(Signal::LinkRate);
             self.kinks[j] = self.modes[j].gentle_kinks(&self.laws[j], rate);
             let Some(kinks) = &self.kinks[j] else {
@@ -76,7 +76,7 @@ impl Trajectory<'_> {
         let Some(kinks) = &self.kinks[j] else {
             return false;
         };
-        let [start, end] = [self.signals.now(), self.signals.ahead()];
+        let [start, end] = [self.signals.start(), self.signals.end()];
         let [first, last] = [0, 5].map(|k| self.step.slopes[k].link_rate(j));
         let length = self.step.length;
         let [start_rate, end_rate] = [start, end].map(|all| all.of(j, Signal::LinkRate));
@@ -91,7 +91,7 @@ impl Trajectory<'_> {
     /// Fraction of the step at which it runs over the first gentle kink, if it does.
     fn locate_kink(&mut self) -> Option<f64> {
         let signals = &self.signals;
-        let told = |all: &Glance<f64>| {
+        let told = |all: &Signals<f64>| {
             LinkSignals(PerLeg::from_fn(self.leg_count(), |j| {
                 [Signal::Stroke, Signal::LinkRate].map(|one| all.of(j, one))
             }))
@@ -104,26 +104,26 @@ impl Trajectory<'_> {
             }))
         };
         let node = |theta, signals| Node { theta, signals };
-        let start = node(0.0, told(signals.now()));
+        let start = node(0.0, told(signals.start()));
         let middle = node(0.5, look(0.5));
-        let end = node(1.0, told(signals.ahead()));
-        let mut watches = ArrayVec::<Watch, { 2 * MOST_LEGS }>::new();
+        let end = node(1.0, told(signals.end()));
+        let mut guards = ArrayVec::<Guard, { 2 * MOST_LEGS }>::new();
         for (j, kinks) in self.kinks.iter().enumerate() {
             let ranges = kinks.map(|kinks| [kinks.strokes, kinks.link_rates]);
             for (k, range) in ranges.into_iter().flatten().enumerate() {
                 let signal = 2 * j + k;
                 if range.exit(start.signals.get(signal)).is_none() {
-                    watches.push(Watch { signal, range });
+                    guards.push(Guard { signal, range });
                 }
             }
         }
-        let nodes = [&start, &middle, &end].map(Node::seen);
-        let mut places = [start.signals; 3];
+        let nodes = [&start, &middle, &end].map(Node::sample);
+        let mut buffers = [start.signals; 3];
         let kink = first_exit(
             nodes,
-            &watches,
+            &guards,
             RESOLUTION,
-            &mut places,
+            &mut buffers,
             |theta, signals| {
                 *signals = look(theta);
             },

@@ -9,14 +9,14 @@ use crate::per_leg::PerLeg;
 const REFINEMENTS: usize = 2;
 
 impl Trajectory<'_> {
-    /// Takes note of the struts over the step up to fraction `reach`, where one of the `places` has the signals, or up to
+    /// Takes note of the struts over the step up to fraction `reach`, where one of the `buffers` has the signals, or up to
     /// its end.
     #[inline(always)]
-    pub(super) fn note_struts(&mut self, place: Option<usize>, reach: f64) {
-        let start = self.signals.now();
-        let end = match place {
-            Some(place) => &self.places[place],
-            None => self.signals.ahead(),
+    pub(super) fn note_struts(&mut self, buffer: Option<usize>, reach: f64) {
+        let start = self.signals.start();
+        let end = match buffer {
+            Some(buffer) => &self.buffers[buffer],
+            None => self.signals.end(),
         };
         let length = reach * self.step.length;
         self.peaks.note([start, end], length);
@@ -24,7 +24,7 @@ impl Trajectory<'_> {
             self.peaks.may_be_exceeded([start, &self.middle, end])
         } else {
             self.earlier.as_ref().is_none_or(|earlier| {
-                let looks = [self.signals.before(), start, end];
+                let looks = [self.signals.previous(), start, end];
                 self.peaks.may_be_hidden(looks, length / earlier.length)
             })
         };
@@ -40,7 +40,7 @@ impl Trajectory<'_> {
         let half = if self.is_middle_seen {
             0.5
         } else {
-            self.middle = self.look_at(0.5 * reach);
+            self.middle = self.signals_at(0.5 * reach);
             0.5 * reach
         };
         for j in 0..self.leg_count() {
@@ -58,7 +58,7 @@ impl Trajectory<'_> {
                 let Some(theta) = lowest.filter(|&theta| theta < reach) else {
                     break;
                 };
-                let signals = self.look_at(theta);
+                let signals = self.signals_at(theta);
                 self.peaks.note_forces(&signals);
                 parabola = parabola.about((theta, -force(&signals, j)));
             }

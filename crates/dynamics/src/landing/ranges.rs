@@ -3,21 +3,21 @@
 use arrayvec::ArrayVec;
 use pulp::NullaryFnOnce;
 
-use crate::integrator::event::{Bounds, Exit, Watch};
+use crate::integrator::event::{Bounds, Exit, Guard};
 use crate::integrator::ranges::{LANES, Quad, Ranges};
-use crate::motion::{Glance, Signal};
+use crate::lanes::Lanes;
+use crate::motion::{Signal, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::registers::{Registers, Single};
-use crate::wide::Wide;
 
 /// Quads of a leg's signals that have ranges.
-const QUADS: usize = Glance::RANGED_QUADS;
+const QUADS: usize = Signals::RANGED_QUADS;
 
 /// How far beyond their ranges signals get, while nothing is known of it.
-const NOWHERE: [Quad; QUADS] = [Wide([0.0; LANES]); QUADS];
+const NOWHERE: [Quad; QUADS] = [Lanes([0.0; LANES]); QUADS];
 
-/// Signals to be watched, as many as there can be.
-pub(super) type Watches = ArrayVec<Watch, { QUADS * LANES * MOST_LEGS }>;
+/// SignalValues to be watched, as many as there can be.
+pub(super) type Guards = ArrayVec<Guard, { QUADS * LANES * MOST_LEGS }>;
 
 /// Ranges of all legs' signals.
 #[derive(Debug, Clone)]
@@ -56,7 +56,7 @@ impl SignalRanges {
     }
 
     /// The first signal of each leg that has left its range, and on which side.
-    pub(super) fn exits(&self, signals: &Glance<f64>) -> PerLeg<Option<(Signal, Exit)>> {
+    pub(super) fn exits(&self, signals: &Signals<f64>) -> PerLeg<Option<(Signal, Exit)>> {
         PerLeg::from_fn(self.legs.len(), |leg| {
             if self.legs[leg].hold(signals.ranged(leg)) {
                 return None;
@@ -71,29 +71,29 @@ impl SignalRanges {
 
     /// Whether no signal can have left its range within a step of `length` s, as looks before the step before, at the
     /// start and at the end of the step tell, `ratio` being this step's length over the time between the first
-    /// two. Those that may have are put into `watches`.
+    /// two. Those that may have are put into `guards`.
     #[inline(always)]
     pub(super) fn keep(
         &self,
-        looks: [&Glance<f64>; 3],
+        looks: [&Signals<f64>; 3],
         ratio: f64,
         length: f64,
-        watches: &mut Watches,
+        guards: &mut Guards,
     ) -> bool {
-        watches.clear();
-        (self.registers).dispatch(Keep(self, looks, Some([ratio, length]), watches))
+        guards.clear();
+        (self.registers).dispatch(Keep(self, looks, Some([ratio, length]), guards))
     }
 
-    /// Puts those signals into `watches` that may have left their ranges within a step, as looks at its start,
+    /// Puts those signals into `guards` that may have left their ranges within a step, as looks at its start,
     /// middle and end tell.
     #[inline(always)]
-    pub(super) fn watch_suspects(&self, looks: [&Glance<f64>; 3], watches: &mut Watches) {
-        watches.clear();
-        (self.registers).dispatch(Keep(self, looks, None, watches));
+    pub(super) fn guard_suspects(&self, looks: [&Signals<f64>; 3], guards: &mut Guards) {
+        guards.clear();
+        (self.registers).dispatch(Keep(self, looks, None, guards));
     }
 
-    /// Watches those signals of a leg that reach beyond their ranges.
-    fn watch(&self, leg: usize, reach: &[Quad; QUADS], watches: &mut Watches) {
+    /// Guards those signals of a leg that reach beyond their ranges.
+    fn guard(&self, leg: usize, reach: &[Quad; QUADS], guards: &mut Guards) {
         for (quad, reach) in reach.iter().enumerate() {
             if (reach.0.iter()).fold(true, |stays, reach| stays & (*reach < 0.0)) {
                 continue;
@@ -103,7 +103,7 @@ impl SignalRanges {
                 let range = self.legs[leg].get(signal);
                 if (*reach >= 0.0 || reach.is_nan()) && !range.is_free() {
                     let signal = leg * Signal::COUNT + signal;
-                    watches.push(Watch { signal, range });
+                    guards.push(Guard { signal, range });
                 }
             }
         }
@@ -114,9 +114,9 @@ impl SignalRanges {
 /// watched.
 struct Keep<'a>(
     &'a SignalRanges,
-    [&'a Glance<f64>; 3],
+    [&'a Signals<f64>; 3],
     Option<[f64; 2]>,
-    &'a mut Watches,
+    &'a mut Guards,
 );
 
 impl NullaryFnOnce for Keep<'_> {
@@ -124,7 +124,7 @@ impl NullaryFnOnce for Keep<'_> {
 
     #[inline(always)]
     fn call(self) -> bool {
-        let Self(all, looks, rated, watches) = self;
+        let Self(all, looks, rated, guards) = self;
         let mut are_kept = true;
         for (leg, ranges) in all.legs.iter().enumerate() {
             let [first, second, third] = looks;
@@ -132,13 +132,13 @@ impl NullaryFnOnce for Keep<'_> {
             let mut reach = NOWHERE;
             let is_kept = match rated {
                 Some([ratio, length]) => {
-                    ranges.keep_by_rates(looks, ratio, length, Glance::RATED_QUADS, &mut reach)
+                    ranges.keep_by_rates(looks, ratio, length, Signals::RATED_QUADS, &mut reach)
                 }
                 None => ranges.keep(looks, 1.0, &mut reach),
             };
             if !is_kept {
                 are_kept = false;
-                all.watch(leg, &reach, watches);
+                all.guard(leg, &reach, guards);
             }
         }
         are_kept

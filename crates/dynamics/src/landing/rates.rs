@@ -5,7 +5,7 @@ use crate::motion::{Motion, Pieces, Signal};
 use crate::per_leg::PerLeg;
 use crate::record::FinalRates;
 use crate::scene::Scene;
-use crate::stability::Judge;
+use crate::stability::StabilityMonitor;
 use crate::state::State;
 
 /// Time between the states of which differences are taken, s: long enough for second differences.
@@ -31,9 +31,9 @@ pub fn final_rates(
         moved
     });
 
-    let mut judge = Judge::new(scene, f64::INFINITY);
-    let is_defined = judge.look(motion, state).is_ok();
-    let angle = |state| judge.observe(motion, state).angle;
+    let mut monitor = StabilityMonitor::new(scene, f64::INFINITY);
+    let is_defined = monitor.choose_plane(motion, state).is_ok();
+    let angle = |state| monitor.observe(motion, state).angle;
     let strokes = |state| {
         let signals = motion.signals(state, pieces, false);
         PerLeg::from_fn(motion.leg_count(), |j| signals.of(j, Signal::Stroke))

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::attitude::Attitude;
-use crate::motion::{Glance, LegLoads, Signal};
+use crate::motion::{LegLoads, Signal, Signals};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
 use crate::stability::Observation;
@@ -168,7 +168,7 @@ impl Instant {
         state: &State<f64>,
         seen: &Observation,
         energies: [f64; 2],
-        signals: &Glance<f64>,
+        signals: &Signals<f64>,
         loads: &PerLeg<LegLoads<f64>>,
         feet: PerLeg<Foot>,
     ) -> Self {

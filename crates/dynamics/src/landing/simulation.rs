@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use super::history::History;
 use super::step_attempt::{StepKind, TakeStep};
 use super::trajectory::{Earlier, Trajectory};
-use super::verdict::Outlook;
+use super::verdict::StabilityTrack;
 use crate::contact::LegMode;
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
@@ -15,7 +15,7 @@ use crate::per_leg::PerLeg;
 use crate::record::Landing;
 use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
-use crate::stability::Judge;
+use crate::stability::StabilityMonitor;
 use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
@@ -44,7 +44,7 @@ pub(crate) enum NextStart {
 /// A landing under way, with the step that it takes next.
 pub(crate) struct Simulation<'o> {
     pub(crate) trajectory: Trajectory<'o>,
-    outlook: Outlook,
+    stability: StabilityTrack,
     control: StepControl,
     /// Steps aimed at, rejected ones included.
     attempts: u64,
@@ -68,11 +68,11 @@ impl<'o> Simulation<'o> {
         history: Option<History<'o>>,
     ) -> Self {
         let trajectory = Trajectory::new(vehicle, scene, settings, history);
-        let judge = Judge::new(scene, trajectory.calm_height);
-        let seen = judge.observe(&trajectory.motion, &trajectory.start);
+        let monitor = StabilityMonitor::new(scene, trajectory.calm_height);
+        let seen = monitor.observe(&trajectory.motion, &trajectory.start);
         Self {
             trajectory,
-            outlook: Outlook::new(judge, seen),
+            stability: StabilityTrack::new(monitor, seen),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (0, 0.0),
@@ -101,10 +101,10 @@ impl<'o> Simulation<'o> {
     /// The outcome, if there already is one.
     pub(crate) fn begin(&mut self) -> Result<(), Outcome> {
         let trajectory = &mut self.trajectory;
-        self.outlook.begin(trajectory)?;
+        self.stability.begin(trajectory)?;
         trajectory.settle()?;
         self.burst = (trajectory.events, trajectory.time);
-        self.aim()?;
+        self.plan_step()?;
         Ok(())
     }
 
@@ -138,7 +138,7 @@ impl<'o> Simulation<'o> {
             stages: &mut trajectory.stages,
             length: self.length,
             middle: &mut trajectory.middle,
-            signals: trajectory.signals.ahead_mut(),
+            signals: trajectory.signals.end_mut(),
         });
         self.end_step(errors)?;
         Ok(())
@@ -183,11 +183,11 @@ impl<'o> Simulation<'o> {
             error
         };
         let next = if self.accept(error) {
-            self.go_on()?
+            self.finish_step()?
         } else {
             NextStart::StepStart
         };
-        let flew = self.aim()?;
+        let flew = self.plan_step()?;
         Ok(if flew { NextStart::Elsewhere } else { next })
     }
 
@@ -196,7 +196,7 @@ impl<'o> Simulation<'o> {
     /// # Errors
     /// The outcome, if no further step is to be taken.
     #[inline(always)]
-    fn aim(&mut self) -> Result<bool, Outcome> {
+    fn plan_step(&mut self) -> Result<bool, Outcome> {
         let mut flew = false;
         while self.trajectory.all_legs_hang() {
             flew = true;
@@ -277,7 +277,7 @@ impl<'o> Simulation<'o> {
             return Err(Outcome::Failure(Failure::StepCollapse));
         }
         trajectory.begin_flight(flight, length);
-        let ended = self.go_on();
+        let ended = self.finish_step();
         self.trajectory.free = None;
         ended.map(|_| ())
     }
@@ -287,10 +287,10 @@ impl<'o> Simulation<'o> {
     /// # Errors
     /// The outcome, when the landing has ended.
     #[inline(always)]
-    fn go_on(&mut self) -> Result<NextStart, Outcome> {
+    fn finish_step(&mut self) -> Result<NextStart, Outcome> {
         let Self {
             trajectory,
-            outlook,
+            stability,
             control,
             burst,
             ..
@@ -309,24 +309,25 @@ impl<'o> Simulation<'o> {
         };
         let event = event.filter(|_| kink.is_none());
         let reach = kink.unwrap_or(reach);
-        let judged = trajectory.judge(outlook, reach, event.map(|(_, place)| place));
-        let reach = judged.map_or(reach, |(theta, _)| theta);
+        let verdict_found =
+            trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer));
+        let reach = verdict_found.map_or(reach, |(theta, _)| theta);
         trajectory.report(reach);
-        if judged.is_some() || kink.is_some() {
-            trajectory.places[0] = trajectory.look_at(reach);
+        if verdict_found.is_some() || kink.is_some() {
+            trajectory.buffers[0] = trajectory.signals_at(reach);
             trajectory.note_struts(Some(0), reach);
         } else {
-            trajectory.note_struts(event.map(|(_, place)| place), reach);
+            trajectory.note_struts(event.map(|(_, buffer)| buffer), reach);
         }
         trajectory.time += reach * length;
         let goes_to_end = event.is_none() && kink.is_none();
-        if let Some((_, verdict)) = judged {
-            trajectory.go_to(reach);
+        if let Some((_, verdict)) = verdict_found {
+            trajectory.move_to(reach);
             return Err(verdict.into());
         }
-        if let Some((_, place)) = event {
-            trajectory.go_to(reach);
-            (trajectory.signals.now_mut()).assign(&trajectory.places[place]);
+        if let Some((_, buffer)) = event {
+            trajectory.move_to(reach);
+            (trajectory.signals.start_mut()).assign(&trajectory.buffers[buffer]);
             trajectory.earlier = None;
             control.restart();
             trajectory.cross()?;
@@ -340,9 +341,9 @@ impl<'o> Simulation<'o> {
         } else {
             let start = &trajectory.step.slopes[0];
             let link_accelerations = PerLeg::from_fn(start.leg_count(), |j| start.link_rate(j));
-            trajectory.signals.go_on();
+            trajectory.signals.advance();
             if kink.is_some() {
-                trajectory.go_to(reach);
+                trajectory.move_to(reach);
                 trajectory.events += 1;
                 trajectory.evaluate();
             } else {
@@ -374,8 +375,8 @@ impl<'o> Simulation<'o> {
     }
 
     /// What the landing came to.
-    pub(crate) fn conclude(&self, outcome: Outcome) -> Landing {
-        self.trajectory.conclude(outcome)
+    pub(crate) fn result(&self, outcome: Outcome) -> Landing {
+        self.trajectory.result(outcome)
     }
 }
 
@@ -404,7 +405,7 @@ impl Trajectory<'_> {
         for (j, &rate) in rates.iter().enumerate() {
             self.middle.set(j, Signal::PadRate, rate);
             let end = self.step.after.leg(j).pad_rate;
-            self.signals.ahead_mut().set(j, Signal::PadRate, end);
+            self.signals.end_mut().set(j, Signal::PadRate, end);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Stability angle, critical feet and the quantities outcomes are judged by (2.7, model chapter 7).
+//! Stability angle, critical feet and the quantities outcomes are verdict_found by (2.7, model chapter 7).
 
 use arrayvec::ArrayVec;
 use libm::{atan2, hypot};
@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use num_traits::Zero;
 
 use crate::critical_feet::{CriticalFeet, critical_feet};
-use crate::integrator::event::{Bounds, Signals, Watch};
+use crate::integrator::event::{Bounds, Guard, SignalValues};
 use crate::integrator::ranges::{LANES, Quad, Ranges};
 use crate::motion::{Footing, Motion};
 use crate::outcome::Outcome;
@@ -44,7 +44,7 @@ pub fn calm_height(vehicle: &Vehicle) -> f64 {
     vehicle.standing_height() + CALM_MARGIN
 }
 
-/// The plane in which toppling is judged.
+/// The plane in which toppling is verdict_found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Plane {
     /// That of the CG's horizontal velocity.
@@ -53,7 +53,7 @@ pub enum Plane {
     Slope,
 }
 
-/// What outcomes are judged by, at one instant.
+/// What outcomes are verdict_found by, at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Observation {
     /// What has a range: σ; what has to calm down; the side of each foot, positive to the left of the plane.
@@ -103,7 +103,7 @@ impl Observation {
     }
 }
 
-impl Signals for Observation {
+impl SignalValues for Observation {
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
         self.ranged.as_flattened()[index]
@@ -134,20 +134,20 @@ impl From<Verdict> for Outcome {
     }
 }
 
-/// How stability is being judged: plane, critical feet, and which limits the motion is within.
+/// How stability is being verdict_found: plane, critical feet, and which limits the motion is within.
 #[derive(Debug, Clone)]
-pub struct Judge {
+pub struct StabilityMonitor {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
     slope_side: f64,
     calm_height: f64,
     plane: Plane,
     feet: CriticalFeet,
     ranges: Ranges<QUADS>,
-    watches: ArrayVec<Watch, { QUADS * LANES }>,
+    guards: ArrayVec<Guard, { QUADS * LANES }>,
 }
 
-impl Judge {
-    /// A judge for a scene, who has yet to look. Motion counts as subsided only while the CG is
+impl StabilityMonitor {
+    /// A monitor for a scene, who has yet to look. Motion counts as subsided only while the CG is
     /// within `calm_height` (ft) of the surface.
     pub fn new(scene: &Scene, calm_height: f64) -> Self {
         let slope = scene.conditions().slope;
@@ -160,7 +160,7 @@ impl Judge {
                 positive: 1,
             },
             ranges: Ranges::free(),
-            watches: ArrayVec::new(),
+            guards: ArrayVec::new(),
         }
     }
 
@@ -169,7 +169,7 @@ impl Judge {
     ///
     /// # Errors
     /// [`Verdict::Yaw`] when all feet stand on one side of the plane.
-    pub fn look(
+    pub fn choose_plane(
         &mut self,
         motion: &Motion<f64>,
         state: &State<f64>,
@@ -181,7 +181,7 @@ impl Judge {
         } else {
             Plane::Motion
         };
-        self.watches.clear();
+        self.guards.clear();
         let sides = self.observe(motion, state).sides();
         self.feet = critical_feet(&sides.map(|side| side >= 0.0)).ok_or(Verdict::Yaw)?;
         Ok(self.observe(motion, state))
@@ -242,7 +242,7 @@ impl Judge {
     /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
     /// observed now and the least σ so far. They stay until the next look, but for the end of
     /// rockback.
-    pub fn watch(&mut self, seen: &Observation, least_angle: f64) {
+    pub fn guard(&mut self, seen: &Observation, least_angle: f64) {
         let highest = if least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
         } else {
@@ -252,7 +252,7 @@ impl Judge {
             lower: 0.0,
             upper: highest + ANGLE_SLACK,
         };
-        if self.watches.is_empty() {
+        if self.guards.is_empty() {
             let sides = seen.sides().into_iter().map(|side| {
                 let range = if side >= 0.0 {
                     Bounds::above(0.0)
@@ -267,11 +267,11 @@ impl Judge {
             let angle = std::iter::once((ANGLE, angle));
             let calm = (FIRST_CALM..).zip(calm);
             for (signal, range) in angle.chain(calm).chain((FIRST_SIDE..).zip(sides)) {
-                self.watches.push(Watch { signal, range });
+                self.guards.push(Guard { signal, range });
                 self.ranges.set(signal, range);
             }
         } else {
-            self.watches[ANGLE].range = angle;
+            self.guards[ANGLE].range = angle;
             self.ranges.set(ANGLE, angle);
         }
     }
@@ -301,8 +301,8 @@ impl Judge {
     }
 
     /// The ranges last chosen.
-    pub fn watches(&self) -> &[Watch] {
-        &self.watches
+    pub fn guards(&self) -> &[Guard] {
+        &self.guards
     }
 
     /// The verdict on what is observed now, if there is one.

@@ -1,4 +1,4 @@
-//! A step tried, explicit or implicit, for one landing or for several in lanes: the one place where the method of the
+//! A step tried, explicit or implicit, for one landing or for several in lanes: the one buffer where the method of the
 //! integrator, the equations of motion and the registers meet.
 
 use pulp::NullaryFnOnce;
@@ -6,7 +6,7 @@ use pulp::NullaryFnOnce;
 use crate::integrator::rosenbrock::GAMMA;
 use crate::integrator::step::{Step, Weights};
 use crate::integrator::{dormand_prince, rosenbrock};
-use crate::motion::{Glance, Motion, Pieces};
+use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::Registers;
 use crate::response::Response;
 use crate::scalar::Real;
@@ -51,9 +51,9 @@ pub(crate) struct TakeStep<'a, R, S> {
     /// Overwritten by the stages of an implicit step.
     pub(crate) stages: &'a mut [State<S>; 6],
     /// Where the signals in the middle of an implicit step go.
-    pub(crate) middle: &'a mut Glance<S>,
+    pub(crate) middle: &'a mut Signals<S>,
     /// Where the signals at its end go.
-    pub(crate) signals: &'a mut Glance<S>,
+    pub(crate) signals: &'a mut Signals<S>,
 }
 
 impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
@@ -82,7 +82,7 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
                 registers.dispatch(Derive::<false, S>(motion, state, pieces, slope));
             }
         };
-        let evaluate = |state: &State<S>, slope: &mut State<S>, signals: &mut Glance<S>| {
+        let evaluate = |state: &State<S>, slope: &mut State<S>, signals: &mut Signals<S>| {
             if stops {
                 registers.dispatch(Evaluate::<true, S>(motion, state, pieces, slope, signals));
             } else {
@@ -128,7 +128,7 @@ pub(super) struct Evaluate<'a, const STOPS: bool, S>(
     pub(super) &'a State<S>,
     pub(super) &'a Pieces<S>,
     pub(super) &'a mut State<S>,
-    pub(super) &'a mut Glance<S>,
+    pub(super) &'a mut Signals<S>,
 );
 
 impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {

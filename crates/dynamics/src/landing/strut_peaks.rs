@@ -2,7 +2,7 @@
 
 use crate::integrator::cubic::greatest;
 use crate::integrator::event::{FAR_LONGER, falls};
-use crate::motion::{Glance, Signal};
+use crate::motion::{Signal, Signals};
 use crate::per_leg::PerLeg;
 
 /// Share by which a force has to be greater to be sought.
@@ -27,13 +27,13 @@ impl StrutPeaks {
 
     /// Takes note of a stretch of `length` s by what is seen at its ends.
     #[inline(always)]
-    pub(super) fn note(&mut self, ends: [&Glance<f64>; 2], length: f64) {
+    pub(super) fn note(&mut self, ends: [&Signals<f64>; 2], length: f64) {
         let [start, end] = ends;
         for (j, peak) in self.stroke.iter_mut().enumerate() {
             *peak = peak.max(end.of(j, Signal::Stroke));
-            let rate = |signals: &Glance<f64>| signals.of(j, Signal::StrokeRate);
+            let rate = |signals: &Signals<f64>| signals.of(j, Signal::StrokeRate);
             if rate(start) > 0.0 && rate(end) < 0.0 {
-                let stroke = Glance::<f64>::index(j, Signal::Stroke);
+                let stroke = Signals::<f64>::index(j, Signal::Stroke);
                 *peak = peak.max(greatest(stroke, ends, length));
             }
         }
@@ -43,7 +43,7 @@ impl StrutPeaks {
     }
 
     #[inline(always)]
-    pub(super) fn note_forces(&mut self, signals: &Glance<f64>) {
+    pub(super) fn note_forces(&mut self, signals: &Signals<f64>) {
         for (j, peak) in self.force.iter_mut().enumerate() {
             *peak = peak.max(force(signals, j));
         }
@@ -57,7 +57,7 @@ impl StrutPeaks {
 
     /// Whether the force on any strut may have been greater than ever between three looks at a step.
     #[inline(always)]
-    pub(super) fn may_be_exceeded(&self, looks: [&Glance<f64>; 3]) -> bool {
+    pub(super) fn may_be_exceeded(&self, looks: [&Signals<f64>; 3]) -> bool {
         (0..self.force.len()).any(|j| {
             let [start, middle, end] = looks.map(|signals| force(signals, j));
             let turn = (middle - start).abs() + (end - middle).abs();
@@ -68,7 +68,7 @@ impl StrutPeaks {
     /// Whether it may have been so within a stretch of which only the ends were looked at, as looks before the
     /// stretch before, at the start and at the end tell, `ratio` being its length over that one's.
     #[inline(always)]
-    pub(super) fn may_be_hidden(&self, looks: [&Glance<f64>; 3], ratio: f64) -> bool {
+    pub(super) fn may_be_hidden(&self, looks: [&Signals<f64>; 3], ratio: f64) -> bool {
         let share = ratio / (1.0 + ratio);
         (0..self.force.len()).any(|j| {
             let [before, start, end] = looks.map(|signals| force(signals, j));
@@ -85,6 +85,6 @@ impl StrutPeaks {
 }
 
 /// Magnitude of the force on strut `leg`, lb.
-pub(super) fn force(signals: &Glance<f64>, leg: usize) -> f64 {
+pub(super) fn force(signals: &Signals<f64>, leg: usize) -> f64 {
     signals.of(leg, Signal::StrutForce).abs()
 }

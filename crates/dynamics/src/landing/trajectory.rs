@@ -3,15 +3,15 @@
 use arrayvec::ArrayVec;
 
 use super::history::History;
-use super::ranges::{SignalRanges, Watches};
+use super::ranges::{Guards, SignalRanges};
+use super::signal_history::SignalHistory;
 use super::step_attempt::Evaluate;
 use super::stiffness::Stiffness;
 use super::strut_peaks::StrutPeaks;
-use super::trail::Trail;
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
 use crate::integrator::step::Step;
-use crate::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
+use crate::motion::{FreeFlight, Motion, Pieces, Signal, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::registers::{Registers, Single};
 use crate::scene::{Scene, Settings};
@@ -60,8 +60,8 @@ pub(crate) struct Trajectory<'o> {
     /// How often those of each leg have changed.
     pub(crate) changes: PerLeg<u64>,
     pub(super) ranges: SignalRanges,
-    /// Signals that may have left their range within the last step.
-    pub(super) suspects: Watches,
+    /// SignalValues that may have left their range within the last step.
+    pub(super) suspects: Guards,
     /// The gentle kinks next to each strut that works.
     pub(super) kinks: PerLeg<Option<GentleKinks>>,
     pub(super) time: f64,
@@ -71,12 +71,12 @@ pub(crate) struct Trajectory<'o> {
     pub(super) stages: [State<f64>; 6],
     /// How the present step goes on if it is one of free flight.
     pub(super) free: Option<FreeFlight>,
-    pub(crate) signals: Trail,
+    pub(crate) signals: SignalHistory,
     /// The signals in the middle of the step, if it is implicit or was looked into.
-    pub(crate) middle: Glance<f64>,
+    pub(crate) middle: Signals<f64>,
     pub(super) is_middle_seen: bool,
-    /// Signals at the points of the step that an event was closed in by.
-    pub(super) places: [Glance<f64>; 3],
+    /// SignalValues at the points of the step that an event was closed in by.
+    pub(super) buffers: [Signals<f64>; 3],
     /// The step before, if no law has changed since.
     pub(super) earlier: Option<Earlier>,
     pub(super) start: State<f64>,
@@ -131,16 +131,16 @@ impl<'o> Trajectory<'o> {
             modes,
             pieces,
             changes: PerLeg::same(legs, 1),
-            suspects: Watches::new(),
+            suspects: Guards::new(),
             kinks: PerLeg::same(legs, None),
             time: 0.0,
             step: Step::from(state, State::zero(legs)),
             stages: [State::zero(legs); 6],
             free: None,
-            signals: Trail::new(legs),
-            middle: Glance::blank(legs),
+            signals: SignalHistory::new(legs),
+            middle: Signals::blank(legs),
             is_middle_seen: false,
-            places: [Glance::blank(legs); 3],
+            buffers: [Signals::blank(legs); 3],
             earlier: None,
             start: state,
             least_angle: (f64::INFINITY, 0.0),
@@ -180,7 +180,7 @@ impl<'o> Trajectory<'o> {
 
     /// The longest step that the laws allow whatever the error, s.
     pub(super) fn longest_step(&self) -> f64 {
-        let pad_rate = |j| self.signals.now().of(j, Signal::PadRate);
+        let pad_rate = |j| self.signals.start().of(j, Signal::PadRate);
         let legs = self.modes.iter().enumerate();
         legs.map(|(j, mode)| mode.longest_step(pad_rate(j)))
             .fold(f64::INFINITY, f64::min)
@@ -199,7 +199,7 @@ impl<'o> Trajectory<'o> {
             &self.step.after,
             &self.pieces,
             last,
-            self.signals.ahead_mut(),
+            self.signals.end_mut(),
         ));
         self.evaluations += 1;
     }
@@ -212,7 +212,7 @@ impl<'o> Trajectory<'o> {
             &self.step.before,
             &self.pieces,
             first,
-            self.signals.now_mut(),
+            self.signals.start_mut(),
         ));
         self.evaluations += 1;
     }

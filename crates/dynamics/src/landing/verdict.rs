@@ -3,28 +3,28 @@
 use super::trajectory::Trajectory;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
-use crate::motion::{Footing, Glance};
-use crate::stability::{Judge, Observation, Verdict};
+use crate::motion::{Footing, Signals};
+use crate::stability::{Observation, StabilityMonitor, Verdict};
 use crate::state::Body;
 
 /// Parabolas laid toward a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
 
 /// Stability as it has been followed so far.
-pub(super) struct Outlook {
-    judge: Judge,
-    /// What the judge sees now.
+pub(super) struct StabilityTrack {
+    monitor: StabilityMonitor,
+    /// What the monitor sees now.
     seen: Observation,
     /// What he saw at the start of the step before, and how long ago that is, s. Laws that change leave it: feet
     /// and velocities go on without a jump.
     before: Option<(Observation, f64)>,
 }
 
-impl Outlook {
-    /// A judge and what he sees at touchdown.
-    pub(super) fn new(judge: Judge, seen: Observation) -> Self {
+impl StabilityTrack {
+    /// A monitor and what he sees at touchdown.
+    pub(super) fn new(monitor: StabilityMonitor, seen: Observation) -> Self {
         Self {
-            judge,
+            monitor,
             seen,
             before: None,
         }
@@ -35,15 +35,17 @@ impl Outlook {
     /// # Errors
     /// The verdict, if there already is one.
     pub(super) fn begin(&mut self, trajectory: &mut Trajectory<'_>) -> Result<(), Verdict> {
-        let first_look = self.judge.look(&trajectory.motion, &trajectory.start);
-        self.seen = self.judge.observe(&trajectory.motion, &trajectory.start);
+        let first_look = self
+            .monitor
+            .choose_plane(&trajectory.motion, &trajectory.start);
+        self.seen = self.monitor.observe(&trajectory.motion, &trajectory.start);
         trajectory.note_observation(&self.seen, 0.0);
         if let Err(verdict) = first_look {
             // With all feet on one side no angle is defined: nothing is left of stability.
             trajectory.least_angle = (0.0, 0.0);
             return Err(verdict);
         }
-        match self.judge.verdict(&self.seen, trajectory.least_angle.0) {
+        match self.monitor.verdict(&self.seen, trajectory.least_angle.0) {
             Some(verdict) => Err(verdict),
             None => Ok(()),
         }
@@ -53,10 +55,10 @@ impl Outlook {
     fn keeps(&self, end: &Observation, length: f64) -> bool {
         self.before
             .as_ref()
-            .is_some_and(|(before, ago)| self.judge.keep([before, &self.seen, end], length / ago))
+            .is_some_and(|(before, ago)| self.monitor.keep([before, &self.seen, end], length / ago))
     }
 
-    fn go_on(&mut self, seen: Observation, time: f64) {
+    fn finish_step(&mut self, seen: Observation, time: f64) {
         self.before = Some((self.seen, time));
         self.seen = seen;
     }
@@ -64,34 +66,34 @@ impl Outlook {
 
 impl Trajectory<'_> {
     /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls. Of an `event` there
-    /// one of the `places` has the signals.
-    pub(super) fn judge(
+    /// one of the `buffers` has the signals.
+    pub(super) fn judge_step(
         &mut self,
-        outlook: &mut Outlook,
+        stability: &mut StabilityTrack,
         reach: f64,
         event: Option<usize>,
     ) -> Option<(f64, Verdict)> {
         let resolution = self.event_resolution / self.step.length;
         let mut start = Node {
             theta: 0.0,
-            signals: outlook.seen,
+            signals: stability.seen,
         };
         while start.theta < reach {
-            (outlook.judge).watch(&start.signals, self.least_angle.0);
-            let judge = &outlook.judge;
+            (stability.monitor).guard(&start.signals, self.least_angle.0);
+            let monitor = &stability.monitor;
             let look = |theta: f64| {
-                let told = |signals: &Glance<f64>, body: &Body<f64>| {
+                let told = |signals: &Signals<f64>, body: &Body<f64>| {
                     let depth = self.motion.surface().depth(&body.position);
-                    judge.observe_footing(&Footing::told(signals, depth), body)
+                    monitor.observe_footing(&Footing::from_signals(signals, depth), body)
                 };
                 if theta == 1.0 {
-                    told(self.signals.ahead(), &self.step.after.body())
-                } else if let Some(place) = event
+                    told(self.signals.end(), &self.step.after.body())
+                } else if let Some(buffer) = event
                     && theta == reach
                 {
-                    told(&self.places[place], &self.motion_at(theta).body())
+                    told(&self.buffers[buffer], &self.motion_at(theta).body())
                 } else {
-                    judge.observe(&self.motion, &self.motion_at(theta))
+                    monitor.observe(&self.motion, &self.motion_at(theta))
                 }
             };
             let node = |theta: f64| Node {
@@ -99,53 +101,53 @@ impl Trajectory<'_> {
                 signals: look(theta),
             };
             let mut end = node(reach);
-            let share = judge.share_within_turn(&start.signals, &end.signals);
+            let share = monitor.share_within_turn(&start.signals, &end.signals);
             if share < 1.0 {
                 let part = (share * (reach - start.theta)).max(resolution);
                 end = node(reach.min(start.theta + part));
             }
             let length = (end.theta - start.theta) * self.step.length;
-            let is_plain = self.is_plain(outlook, &end.signals, length);
-            if is_plain && outlook.keeps(&end.signals, length) {
+            let is_plain = self.is_plain(stability, &end.signals, length);
+            if is_plain && stability.keeps(&end.signals, length) {
                 self.note_observation(&end.signals, self.time_at(end.theta));
-                outlook.go_on(end.signals, length);
+                stability.finish_step(end.signals, length);
                 start = end;
                 continue;
             }
             let middle = node(0.5 * (start.theta + end.theta));
-            let nodes = [&start, &middle, &end].map(Node::seen);
-            let mut places = [end.signals; 3];
+            let nodes = [&start, &middle, &end].map(Node::sample);
+            let mut buffers = [end.signals; 3];
             let exit = first_exit(
                 nodes,
-                judge.watches(),
+                monitor.guards(),
                 resolution,
-                &mut places,
+                &mut buffers,
                 |theta, signals| *signals = look(theta),
             );
-            let exit = exit.map(|(theta, place)| Node {
+            let exit = exit.map(|(theta, buffer)| Node {
                 theta,
-                signals: places[place],
+                signals: buffers[buffer],
             });
             let Some(exit) = exit else {
                 if is_plain {
                     self.note_observation(&end.signals, self.time_at(end.theta));
                 } else {
-                    self.note_least(judge, [&start, &middle, &end]);
+                    self.note_least(monitor, [&start, &middle, &end]);
                 }
-                outlook.go_on(end.signals, length);
+                stability.finish_step(end.signals, length);
                 start = end;
                 continue;
             };
             let middle = node(0.5 * (start.theta + exit.theta));
-            self.note_least(judge, [&start, &middle, &exit]);
-            if let Some(verdict) = judge.verdict(&exit.signals, self.least_angle.0) {
+            self.note_least(monitor, [&start, &middle, &exit]);
+            if let Some(verdict) = monitor.verdict(&exit.signals, self.least_angle.0) {
                 return Some((exit.theta, verdict));
             }
-            match (outlook.judge).look(&self.motion, &self.motion_at(exit.theta)) {
+            match (stability.monitor).choose_plane(&self.motion, &self.motion_at(exit.theta)) {
                 Err(verdict) => return Some((exit.theta, verdict)),
                 Ok(observation) => {
                     self.note_observation(&observation, self.time_at(exit.theta));
-                    let verdict = outlook.judge.verdict(&observation, self.least_angle.0);
+                    let verdict = stability.monitor.verdict(&observation, self.least_angle.0);
                     if let Some(verdict) = verdict {
                         return Some((exit.theta, verdict));
                     }
@@ -153,8 +155,8 @@ impl Trajectory<'_> {
                         theta: exit.theta,
                         signals: observation,
                     };
-                    outlook.seen = observation;
-                    outlook.before = None;
+                    stability.seen = observation;
+                    stability.before = None;
                 }
             }
         }
@@ -162,8 +164,8 @@ impl Trajectory<'_> {
     }
 
     /// Whether within a step of `length` s that ends like this no new least value can hide.
-    fn is_plain(&self, outlook: &Outlook, end: &Observation, length: f64) -> bool {
-        let (start, Some((before, ago))) = (&outlook.seen, &outlook.before) else {
+    fn is_plain(&self, stability: &StabilityTrack, end: &Observation, length: f64) -> bool {
+        let (start, Some((before, ago))) = (&stability.seen, &stability.before) else {
             return false;
         };
         let ratio = length / ago;
@@ -183,18 +185,18 @@ impl Trajectory<'_> {
     }
 
     /// Takes note of the least σ and clearance over three nodes between which both are smooth.
-    fn note_least(&mut self, judge: &Judge, nodes: [&Node<Observation>; 3]) {
+    fn note_least(&mut self, monitor: &StabilityMonitor, nodes: [&Node<Observation>; 3]) {
         for node in nodes {
             self.note_observation(&node.signals, self.time_at(node.theta));
         }
         self.close_in(
-            judge,
+            monitor,
             nodes,
             |seen| seen.angle,
             |flight| flight.least_angle.0,
         );
         self.close_in(
-            judge,
+            monitor,
             nodes,
             |seen| seen.clearance,
             |flight| flight.least_clearance,
@@ -204,7 +206,7 @@ impl Trajectory<'_> {
     /// Closes in by parabolas on a least value of `number` that lies below the `least` so far.
     fn close_in(
         &mut self,
-        judge: &Judge,
+        monitor: &StabilityMonitor,
         nodes: [&Node<Observation>; 3],
         number: fn(&Observation) -> f64,
         least: fn(&Self) -> f64,
@@ -215,7 +217,7 @@ impl Trajectory<'_> {
             let Some(theta) = parabola.lowest(least(self)) else {
                 return;
             };
-            let seen = judge.observe(&self.motion, &self.motion_at(theta));
+            let seen = monitor.observe(&self.motion, &self.motion_at(theta));
             self.note_observation(&seen, self.time_at(theta));
             parabola = parabola.about((theta, number(&seen)));
         }

@@ -4,7 +4,7 @@ use pulp::NullaryFnOnce;
 
 use super::trajectory::Trajectory;
 use crate::integrator::step::Step;
-use crate::motion::{FreeFlight, Glance, Motion, Pieces};
+use crate::motion::{FreeFlight, Motion, Pieces, Signals};
 use crate::registers::Registers;
 use crate::state::State;
 
@@ -43,7 +43,7 @@ pub(super) struct Look<'a> {
     /// Fraction of the step.
     pub(super) theta: f64,
     pub(super) with_torques: bool,
-    pub(super) signals: &'a mut Glance<f64>,
+    pub(super) signals: &'a mut Signals<f64>,
 }
 
 impl NullaryFnOnce for Look<'_> {
@@ -70,7 +70,7 @@ impl NullaryFnOnce for MotionAt<'_> {
 
 impl Trajectory<'_> {
     /// Goes to fraction θ of the step.
-    pub(super) fn go_to(&mut self, theta: f64) {
+    pub(super) fn move_to(&mut self, theta: f64) {
         self.step.before = self.state_at(theta);
     }
 
@@ -93,9 +93,9 @@ impl Trajectory<'_> {
     }
 
     /// The signals at fraction θ of the step.
-    pub(super) fn look_at(&mut self, theta: f64) -> Glance<f64> {
+    pub(super) fn signals_at(&mut self, theta: f64) -> Signals<f64> {
         self.evaluations += 1;
-        let mut signals = Glance::blank(self.leg_count());
+        let mut signals = Signals::blank(self.leg_count());
         self.registers.dispatch(Look {
             motion: &self.motion,
             pieces: &self.pieces,

@@ -7,9 +7,9 @@
 use std::sync::Arc;
 
 use crate::integrator::event::{Bounds, Exit};
+use crate::lanes::per_lane;
 use crate::profile::{Profile, Segment};
 use crate::scalar::Real;
-use crate::wide::abreast;
 
 /// A straight line of relative pressure against interference (ft).
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct PressureLine<S> {
     slope: S,
 }
 
-abreast!(PressureLine { offset, slope });
+per_lane!(PressureLine { offset, slope });
 
 impl<S: Real> PressureLine<S> {
     /// No pressure at any interference.
@@ -95,11 +95,11 @@ impl CrushLaw {
 
     /// How an element with plastic set `set` (ft) answers at an interference, `driven` saying
     /// whether it may crush further: for methods that ask anew at every evaluation.
-    pub fn answer(&self, set: f64, interference: f64, driven: bool) -> Answer {
+    pub fn answer(&self, set: f64, interference: f64, driven: bool) -> CrushState {
         let elastic = interference - set;
         let line = |offset, slope| PressureLine { offset, slope };
         if elastic <= self.pressure_threshold {
-            return Answer {
+            return CrushState {
                 line: line(0.0, 0.0),
                 set,
                 in_contact: elastic > CONTACT_THRESHOLD,
@@ -109,13 +109,13 @@ impl CrushLaw {
         let front_set = self.front_set(segment, interference);
         if driven && front_set >= set {
             let Segment { offset, slope, .. } = self.segments[segment];
-            return Answer {
+            return CrushState {
                 line: line(offset, slope),
                 set: front_set,
                 in_contact: true,
             };
         }
-        Answer {
+        CrushState {
             line: line(-self.elastic_slope * set, self.elastic_slope),
             set,
             in_contact: true,
@@ -125,7 +125,7 @@ impl CrushLaw {
 
 /// What an element does at one interference.
 #[derive(Debug, Clone, Copy)]
-pub struct Answer {
+pub struct CrushState {
     /// The active line of pressure.
     pub line: PressureLine<f64>,
     /// Plastic set it leaves, ft.

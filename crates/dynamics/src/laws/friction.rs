@@ -4,8 +4,8 @@
 //! 1.05 ft/s, μ0 above. Profiles A and B (4.1.5) are viscous over less.
 
 use crate::integrator::event::Bounds;
+use crate::lanes::per_lane;
 use crate::scalar::Real;
-use crate::wide::abreast;
 
 pub use crate::rules::FrictionProfile;
 
@@ -27,7 +27,7 @@ pub struct FrictionPiece<S> {
     viscous: S,
 }
 
-abreast!(FrictionPiece { constant, viscous });
+per_lane!(FrictionPiece { constant, viscous });
 
 const STEADY_LIMIT: f64 = 1.05;
 /// Slack of the squared-speed guard, ft²/s².

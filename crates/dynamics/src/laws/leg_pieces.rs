@@ -3,8 +3,8 @@
 use crate::crush::PressureLine;
 use crate::friction::FrictionPiece;
 use crate::hinge::HingePiece;
+use crate::lanes::per_lane;
 use crate::strut::{LinkPiece, StrutPiece};
-use crate::wide::abreast;
 
 /// Coefficients of the active piece of every law of one leg.
 #[derive(Debug, Clone, Copy)]
@@ -25,7 +25,7 @@ pub struct LegPieces<S> {
     pub hinge: HingePiece<S>,
 }
 
-abreast!(LegPieces {
+per_lane!(LegPieces {
     pad,
     block,
     pad_friction,

@@ -4,8 +4,8 @@
 mod law;
 mod stance;
 
+use crate::lanes::per_lane;
 use crate::scalar::Real;
-use crate::wide::abreast;
 
 pub use law::StrutLaw;
 pub use stance::{GentleKinks, Stance};
@@ -30,7 +30,7 @@ pub struct StrutPiece<S> {
     rebound: [S; 2],
 }
 
-abreast!(StrutPiece {
+per_lane!(StrutPiece {
     base,
     growth,
     multiplier,
@@ -50,7 +50,7 @@ struct Kinked<S> {
     kinks: [[S; 2]; 2],
 }
 
-abreast!(Kinked {
+per_lane!(Kinked {
     offset,
     slope,
     kinks,
@@ -174,7 +174,7 @@ pub struct LinkPiece<S> {
     pub moving: S,
 }
 
-abreast!(LinkPiece {
+per_lane!(LinkPiece {
     free,
     run_down,
     moving,

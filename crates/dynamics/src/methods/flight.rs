@@ -7,7 +7,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
 use crate::record::{Energies, Foot, Instant, Landing, LegWork};
 use crate::scene::{Scene, Settings};
-use crate::stability::{Judge, calm_height};
+use crate::stability::{StabilityMonitor, calm_height};
 use crate::state::State;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
@@ -26,7 +26,7 @@ pub(super) struct Flight<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
     model: &'a ForceModel,
-    judge: Judge,
+    monitor: StabilityMonitor,
     time: f64,
     first: State<f64>,
     interval: f64,
@@ -59,7 +59,7 @@ impl<'a> Flight<'a> {
             scene,
             settings,
             model,
-            judge: Judge::new(scene, calm_height(vehicle)),
+            monitor: StabilityMonitor::new(scene, calm_height(vehicle)),
             time: 0.0,
             first: touchdown(vehicle, scene, model.motion()),
             interval,
@@ -150,10 +150,10 @@ impl<'a> Flight<'a> {
     ) -> Option<Outcome> {
         extremes.note_legs(self.time, look);
         let motion = self.model.motion();
-        let seen = match self.judge.look(motion, &start.state) {
+        let seen = match self.monitor.choose_plane(motion, &start.state) {
             Ok(seen) => seen,
             Err(verdict) => {
-                let seen = self.judge.observe(motion, &start.state);
+                let seen = self.monitor.observe(motion, &start.state);
                 extremes.clearance = extremes.clearance.min(seen.clearance);
                 // With all feet on one side from the first instant no angle is defined.
                 extremes.angle.0 = extremes.angle.0.min(std::f64::consts::PI);
@@ -164,7 +164,7 @@ impl<'a> Flight<'a> {
         if seen.angle < extremes.angle.0 {
             extremes.angle = (seen.angle, self.time);
         }
-        match self.judge.verdict(&seen, extremes.angle.0) {
+        match self.monitor.verdict(&seen, extremes.angle.0) {
             Some(verdict) => Some(verdict.into()),
             None => self.model.end(look),
         }
@@ -206,11 +206,11 @@ impl<'a> Flight<'a> {
     }
 
     fn report_instant(&mut self, time: f64, state: &State<f64>, mut sets: Sets) {
-        let mut judge = Judge::new(self.scene, calm_height(self.vehicle));
+        let mut monitor = StabilityMonitor::new(self.scene, calm_height(self.vehicle));
         let motion = self.model.motion();
-        let seen = judge
-            .look(motion, state)
-            .unwrap_or_else(|_| judge.observe(motion, state));
+        let seen = monitor
+            .choose_plane(motion, state)
+            .unwrap_or_else(|_| monitor.observe(motion, state));
         let kept = sets;
         let look = self.model.look(state, &mut sets);
         let loads = self.model.loads(state, &look);

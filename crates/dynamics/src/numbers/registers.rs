@@ -4,7 +4,7 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::wide::Wide;
+use crate::lanes::Lanes;
 
 /// Registers that code can be compiled for.
 pub trait Registers: Copy {
@@ -13,18 +13,18 @@ pub trait Registers: Copy {
 }
 
 /// Registers for so many numbers abreast.
-pub trait Lanes<const N: usize>: Registers {
+pub trait Transpose<const N: usize>: Registers {
     /// Rows made columns: the numbers of each lane, one after the other.
-    fn transposed(self, rows: &[Wide<N>; N]) -> [[f64; N]; N];
+    fn transposed(self, rows: &[Lanes<N>; N]) -> [[f64; N]; N];
 
-    /// Writes numbers that lie in lanes to one place for each lane.
+    /// Writes numbers that lie in lanes to one buffer for each lane.
     #[inline(always)]
-    fn deal(self, wide: &[Wide<N>], places: [&mut [f64]; N]) {
-        let places = places.map(|place| place.as_chunks_mut().0);
+    fn deal(self, wide: &[Lanes<N>], buffers: [&mut [f64]; N]) {
+        let buffers = buffers.map(|buffer| buffer.as_chunks_mut().0);
         for (block, rows) in wide.as_chunks().0.iter().enumerate() {
             let columns = self.transposed(rows);
             for lane in 0..N {
-                places[lane][block] = columns[lane];
+                buffers[lane][block] = columns[lane];
             }
         }
     }
@@ -41,9 +41,9 @@ impl Registers for Baseline {
     }
 }
 
-impl Lanes<2> for Baseline {
+impl Transpose<2> for Baseline {
     #[inline(always)]
-    fn transposed(self, rows: &[Wide<2>; 2]) -> [[f64; 2]; 2] {
+    fn transposed(self, rows: &[Lanes<2>; 2]) -> [[f64; 2]; 2] {
         let [a, b] = rows;
         [[a.0[0], b.0[0]], [a.0[1], b.0[1]]]
     }
@@ -124,9 +124,9 @@ impl Registers for Eight {
 }
 
 #[cfg(target_arch = "x86_64")]
-impl Lanes<4> for Four {
+impl Transpose<4> for Four {
     #[inline(always)]
-    fn transposed(self, rows: &[Wide<4>; 4]) -> [[f64; 4]; 4] {
+    fn transposed(self, rows: &[Lanes<4>; 4]) -> [[f64; 4]; 4] {
         let avx = self.0.avx;
         let [a, b, c, d] = rows.map(|row| pulp::cast(row.0));
         let (ab, cd) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpacklo_pd(c, d));
@@ -141,9 +141,9 @@ impl Lanes<4> for Four {
 }
 
 #[cfg(target_arch = "x86_64")]
-impl Lanes<8> for Eight {
+impl Transpose<8> for Eight {
     #[inline(always)]
-    fn transposed(self, rows: &[Wide<8>; 8]) -> [[f64; 8]; 8] {
+    fn transposed(self, rows: &[Lanes<8>; 8]) -> [[f64; 8]; 8] {
         let [a, b, c, d] = self.pairs(&rows[0], &rows[1], &rows[2], &rows[3]);
         let [e, f, g, h] = self.pairs(&rows[4], &rows[5], &rows[6], &rows[7]);
         let ([a, e], [c, g]) = (self.halves(a, e), self.halves(c, g));
@@ -159,7 +159,7 @@ type Register = std::arch::x86_64::__m512d;
 impl Eight {
     /// Of four rows, the numbers of lanes 0 and 4, of 1 and 5, of 2 and 6, of 3 and 7.
     #[inline(always)]
-    fn pairs(self, a: &Wide<8>, b: &Wide<8>, c: &Wide<8>, d: &Wide<8>) -> [Register; 4] {
+    fn pairs(self, a: &Lanes<8>, b: &Lanes<8>, c: &Lanes<8>, d: &Lanes<8>) -> [Register; 4] {
         let avx = self.0.avx512f;
         let (a, b): (Register, Register) = (pulp::cast(a.0), pulp::cast(b.0));
         let (c, d): (Register, Register) = (pulp::cast(c.0), pulp::cast(d.0));

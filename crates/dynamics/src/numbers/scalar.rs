@@ -26,7 +26,7 @@ pub trait Real:
     /// For every round of a loop over such numbers: keeps the compiler from taking several rounds at a time in the
     /// lanes of a register where each number fills one by itself.
     #[inline(always)]
-    fn one_round() {}
+    fn keep_rounds_apart() {}
 
     /// The same constant in every lane.
     fn constant(value: f64) -> Self;

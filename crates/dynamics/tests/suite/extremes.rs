@@ -1,5 +1,5 @@
 //! The extremes that a landing reports (least stability angle and clearance, greatest forces and strokes of its
-//! struts) are those that a close watch on it sees.
+//! struts) are those that a close guard on it sees.
 
 use crate::common::random::{fixed_list, usual_conditions};
 use crate::common::{settings, table_4_1};
@@ -23,9 +23,9 @@ fn watched() -> Vec<(usize, Conditions)> {
 }
 
 /// Extremes as they were seen, the least ones negative: all are greatest values.
-struct Seen([f64; 8]);
+struct Sample([f64; 8]);
 
-impl Seen {
+impl Sample {
     const NAMES: [&str; 8] = [
         "least angle, rad",
         "least clearance, ft",
@@ -52,23 +52,23 @@ fn no_close_look_sees_more_than_the_extremes_that_are_reported() {
     for (tolerance, [angle, length]) in [(3e-5, [1e-5, 1e-5]), (1e-6, [1e-6, 1e-5])] {
         for (index, conditions) in watched() {
             let scene = Scene::new(conditions).unwrap();
-            let mut seen = Seen([f64::NEG_INFINITY; 8]);
+            let mut seen = Sample([f64::NEG_INFINITY; 8]);
             let landing = land_observed(
                 &vehicle,
                 &scene,
                 &settings(tolerance),
                 INTERVAL,
                 &mut |now: &Instant| {
-                    let Seen(look) = Seen::new(
+                    let Sample(look) = Sample::new(
                         now.stability_angle,
                         now.clearance,
                         now.legs.map(|leg| leg.strut_force.abs()),
                         now.legs.map(|leg| leg.stroke),
                     );
-                    seen = Seen(std::array::from_fn(|k| seen.0[k].max(look[k])));
+                    seen = Sample(std::array::from_fn(|k| seen.0[k].max(look[k])));
                 },
             );
-            let reported = Seen::new(
+            let reported = Sample::new(
                 landing.min_stability_angle,
                 landing.min_clearance,
                 landing.max_strut_force,
@@ -87,7 +87,7 @@ fn no_close_look_sees_more_than_the_extremes_that_are_reported() {
             ];
             // Looks may pass over the very top of a peak.
             let beyond = [1e-3, 1e-3, 5.0, 5.0, 5.0, 1e-4, 1e-4, 1e-4];
-            for (k, name) in Seen::NAMES.into_iter().enumerate() {
+            for (k, name) in Sample::NAMES.into_iter().enumerate() {
                 let over = seen.0[k] - reported.0[k];
                 assert!(
                     over <= short[k] && over >= -beyond[k],

@@ -1,8 +1,8 @@
-//! Where the feet stand: what stability is judged by.
+//! Where the feet stand: what stability is verdict_found by.
 
 use nalgebra::Vector3;
 
-use super::{Glance, Motion, Signal};
+use super::{Motion, Signal, Signals};
 use crate::per_leg::PerLeg;
 use crate::products::times;
 use crate::state::State;
@@ -20,7 +20,7 @@ pub struct Footing {
 
 impl Footing {
     /// As the signals of all legs tell it, with the CG at a depth (ft) below the surface.
-    pub fn told(signals: &Glance<f64>, depth: f64) -> Self {
+    pub fn from_signals(signals: &Signals<f64>, depth: f64) -> Self {
         let legs = signals.leg_count();
         let foot = [Signal::FootX, Signal::FootY, Signal::FootZ];
         Self {

@@ -5,12 +5,12 @@ use nalgebra::Vector3;
 use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
 use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity};
+use crate::lanes::per_lane;
 use crate::products::times;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::LegState;
 use crate::vehicle::Leg;
-use crate::wide::abreast;
 
 /// Constants of the equations of one leg.
 #[derive(Debug, Clone, Copy)]
@@ -28,7 +28,7 @@ pub(super) struct LegMotion<S> {
     pub(super) block_friction: S,
 }
 
-abreast!(LegMotion {
+per_lane!(LegMotion {
     geometry,
     link_inertia,
     inverse_link_inertia,

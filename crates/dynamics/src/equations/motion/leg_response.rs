@@ -10,7 +10,7 @@ use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
 };
 use crate::per_leg::PerLeg;
-use crate::response::{Answer, Coordinates, LegResponse, Response};
+use crate::response::{Coordinates, ForceDerivative, LegResponse, Response};
 use crate::scalar::Real;
 use crate::state::{LegState, State};
 
@@ -149,7 +149,7 @@ impl<S: Real> LegMotion<S> {
         let [along, across] = contact.rub(force, &hinge_lever);
         response.push(&along);
         response.push(&across);
-        response.push(&Answer {
+        response.push(&ForceDerivative {
             force: contact.force(&along_line, -per_pressure, S::zero()),
             velocity: Coordinates::zero(),
             displacement: press,
@@ -190,7 +190,7 @@ impl<S: Real> LegMotion<S> {
         let along_line = contact.along(&contact.line());
         let mut deeper = contact.along(&frame.normal);
         deeper.body *= upright;
-        response.push(&Answer {
+        response.push(&ForceDerivative {
             force: contact.force(&along_line, -per_depth, S::zero()),
             velocity: Coordinates::zero(),
             displacement: deeper,
@@ -300,7 +300,7 @@ impl<S: Real> Contact<'_, S> {
     /// How friction under a normal force (lb) answers sliding on and sliding aside. `hinge_lever` is the lever
     /// of the pad's hinge times the normal force.
     #[inline(always)]
-    fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [Answer<S>; 2] {
+    fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [ForceDerivative<S>; 2] {
         let (along, across) = self.frame.tangents(self.velocity);
         let across_rate = self.friction.per_speed(self.velocity.sliding_squared);
         [
@@ -317,11 +317,11 @@ impl<S: Real> Contact<'_, S> {
         rate: S,
         force: S,
         hinge_lever: &PlaneDirection<S>,
-    ) -> Answer<S> {
+    ) -> ForceDerivative<S> {
         let rate = -(self.coefficient * rate);
         let velocity = self.along(direction);
         let on_hinge = -(rate * hinge_lever.dot(direction));
-        Answer {
+        ForceDerivative {
             force: self.force(&velocity, force * rate, on_hinge),
             velocity,
             displacement: self.turned(&self.carried.cross(direction), self.bend.dot(direction)),

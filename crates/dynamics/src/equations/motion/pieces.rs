@@ -1,9 +1,9 @@
 //! The coefficients that the equations of motion work with.
 
+use crate::lanes::{Lanes, PerLane};
 use crate::leg_pieces::LegPieces;
 use crate::per_leg::PerLeg;
 use crate::scalar::Real;
-use crate::wide::{Abreast, Wide};
 
 /// What presses on a leg, in any lane.
 #[derive(Debug, Clone, Copy)]
@@ -82,11 +82,11 @@ impl Pieces<f64> {
     }
 }
 
-impl<const N: usize> Pieces<Wide<N>> {
+impl<const N: usize> Pieces<Lanes<N>> {
     /// So many legs in the air, in all lanes.
     pub fn absent(legs: usize) -> Self {
         Self {
-            legs: PerLeg::same(legs, ActivePieces::new(LegPieces::absent().shared())),
+            legs: PerLeg::same(legs, ActivePieces::new(LegPieces::absent().splat())),
         }
     }
 

@@ -28,12 +28,12 @@ impl<S: Real> Response<S> {
             legs.push(eliminated);
             for column in 0..6 {
                 for row in 0..6 {
-                    S::one_round();
+                    S::keep_rounds_apart();
                     matrix[(row, column)] += body[(row, column)];
                 }
             }
         }
-        // L U in place, with ones on the diagonal of L and the inverse of that of U.
+        // L U in buffer, with ones on the diagonal of L and the inverse of that of U.
         for pivot in 0..6 {
             let inverse = S::one() / matrix[(pivot, pivot)];
             matrix[(pivot, pivot)] = inverse;
@@ -96,7 +96,7 @@ impl<S: Real> Eliminated<S> {
             let force = answer.force.body * tau;
             for k in 0..6 {
                 for i in 0..6 {
-                    S::one_round();
+                    S::keep_rounds_apart();
                     body[(i, k)] -= force[i] * reach[k];
                 }
             }
@@ -126,14 +126,14 @@ impl<S: Real> Eliminated<S> {
         }
         for k in 0..6 {
             for i in 0..6 {
-                S::one_round();
+                S::keep_rounds_apart();
                 body[(i, k)] -= columns[0][i] * solved[0][k];
             }
         }
         if leg.swings_pads {
             for k in 0..6 {
                 for i in 0..6 {
-                    S::one_round();
+                    S::keep_rounds_apart();
                     body[(i, k)] -= columns[1][i] * solved[1][k];
                 }
             }

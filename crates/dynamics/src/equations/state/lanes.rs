@@ -1,14 +1,14 @@
 //! States of several landings, a lane for each.
 
 use super::{BODY_NUMBERS, LEG, State};
-use crate::registers::Lanes;
+use crate::lanes::Lanes;
+use crate::registers::Transpose;
 use crate::scalar::Real;
-use crate::wide::Wide;
 
-impl<const N: usize> State<Wide<N>> {
+impl<const N: usize> State<Lanes<N>> {
     /// Writes the state in each lane.
     #[inline(always)]
-    pub fn deal<R: Lanes<N>>(&self, registers: R, mut states: [&mut State<f64>; N]) {
+    pub fn deal<R: Transpose<N>>(&self, registers: R, mut states: [&mut State<f64>; N]) {
         registers.deal(
             &self.body,
             states.each_mut().map(|state| &mut state.body[..]),
@@ -23,7 +23,7 @@ impl<const N: usize> State<Wide<N>> {
 
     /// In lanes whose `mark` is zero, the numbers of another.
     #[inline(always)]
-    pub fn replace(&mut self, mark: Wide<N>, other: &Self) {
+    pub fn replace(&mut self, mark: Lanes<N>, other: &Self) {
         for i in 0..BODY_NUMBERS {
             self.body[i] = mark.where_zero(other.body[i], self.body[i]);
         }

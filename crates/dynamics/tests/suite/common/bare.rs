@@ -5,12 +5,12 @@ use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::integrator::rosenbrock::GAMMA;
 use touchdown_dynamics::integrator::step::StateVector;
 use touchdown_dynamics::integrator::step::Step;
-use touchdown_dynamics::motion::{FreeFlight, Glance, Motion, Pieces, Signal};
+use touchdown_dynamics::lanes::Lanes;
+use touchdown_dynamics::motion::{FreeFlight, Motion, Pieces, Signal, Signals};
 use touchdown_dynamics::response::Response;
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_dynamics::wide::Wide;
 
 /// A vehicle in a scene with fixed pieces of all laws.
 #[derive(Clone)]
@@ -39,13 +39,13 @@ impl Bare {
         }
     }
 
-    /// Puts in place the pieces that hold at a state.
+    /// Puts in buffer the pieces that hold at a state.
     pub fn settle(&mut self, state: &State<f64>) {
         let mut state = *state;
         let mut modes: Vec<LegMode> = self.laws.iter().map(LegMode::untouched).collect();
         for _ in 0..32 {
             let mut derivative = State::zero(3);
-            let mut signals = Glance::blank(3);
+            let mut signals = Signals::blank(3);
             self.motion
                 .evaluate::<true>(&state, &self.pieces, &mut derivative, &mut signals);
             let mut changed = false;
@@ -95,7 +95,7 @@ impl Bare {
     }
 
     /// The equations of motion in lanes, this vehicle in each, and the coefficients in force.
-    pub fn in_lanes<const N: usize>(&self) -> (Motion<Wide<N>>, Pieces<Wide<N>>) {
+    pub fn in_lanes<const N: usize>(&self) -> (Motion<Lanes<N>>, Pieces<Lanes<N>>) {
         let legs = self.motion.leg_count();
         let mut pieces = Pieces::absent(legs);
         for lane in 0..N {
@@ -107,7 +107,7 @@ impl Bare {
     }
 
     /// The signals of all legs, torques included.
-    pub fn signals(&self, state: &State<f64>) -> Glance<f64> {
+    pub fn signals(&self, state: &State<f64>) -> Signals<f64> {
         self.motion.signals(state, &self.pieces, true)
     }
 

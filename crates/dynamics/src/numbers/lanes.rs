@@ -1,7 +1,7 @@
 //! Numbers side by side, a lane of a register for each.
 //!
 //! The equations are straight lines of arithmetic, the same for every leg of a vehicle and for every landing, so
-//! [`Wide`] runs them abreast. Each lane is computed exactly as a single `f64` would be, with the same operations in
+//! [`Lanes`] runs them abreast. Each lane is computed exactly as a single `f64` would be, with the same operations in
 //! the same order and none contracted, so a landing comes out the same, bit for bit, whatever registers a processor
 //! has and whatever lies beside it.
 
@@ -15,9 +15,9 @@ use crate::scalar::Real;
 /// So many numbers, each a lane of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
-pub struct Wide<const N: usize>(pub [f64; N]);
+pub struct Lanes<const N: usize>(pub [f64; N]);
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> Lanes<N> {
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self(self.0.map(f))
@@ -31,7 +31,7 @@ impl<const N: usize> Wide<N> {
 
 macro_rules! lanewise {
     ($($operator:ident $method:ident $assign:ident $assign_method:ident)*) => {$(
-        impl<const N: usize> $operator for Wide<N> {
+        impl<const N: usize> $operator for Lanes<N> {
             type Output = Self;
 
             #[inline(always)]
@@ -40,7 +40,7 @@ macro_rules! lanewise {
             }
         }
 
-        impl<const N: usize> $assign for Wide<N> {
+        impl<const N: usize> $assign for Lanes<N> {
             #[inline(always)]
             fn $assign_method(&mut self, other: Self) {
                 *self = $operator::$method(*self, other);
@@ -56,7 +56,7 @@ lanewise! {
     Div div DivAssign div_assign
 }
 
-impl<const N: usize> Neg for Wide<N> {
+impl<const N: usize> Neg for Lanes<N> {
     type Output = Self;
 
     #[inline(always)]
@@ -65,7 +65,7 @@ impl<const N: usize> Neg for Wide<N> {
     }
 }
 
-impl<const N: usize> Zero for Wide<N> {
+impl<const N: usize> Zero for Lanes<N> {
     #[inline(always)]
     fn zero() -> Self {
         Self([0.0; N])
@@ -77,19 +77,19 @@ impl<const N: usize> Zero for Wide<N> {
     }
 }
 
-impl<const N: usize> One for Wide<N> {
+impl<const N: usize> One for Lanes<N> {
     #[inline(always)]
     fn one() -> Self {
         Self([1.0; N])
     }
 }
 
-impl<const N: usize> Real for Wide<N> {
+impl<const N: usize> Real for Lanes<N> {
     const LANES: usize = N;
 
     /// Rounds that are taken together have their numbers gathered from everywhere, at several times the cost.
     #[inline(always)]
-    fn one_round() {
+    fn keep_rounds_apart() {
         std::hint::black_box(());
     }
 
@@ -160,115 +160,115 @@ impl<const N: usize> Real for Wide<N> {
 }
 
 /// What can be laid side by side.
-pub trait Abreast: Sized {
+pub trait PerLane: Sized {
     /// So many of them, their numbers in lanes.
-    type Wide<const N: usize>;
+    type Lanes<const N: usize>;
 
     /// Lays them side by side.
-    fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N>;
+    fn from_lanes<const N: usize>(ones: [&Self; N]) -> Self::Lanes<N>;
 
     /// The one in a lane.
-    fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self;
+    fn lane<const N: usize>(wide: &Self::Lanes<N>, lane: usize) -> Self;
 
-    /// Lays itself into a lane in place of what is there.
-    fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize);
+    /// Lays itself into a lane in buffer of what is there.
+    fn set_lane<const N: usize>(&self, wide: &mut Self::Lanes<N>, lane: usize);
 
     /// The same in all lanes.
     #[inline(always)]
-    fn shared<const N: usize>(&self) -> Self::Wide<N> {
-        Self::abreast([self; N])
+    fn splat<const N: usize>(&self) -> Self::Lanes<N> {
+        Self::from_lanes([self; N])
     }
 }
 
-impl Abreast for f64 {
-    type Wide<const N: usize> = Wide<N>;
+impl PerLane for f64 {
+    type Lanes<const N: usize> = Lanes<N>;
 
     #[inline(always)]
-    fn abreast<const N: usize>(ones: [&Self; N]) -> Wide<N> {
-        Wide(ones.map(|value| *value))
+    fn from_lanes<const N: usize>(ones: [&Self; N]) -> Lanes<N> {
+        Lanes(ones.map(|value| *value))
     }
 
     #[inline(always)]
-    fn lane<const N: usize>(wide: &Wide<N>, lane: usize) -> Self {
+    fn lane<const N: usize>(wide: &Lanes<N>, lane: usize) -> Self {
         wide.0[lane]
     }
 
     #[inline(always)]
-    fn set_lane<const N: usize>(&self, wide: &mut Wide<N>, lane: usize) {
+    fn set_lane<const N: usize>(&self, wide: &mut Lanes<N>, lane: usize) {
         wide.0[lane] = *self;
     }
 }
 
-impl<T: Abreast, const M: usize> Abreast for [T; M] {
-    type Wide<const N: usize> = [T::Wide<N>; M];
+impl<T: PerLane, const M: usize> PerLane for [T; M] {
+    type Lanes<const N: usize> = [T::Lanes<N>; M];
 
     #[inline(always)]
-    fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N> {
-        std::array::from_fn(|i| T::abreast(ones.map(|values| &values[i])))
+    fn from_lanes<const N: usize>(ones: [&Self; N]) -> Self::Lanes<N> {
+        std::array::from_fn(|i| T::from_lanes(ones.map(|values| &values[i])))
     }
 
     #[inline(always)]
-    fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self {
+    fn lane<const N: usize>(wide: &Self::Lanes<N>, lane: usize) -> Self {
         std::array::from_fn(|i| T::lane(&wide[i], lane))
     }
 
     #[inline(always)]
-    fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize) {
+    fn set_lane<const N: usize>(&self, wide: &mut Self::Lanes<N>, lane: usize) {
         for (one, wide) in self.iter().zip(wide) {
             one.set_lane(wide, lane);
         }
     }
 }
 
-impl<const R: usize, const C: usize> Abreast for SMatrix<f64, R, C> {
-    type Wide<const N: usize> = SMatrix<Wide<N>, R, C>;
+impl<const R: usize, const C: usize> PerLane for SMatrix<f64, R, C> {
+    type Lanes<const N: usize> = SMatrix<Lanes<N>, R, C>;
 
     #[inline(always)]
-    fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N> {
-        SMatrix::from_fn(|row, column| f64::abreast(ones.map(|matrix| &matrix[(row, column)])))
+    fn from_lanes<const N: usize>(ones: [&Self; N]) -> Self::Lanes<N> {
+        SMatrix::from_fn(|row, column| f64::from_lanes(ones.map(|matrix| &matrix[(row, column)])))
     }
 
     #[inline(always)]
-    fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self {
+    fn lane<const N: usize>(wide: &Self::Lanes<N>, lane: usize) -> Self {
         wide.map(|component| component.0[lane])
     }
 
     #[inline(always)]
-    fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize) {
+    fn set_lane<const N: usize>(&self, wide: &mut Self::Lanes<N>, lane: usize) {
         for (one, wide) in self.iter().zip(wide.iter_mut()) {
             one.set_lane(wide, lane);
         }
     }
 }
 
-/// Implements [`Abreast`] for structures over the number type, field by field.
-macro_rules! abreast {
+/// Implements [`PerLane`] for structures over the number type, field by field.
+macro_rules! per_lane {
     ($($name:ident { $($field:ident),* $(,)? })*) => {$(
-        impl $crate::wide::Abreast for $name<f64> {
-            type Wide<const N: usize> = $name<$crate::wide::Wide<N>>;
+        impl $crate::lanes::PerLane for $name<f64> {
+            type Lanes<const N: usize> = $name<$crate::lanes::Lanes<N>>;
 
             #[inline(always)]
-            fn abreast<const N: usize>(ones: [&Self; N]) -> Self::Wide<N> {
+            fn from_lanes<const N: usize>(ones: [&Self; N]) -> Self::Lanes<N> {
                 $name {
-                    $($field: $crate::wide::Abreast::abreast(ones.map(|one| &one.$field)),)*
+                    $($field: $crate::lanes::PerLane::from_lanes(ones.map(|one| &one.$field)),)*
                 }
             }
 
             #[inline(always)]
-            fn lane<const N: usize>(wide: &Self::Wide<N>, lane: usize) -> Self {
+            fn lane<const N: usize>(wide: &Self::Lanes<N>, lane: usize) -> Self {
                 $name {
-                    $($field: $crate::wide::Abreast::lane(&wide.$field, lane),)*
+                    $($field: $crate::lanes::PerLane::lane(&wide.$field, lane),)*
                 }
             }
 
             #[inline(always)]
-            fn set_lane<const N: usize>(&self, wide: &mut Self::Wide<N>, lane: usize) {
-                $($crate::wide::Abreast::set_lane(&self.$field, &mut wide.$field, lane);)*
+            fn set_lane<const N: usize>(&self, wide: &mut Self::Lanes<N>, lane: usize) {
+                $($crate::lanes::PerLane::set_lane(&self.$field, &mut wide.$field, lane);)*
             }
         }
     )*};
 }
-pub(crate) use abreast;
+pub(crate) use per_lane;
 
 #[cfg(test)]
 mod tests {
@@ -307,7 +307,7 @@ mod tests {
         }
         for shift in 0..SAMPLES.len() {
             let pick = |k: usize| SAMPLES[(k + shift) % SAMPLES.len()];
-            let wide = |k: usize| Wide::<LANES>(std::array::from_fn(|i| pick(i + k)));
+            let wide = |k: usize| Lanes::<LANES>(std::array::from_fn(|i| pick(i + k)));
             let abreast = all(wide(0), wide(2), wide(5));
             for lane in 0..LANES {
                 let alone = all(pick(lane), pick(lane + 2), pick(lane + 5));

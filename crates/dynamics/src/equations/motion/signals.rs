@@ -2,24 +2,24 @@
 
 use super::{LegSignals, Signal};
 use crate::integrator::cubic::Rated;
-use crate::integrator::event::Signals;
+use crate::integrator::event::SignalValues;
 use crate::integrator::ranges::LANES;
+use crate::lanes::Lanes;
 use crate::per_leg::PerLeg;
-use crate::registers::Lanes;
+use crate::registers::Transpose;
 use crate::scalar::Real;
-use crate::wide::Wide;
 
-/// Signals of all legs at one instant, leg by leg.
+/// SignalValues of all legs at one instant, leg by leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub struct Glance<S> {
+pub struct Signals<S> {
     legs: PerLeg<LegSignals<S>>,
 }
 
 /// Leading signals of a leg, in whole quads, that hold all that have ranges.
 const RANGED: usize = Signal::RANGED.next_multiple_of(LANES);
 
-impl<S: Real> Glance<S> {
+impl<S: Real> Signals<S> {
     /// Nothing seen yet: all signals of so many legs are zero.
     pub fn blank(legs: usize) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl<S: Real> Glance<S> {
     }
 }
 
-impl Glance<f64> {
+impl Signals<f64> {
     /// Quads of signals that hold all of a leg that have ranges.
     pub const RANGED_QUADS: usize = RANGED / LANES;
     /// Leading quads that hold signals whose rates are signals too.
@@ -83,18 +83,18 @@ impl Glance<f64> {
     }
 }
 
-impl<const N: usize> Glance<Wide<N>> {
+impl<const N: usize> Signals<Lanes<N>> {
     /// Writes the signals of each landing.
     #[inline(always)]
-    pub fn deal<R: Lanes<N>>(&self, registers: R, glances: [&mut Glance<f64>; N]) {
+    pub fn deal<R: Transpose<N>>(&self, registers: R, signals: [&mut Signals<f64>; N]) {
         registers.deal(
             self.legs.as_flattened(),
-            glances.map(|glance| glance.legs.as_flattened_mut()),
+            signals.map(|signals| signals.legs.as_flattened_mut()),
         );
     }
 }
 
-impl Rated for Glance<f64> {
+impl Rated for Signals<f64> {
     #[inline(always)]
     fn has_rate(index: usize) -> bool {
         index % Signal::COUNT < Signal::RATED
@@ -106,7 +106,7 @@ impl Rated for Glance<f64> {
     }
 }
 
-impl Signals for Glance<f64> {
+impl SignalValues for Signals<f64> {
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
         self.legs.as_flattened()[index]
