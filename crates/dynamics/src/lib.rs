@@ -1,7 +1,7 @@
 //! Touchdown dynamics of legged landers.
 //!
 //! A rigid body on hinged legs with shock absorbers, crushable footpads and body blocks touches a
-//! sloping surface with friction; [`landing::land`] integrates from first contact until the
+//! sloping surface with friction; [`land::land`] integrates from first contact until the
 //! vehicle has come to rest, toppled, or bottomed a strut. The model is that of Bendix report
 //! MM-66-19 (1966); numbers in parentheses in the documentation are its equations.
 //!

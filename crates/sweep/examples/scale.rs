@@ -15,7 +15,7 @@ use std::time::Instant;
 use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::boundary::{Boundary, Transition};
 use touchdown_sweep::certainty::Certainty;
-use touchdown_sweep::deposit::{Draft, Folder};
+use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::journal::{InOrder, Journal};

@@ -1,7 +1,7 @@
 //! Documents: TOML read key by key with places, complaints that name them, and files written whole or not at all.
 
-pub mod deposit;
 pub mod document;
+pub mod file_writer;
 pub mod input_error;
 pub mod key_path;
 pub mod library;

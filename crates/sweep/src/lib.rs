@@ -32,7 +32,7 @@ mod threads;
 pub mod journal;
 pub mod sensitivity;
 
-pub use documents::{deposit, document, input_error, key_path, library, section, source, unit};
+pub use documents::{document, file_writer, input_error, key_path, library, section, source, unit};
 use input::search_input;
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
 use journal::known;
@@ -41,12 +41,12 @@ use output::parquet_table;
 pub use output::{bands_table, cases, history, input_keys, results, sensitivity_table, tables};
 use points::{axis_input, sample_input, sensitivity_input};
 pub use points::{design, distribution, grid, levels, parameter, sample};
-use search::{at_once, loose_scan};
 pub use search::{
-    bands, boundary, certainty, first_transition, hidden, lattice, looks, refine, scan,
-    search_range, spared, trial,
+    bands, boundary, certainty, first_transition, hidden, hidden_band_checks, lattice, refine,
+    scan, search_range, skipped, trial,
 };
-pub use summary::{findings, landing_table, probabilities, tally};
-pub use sweeps::{case, instead, measured_scenes, scene_file, sweep, sweep_file};
-use threads::exchange;
+use search::{join_all, loose_scan};
+pub use summary::{findings, landing_table, probabilities, sweep_counts};
+pub use sweeps::{case, measured_scenes, overrides, scene_file, sweep, sweep_file};
+use threads::landing_queue;
 pub use threads::run;

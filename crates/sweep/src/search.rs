@@ -1,16 +1,16 @@
 //! The search for boundaries along the horizontal velocity: scan, brackets, bands, certainty.
 
-pub(crate) mod at_once;
 pub mod bands;
 pub mod boundary;
 pub mod certainty;
 pub mod first_transition;
 pub mod hidden;
+pub mod hidden_band_checks;
+pub(crate) mod join_all;
 pub mod lattice;
-pub mod looks;
 pub(crate) mod loose_scan;
 pub mod refine;
 pub mod scan;
 pub mod search_range;
-pub mod spared;
+pub mod skipped;
 pub mod trial;

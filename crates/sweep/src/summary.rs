@@ -3,4 +3,4 @@
 pub mod findings;
 pub mod landing_table;
 pub mod probabilities;
-pub mod tally;
+pub mod sweep_counts;

@@ -1,8 +1,8 @@
 //! A whole sweep, the cases of a scene file, and the input of every point.
 
 pub mod case;
-pub mod instead;
 pub mod measured_scenes;
+pub mod overrides;
 pub(crate) mod resolved_input;
 pub mod scene_file;
 pub mod sweep;

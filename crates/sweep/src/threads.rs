@@ -1,4 +1,4 @@
 //! Landings and searches on all cores.
 
-pub(crate) mod exchange;
+pub(crate) mod landing_queue;
 pub mod run;

@@ -9,8 +9,8 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::land_files::place_of;
+use crate::print::print;
 use crate::progress::Progress;
-use crate::say::say;
 use crate::{interrupt, summary};
 
 /// Lands all cases and writes their results to `out`.
@@ -38,9 +38,9 @@ pub fn run(
     let landings = landings?;
 
     let results = cases::table(&cases.names, &landings).map_err(Failure::running)?;
-    let files = folder.deposit(&[(name, results)])?;
+    let files = folder.write_files(&[(name, results)])?;
     if !quiet {
-        say(&summary::cases(
+        print(&summary::cases(
             &landings,
             wall_time,
             workers.threads(),

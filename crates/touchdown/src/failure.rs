@@ -3,7 +3,7 @@
 use std::fmt;
 use std::process::ExitCode;
 
-use touchdown_sweep::deposit::DepositError;
+use touchdown_sweep::file_writer::WriteError;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::JournalError;
 use touchdown_sweep::merge::MergeError;
@@ -56,8 +56,8 @@ impl From<InputError> for Failure {
     }
 }
 
-impl From<DepositError> for Failure {
-    fn from(error: DepositError) -> Self {
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
         Self::running(error)
     }
 }

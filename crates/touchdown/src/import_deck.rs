@@ -5,11 +5,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 use touchdown_sweep::deck::{Deck, Run, parse};
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
-use crate::say::say;
+use crate::print::print;
 
 const EXAMPLE: &str = "\
 Writes, for each vehicle of the deck, STEM.toml and STEM-cases.csv (STEM-2.toml and so on for
@@ -39,8 +39,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let deck = parse(&place, &text)?;
     let stem = options.cards.file_stem().unwrap_or_default();
     let files = files(&deck, &stem.to_string_lossy(), &place)?;
-    for file in Folder::open(&options.out)?.deposit(&files)? {
-        say(&format!("{}\n", file.display()))?;
+    for file in Folder::open(&options.out)?.write_files(&files)? {
+        print(&format!("{}\n", file.display()))?;
     }
     Ok(())
 }

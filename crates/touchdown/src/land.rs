@@ -16,7 +16,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::land_files::{interval, place_of};
-use crate::say::say;
+use crate::print::print;
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
 use crate::{cases, report, scene_cases};
@@ -165,10 +165,10 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
     if let Some((folder, name)) = history_place {
         written.map_err(Failure::running)?;
         let table = history.table().map_err(Failure::running)?;
-        folder.deposit(&[(name, table)])?;
+        folder.write_files(&[(name, table)])?;
     }
     let conditions = options.touchdown.named();
-    say(&if options.json {
+    print(&if options.json {
         format!(
             "{:#}\n",
             report::json(vehicle, &conditions, settings, &landing, &integration)

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::InputError;
 
 /// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.

@@ -12,15 +12,14 @@ mod interrupt;
 mod journal_files;
 mod land;
 mod land_files;
-mod least;
 mod merge;
 mod new;
 mod overrides;
 mod overview;
 mod plot;
+mod print;
 mod progress;
 mod report;
-mod say;
 mod scene_cases;
 mod shell;
 mod solver_options;
@@ -33,6 +32,7 @@ mod sweep_files;
 mod sweep_results;
 mod touchdown_options;
 mod work_precision;
+mod worst_case;
 
 use std::process::ExitCode;
 

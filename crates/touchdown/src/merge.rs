@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::merge::{Shards, by_sweep};
@@ -11,7 +11,7 @@ use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
 
 use crate::failure::Failure;
-use crate::say::say;
+use crate::print::print;
 use crate::sweep_results::Format;
 use crate::{journal_files, summary, sweep_results};
 
@@ -61,7 +61,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     match options.quiet {
         true => Ok(()),
-        false => say(&told),
+        false => print(&told),
     }
 }
 
@@ -101,7 +101,7 @@ fn merge(shards: Shards, folder: &Folder, format: Format) -> Result<String, Fail
     let written = sweep_results::write(&sweep, &mut results, folder, circumstances, format)?;
     Ok(summary::sweep(
         &sweep,
-        &written.tally,
+        &written.counts,
         circumstances,
         &written.files,
     ))

@@ -8,7 +8,7 @@ use clap::{Args, Subcommand};
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
-use crate::say::say;
+use crate::print::print;
 
 const VEHICLE: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SWEEP: &str = include_str!("new/sweep.toml");
@@ -84,5 +84,5 @@ fn write(file: &Path, text: &str) -> Result<(), Failure> {
         InputError::other(complaint).at(Place::file(file))
     })?;
     new.write_all(text.as_bytes()).map_err(Failure::running)?;
-    say(&format!("written: {}\n", file.display()))
+    print(&format!("written: {}\n", file.display()))
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::scene::CrushRule;
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::instead::Instead;
+use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::settings_input::crush_rule_name;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -14,8 +14,8 @@ use crate::solver_options::rule;
 
 /// What holds instead of the sweep files.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Instead of what the sweep files say")]
-pub struct Overrides {
+#[command(next_help_heading = "Overrides of what the sweep files say")]
+pub struct OverrideOptions {
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE")]
     vehicle: Option<PathBuf>,
@@ -64,7 +64,7 @@ enum RefinementName {
     Bisection,
 }
 
-impl Overrides {
+impl OverrideOptions {
     /// The sweeps with what was given put into them.
     ///
     /// # Errors
@@ -79,14 +79,14 @@ impl Overrides {
             ("search.refinement", self.refinement.and_then(word)),
         ];
         let given = |(key, word): (&str, Option<String>)| Some((key.to_owned(), word?));
-        let instead = Instead {
+        let overrides = Overrides {
             vehicle,
             words: words.into_iter().filter_map(given).collect(),
             sensitivity: self.sensitivity.clone(),
         };
         sweeps
             .into_iter()
-            .map(|sweep| sweep.with(&instead))
+            .map(|sweep| sweep.with(&overrides))
             .collect()
     }
 }

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::time::Duration;
 
 use touchdown_sweep::results::Circumstances;
+use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::Sweep;
-use touchdown_sweep::tally::Tally;
 
 use crate::summary;
 
@@ -27,28 +27,28 @@ pub struct Line {
 
 impl Line {
     /// The line of a sweep that was run.
-    pub fn of(sweep: &Sweep, tally: &Tally, circumstances: Circumstances) -> Self {
-        let lowest = match tally.lowest {
+    pub fn of(sweep: &Sweep, counts: &SweepCounts, circumstances: Circumstances) -> Self {
+        let lowest = match counts.lowest {
             Some((point, transition)) => {
                 format!("{:.3} ({})", transition.speed(), sweep.place(point))
             }
             None => "-".to_owned(),
         };
-        let looks = tally.looks.all();
+        let looks = counts.looks.all();
         Self {
             cells: [
                 sweep.stem(),
-                tally.points.to_string(),
-                summary::counted(&tally.kinds()),
+                counts.points.to_string(),
+                summary::counted(&counts.kinds()),
                 lowest,
-                tally.landings.to_string(),
+                counts.landings.to_string(),
                 format!("{}/{}", looks.finds, looks.looks),
                 match circumstances.wall_time {
                     Some(seconds) => format!("{seconds:.1}"),
                     None => "-".to_owned(),
                 },
             ],
-            landings: tally.landings,
+            landings: counts.landings,
         }
     }
 }
@@ -79,7 +79,7 @@ pub fn table(lines: &[Line], wall_time: Duration, out: &Path) -> String {
     let seconds = wall_time.as_secs_f64();
     let rate = landings as f64 / seconds.max(1e-9);
     text += &format!(
-        "{landings} landings in {seconds:.1} s: {rate:.0} landings/s. Looks for hidden bands are \
+        "{landings} landings in {seconds:.1} s: {rate:.0} landings/s. HiddenBandChecks for hidden bands are \
          given as found/looks. Results are in {}.\n",
         out.display()
     );

@@ -7,12 +7,12 @@ use clap::Args;
 use rayon::prelude::*;
 use touchdown_figures::picture::{self, Picture};
 use touchdown_figures::png;
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
-use crate::least;
-use crate::say::say;
+use crate::print::print;
+use crate::worst_case;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -68,9 +68,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             Some(out) => vec![form_of(out)?],
             None => vec![Form::Svg, Form::Png],
         };
-        let files = Folder::of(place)?.deposit(&files(&stem(place), &pictures, &forms)?)?;
+        let files = Folder::of(place)?.write_files(&files(&stem(place), &pictures, &forms)?)?;
         for file in files {
-            say(&format!("{}\n", file.display()))?;
+            print(&format!("{}\n", file.display()))?;
         }
     }
     Ok(())
@@ -134,7 +134,7 @@ fn draw(table: &Path, least_over: &[String]) -> Result<Vec<Picture>, InputError>
     let record = beside(".json").or(of_sweep);
     let (text, bands) = match least_over {
         [] => (text, beside("-bands.csv")),
-        axes => (least::over(&text, axes).map_err(refuse)?, None),
+        axes => (worst_case::over(&text, axes).map_err(refuse)?, None),
     };
     let pictures = picture::draw(&text, bands.as_deref(), record.as_deref())
         .map_err(|error| refuse(error.to_string()))?;

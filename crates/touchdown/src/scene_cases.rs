@@ -4,15 +4,15 @@ use std::path::Path;
 
 use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::{Instant, Landing};
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::history::History;
 use touchdown_sweep::scene_file::{self, SceneCase};
 use touchdown_sweep::{cases, method_input::method_words};
 
 use crate::failure::Failure;
 use crate::land_files::interval;
+use crate::print::print;
 use crate::report::degrees;
-use crate::say::say;
 use crate::summary;
 
 /// Lands all cases and writes their histories, every `seconds`, and their results to a folder.
@@ -34,9 +34,9 @@ pub fn run(scene: &Path, out: &Path, seconds: f64) -> Result<(), Failure> {
     let names: Vec<String> = cases.iter().map(|case| case.name.clone()).collect();
     let results = cases::table(&names, &landings).map_err(Failure::running)?;
     files.push((format!("{stem}.csv"), results));
-    let written = folder.deposit(&files)?;
-    say(&text(&cases, &landings))?;
-    say(&summary::written(&written))?;
+    let written = folder.write_files(&files)?;
+    print(&text(&cases, &landings))?;
+    print(&summary::written(&written))?;
     Ok(())
 }
 

@@ -5,7 +5,7 @@ use clap_complete::Shell;
 use touchdown_sweep::input_error::InputError;
 
 use crate::failure::Failure;
-use crate::say::say;
+use crate::print::print;
 
 /// Options of `completions`.
 #[derive(Debug, Args)]
@@ -26,7 +26,7 @@ pub struct Manual {
 pub fn completions(options: &Completions, mut program: Command) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(options.shell, &mut program, "touchdown", &mut script);
-    say(&String::from_utf8_lossy(&script))
+    print(&String::from_utf8_lossy(&script))
 }
 
 /// Prints the manual page of a program, or of one of its commands.
@@ -47,5 +47,5 @@ pub fn manual(options: &Manual, mut program: Command) -> Result<(), Failure> {
     clap_mangen::Man::new(page)
         .render(&mut text)
         .map_err(Failure::running)?;
-    say(&String::from_utf8_lossy(&text))
+    print(&String::from_utf8_lossy(&text))
 }

@@ -6,12 +6,12 @@ use std::time::Duration;
 use touchdown_dynamics::landing::Landing;
 use touchdown_sweep::boundary::Extent;
 use touchdown_sweep::certainty::LEAST_LANDINGS;
-use touchdown_sweep::looks::Looks;
+use touchdown_sweep::hidden_band_checks::HiddenBandChecks;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
-use touchdown_sweep::spared::Spared;
+use touchdown_sweep::skipped::Skipped;
+use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::Sweep;
-use touchdown_sweep::tally::Tally;
 
 /// A table of cases in short.
 pub fn cases(
@@ -48,19 +48,19 @@ pub fn cases(
 /// A sweep in short.
 pub fn sweep(
     sweep: &Sweep,
-    tally: &Tally,
+    counts: &SweepCounts,
     circumstances: Circumstances,
     files: &[PathBuf],
 ) -> String {
     let mut text = format!("{}\n", sweep.title);
-    match &tally.probabilities {
+    match &counts.probabilities {
         None => {
-            let kinds = counted(&tally.kinds());
-            text += &format!("  {} points, first transition to: {kinds}\n", tally.points);
+            let kinds = counted(&counts.kinds());
+            text += &format!("  {} points, first transition to: {kinds}\n", counts.points);
         }
         Some(known) => text += &outcomes(known.overall, sweep.design.count()),
     }
-    if let Some((point, transition)) = tally.lowest {
+    if let Some((point, transition)) = counts.lowest {
         let (speed, kind) = (transition.speed(), transition.to);
         let place = sweep.place(point);
         text += &format!("  lowest V_H {speed:.4} ft/s ({kind}) at {place}\n");
@@ -72,46 +72,46 @@ pub fn sweep(
         .search()
         .is_some_and(|search| search.extent == Extent::All)
     {
-        text += &bands(tally);
+        text += &bands(counts);
     }
-    let [asked, smooth] = tally.slopes;
+    let [asked, smooth] = counts.slopes;
     if asked > 0 {
         text += &format!("  sensitivities: {smooth} of {asked} have a derivative\n");
     }
-    text += &spared(&tally.spared);
+    text += &skipped(&counts.skipped);
     text += &format!(
         "  {}",
-        cost(tally.landings, tally.evaluations, wall_time, threads)
+        cost(counts.landings, counts.evaluations, wall_time, threads)
     );
     text += &format!("  {}", written(files));
     text
 }
 
 /// Bands, and looks for hidden ones by what led to them.
-fn bands(tally: &Tally) -> String {
-    let Looks {
+fn bands(counts: &SweepCounts) -> String {
+    let HiddenBandChecks {
         toppling,
         righting,
         stroke,
         gaps,
-    } = tally.looks;
-    let all = tally.looks.all();
+    } = counts.looks;
+    let all = counts.looks.all();
     format!(
         "  {} bands; {} looks for hidden ones found {}: {toppling} near toppling, {righting} near \
          staying upright, {stroke} near a strut's stop, {gaps} at irregular changes\n",
-        tally.bands, all.looks, all.finds
+        counts.bands, all.looks, all.finds
     )
 }
 
 /// What each skip came to that did anything.
-fn spared(spared: &Spared) -> String {
-    let Spared {
+fn skipped(skipped: &Skipped) -> String {
+    let Skipped {
         left_out,
         loose,
         replaced,
         interpolated,
         untested,
-    } = *spared;
+    } = *skipped;
     let mut parts = Vec::new();
     if left_out != 0 {
         parts.push(format!("{left_out} landings left out of scans"));
@@ -132,7 +132,7 @@ fn spared(spared: &Spared) -> String {
     }
     match parts.as_slice() {
         [] => String::new(),
-        parts => format!("  spared: {}\n", parts.join("; ")),
+        parts => format!("  skipped: {}\n", parts.join("; ")),
     }
 }
 

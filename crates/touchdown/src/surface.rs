@@ -15,8 +15,8 @@ use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
+use crate::print::print;
 use crate::report::degrees;
-use crate::say::say;
 use crate::touchdown_options::{finite, triple};
 
 /// Seed of the timing errors: the same command gives the same numbers.
@@ -109,7 +109,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         )?),
         None => None,
     };
-    say(&if options.json {
+    print(&if options.json {
         format!("{:#}\n", as_json(&found, uncertainty.as_ref()))
     } else {
         text(&vehicle.name, &found, uncertainty.as_ref())

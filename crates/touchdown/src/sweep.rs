@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::journal::{InOrder, Journal};
@@ -16,9 +16,9 @@ use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::Sweep;
 
 use crate::failure::Failure;
-use crate::overrides::Overrides;
+use crate::overrides::OverrideOptions;
+use crate::print::print;
 use crate::progress::Progress;
-use crate::say::say;
 use crate::sweep_results::{Format, Written};
 use crate::{dry_run, interrupt, journal_files, overview, summary, sweep_files, sweep_results};
 
@@ -80,7 +80,7 @@ pub struct Options {
     #[arg(long)]
     quiet: bool,
     #[command(flatten)]
-    overrides: Overrides,
+    overrides: OverrideOptions,
 }
 
 /// Runs `sweep`.
@@ -93,7 +93,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let shard = options.shard.unwrap_or(Shard::WHOLE);
     if options.dry_run {
         for sweep in &sweeps {
-            say(&dry_run::tell(sweep, shard, &workers)?)?;
+            print(&dry_run::tell(sweep, shard, &workers)?)?;
         }
         return Ok(());
     }
@@ -117,10 +117,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         })?;
         match done {
             Done::Whole(results) => {
-                told = summary::sweep(sweep, &results.tally, results.circumstances, &results.files);
+                told = summary::sweep(
+                    sweep,
+                    &results.counts,
+                    results.circumstances,
+                    &results.files,
+                );
                 lines.push(overview::Line::of(
                     sweep,
-                    &results.tally,
+                    &results.counts,
                     results.circumstances,
                 ));
             }
@@ -132,8 +137,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return Ok(());
     }
     match lines.as_slice() {
-        [] | [_] => say(&told),
-        lines => say(&overview::table(lines, wall_time, &options.out)),
+        [] | [_] => print(&told),
+        lines => print(&overview::table(lines, wall_time, &options.out)),
     }
 }
 

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 use touchdown_figures::picture;
-use touchdown_sweep::deposit::{Draft, Folder};
 use touchdown_sweep::design::Design;
+use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::results::{self, Circumstances};
+use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::{Job, Sweep};
 use touchdown_sweep::tables::Tables;
-use touchdown_sweep::tally::Tally;
 
 use crate::failure::Failure;
 use crate::plot;
@@ -32,7 +32,7 @@ pub enum Format {
 /// What was written of a sweep.
 pub struct Written {
     /// Its points in numbers.
-    pub tally: Tally,
+    pub counts: SweepCounts,
     /// How it was run.
     pub circumstances: Circumstances<'static>,
     /// The files.
@@ -48,7 +48,7 @@ pub fn write(
     format: Format,
 ) -> Result<Written, Failure> {
     let tables = Tables::write(sweep, results, folder, format == Format::Parquet)?;
-    let record = results::record(sweep, &tables.tally, circumstances.version);
+    let record = results::record(sweep, &tables.counts, circumstances.version);
     let record = format!("{record:#}\n");
 
     let mut files = pictures(sweep, &tables, &record)?;
@@ -64,7 +64,7 @@ pub fn write(
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     Ok(Written {
-        tally: tables.tally,
+        counts: tables.counts,
         circumstances,
         files: Draft::put_in_place(drafts)?,
     })
@@ -76,7 +76,7 @@ fn tornado_chart(
     tables: &Tables,
     record: &str,
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let [_, smooth] = tables.tally.slopes;
+    let [_, smooth] = tables.counts.slopes;
     let text = match &tables.sensitivity {
         Some(table) if smooth > 0 => table.text(LONGEST_DRAWN)?,
         _ => None,

@@ -1,4 +1,4 @@
-//! Ranges of many numbers at once, four abreast.
+//! Ranges of many numbers at once, four at a time.
 
 use num_traits::Zero;
 

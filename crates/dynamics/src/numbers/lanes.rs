@@ -1,7 +1,7 @@
 //! Numbers side by side, a lane of a register for each.
 //!
 //! The equations are straight lines of arithmetic, the same for every leg of a vehicle and for every landing, so
-//! [`Lanes`] runs them abreast. Each lane is computed exactly as a single `f64` would be, with the same operations in
+//! [`Lanes`] computes them together. Each lane is computed exactly as a single `f64` would be, with the same operations in
 //! the same order and none contracted, so a landing comes out the same, bit for bit, whatever registers a processor
 //! has and whatever lies beside it.
 
@@ -308,10 +308,10 @@ mod tests {
         for shift in 0..SAMPLES.len() {
             let pick = |k: usize| SAMPLES[(k + shift) % SAMPLES.len()];
             let wide = |k: usize| Lanes::<LANES>(std::array::from_fn(|i| pick(i + k)));
-            let abreast = all(wide(0), wide(2), wide(5));
+            let in_lanes = all(wide(0), wide(2), wide(5));
             for lane in 0..LANES {
                 let alone = all(pick(lane), pick(lane + 2), pick(lane + 5));
-                for (wide, one) in abreast.iter().zip(alone) {
+                for (wide, one) in in_lanes.iter().zip(alone) {
                     assert_eq!(wide.0[lane].to_bits(), one.to_bits());
                 }
             }

@@ -12,7 +12,7 @@ pub trait Registers: Copy {
     fn dispatch<Op: NullaryFnOnce>(self, op: Op) -> Op::Output;
 }
 
-/// Registers for so many numbers abreast.
+/// Registers of so many lanes.
 pub trait Transpose<const N: usize>: Registers {
     /// Rows made columns: the numbers of each lane, one after the other.
     fn transposed(self, rows: &[Lanes<N>; N]) -> [[f64; N]; N];

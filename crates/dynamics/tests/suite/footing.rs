@@ -41,6 +41,6 @@ fn signals_tell_where_the_feet_stand() {
         bare.settle(&state);
         let seen = bare.motion.footing(&state);
         let depth = bare.motion.surface().depth(&state.body().position);
-        assert_eq!(Footing::told(&bare.signals(&state), depth), seen);
+        assert_eq!(Footing::from_signals(&bare.signals(&state), depth), seen);
     }
 }

@@ -10,10 +10,10 @@ use touchdown_dynamics::model_version::MODEL_VERSION;
 
 use crate::case::CaseFault;
 use crate::input_error::InputError;
-use crate::instead::Instead;
 use crate::library::{Library, Source};
+use crate::overrides::Overrides;
 use crate::shard::Shard;
-use crate::sweep::Given;
+use crate::sweep::OverrideNames;
 use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 
@@ -42,7 +42,9 @@ pub struct Header {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct Origin {
     sweep: PathBuf,
-    instead: Given,
+    // As journals have called it from the first.
+    #[serde(rename = "instead")]
+    overrides: OverrideNames,
     sources: Vec<Source>,
 }
 
@@ -62,7 +64,7 @@ impl Header {
             input: sweep.resolved(),
             origin: Origin {
                 sweep: sweep.path.clone(),
-                instead: sweep.instead.clone(),
+                overrides: sweep.overrides.clone(),
                 sources: sweep.sources.clone(),
             },
         })
@@ -123,17 +125,17 @@ impl Header {
     pub fn sweep(&self) -> Result<Sweep, InputError> {
         let Origin {
             sweep,
-            instead,
+            overrides,
             sources,
         } = &self.origin;
         let library = Library::Copies(sources);
         let read_vehicle = |path: &PathBuf| VehicleFile::read_from(path, library);
-        let instead = Instead {
-            vehicle: instead.vehicle.as_ref().map(read_vehicle).transpose()?,
-            words: instead.words.clone(),
-            sensitivity: instead.sensitivity.clone(),
+        let with = Overrides {
+            vehicle: overrides.vehicle.as_ref().map(read_vehicle).transpose()?,
+            words: overrides.words.clone(),
+            sensitivity: overrides.sensitivity.clone(),
         };
-        Sweep::read_from(sweep, library)?.with(&instead)
+        Sweep::read_from(sweep, library)?.with(&with)
     }
 
     /// The sweep file, as it was named.
@@ -181,7 +183,7 @@ impl Header {
             input: serde_json::json!({"friction": friction}),
             origin: Origin {
                 sweep: "s.toml".into(),
-                instead: Given::default(),
+                overrides: OverrideNames::default(),
                 sources: Vec::new(),
             },
         }

@@ -32,7 +32,7 @@ struct Reader {
 }
 
 impl InOrder {
-    /// Looks through journals for the records of `points` points; `folder` holds the index.
+    /// HiddenBandChecks through journals for the records of `points` points; `folder` holds the index.
     ///
     /// # Errors
     /// Whatever the file system says.

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::shard::Shard;
+use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
-use crate::tally::Tally;
 
 /// The landings from the first on.
 #[derive(Debug)]
@@ -18,7 +18,7 @@ pub(crate) struct Known {
     /// Whether a run ends when enough is known; a shard alone cannot tell.
     ends_early: bool,
     pub(crate) is_enough: bool,
-    tally: Tally,
+    counts: SweepCounts,
     /// Points after a gap.
     ahead: BTreeMap<usize, Finding>,
 }
@@ -31,7 +31,7 @@ impl Known {
         let mut known = Self {
             ends_early,
             is_enough: false,
-            tally: Tally::of(sweep),
+            counts: SweepCounts::of(sweep),
             ahead: BTreeMap::new(),
         };
         if ends_early && !opened.done.is_empty() {
@@ -55,9 +55,9 @@ impl Known {
             return self.is_enough;
         }
         self.ahead.insert(point, finding);
-        while let Some(finding) = self.ahead.remove(&self.tally.points) {
-            self.tally.add(sweep, self.tally.points, &finding);
-            if self.tally.is_enough(sweep) {
+        while let Some(finding) = self.ahead.remove(&self.counts.points) {
+            self.counts.add(sweep, self.counts.points, &finding);
+            if self.counts.is_enough(sweep) {
                 self.is_enough = true;
                 self.ahead.clear();
             }

@@ -127,7 +127,7 @@ fn vehicle_columns(
     Ok(varied)
 }
 
-/// The vehicle of a row: that of the file with what the row says instead.
+/// The vehicle of a row: that of the file with what the row says overrides.
 fn vehicle_of(
     file: &VehicleFile,
     varied: &[(usize, Parameter)],

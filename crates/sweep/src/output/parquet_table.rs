@@ -16,7 +16,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 use serde_json::{Map, Value, json};
 
-use crate::deposit::Draft;
+use crate::file_writer::Draft;
 use crate::sweep_file::Sweep;
 use crate::unit::unit;
 

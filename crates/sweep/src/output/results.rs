@@ -7,8 +7,8 @@ use crate::certainty::Certainty;
 use crate::findings::Finding;
 use crate::landing_table::{self, Cell};
 use crate::probabilities::wilson;
+use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
-use crate::tally::Tally;
 use crate::vehicle_file::LEGS;
 
 /// Columns of the table after those of the axes.
@@ -85,7 +85,7 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
 
 /// The record of a sweep: all of its input with defaults filled in, the program's version, and counts. The same for
 /// every run: neither times nor threads.
-pub fn record(sweep: &Sweep, tally: &Tally, version: &str) -> Value {
+pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
     let mut input = json!({
         "sweep_file": sweep.path.display().to_string(),
         "vehicle_file": sweep.vehicle.document.path().display().to_string(),
@@ -99,28 +99,28 @@ pub fn record(sweep: &Sweep, tally: &Tally, version: &str) -> Value {
         "program": { "name": "touchdown", "version": version },
         "input": input,
         "counts": {
-            "points": tally.points,
-            "first_transition_to": tally
+            "points": counts.points,
+            "first_transition_to": counts
                 .kinds()
                 .into_iter()
                 .map(|(kind, count)| (kind, json!(count)))
                 .collect::<Map<String, Value>>(),
-            "scan_speeds_skipped": tally.spared.left_out,
-            "certainty_landings": tally.tests,
-            "sensitivity_landings": tally.sensitivity_landings,
-            "landings": tally.landings,
-            "derivative_evaluations": tally.evaluations,
-            "bands": tally.bands,
-            "looks_for_hidden_bands": tally.looks.all().looks,
-            "hidden_bands_found": tally.looks.all().finds,
-            "outcomes": outcomes(tally),
+            "scan_speeds_skipped": counts.skipped.left_out,
+            "certainty_landings": counts.tests,
+            "sensitivity_landings": counts.sensitivity_landings,
+            "landings": counts.landings,
+            "derivative_evaluations": counts.evaluations,
+            "bands": counts.bands,
+            "looks_for_hidden_bands": counts.looks.all().looks,
+            "hidden_bands_found": counts.looks.all().finds,
+            "outcomes": outcomes(counts),
         },
     })
 }
 
 /// Landings by how they ended, where that is asked.
-fn outcomes(tally: &Tally) -> Value {
-    let Some(known) = &tally.probabilities else {
+fn outcomes(counts: &SweepCounts) -> Value {
+    let Some(known) = &counts.probabilities else {
         return Value::Null;
     };
     let count = known.overall;
@@ -193,11 +193,11 @@ mod tests {
     #[test]
     fn record_holds_the_resolved_input() {
         let (sweep, boundaries) = example();
-        let mut tally = Tally::default();
+        let mut counts = SweepCounts::default();
         for (point, boundary) in boundaries.iter().enumerate() {
-            tally.add(&sweep, point, &Finding::Boundary(boundary.clone()));
+            counts.add(&sweep, point, &Finding::Boundary(boundary.clone()));
         }
-        let record = record(&sweep, &tally, "1.2.3");
+        let record = record(&sweep, &counts, "1.2.3");
         assert_eq!(record["program"]["version"], "1.2.3");
         assert_eq!(record["input"]["scene"]["block_friction"], 1.0);
         assert_eq!(record["input"]["scene"].get("roll_deg"), None);

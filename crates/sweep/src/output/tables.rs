@@ -5,13 +5,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::boundary::Extent;
-use crate::deposit::{DepositError, Draft, Folder};
+use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::parquet_table::ParquetTable;
 use crate::sensitivity_table;
+use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::Sweep;
-use crate::tally::Tally;
 use crate::{bands_table, probabilities, results};
 
 /// Tables that are written but not yet in their places.
@@ -26,7 +26,7 @@ pub struct Tables {
     /// The same as Parquet files, where they were asked for.
     pub parquet: Vec<Draft>,
     /// Their points in numbers.
-    pub tally: Tally,
+    pub counts: SweepCounts,
 }
 
 /// Why tables could not be written.
@@ -35,7 +35,7 @@ pub enum TablesError {
     /// A journal cannot be read.
     Journal(JournalError),
     /// A table cannot be written.
-    Deposit(DepositError),
+    Deposit(WriteError),
     /// A point is in no journal, or what it came to cannot be understood.
     Point(usize),
 }
@@ -58,8 +58,8 @@ impl From<JournalError> for TablesError {
     }
 }
 
-impl From<DepositError> for TablesError {
-    fn from(error: DepositError) -> Self {
+impl From<WriteError> for TablesError {
+    fn from(error: WriteError) -> Self {
         Self::Deposit(error)
     }
 }
@@ -96,7 +96,7 @@ impl Tables {
             false => Some(begin("-sensitivity", &sensitivity_table::heading(sweep))?),
             true => None,
         };
-        let mut tally = Tally::of(sweep);
+        let mut counts = SweepCounts::of(sweep);
         for point in 0..sweep.design.count() {
             let bytes = results.result(point)?;
             let finding = bytes.as_deref().and_then(Finding::decode);
@@ -119,12 +119,12 @@ impl Tables {
                     table.add(&row)?;
                 }
             }
-            tally.add(sweep, point, &finding);
-            if tally.is_enough(sweep) {
+            counts.add(sweep, point, &finding);
+            if counts.is_enough(sweep) {
                 break;
             }
         }
-        let beside = match &tally.probabilities {
+        let beside = match &counts.probabilities {
             None => bands,
             Some(probabilities) => {
                 let heading = probabilities::COLUMNS.map(str::to_owned);
@@ -136,7 +136,7 @@ impl Tables {
             }
         };
         let (points, mut parquet) = points.end()?;
-        let mut end = |table: Option<Table>| -> Result<Option<Draft>, DepositError> {
+        let mut end = |table: Option<Table>| -> Result<Option<Draft>, WriteError> {
             let Some(table) = table else {
                 return Ok(None);
             };
@@ -150,7 +150,7 @@ impl Tables {
             beside,
             sensitivity,
             parquet,
-            tally,
+            counts,
         })
     }
 }
@@ -168,7 +168,7 @@ impl Table {
         stem: &str,
         heading: &[String],
         parquet_of: Option<&Sweep>,
-    ) -> Result<Self, DepositError> {
+    ) -> Result<Self, WriteError> {
         let name = |ending: &str| format!("{stem}.{ending}");
         let parquet = match parquet_of {
             None => None,
@@ -187,20 +187,20 @@ impl Table {
         Ok(table)
     }
 
-    fn add(&mut self, row: &[String]) -> Result<(), DepositError> {
+    fn add(&mut self, row: &[String]) -> Result<(), WriteError> {
         if let Some((table, path)) = &mut self.parquet {
             table.add(row).map_err(|error| refuse(path, error))?;
         }
         self.write(row)
     }
 
-    fn write(&mut self, row: &[String]) -> Result<(), DepositError> {
+    fn write(&mut self, row: &[String]) -> Result<(), WriteError> {
         let written = self.writer.write_record(row);
         written.map_err(|error| refuse(&self.path, error.into()))
     }
 
     /// The table as CSV, and as Parquet.
-    fn end(self) -> Result<(Draft, Vec<Draft>), DepositError> {
+    fn end(self) -> Result<(Draft, Vec<Draft>), WriteError> {
         let csv = self.writer.into_inner();
         let csv = csv.map_err(|error| refuse(&self.path, error.into_error()))?;
         let parquet = self
@@ -210,7 +210,7 @@ impl Table {
     }
 }
 
-fn refuse(path: &Path, error: io::Error) -> DepositError {
+fn refuse(path: &Path, error: io::Error) -> WriteError {
     let path = path.to_owned();
-    DepositError { path, error }
+    WriteError { path, error }
 }

@@ -4,16 +4,16 @@
 //! between neighbouring landings of different class is narrowed down. Whatever third class that
 //! meets becomes a band of its own.
 
-use crate::at_once::at_once;
 pub use crate::boundary::Band;
+use crate::join_all::join_all;
 
 use crate::boundary::Boundary;
 use crate::certainty::{Certainty, Variation};
 use crate::hidden;
-use crate::looks::Looks;
+use crate::hidden_band_checks::HiddenBandChecks;
 use crate::loose_scan::Scanned;
 use crate::search_range::{Extent, Search};
-use crate::spared::Spared;
+use crate::skipped::Skipped;
 use crate::trial::{Sample, Trial};
 
 impl Search {
@@ -47,13 +47,13 @@ impl Search {
             spent,
             loose,
         } = self.confirmed_scan(false, &land).await?;
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::Given)).await;
-        let mut looks = Looks::default();
-        let mut spared = Spared {
+        let sample = async |speed| Sample::at(speed, land(speed, Variation::OverrideNames)).await;
+        let mut looks = HiddenBandChecks::default();
+        let mut skipped = Skipped {
             left_out: self.left_out(false, &samples),
             loose,
             replaced: spent[0],
-            ..Spared::default()
+            ..Skipped::default()
         };
 
         let mut found = Vec::new();
@@ -62,7 +62,7 @@ impl Search {
             let ends = [&samples[suspect.index], &samples[suspect.index + 1]];
             hidden::look(ends, suspect.otherwise, &sample)
         });
-        for (suspect, look) in suspects.iter().zip(at_once(looked).await?) {
+        for (suspect, look) in suspects.iter().zip(join_all(looked).await?) {
             let class = samples[suspect.index].class();
             let has_found = look.iter().any(|s| s.class() != class);
             looks.of(class, suspect.otherwise).count(has_found);
@@ -75,10 +75,10 @@ impl Search {
         let narrowing = self.narrowing(true);
         let pairs = samples.windows(2);
         let narrowed = pairs.map(|pair| narrowing.between(&pair[0], &pair[1], &sample));
-        for mut narrowed in at_once(narrowed).await? {
+        for mut narrowed in join_all(narrowed).await? {
             between.append(&mut narrowed.samples);
             looks.gaps += narrowed.looks;
-            spared.interpolated += narrowed.interpolated;
+            skipped.interpolated += narrowed.interpolated;
             spent = [spent[0] + narrowed.spent[0], spent[1] + narrowed.spent[1]];
         }
         insert(&mut samples, between);
@@ -86,7 +86,7 @@ impl Search {
         let mut boundary = Boundary {
             bands: bands(&samples),
             looks,
-            spared,
+            skipped,
             ..Boundary::of(&samples)
         };
         boundary.landings += spent[0];
@@ -95,7 +95,7 @@ impl Search {
             let pairs = samples.windows(2).map(|pair| [&pair[0], &pair[1]]);
             pairs.filter(|[low, high]| low.class() != high.class())
         };
-        let tests = at_once(changes().map(|ends| self.tested(ends, &land))).await?;
+        let tests = join_all(changes().map(|ends| self.tested(ends, &land))).await?;
         tests.iter().for_each(|tested| boundary.count(tested));
         let certainties: Vec<(f64, Certainty)> = (changes().zip(&tests))
             .map(|([_, high], tested)| (high.speed, tested.certainty))

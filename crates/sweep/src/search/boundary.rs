@@ -6,8 +6,8 @@ use touchdown_dynamics::outcome::{Class, Outcome};
 pub use crate::search_range::{Extent, Search};
 
 use crate::certainty::Certainty;
-use crate::looks::Looks;
-use crate::spared::Spared;
+use crate::hidden_band_checks::HiddenBandChecks;
+use crate::skipped::Skipped;
 use crate::trial::{Sample, first_unstable};
 
 /// A range of speeds in which landings end alike.
@@ -56,9 +56,9 @@ pub struct Boundary {
     /// All bands of the range from below; none when only the first transition was asked for.
     pub bands: Vec<Band>,
     /// Intervals between like outcomes that were looked into for a hidden band.
-    pub looks: Looks,
-    /// What skips spared.
-    pub spared: Spared,
+    pub looks: HiddenBandChecks,
+    /// What skips skipped.
+    pub skipped: Skipped,
     /// Landings that put transitions to the test.
     pub tests: u64,
     /// Landings computed, tests included.
@@ -83,7 +83,7 @@ impl Boundary {
         self.landings += tested.landings;
         self.tests += tested.landings;
         self.evaluations += tested.evaluations;
-        self.spared.untested += u64::from(tested.is_spared);
+        self.skipped.untested += u64::from(tested.is_spared);
     }
 
     /// What a search found that took these landings, in order: the first transition and the cost.

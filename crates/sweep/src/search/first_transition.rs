@@ -11,7 +11,7 @@ use crate::certainty::{self, Doubt, Variation};
 use crate::loose_scan::Scanned;
 use crate::refine::Narrowed;
 use crate::search_range::Search;
-use crate::spared::Spared;
+use crate::skipped::Skipped;
 use crate::trial::{Sample, Trial, first_unstable};
 
 impl Search {
@@ -29,7 +29,7 @@ impl Search {
             spent: replaced,
             loose,
         } = self.confirmed_scan(true, &land).await?;
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::Given)).await;
+        let sample = async |speed| Sample::at(speed, land(speed, Variation::OverrideNames)).await;
         let left_out = self.left_out(true, &samples);
         let mut narrowed = Narrowed::default();
         if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
@@ -48,7 +48,7 @@ impl Search {
             }
         }
         boundary.looks.gaps = narrowed.looks;
-        boundary.spared += Spared {
+        boundary.skipped += Skipped {
             left_out,
             loose,
             replaced: replaced[0],

@@ -7,8 +7,8 @@
 
 use touchdown_dynamics::outcome::Class;
 
-use crate::at_once::at_once;
 use crate::certainty::Variation;
+use crate::join_all::join_all;
 use crate::search_range::Search;
 use crate::trial::{Sample, Trial};
 
@@ -31,7 +31,9 @@ impl Search {
     ) -> Result<Scanned, Stop> {
         if self.scan_looseness == 1.0 {
             return Ok(Scanned {
-                samples: self.scan_at(Variation::Given, to_first, land).await?,
+                samples: self
+                    .scan_at(Variation::OverrideNames, to_first, land)
+                    .await?,
                 spent: [0; 2],
                 loose: 0,
             });
@@ -42,8 +44,9 @@ impl Search {
         let mut spent = [0; 2];
         let mut is_confirmed = true;
         let ends = ends_of_changes(&samples);
-        let again = (ends.iter()).map(|index| land(samples[*index].speed, Variation::Given));
-        let again = at_once(again).await?;
+        let again =
+            (ends.iter()).map(|index| land(samples[*index].speed, Variation::OverrideNames));
+        let again = join_all(again).await?;
         for (index, trial) in ends.into_iter().zip(again) {
             let speed = samples[index].speed;
             is_confirmed &= trial.outcome.class() == samples[index].class();
@@ -52,7 +55,9 @@ impl Search {
         }
         if !is_confirmed {
             samples.iter().for_each(|sample| count(&mut spent, sample));
-            samples = self.scan_at(Variation::Given, to_first, land).await?;
+            samples = self
+                .scan_at(Variation::OverrideNames, to_first, land)
+                .await?;
         }
         Ok(Scanned {
             samples,
@@ -121,7 +126,11 @@ mod tests {
             };
             Ok(Trial::example(
                 class,
-                if variation == Variation::Given { 10 } else { 1 },
+                if variation == Variation::OverrideNames {
+                    10
+                } else {
+                    1
+                },
             ))
         }));
         let Ok(boundary) = found;
@@ -158,10 +167,10 @@ mod tests {
             tight.evaluations - 9 * LOOSE.scan_count() + 10 * 2
         );
         assert_eq!(
-            (found.spared.loose, found.spared.replaced),
+            (found.skipped.loose, found.skipped.replaced),
             (LOOSE.scan_count(), 2)
         );
-        let again = find(LOOSE, 11.4, 9.0).spared;
+        let again = find(LOOSE, 11.4, 9.0).skipped;
         assert_eq!(again.replaced, again.loose + 2);
     }
 }

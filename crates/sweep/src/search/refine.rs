@@ -23,8 +23,8 @@
 
 use touchdown_dynamics::outcome::Class;
 
+use crate::hidden_band_checks::Tried;
 use crate::lattice::Lattice;
-use crate::looks::Tried;
 use crate::trial::{Sample, margin_jumps};
 
 /// How brackets are narrowed.

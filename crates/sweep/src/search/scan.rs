@@ -26,7 +26,7 @@ use std::cell::RefCell;
 use futures::future::try_join;
 use touchdown_dynamics::outcome::Class;
 
-use crate::at_once::at_once;
+use crate::join_all::join_all;
 pub use crate::search_range::Scan;
 
 use crate::search_range::Search;
@@ -67,9 +67,9 @@ impl Search {
             }
         } else {
             let strides = (0..steps).step_by(walk.stride as usize).chain([steps]);
-            let places = at_once(strides.map(|index| walk.to(index))).await?;
+            let places = join_all(strides.map(|index| walk.to(index))).await?;
             let pairs = places.windows(2);
-            at_once(pairs.map(|pair| walk.between(&pair[0], &pair[1]))).await?;
+            join_all(pairs.map(|pair| walk.between(&pair[0], &pair[1]))).await?;
         }
         let mut samples = walk.samples.into_inner();
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
@@ -133,7 +133,7 @@ where
         Ok(place)
     }
 
-    /// Looks between two landings; whether the first change was all there was to find, and is found.
+    /// HiddenBandChecks between two landings; whether the first change was all there was to find, and is found.
     async fn between(&self, low: &Place, high: &Place) -> Result<bool, Stop> {
         if high.index - low.index == 1 {
             return Ok(self.to_first && high.class != Class::Stable);

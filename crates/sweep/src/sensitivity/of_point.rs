@@ -6,10 +6,10 @@ use touchdown_dynamics::outcome::Class;
 
 use super::follow::Near;
 use super::{Dependence, Sensitivity, Slope, difference};
-use crate::at_once::at_once;
 use crate::boundary::{Boundary, Extent, Search};
 use crate::case::Case;
 use crate::certainty::{Certainty, Doubt, Variation};
+use crate::join_all::join_all;
 use crate::parameter::Parameter;
 use crate::sweep_file::Sweep;
 use crate::trial::{Sample, Trial};
@@ -64,7 +64,9 @@ pub(crate) async fn of_point<Stop>(
         width,
     };
     let found = match near
-        .follow(&async |speed| Sample::at(speed, counted(case, speed, Variation::Given)).await)
+        .follow(&async |speed| {
+            Sample::at(speed, counted(case, speed, Variation::OverrideNames)).await
+        })
         .await?
     {
         // Landing at its ends once more gave something else.
@@ -77,7 +79,7 @@ pub(crate) async fn of_point<Stop>(
                 resolution: width + case.settings.tolerance() * speed,
             };
             let slope = |parameter| known.slope(sweep, point, search, parameter, &counted);
-            let slopes = at_once(sweep.sensitivity.iter().map(slope)).await?;
+            let slopes = join_all(sweep.sensitivity.iter().map(slope)).await?;
             Sensitivity {
                 speed: Some(speed),
                 slopes,
@@ -150,7 +152,7 @@ impl Known {
             };
             match near
                 .follow(&async |speed| {
-                    Sample::at(speed, land(&case, speed, Variation::Given)).await
+                    Sample::at(speed, land(&case, speed, Variation::OverrideNames)).await
                 })
                 .await?
             {

@@ -70,8 +70,8 @@ mod tests {
     use crate::bands::Band;
     use crate::boundary::Transition;
     use crate::certainty::Certainty;
-    use crate::looks::{Looks, Tried};
-    use crate::spared::Spared;
+    use crate::hidden_band_checks::{HiddenBandChecks, Tried};
+    use crate::skipped::Skipped;
     use touchdown_dynamics::outcome::{Class, Failure};
 
     #[test]
@@ -91,14 +91,14 @@ mod tests {
                 bracket_width: None,
                 certainty: Certainty::Certain,
             }],
-            looks: Looks {
+            looks: HiddenBandChecks {
                 stroke: Tried { looks: 3, finds: 1 },
-                ..Looks::default()
+                ..HiddenBandChecks::default()
             },
-            spared: Spared {
+            skipped: Skipped {
                 left_out: -1,
                 interpolated: i64::MIN,
-                ..Spared::default()
+                ..Skipped::default()
             },
             tests: 9,
             landings: 1 << 40,

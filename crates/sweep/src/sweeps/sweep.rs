@@ -64,13 +64,13 @@ pub struct Sweep {
     pub sensitivity: Vec<Parameter>,
     /// The files that were read.
     pub(crate) sources: Vec<Source>,
-    pub(crate) instead: Given,
+    pub(crate) overrides: OverrideNames,
     pub(crate) document: Document,
 }
 
-/// What was given instead, by the names of files and words.
+/// What was given overrides, by the names of files and words.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Given {
+pub(crate) struct OverrideNames {
     pub(crate) vehicle: Option<PathBuf>,
     pub(crate) words: Vec<(String, String)>,
     #[serde(default)]

@@ -16,7 +16,7 @@ use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault
 use crate::section::Found;
 use crate::section::Section;
 use crate::sensitivity_input;
-use crate::sweep::{Given, SWEEP};
+use crate::sweep::{OverrideNames, SWEEP};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{case, sample_input, search_input, settings_input};
@@ -63,8 +63,8 @@ impl Sweep {
         let varied = case::written(&document, &axes, Home::Sweep, &first);
         let varied = Section::root(&varied, &SWEEP)?;
         let job = match asked {
-            Asked::Boundary => Job::Boundary(search_input::search(&varied)?),
-            Asked::Outcome => Job::Outcome { enough },
+            JobWord::Boundary => Job::Boundary(search_input::search(&varied)?),
+            JobWord::Outcome => Job::Outcome { enough },
         };
         let settings = settings_input::settings(&varied)?;
         let vehicle = VehicleFile {
@@ -87,7 +87,7 @@ impl Sweep {
             settings,
             sensitivity: sensitivity_input::parameters(&root, LEGS)?,
             sources,
-            instead: Given::default(),
+            overrides: OverrideNames::default(),
             document: document.clone(),
         };
         for coordinates in sweep.design.probes() {
@@ -126,18 +126,18 @@ pub(crate) fn named_vehicle(
 
 /// The job by its word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Asked {
+enum JobWord {
     Boundary,
     Outcome,
 }
 
-fn asked(root: &Section) -> Result<Asked, InputError> {
+fn asked(root: &Section) -> Result<JobWord, InputError> {
     let Some(found) = root.optional("job") else {
-        return Ok(Asked::Boundary);
+        return Ok(JobWord::Boundary);
     };
     match found.text()? {
-        "boundary" => Ok(Asked::Boundary),
-        "outcome" => Ok(Asked::Outcome),
+        "boundary" => Ok(JobWord::Boundary),
+        "outcome" => Ok(JobWord::Outcome),
         _ => Err(found.complain("\"boundary\" or \"outcome\"")),
     }
 }
@@ -147,10 +147,10 @@ fn check_names(
     root: &Section,
     scene: &Section,
     entries: &[AxisEntry],
-    asked: Asked,
+    asked: JobWord,
 ) -> Result<(), InputError> {
     let varied = |name: &str| entries.iter().find(|entry| entry.parameter.name() == name);
-    if asked == Asked::Boundary {
+    if asked == JobWord::Boundary {
         let fixed = scene.optional(HORIZONTAL_VELOCITY);
         let varied = varied(HORIZONTAL_VELOCITY).map(|entry| entry.found.clone());
         if let Some(found) = fixed.or(varied) {
@@ -169,7 +169,7 @@ fn check_names(
         .iter()
         .find(|entry| entry.parameter.name().starts_with("search."));
     match searched {
-        Some(entry) if asked == Asked::Outcome => Err(entry
+        Some(entry) if asked == JobWord::Outcome => Err(entry
             .found
             .complain_that("says nothing where job = \"outcome\"")),
         _ => Ok(()),

@@ -21,10 +21,10 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::case::{Case, CaseFault};
 use crate::certainty::Variation;
-use crate::exchange::{Closes, Exchange};
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::known::Known;
+use crate::landing_queue::{CloseOnDrop, LandingQueue};
 use crate::landing_table;
 use crate::scene_input::SceneFault;
 use crate::sensitivity;
@@ -154,9 +154,9 @@ impl Workers {
         if known.is_enough {
             return Ok(());
         }
-        let search = async |point, exchange: &Exchange| {
+        let search = async |point, landing_queue: &LandingQueue| {
             observer.begin(point);
-            let finding = find(sweep, point, exchange, observer, &stop).await?;
+            let finding = find(sweep, point, landing_queue, observer, &stop).await?;
             observer.point(point);
             Ok(finding)
         };
@@ -185,8 +185,8 @@ impl Workers {
         let never = AtomicBool::new(false);
         let stop = Stop::on(&never);
         let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        let search = async |index: usize, exchange: &Exchange| {
-            find(sweep, points[index], exchange, &(), &stop).await
+        let search = async |index: usize, landing_queue: &LandingQueue| {
+            find(sweep, points[index], landing_queue, &(), &stop).await
         };
         self.search(0..points.len(), &stop, search, |finished| {
             found.extend(finished);
@@ -205,16 +205,16 @@ impl Workers {
         &self,
         points: impl Iterator<Item = usize>,
         stop: &Stop,
-        search: impl AsyncFn(usize, &Exchange) -> Result<T, RunError>,
+        search: impl AsyncFn(usize, &LandingQueue) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
-        let exchange = &Exchange::between(self.threads());
+        let landing_queue = &LandingQueue::new(self.threads());
         self.pool.in_place_scope(|scope| {
-            scope.spawn_broadcast(move |_, _| exchange.land());
-            let _rest = Closes(exchange);
+            scope.spawn_broadcast(move |_, _| landing_queue.land());
+            let _rest = CloseOnDrop(landing_queue);
             let search = &search;
             let searches =
-                points.map(|point| async move { (point, search(point, exchange).await) });
+                points.map(|point| async move { (point, search(point, landing_queue).await) });
             let mut searches = stream::iter(searches).buffer_unordered(SEARCHES * self.threads());
             block_on(poll_fn(|context| {
                 // Whenever a search has got a landing.
@@ -305,7 +305,7 @@ impl<'c> Stop<'c> {
 async fn find(
     sweep: &Sweep,
     point: usize,
-    exchange: &Exchange,
+    landing_queue: &LandingQueue,
     observer: &impl Observer,
     stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
@@ -317,7 +317,7 @@ async fn find(
     let landed = async |vehicle: &Arc<Vehicle>, scene, settings| {
         stop.go_on()?;
         let vehicle = Arc::clone(vehicle);
-        let landing = exchange.landing(point, vehicle, scene, settings).await;
+        let landing = landing_queue.landing(point, vehicle, scene, settings).await;
         let landing = landing.ok_or(RunError::Cancelled)?;
         observer.landing();
         Ok(landing)
@@ -438,11 +438,12 @@ mod tests {
         let cancel = AtomicBool::new(false);
         for threads in [1, 2, 3] {
             let stop = Stop::on(&cancel);
-            let search = async |point: usize, exchange: &Exchange| {
+            let search = async |point: usize, landing_queue: &LandingQueue| {
                 let mut landed = Vec::new();
                 for landing in landings(point) {
                     let scene = scenes[landing % scenes.len()];
-                    let landing = exchange.landing(point, Arc::clone(&vehicle), scene, settings);
+                    let landing =
+                        landing_queue.landing(point, Arc::clone(&vehicle), scene, settings);
                     landed.push(landing.await.unwrap());
                 }
                 Ok(landed)
@@ -472,7 +473,7 @@ mod tests {
                 _ => Ok(()),
             }
         };
-        let search = async |point, _: &Exchange| Ok(point);
+        let search = async |point, _: &LandingQueue| Ok(point);
         let ended = workers(2).search(0.., &stop, search, keep);
         assert!(matches!(ended, Err(RunError::Journal(_))));
         assert_eq!(kept, 5);
@@ -484,11 +485,11 @@ mod tests {
         let cancel = AtomicBool::new(false);
         let landings = AtomicUsize::new(0);
         let stop = Stop::on(&cancel);
-        let search = async |point: usize, exchange: &Exchange| {
+        let search = async |point: usize, landing_queue: &LandingQueue| {
             loop {
                 stop.go_on()?;
                 let scene = scenes[point % scenes.len()];
-                let landing = exchange.landing(point, Arc::clone(&vehicle), scene, settings);
+                let landing = landing_queue.landing(point, Arc::clone(&vehicle), scene, settings);
                 assert!(landing.await.is_some());
                 if landings.fetch_add(1, Ordering::Relaxed) == 50 {
                     cancel.store(true, Ordering::Relaxed);

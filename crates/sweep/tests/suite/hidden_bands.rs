@@ -8,8 +8,8 @@ use std::path::Path;
 use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::boundary::Boundary;
 use touchdown_sweep::findings::Finding;
+use touchdown_sweep::hidden_band_checks::Tried;
 use touchdown_sweep::library::{Library, Source};
-use touchdown_sweep::looks::Tried;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::sweep_file::Sweep;
 

@@ -6,8 +6,8 @@
 use std::path::Path;
 
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::instead::Instead;
 use touchdown_sweep::library::{Library, Source};
+use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::sensitivity::{Dependence, Slope};
 use touchdown_sweep::sweep_file::Sweep;
@@ -57,12 +57,12 @@ fn find(sweep: &Sweep, points: usize) -> Vec<Finding> {
 
 /// Dependences at a roll angle, deg, one for each parameter.
 fn slopes(vehicle: &str, roll: f64, parameters: &[&str]) -> Vec<Slope> {
-    let instead = Instead {
+    let overrides = Overrides {
         sensitivity: parameters.iter().map(|name| (*name).to_owned()).collect(),
-        ..Instead::default()
+        ..Overrides::default()
     };
     let sweep = sweep(vehicle, "roll_deg", &[roll], 1e-3);
-    match find(&sweep.with(&instead).unwrap(), 1).remove(0) {
+    match find(&sweep.with(&overrides).unwrap(), 1).remove(0) {
         Finding::Sensitive { sensitivity, .. } => sensitivity.slopes,
         other => panic!("{other:?}"),
     }

@@ -8,7 +8,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::landing_table::Cell;
 
 use super::case_table::Reasons;
-use super::sense::Sense;
+use super::checks::Sense;
 
 /// Landings kept of every kind of failure, and of those that make no sense.
 const KEPT: usize = 10_000;

@@ -1,4 +1,4 @@
-use super::super::sense::tests::{landed, settings};
+use super::super::checks::tests::{landed, settings};
 use super::*;
 
 const CHATTERING: Outcome = Outcome::Failure(Failure::Chattering);

@@ -2,10 +2,10 @@
 
 mod account;
 mod case_table;
-mod guard;
+mod checks;
 mod killed_run;
 mod kills;
-mod sense;
+mod watchdog;
 mod wild;
 
 use std::num::NonZeroUsize;
@@ -14,13 +14,13 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use touchdown_dynamics::scene::{CrushRule, Settings};
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::run::Workers;
 
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::say::say;
+use crate::print::print;
 use crate::touchdown_options::finite;
 
 const EXAMPLES: &str = "\
@@ -94,7 +94,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         cancel: &cancel,
     };
     if options.kills > 0 {
-        say(&kills::run(&bench)?)?;
+        print(&kills::run(&bench)?)?;
     }
     if let Some(sweep) = landings {
         wild::run(&bench, &sweep)?;

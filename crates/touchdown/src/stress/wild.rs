@@ -16,11 +16,11 @@ use touchdown_sweep::sweep_file::Sweep;
 
 use super::account::Account;
 use super::case_table::{self, Reasons};
-use super::guard::Guard;
+use super::watchdog::Watchdog;
 use super::{Bench, SURVEYOR, SURVEYOR_FILE};
 use crate::failure::Failure;
+use crate::print::print;
 use crate::progress::Progress;
-use crate::say::say;
 use crate::summary;
 
 const SWEEP: &str = include_str!("../../../../sweeps/stress/wild.toml");
@@ -84,7 +84,7 @@ pub fn run(bench: &Bench, sweep: &Sweep) -> Result<(), Failure> {
 
     let now = count - earlier;
     let rate = now as f64 / wall_time.max(1e-9);
-    say(&format!(
+    print(&format!(
         "{count} wild landings, seed {}, tolerance {:e}, model version {MODEL_VERSION}; {now} of them now, on {} threads, \
          in {wall_time:.0} s: {rate:.0} landings/s\n{}  {files}",
         options.seed,
@@ -102,7 +102,7 @@ pub fn run(bench: &Bench, sweep: &Sweep) -> Result<(), Failure> {
 fn land(bench: &Bench, sweep: &Sweep, opened: &mut Opened) -> Result<Duration, Failure> {
     let progress = Progress::start("landings", sweep.design.count(), bench.options.quiet);
     progress.skip(opened.done.len());
-    let guard = Guard::before(&progress);
+    let guard = Watchdog::before(&progress);
     let give_up = |landings: &[usize], why: &str| {
         let reasons = landings
             .iter()
@@ -145,7 +145,7 @@ fn write(bench: &Bench, sweep: &Sweep, reasons: &Reasons) -> Result<String, Fail
         (CASES.to_owned(), cases),
         (VEHICLE.to_owned(), SURVEYOR.as_bytes().to_vec()),
     ];
-    Ok(summary::written(&bench.folder.deposit(&files)?))
+    Ok(summary::written(&bench.folder.write_files(&files)?))
 }
 
 /// Where the cases are.

@@ -21,11 +21,11 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_sweep::deposit::Folder;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
-use crate::say::say;
+use crate::print::print;
 use results::Results;
 
 const EXAMPLE: &str = "\
@@ -87,16 +87,16 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Name::Special => {
             let sample = VehicleFile::read(&options.sample_vehicle)?.vehicle;
             let files = special::files(&sample, &vehicle)?;
-            Folder::open(&options.results)?.deposit(&files)?
+            Folder::open(&options.results)?.write_files(&files)?
         }
         Name::Scatter => {
             let results = Results::new(&options.results);
             let table = scatter::table(&results, &vehicle, options.threads)?;
-            Folder::open(&options.results)?.deposit(&[(scatter::TABLE.to_owned(), table)])?
+            Folder::open(&options.results)?.write_files(&[(scatter::TABLE.to_owned(), table)])?
         }
     };
     for file in written {
-        say(&format!("{}\n", file.display()))?;
+        print(&format!("{}\n", file.display()))?;
     }
     Ok(())
 }
@@ -116,7 +116,7 @@ fn phase_two(options: &Options, vehicle: &Vehicle) -> Result<Vec<PathBuf>, Failu
     let text = sections.map(|section| section.trim_end().to_owned() + "\n");
     let folder = Folder::open(&options.results)?;
     // The page shows what is there.
-    let mut written = folder.deposit(&histories::files(vehicle)?)?;
+    let mut written = folder.write_files(&histories::files(vehicle)?)?;
     let files = [
         ("phase-2.md".to_owned(), text.join("\n").into_bytes()),
         (
@@ -124,7 +124,7 @@ fn phase_two(options: &Options, vehicle: &Vehicle) -> Result<Vec<PathBuf>, Failu
             gallery::page(&results)?.into_bytes(),
         ),
     ];
-    written.extend(folder.deposit(&files)?);
+    written.extend(folder.write_files(&files)?);
     Ok(written)
 }
 

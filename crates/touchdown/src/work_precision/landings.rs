@@ -19,6 +19,8 @@ const COMPARED: [usize; 2] = [3, 10];
 const INTERVAL: f64 = 0.1;
 /// How often the landings are repeated in lanes.
 const REPEATED: usize = 5;
+/// Times that all tolerances are timed, one after the other.
+const ROUNDS: usize = 5;
 
 /// Landings with their converged answers.
 pub struct Landings<'v> {
@@ -35,12 +37,33 @@ struct Seen {
     least_angle: f64,
 }
 
+/// Least times of landings at one tolerance, µs.
+pub struct Times {
+    /// Of each landing alone.
+    alone: Vec<f64>,
+    /// Mean in the lanes of registers.
+    in_lanes: f64,
+    /// Share of the lanes that were filled.
+    occupancy: f64,
+}
+
+impl Times {
+    /// Nothing timed yet.
+    fn unknown(landings: usize) -> Self {
+        Self {
+            alone: vec![f64::INFINITY; landings],
+            in_lanes: f64::INFINITY,
+            occupancy: 0.0,
+        }
+    }
+}
+
 /// What a tolerance costs, and the error of what it gives: median and worst.
 pub struct Measured {
     /// Time of a landing, µs: median and mean.
     pub time: [f64; 2],
     /// The same, mean, side by side in the lanes of registers.
-    pub time_abreast: f64,
+    pub time_in_lanes: f64,
     /// Share of the lanes that were taken.
     pub occupancy: f64,
     /// Steps, evaluations and events of a landing, mean.
@@ -71,18 +94,37 @@ impl<'v> Landings<'v> {
         })
     }
 
-    /// Lands with a tolerance and compares.
-    pub fn measure(&self, tolerance: f64) -> Result<Measured, Failure> {
+    /// Times landings at all tolerances in turns, so that a machine that is busy for a while slows all of them, and
+    /// keeps the least time of each.
+    pub fn times(&self, tolerances: &[f64]) -> Result<Vec<Times>, Failure> {
+        let mut least: Vec<Times> = (tolerances.iter())
+            .map(|_| Times::unknown(self.scenes.len()))
+            .collect();
+        for _ in 0..ROUNDS {
+            for (&tolerance, least) in tolerances.iter().zip(&mut least) {
+                let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
+                for (scene, least) in self.scenes.iter().zip(&mut least.alone) {
+                    let clock = Clock::now();
+                    black_box(land(self.vehicle, scene, &settings));
+                    *least = least.min(clock.elapsed().as_secs_f64() * 1e6);
+                }
+                let (in_lanes, occupancy) = self.measure_in_lanes(&settings);
+                least.in_lanes = least.in_lanes.min(in_lanes);
+                least.occupancy = occupancy;
+            }
+        }
+        Ok(least)
+    }
+
+    /// Lands with a tolerance and compares; the `times` are of this tolerance.
+    pub fn measure(&self, tolerance: f64, times: &Times) -> Result<Measured, Failure> {
         let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
-        let (mut times, mut sums) = (Vec::new(), [0; 3]);
+        let mut sums = [0; 3];
         for scene in &self.scenes {
-            let clock = Clock::now();
             let landing = land(self.vehicle, scene, &settings);
-            times.push(clock.elapsed().as_secs_f64() * 1e6);
             let counts = [landing.steps, landing.evaluations, landing.events];
             sums.iter_mut().zip(counts).for_each(|(sum, n)| *sum += n);
         }
-        let (time_abreast, occupancy) = self.measure_abreast(&settings);
         let found: Vec<Seen> = self
             .scenes
             .par_iter()
@@ -107,11 +149,11 @@ impl<'v> Landings<'v> {
         let [steps, evaluations, events] = sums.map(|sum| sum as f64 / count);
         Ok(Measured {
             time: [
-                median_and_worst(times.clone())[0],
-                times.iter().sum::<f64>() / count,
+                median_and_worst(times.alone.clone())[0],
+                times.alone.iter().sum::<f64>() / count,
             ],
-            time_abreast,
-            occupancy,
+            time_in_lanes: times.in_lanes,
+            occupancy: times.occupancy,
             steps,
             evaluations,
             events,
@@ -129,7 +171,7 @@ impl<'v> Landings<'v> {
 impl Landings<'_> {
     /// Mean time of a landing in the lanes of registers, µs, and the share of lanes that were taken, over so many
     /// landings that few of them are the last ones.
-    fn measure_abreast(&self, settings: &Settings) -> (f64, f64) {
+    fn measure_in_lanes(&self, settings: &Settings) -> (f64, f64) {
         let scenes = self
             .scenes
             .iter()

@@ -7,14 +7,14 @@ use crate::key_path::KeyPath;
 use crate::parameter::Home;
 use crate::section::Section;
 use crate::sensitivity_input;
-use crate::sweep::{Given, Job, SWEEP, Sweep};
+use crate::sweep::{Job, OverrideNames, SWEEP, Sweep};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
 
 /// What holds instead of a sweep file's own.
 #[derive(Debug, Clone, Default)]
-pub struct Instead {
+pub struct Overrides {
     /// The vehicle.
     pub vehicle: Option<VehicleFile>,
     /// Words of `[search]` and `[solver]`, by their dotted keys.
@@ -28,8 +28,8 @@ impl Sweep {
     ///
     /// # Errors
     /// When what varies would be replaced, says nothing in this sweep, or does not fit the vehicle.
-    pub fn with(mut self, instead: &Instead) -> Result<Self, InputError> {
-        for (name, word) in &instead.words {
+    pub fn with(mut self, overrides: &Overrides) -> Result<Self, InputError> {
+        for (name, word) in &overrides.words {
             let refuse = |complaint: &str| {
                 let complaint = format!("{name} = {word:?}: {complaint}");
                 InputError::other(complaint).at(self.document.place())
@@ -51,20 +51,20 @@ impl Sweep {
             *search = search_input::search(&root)?;
         }
         self.settings = settings_input::settings(&root)?;
-        if let Some(vehicle) = &instead.vehicle {
+        if let Some(vehicle) = &overrides.vehicle {
             self.vehicle = vehicle.clone();
             self.check_points()?;
             self.sources.push(vehicle.document.source());
         }
-        if !instead.sensitivity.is_empty() {
-            self.sensitivity = sensitivity_input::named(&instead.sensitivity, LEGS)?;
+        if !overrides.sensitivity.is_empty() {
+            self.sensitivity = sensitivity_input::named(&overrides.sensitivity, LEGS)?;
         }
         self.check_sensitivity()?;
         let path = |file: &VehicleFile| file.document.path().to_owned();
-        self.instead = Given {
-            vehicle: instead.vehicle.as_ref().map(path),
-            words: instead.words.clone(),
-            sensitivity: instead.sensitivity.clone(),
+        self.overrides = OverrideNames {
+            vehicle: overrides.vehicle.as_ref().map(path),
+            words: overrides.words.clone(),
+            sensitivity: overrides.sensitivity.clone(),
         };
         Ok(self)
     }
@@ -93,7 +93,7 @@ mod tests {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
         let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
         let word = |key: &str, word: &str| (key.to_owned(), word.to_owned());
-        let mut instead = Instead {
+        let mut overrides = Overrides {
             vehicle: None,
             sensitivity: Vec::new(),
             words: vec![
@@ -101,15 +101,15 @@ mod tests {
                 word("search.bands", "first"),
             ],
         };
-        let mut changed = sweep.with(&instead).unwrap();
+        let mut changed = sweep.with(&overrides).unwrap();
         assert_eq!(changed.search().unwrap().extent, Extent::First);
         let settings = changed.case(3).unwrap().settings;
         assert_eq!(settings.crush_rule(), CrushRule::Section);
         changed.axes[0] = crate::parameter::Parameter::named("solver.crush_rule", 3).unwrap();
-        let complaint = changed.clone().with(&instead).unwrap_err().to_string();
+        let complaint = changed.clone().with(&overrides).unwrap_err().to_string();
         assert!(complaint.contains("varies in this sweep"), "{complaint}");
-        instead.words = vec![word("search.bands", "both")];
-        let complaint = changed.with(&instead).unwrap_err().to_string();
+        overrides.words = vec![word("search.bands", "both")];
+        let complaint = changed.with(&overrides).unwrap_err().to_string();
         assert!(complaint.contains("search.bands = \"both\""), "{complaint}");
     }
 }

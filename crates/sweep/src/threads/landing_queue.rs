@@ -17,7 +17,7 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// Landings that were asked for and nobody has begun with.
-pub(crate) struct Exchange {
+pub(crate) struct LandingQueue {
     threads: usize,
     queue: Mutex<Queue>,
     changed: Condvar,
@@ -26,14 +26,14 @@ pub(crate) struct Exchange {
 }
 
 /// A landing that a search waits for.
-struct Asked {
+struct PendingLanding {
     request: Request,
     search: oneshot::Sender<Landing>,
 }
 
 struct Queue {
     /// By the number of the search, and in what order they were asked for: what was begun with is to be ended first.
-    asked: BTreeMap<(usize, usize), Asked>,
+    asked: BTreeMap<(usize, usize), PendingLanding>,
     /// How many were ever asked for.
     count: usize,
     /// Landings that threads have begun with.
@@ -41,9 +41,9 @@ struct Queue {
     is_closed: bool,
 }
 
-impl Exchange {
-    /// An exchange for so many threads that land.
-    pub(crate) fn between(threads: usize) -> Self {
+impl LandingQueue {
+    /// An landing_queue for so many threads that land.
+    pub(crate) fn new(threads: usize) -> Self {
         Self {
             threads,
             queue: Mutex::new(Queue {
@@ -61,7 +61,7 @@ impl Exchange {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Asks for a landing of the `search`-th search and waits for it; `None` when the exchange was closed.
+    /// Asks for a landing of the `search`-th search and waits for it; `None` when the landing_queue was closed.
     pub(crate) async fn landing(
         &self,
         search: usize,
@@ -91,7 +91,7 @@ impl Exchange {
                 scene,
                 settings,
             };
-            let asked = Asked {
+            let asked = PendingLanding {
                 request,
                 search: sender,
             };
@@ -122,7 +122,7 @@ impl Exchange {
 
     /// The next landing for a thread that has so many under way. It gets no more than its share, so that none has
     /// many while another has few.
-    fn take(&self, under_way: usize) -> Option<Asked> {
+    fn take(&self, under_way: usize) -> Option<PendingLanding> {
         if self.waiting.load(Ordering::Relaxed) == 0 {
             return None;
         }
@@ -137,7 +137,7 @@ impl Exchange {
         Some(request)
     }
 
-    /// Lands what is asked for until the exchange is closed.
+    /// Lands what is asked for until the landing_queue is closed.
     pub(crate) fn land(&self) {
         self.land_with(land_many);
     }
@@ -151,12 +151,12 @@ impl Exchange {
         ) -> Occupancy,
     ) {
         // Should a landing panic, no other thread waits for more.
-        let _rest = Closes(self);
+        let _rest = CloseOnDrop(self);
         let under_way = RefCell::new(HashMap::new());
         while self.wait() {
             let mut next = || {
                 let mut under_way = under_way.borrow_mut();
-                let Asked { request, search } = self.take(under_way.len())?;
+                let PendingLanding { request, search } = self.take(under_way.len())?;
                 under_way.insert(request.key, search);
                 Some(request)
             };
@@ -171,10 +171,10 @@ impl Exchange {
     }
 }
 
-/// Closes an exchange in the end, come what may.
-pub(crate) struct Closes<'e>(pub(crate) &'e Exchange);
+/// CloseOnDrop an landing_queue in the end, come what may.
+pub(crate) struct CloseOnDrop<'e>(pub(crate) &'e LandingQueue);
 
-impl Drop for Closes<'_> {
+impl Drop for CloseOnDrop<'_> {
     fn drop(&mut self) {
         self.0.close();
     }
@@ -191,7 +191,7 @@ mod tests {
     use crate::vehicle_file::VehicleFile;
 
     /// Asks for a landing that nobody waits for.
-    fn ask(exchange: &Exchange, search: usize) {
+    fn ask(landing_queue: &LandingQueue, search: usize) {
         let file = concat!(
             env!("CARGO_MANIFEST_DIR"),
             "/../../sweeps/vehicles/surveyor-table-4-1.toml"
@@ -200,7 +200,7 @@ mod tests {
         let scene = near_boundary(false).unwrap()[0];
         let settings = Settings::new(3e-4, 0.05, CrushRule::default()).unwrap();
         let (sender, _) = oneshot::channel();
-        exchange.ask(search, Arc::new(vehicle), scene, settings, sender);
+        landing_queue.ask(search, Arc::new(vehicle), scene, settings, sender);
     }
 
     /// A landing that panics.
@@ -214,10 +214,10 @@ mod tests {
 
     #[test]
     fn a_thread_that_panics_lets_the_others_go() {
-        let exchange = Exchange::between(2);
-        ask(&exchange, 0);
+        let landing_queue = LandingQueue::new(2);
+        ask(&landing_queue, 0);
         let panicked = std::thread::scope(|scope| {
-            let threads = [(), ()].map(|()| scope.spawn(|| exchange.land_with(broken)));
+            let threads = [(), ()].map(|()| scope.spawn(|| landing_queue.land_with(broken)));
             threads.map(|thread| thread.join().is_err())
         });
         assert_eq!(panicked.iter().filter(|panicked| **panicked).count(), 1);
@@ -225,17 +225,17 @@ mod tests {
 
     #[test]
     fn threads_get_the_first_searches_first_and_no_more_than_their_share() {
-        let exchange = Exchange::between(2);
-        assert!(exchange.take(0).is_none());
+        let landing_queue = LandingQueue::new(2);
+        assert!(landing_queue.take(0).is_none());
         for search in [2, 1, 1] {
-            ask(&exchange, search);
+            ask(&landing_queue, search);
         }
-        let take = |under_way| exchange.take(under_way).map(|asked| asked.request.key);
+        let take = |under_way| landing_queue.take(under_way).map(|asked| asked.request.key);
         assert_eq!([take(0), take(1), take(2)], [Some(1), Some(2), None]);
         assert_eq!([take(0), take(1)], [Some(0), None]);
-        ask(&exchange, 3);
-        exchange.close();
-        ask(&exchange, 3);
-        assert_eq!((take(0), exchange.wait()), (None, false));
+        ask(&landing_queue, 3);
+        landing_queue.close();
+        ask(&landing_queue, 3);
+        assert_eq!((take(0), landing_queue.wait()), (None, false));
     }
 }

@@ -13,12 +13,12 @@ use touchdown_sweep::run::Observer;
 const GLANCE: Duration = Duration::from_secs(1);
 
 /// An observer that stands before another and knows what is under way.
-pub struct Guard<'o, O> {
+pub struct Watchdog<'o, O> {
     observer: &'o O,
     underway: Mutex<HashMap<usize, Instant>>,
 }
 
-impl<'o, O: Observer> Guard<'o, O> {
+impl<'o, O: Observer> Watchdog<'o, O> {
     /// Stands before an observer.
     pub fn before(observer: &'o O) -> Self {
         Self {
@@ -68,7 +68,7 @@ impl<'o, O: Observer> Guard<'o, O> {
     }
 }
 
-impl<O: Observer> Observer for Guard<'_, O> {
+impl<O: Observer> Observer for Watchdog<'_, O> {
     fn begin(&self, point: usize) {
         self.underway().insert(point, Instant::now());
         self.observer.begin(point);
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn landings_that_panic_are_among_those_known() {
-        let guard = Guard::before(&());
+        let guard = Watchdog::before(&());
         let land = |point: usize| {
             guard.begin(point);
             assert_ne!(point, 2);
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn landings_that_take_forever_are_known() {
-        let guard = Guard::before(&());
+        let guard = Watchdog::before(&());
         let (despair, despaired) = channel();
         let work = || {
             guard.begin(7);

@@ -1,4 +1,4 @@
-//! Work that skips spared a search, in counts that the search itself knows.
+//! Work that skips skipped a search, in counts that the search itself knows.
 //!
 //! How many evaluations of the equations of motion a landing would have taken that was not computed, only
 //! a search without the skip tells: `docs/notes/skips.md` has both for the level-vehicle grid.
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// What each skip of a search came to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Spared {
+pub struct Skipped {
     /// Landings that a full scan takes more; negative where halving strides down took more
     /// landings above the first change than were left out below it.
     pub left_out: i64,
@@ -25,7 +25,7 @@ pub struct Spared {
     pub untested: u64,
 }
 
-impl AddAssign for Spared {
+impl AddAssign for Skipped {
     fn add_assign(&mut self, more: Self) {
         self.left_out += more.left_out;
         self.loose += more.loose;

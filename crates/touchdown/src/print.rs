@@ -5,7 +5,7 @@ use std::io::{ErrorKind, Write, stdout};
 use crate::failure::Failure;
 
 /// Prints a text. A reader who has seen enough and closed the pipe, as `head` does, is no failure.
-pub fn say(text: &str) -> Result<(), Failure> {
+pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::running(error)),

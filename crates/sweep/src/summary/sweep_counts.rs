@@ -4,16 +4,16 @@ use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Boundary, Transition};
 use crate::findings::Finding;
+use crate::hidden_band_checks::HiddenBandChecks;
 use crate::landing_table::Cell;
-use crate::looks::Looks;
 use crate::probabilities::Probabilities;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
-use crate::spared::Spared;
+use crate::skipped::Skipped;
 use crate::sweep_file::{Job, Sweep};
 
 /// Counts over the points of a sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Tally {
+pub struct SweepCounts {
     /// Points.
     pub points: usize,
     /// Landings computed.
@@ -23,9 +23,9 @@ pub struct Tally {
     /// Bands found.
     pub bands: usize,
     /// Intervals looked into for hidden bands.
-    pub looks: Looks,
-    /// What skips spared.
-    pub spared: Spared,
+    pub looks: HiddenBandChecks,
+    /// What skips skipped.
+    pub skipped: Skipped,
     /// Landings that put transitions to the test.
     pub tests: u64,
     /// Landings for sensitivities.
@@ -47,7 +47,7 @@ const KINDS: [Option<Class>; 4] = [
     None,
 ];
 
-impl Tally {
+impl SweepCounts {
     /// No points yet of a sweep.
     pub fn of(sweep: &Sweep) -> Self {
         let probabilities = match sweep.job {
@@ -100,7 +100,7 @@ impl Tally {
         self.evaluations += boundary.evaluations;
         self.bands += boundary.bands.len();
         self.looks += boundary.looks;
-        self.spared += boundary.spared;
+        self.skipped += boundary.skipped;
         self.tests += boundary.tests;
         let kind = boundary.transition.map(|transition| transition.to);
         if let Some(index) = KINDS.iter().position(|known| *known == kind) {
@@ -161,7 +161,7 @@ mod tests {
             landings: 10,
             ..Boundary::default()
         };
-        let mut tally = Tally::default();
+        let mut counts = SweepCounts::default();
         let boundaries = [
             Boundary::default(),
             at(Class::Bottomed, 12.0),
@@ -169,14 +169,14 @@ mod tests {
             at(Class::Unstable, 11.0),
         ];
         for (point, boundary) in boundaries.iter().enumerate() {
-            tally.points += 1;
-            tally.add_boundary(point, boundary);
+            counts.points += 1;
+            counts.add_boundary(point, boundary);
         }
-        assert_eq!(tally.lowest.map(|(point, _)| point), Some(2));
-        assert_eq!((tally.points, tally.landings), (4, 30));
+        assert_eq!(counts.lowest.map(|(point, _)| point), Some(2));
+        assert_eq!((counts.points, counts.landings), (4, 30));
         let expected = [("unstable", 2), ("bottomed", 1), ("none", 1)];
         assert_eq!(
-            tally.kinds(),
+            counts.kinds(),
             expected.map(|(kind, n)| (kind.to_owned(), n))
         );
     }

@@ -35,9 +35,9 @@ impl fmt::Display for Tried {
     }
 }
 
-/// Looks for hidden bands, by the sign that there may be one.
+/// HiddenBandChecks for hidden bands, by the sign that there may be one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Looks {
+pub struct HiddenBandChecks {
     /// The stability angle of stable landings falls toward zero.
     pub toppling: Tried,
     /// Landings that topple have ever less in excess.
@@ -48,7 +48,7 @@ pub struct Looks {
     pub gaps: Tried,
 }
 
-impl Looks {
+impl HiddenBandChecks {
     /// All of them.
     pub fn all(&self) -> Tried {
         let mut all = self.toppling;
@@ -68,7 +68,7 @@ impl Looks {
     }
 }
 
-impl AddAssign for Looks {
+impl AddAssign for HiddenBandChecks {
     fn add_assign(&mut self, more: Self) {
         self.toppling += more.toppling;
         self.righting += more.righting;

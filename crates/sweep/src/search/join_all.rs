@@ -9,7 +9,7 @@ const PARTS: usize = 32;
 ///
 /// # Errors
 /// The first that a part gives up with.
-pub(crate) async fn at_once<T, Stop>(
+pub(crate) async fn join_all<T, Stop>(
     parts: impl Iterator<Item = impl Future<Output = Result<T, Stop>>>,
 ) -> Result<Vec<T>, Stop> {
     stream::iter(parts).buffered(PARTS).try_collect().await

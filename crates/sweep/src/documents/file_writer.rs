@@ -59,7 +59,7 @@ impl Folder {
     ///
     /// # Errors
     /// Names the file that could not be written.
-    pub fn deposit(&self, files: &[(String, Vec<u8>)]) -> Result<Vec<PathBuf>, DepositError> {
+    pub fn write_files(&self, files: &[(String, Vec<u8>)]) -> Result<Vec<PathBuf>, WriteError> {
         let drafts = files.iter().map(|(name, bytes)| self.draft_of(name, bytes));
         Draft::put_in_place(drafts.collect::<Result<_, _>>()?)
     }
@@ -68,11 +68,11 @@ impl Folder {
     ///
     /// # Errors
     /// Names the file that cannot be written.
-    pub fn draft(&self, name: &str) -> Result<Draft, DepositError> {
+    pub fn draft(&self, name: &str) -> Result<Draft, WriteError> {
         let path = self.path(name);
         match self.beside() {
             Ok(file) => Ok(Draft { path, file }),
-            Err(error) => Err(DepositError { path, error }),
+            Err(error) => Err(WriteError { path, error }),
         }
     }
 
@@ -80,7 +80,7 @@ impl Folder {
     ///
     /// # Errors
     /// Names the file that cannot be written.
-    pub fn draft_of(&self, name: &str, bytes: &[u8]) -> Result<Draft, DepositError> {
+    pub fn draft_of(&self, name: &str, bytes: &[u8]) -> Result<Draft, WriteError> {
         let mut draft = self.draft(name)?;
         let written = draft.file.write_all(bytes);
         written.map_err(|error| draft.refuse(error))?;
@@ -109,14 +109,14 @@ impl Draft {
     ///
     /// # Errors
     /// Names the file that could not be put in its place.
-    pub fn put_in_place(drafts: Vec<Self>) -> Result<Vec<PathBuf>, DepositError> {
+    pub fn put_in_place(drafts: Vec<Self>) -> Result<Vec<PathBuf>, WriteError> {
         for draft in &drafts {
             let synced = draft.file.as_file().sync_all();
             synced.map_err(|error| draft.refuse(error))?;
         }
         let rename = |Self { path, file }| match file.persist(&path) {
             Ok(_) => Ok(path),
-            Err(error) => Err(DepositError {
+            Err(error) => Err(WriteError {
                 path,
                 error: error.error,
             }),
@@ -128,7 +128,7 @@ impl Draft {
     ///
     /// # Errors
     /// When the file cannot be read.
-    pub fn text(&self, most: u64) -> Result<Option<String>, DepositError> {
+    pub fn text(&self, most: u64) -> Result<Option<String>, WriteError> {
         let read = || {
             let length = self.file.as_file().metadata()?.len();
             match length <= most {
@@ -139,9 +139,9 @@ impl Draft {
         read().map_err(|error| self.refuse(error))
     }
 
-    fn refuse(&self, error: io::Error) -> DepositError {
+    fn refuse(&self, error: io::Error) -> WriteError {
         let path = self.path.clone();
-        DepositError { path, error }
+        WriteError { path, error }
     }
 }
 
@@ -157,14 +157,14 @@ impl Write for Draft {
 
 /// A file that could not be written.
 #[derive(Debug)]
-pub struct DepositError {
+pub struct WriteError {
     /// The file.
     pub path: PathBuf,
     /// What was in the way.
     pub error: io::Error,
 }
 
-impl std::fmt::Display for DepositError {
+impl std::fmt::Display for WriteError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
@@ -175,7 +175,7 @@ impl std::fmt::Display for DepositError {
     }
 }
 
-impl std::error::Error for DepositError {}
+impl std::error::Error for WriteError {}
 
 #[cfg(test)]
 mod tests {
@@ -199,7 +199,7 @@ mod tests {
                 ("a.csv".to_owned(), content.into()),
                 ("b.svg".to_owned(), vec![]),
             ];
-            folder.deposit(&files).unwrap();
+            folder.write_files(&files).unwrap();
         }
         let path = home.path().join("new/results");
         assert_eq!(names(&path), ["a.csv", "b.svg"]);
@@ -212,7 +212,7 @@ mod tests {
         let folder = Folder::open(home.path()).unwrap();
         fs::create_dir_all(home.path().join("a.csv/in the way")).unwrap();
         let error = folder
-            .deposit(&[("a.csv".to_owned(), vec![1])])
+            .write_files(&[("a.csv".to_owned(), vec![1])])
             .unwrap_err();
         assert!(error.to_string().contains("a.csv: cannot be written"));
         assert_eq!(names(home.path()), ["a.csv"]);
