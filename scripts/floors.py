@@ -3,7 +3,7 @@
 
     scripts/floors.py
 
-Each crate under crates/ is read for its `use crate::` and `use super::` lines, tests excepted. A file may not
+Each crate under crates/ is read for its `crate::` and `super::` paths, tests excepted. A file may not
 import, by whatever way round, a file that imports it. In the crates whose floors are named below, a file may
 import only from its own floor and those below.
 """
@@ -43,7 +43,8 @@ FLOORS = {
 }
 
 USE = re.compile(r"^\s*(?:pub(?:\([^)]*\))? )?use ([^;]*);", re.M)
-MOD = re.compile(r"^(?:pub(?:\([^)]*\))? )?mod (\w+);", re.M)
+# Paths written out in code; documentation may name what is above.
+PATH = re.compile(r"^(?!\s*//).*?\b((?:crate|super)::\w+(?:::\w+)*)", re.M)
 
 
 def expand(path):
@@ -93,7 +94,8 @@ def imports(modules):
     edges = {}
     for name, source in modules.items():
         found = set()
-        for tree in USE.findall(source):
+        trees = USE.findall(source) + PATH.findall(source)
+        for tree in trees:
             for path in expand(tree):
                 parts = path.split("::")
                 if parts[0] == "crate":

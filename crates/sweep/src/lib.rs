@@ -35,7 +35,7 @@ pub mod sensitivity;
 pub use documents::{document, file_writer, input_error, key_path, library, section, source, unit};
 use input::search_input;
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
-use journal::known;
+use journal::early_stop;
 pub use journal::{header, merge, point_set, shard};
 use output::parquet_table;
 pub use output::{bands_table, cases, history, input_keys, results, sensitivity_table, tables};

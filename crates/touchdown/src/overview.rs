@@ -34,7 +34,7 @@ impl Line {
             }
             None => "-".to_owned(),
         };
-        let looks = counts.looks.all();
+        let looks = counts.checks.all();
         Self {
             cells: [
                 sweep.stem(),
@@ -42,7 +42,7 @@ impl Line {
                 summary::counted(&counts.kinds()),
                 lowest,
                 counts.landings.to_string(),
-                format!("{}/{}", looks.finds, looks.looks),
+                format!("{}/{}", looks.finds, looks.checks),
                 match circumstances.wall_time {
                     Some(seconds) => format!("{seconds:.1}"),
                     None => "-".to_owned(),

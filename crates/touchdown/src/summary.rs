@@ -94,12 +94,12 @@ fn bands(counts: &SweepCounts) -> String {
         righting,
         stroke,
         gaps,
-    } = counts.looks;
-    let all = counts.looks.all();
+    } = counts.checks;
+    let all = counts.checks.all();
     format!(
         "  {} bands; {} looks for hidden ones found {}: {toppling} near toppling, {righting} near \
          staying upright, {stroke} near a strut's stop, {gaps} at irregular changes\n",
-        counts.bands, all.looks, all.finds
+        counts.bands, all.checks, all.finds
     )
 }
 

@@ -104,10 +104,10 @@ impl<'d> Section<'d> {
         Ok(Self { place, layers })
     }
 
-    fn all(&self, key: &str) -> impl Iterator<Item = Found<'d>> {
+    fn all(&self, key: &str) -> impl Iterator<Item = LocatedValue<'d>> {
         self.layers.iter().filter_map(move |layer| {
             let entry = layer.entries.iter().find(|entry| entry.key == key)?;
-            Some(Found {
+            Some(LocatedValue {
                 place: self.place.clone(),
                 path: dotted(&layer.path, key),
                 node: &entry.node,
@@ -127,7 +127,7 @@ impl<'d> Section<'d> {
     }
 
     /// The value of `key`, if it is there.
-    pub fn optional(&self, key: &str) -> Option<Found<'d>> {
+    pub fn optional(&self, key: &str) -> Option<LocatedValue<'d>> {
         self.all(key).next()
     }
 
@@ -135,7 +135,7 @@ impl<'d> Section<'d> {
     ///
     /// # Errors
     /// When it is missing; `allowed` says what it should have been.
-    pub fn value(&self, key: &str, allowed: &str) -> Result<Found<'d>, InputError> {
+    pub fn value(&self, key: &str, allowed: &str) -> Result<LocatedValue<'d>, InputError> {
         self.optional(key).ok_or_else(|| self.missing(key, allowed))
     }
 
@@ -164,10 +164,10 @@ impl<'d> Section<'d> {
     }
 
     /// All keys with their values, of the uppermost layer, in the order of the file.
-    pub fn all_values(&self) -> impl Iterator<Item = (&'d str, Found<'d>)> {
+    pub fn all_values(&self) -> impl Iterator<Item = (&'d str, LocatedValue<'d>)> {
         self.layers.iter().take(1).flat_map(move |layer| {
             layer.entries.iter().map(move |entry| {
-                let found = Found {
+                let found = LocatedValue {
                     place: self.place.clone(),
                     path: dotted(&layer.path, &entry.key),
                     node: &entry.node,
@@ -202,7 +202,7 @@ impl<'d> Section<'d> {
         InputError::value(&name, value, &invalid.allowed).at(self.place.line(found.node.line))
     }
 
-    fn descend(&self, dotted: &str) -> Option<Found<'d>> {
+    fn descend(&self, dotted: &str) -> Option<LocatedValue<'d>> {
         match dotted.split_once('.') {
             None => self.optional(dotted),
             Some((table, rest)) => {
@@ -219,13 +219,13 @@ impl<'d> Section<'d> {
 
 /// A value found in a section.
 #[derive(Debug, Clone)]
-pub struct Found<'d> {
+pub struct LocatedValue<'d> {
     pub(crate) place: Place,
     pub(crate) path: String,
     pub(crate) node: &'d Node,
 }
 
-impl<'d> Found<'d> {
+impl<'d> LocatedValue<'d> {
     /// Where it stands.
     pub fn here(&self) -> Place {
         self.place.line(self.node.line)
@@ -276,11 +276,11 @@ impl<'d> Found<'d> {
     ///
     /// # Errors
     /// When it is something else.
-    pub fn items(&self, allowed: &str) -> Result<Vec<Found<'d>>, InputError> {
+    pub fn items(&self, allowed: &str) -> Result<Vec<LocatedValue<'d>>, InputError> {
         let Value::List(nodes) = &self.node.value else {
             return Err(self.complain(allowed));
         };
-        let item = |(index, node)| Found {
+        let item = |(index, node)| LocatedValue {
             place: self.place.clone(),
             path: format!("{}[{}]", self.path, index + 1),
             node,
@@ -303,10 +303,10 @@ impl<'d> Found<'d> {
     ///
     /// # Errors
     /// When it is no table.
-    pub fn leaves(&self) -> Result<Vec<(String, Found<'d>)>, InputError> {
+    pub fn leaves(&self) -> Result<Vec<(String, LocatedValue<'d>)>, InputError> {
         let mut leaves = Vec::new();
         for entry in self.layer()?.entries {
-            let found = Found {
+            let found = LocatedValue {
                 place: self.place.clone(),
                 path: dotted(&self.path, &entry.key),
                 node: &entry.node,

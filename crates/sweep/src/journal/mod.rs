@@ -4,10 +4,10 @@
 //! the number of a point and what the point came to. Whatever happened to the file, what is read
 //! from it was written by a run of the same input with the same program.
 
+pub(crate) mod early_stop;
 mod frame;
 pub mod header;
 mod in_order;
-pub(crate) mod known;
 pub mod merge;
 pub mod point_set;
 mod scan;

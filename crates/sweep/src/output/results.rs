@@ -111,8 +111,8 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
             "landings": counts.landings,
             "derivative_evaluations": counts.evaluations,
             "bands": counts.bands,
-            "looks_for_hidden_bands": counts.looks.all().looks,
-            "hidden_bands_found": counts.looks.all().finds,
+            "looks_for_hidden_bands": counts.checks.all().checks,
+            "hidden_bands_found": counts.checks.all().finds,
             "outcomes": outcomes(counts),
         },
     })

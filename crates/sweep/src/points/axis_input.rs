@@ -8,7 +8,7 @@ use crate::document::{Entry, Value};
 use crate::input_error::InputError;
 use crate::levels::Levels;
 use crate::parameter::Parameter;
-use crate::section::Found;
+use crate::section::LocatedValue;
 use crate::section::{Layer, Section};
 
 pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
@@ -21,7 +21,7 @@ const NEEDED: &str = "a table [axes] with at least one condition that varies";
 #[derive(Debug, Clone)]
 pub(crate) struct AxisEntry<'d> {
     pub(crate) parameter: Parameter,
-    pub(crate) found: Found<'d>,
+    pub(crate) found: LocatedValue<'d>,
 }
 
 /// What varies in `[axes]`, in the order of the file.
@@ -52,14 +52,14 @@ pub(crate) fn entries<'d>(
 
 /// Collects what is no table of axes, with its dotted name.
 fn descend<'d>(
-    above: &Found<'d>,
+    above: &LocatedValue<'d>,
     layer: &Layer<'d>,
     path: &str,
-    leaves: &mut Vec<(String, Found<'d>)>,
+    leaves: &mut Vec<(String, LocatedValue<'d>)>,
 ) {
     for entry in layer.entries {
         let name = crate::document::dotted(path, &entry.key);
-        let found = Found {
+        let found = LocatedValue {
             place: above.place.clone(),
             path: crate::document::dotted(&above.path, &entry.key),
             node: &entry.node,
@@ -119,7 +119,7 @@ impl AxisEntry<'_> {
         })
     }
 
-    fn list(&self, found: &Found) -> Result<Levels, InputError> {
+    fn list(&self, found: &LocatedValue) -> Result<Levels, InputError> {
         let items = found.items(ALLOWED)?;
         let values = items.iter().map(|item| self.coordinate(item));
         Levels::list(values.collect::<Result<_, _>>()?)
@@ -127,7 +127,7 @@ impl AxisEntry<'_> {
     }
 
     /// The number of an item of a list, or the place of its word among those of the parameter.
-    fn coordinate(&self, item: &Found) -> Result<f64, InputError> {
+    fn coordinate(&self, item: &LocatedValue) -> Result<f64, InputError> {
         let words = self.parameter.words();
         if words.is_empty() {
             return item.number();

@@ -11,7 +11,7 @@ use crate::distribution::Distribution;
 use crate::input_error::{InputError, Place};
 use crate::library::{Library, Source};
 use crate::sample::{Sample, SampledAxis, Spread};
-use crate::section::Found;
+use crate::section::LocatedValue;
 use crate::section::Section;
 
 pub(crate) const SAMPLE: [&str; 4] = ["design", "count", "seed", "stop_at_interval_width"];
@@ -146,7 +146,11 @@ impl Reader<'_, '_> {
         Ok((distribution?, group))
     }
 
-    fn column(&mut self, file: &Found, column: &Found) -> Result<Distribution, InputError> {
+    fn column(
+        &mut self,
+        file: &LocatedValue,
+        column: &LocatedValue,
+    ) -> Result<Distribution, InputError> {
         let path = self
             .sweep
             .parent()
@@ -168,7 +172,7 @@ impl Reader<'_, '_> {
 }
 
 /// The numbers of a column of a table.
-fn numbers(path: &Path, text: &str, column: &Found) -> Result<Vec<f64>, InputError> {
+fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, InputError> {
     let place = Place::file(path);
     let broken = |error: csv::Error| {
         let complaint = format!("not a table of comma-separated values: {error}");

@@ -48,7 +48,7 @@ impl Search {
             loose,
         } = self.confirmed_scan(false, &land).await?;
         let sample = async |speed| Sample::at(speed, land(speed, Variation::OverrideNames)).await;
-        let mut looks = HiddenBandChecks::default();
+        let mut checks = HiddenBandChecks::default();
         let mut skipped = Skipped {
             left_out: self.left_out(false, &samples),
             loose,
@@ -65,7 +65,7 @@ impl Search {
         for (suspect, look) in suspects.iter().zip(join_all(looked).await?) {
             let class = samples[suspect.index].class();
             let has_found = look.iter().any(|s| s.class() != class);
-            looks.of(class, suspect.otherwise).count(has_found);
+            checks.of(class, suspect.otherwise).count(has_found);
             found.extend(look);
         }
         insert(&mut samples, found);
@@ -77,7 +77,7 @@ impl Search {
         let narrowed = pairs.map(|pair| narrowing.between(&pair[0], &pair[1], &sample));
         for mut narrowed in join_all(narrowed).await? {
             between.append(&mut narrowed.samples);
-            looks.gaps += narrowed.looks;
+            checks.gaps += narrowed.checks;
             skipped.interpolated += narrowed.interpolated;
             spent = [spent[0] + narrowed.spent[0], spent[1] + narrowed.spent[1]];
         }
@@ -85,7 +85,7 @@ impl Search {
 
         let mut boundary = Boundary {
             bands: bands(&samples),
-            looks,
+            checks,
             skipped,
             ..Boundary::of(&samples)
         };

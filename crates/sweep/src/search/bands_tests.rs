@@ -62,7 +62,7 @@ fn bands_cover_the_range_without_gaps() {
     assert_eq!(found.bands[3].bracket_width, None);
     assert_eq!(found.bands[1].outcome, Outcome::UnstablePitch);
     assert_eq!(
-        (found.landings, found.looks.gaps.looks),
+        (found.landings, found.checks.gaps.checks),
         (101 + 3 * (8 + 2), 3)
     );
 }
@@ -114,8 +114,8 @@ fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
             ..Trial::example(class, 1)
         })
     }));
-    assert_eq!(found.looks.toppling.finds, 1);
-    assert!(found.looks.all().looks <= 5, "{:?}", found.looks);
+    assert_eq!(found.checks.toppling.finds, 1);
+    assert!(found.checks.all().checks <= 5, "{:?}", found.checks);
     let band = &found.bands[1];
     assert!((band.from - 13.08).abs() <= 0.0005 && (band.to - 13.12).abs() <= 0.0005);
     assert!((found.transition.unwrap().speed() - 13.08).abs() <= 0.0005);

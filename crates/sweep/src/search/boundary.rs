@@ -56,7 +56,7 @@ pub struct Boundary {
     /// All bands of the range from below; none when only the first transition was asked for.
     pub bands: Vec<Band>,
     /// Intervals between like outcomes that were looked into for a hidden band.
-    pub looks: HiddenBandChecks,
+    pub checks: HiddenBandChecks,
     /// What skips skipped.
     pub skipped: Skipped,
     /// Landings that put transitions to the test.

@@ -47,7 +47,7 @@ impl Search {
                 found.certainty = tested.certainty;
             }
         }
-        boundary.looks.gaps = narrowed.looks;
+        boundary.checks.gaps = narrowed.checks;
         boundary.skipped += Skipped {
             left_out,
             loose,

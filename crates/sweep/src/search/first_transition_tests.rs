@@ -40,7 +40,7 @@ fn single_boundary_is_bracketed_within_tolerance() {
     assert!(found.low < 11.4 && 11.4 <= found.high);
     assert!(found.high - found.low <= 0.001);
     assert_eq!(
-        (boundary.landings, boundary.looks.all().looks),
+        (boundary.landings, boundary.checks.all().checks),
         (47 + 8 + 2, 1)
     );
     assert_eq!(boundary.evaluations, 570);

@@ -8,49 +8,49 @@ use touchdown_dynamics::outcome::Class;
 
 /// Intervals that were looked into, and how many of them held another outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Tried {
+pub struct CheckCounts {
     /// Intervals looked into.
-    pub looks: u64,
+    pub checks: u64,
     /// Those that held something.
     pub finds: u64,
 }
 
-impl Tried {
+impl CheckCounts {
     pub(crate) fn count(&mut self, has_found: bool) {
-        self.looks += 1;
+        self.checks += 1;
         self.finds += u64::from(has_found);
     }
 }
 
-impl AddAssign for Tried {
+impl AddAssign for CheckCounts {
     fn add_assign(&mut self, more: Self) {
-        self.looks += more.looks;
+        self.checks += more.checks;
         self.finds += more.finds;
     }
 }
 
-impl fmt::Display for Tried {
+impl fmt::Display for CheckCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} of {}", self.finds, self.looks)
+        write!(f, "{} of {}", self.finds, self.checks)
     }
 }
 
-/// HiddenBandChecks for hidden bands, by the sign that there may be one.
+/// Checks for hidden bands, by the sign that there may be one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct HiddenBandChecks {
     /// The stability angle of stable landings falls toward zero.
-    pub toppling: Tried,
+    pub toppling: CheckCounts,
     /// Landings that topple have ever less in excess.
-    pub righting: Tried,
+    pub righting: CheckCounts,
     /// The stroke that a strut has left, or lacks, falls toward zero.
-    pub stroke: Tried,
+    pub stroke: CheckCounts,
     /// Margins are irregular where an outcome changes ([`crate::refine`]).
-    pub gaps: Tried,
+    pub gaps: CheckCounts,
 }
 
 impl HiddenBandChecks {
     /// All of them.
-    pub fn all(&self) -> Tried {
+    pub fn all(&self) -> CheckCounts {
         let mut all = self.toppling;
         for tried in [self.righting, self.stroke, self.gaps] {
             all += tried;
@@ -59,7 +59,7 @@ impl HiddenBandChecks {
     }
 
     /// Those among landings of a class for a band that ends otherwise, by the margin between the two.
-    pub(crate) fn of(&mut self, class: Class, otherwise: Class) -> &mut Tried {
+    pub(crate) fn of(&mut self, class: Class, otherwise: Class) -> &mut CheckCounts {
         match (class, otherwise) {
             (Class::Bottomed, _) | (_, Class::Bottomed) => &mut self.stroke,
             (Class::Unstable, _) => &mut self.righting,

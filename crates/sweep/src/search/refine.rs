@@ -23,7 +23,7 @@
 
 use touchdown_dynamics::outcome::Class;
 
-use crate::hidden_band_checks::Tried;
+use crate::hidden_band_checks::CheckCounts;
 use crate::lattice::Lattice;
 use crate::trial::{Sample, margin_jumps};
 
@@ -60,7 +60,7 @@ pub(crate) struct Narrowed {
     /// Landings in between, in no order.
     pub(crate) samples: Vec<Sample>,
     /// Gaps between like landings that were looked into for another change.
-    pub(crate) looks: Tried,
+    pub(crate) checks: CheckCounts,
     /// Landings that are not among the samples, and evaluations in them.
     pub(crate) spent: [u64; 2],
     /// Landings that halving takes more than interpolating did.
@@ -126,7 +126,7 @@ impl Narrowing {
                 let sample = sample(lattice.speed(index)).await?;
                 Ok(Node { index, sample })
             };
-            narrowed.looks = self.look_again(&ends, &mut nodes, &mut land).await?;
+            narrowed.checks = self.look_again(&ends, &mut nodes, &mut land).await?;
         }
         narrowed.samples = nodes.into_iter().map(|node| node.sample).collect();
         Ok(narrowed)
@@ -140,7 +140,7 @@ impl Narrowing {
         ends: &[Node; 2],
         found: &mut Vec<Node>,
         land: &mut impl AsyncFnMut(u64) -> Result<Node, Stop>,
-    ) -> Result<Tried, Stop> {
+    ) -> Result<CheckCounts, Stop> {
         let mut nodes: Vec<Node> = ends.iter().chain(found.iter()).cloned().collect();
         nodes.sort_by_key(|node| node.index);
         let wide = ends[1].index / WIDE_GAP;
@@ -150,7 +150,7 @@ impl Narrowing {
             .filter(|pair| {
                 pair[0].class() == pair[1].class() && pair[1].index - pair[0].index > wide.max(2)
             });
-        let mut looks = Tried::default();
+        let mut looks = CheckCounts::default();
         for gap in gaps {
             let [below, above] = [&gap[0], &gap[1]];
             let width = above.index - below.index;

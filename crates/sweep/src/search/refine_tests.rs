@@ -17,7 +17,7 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
     let mut samples = narrowed.samples;
     let landings = match narrowed.spent[0] {
-        0 => samples.len() - 2 * narrowed.looks.looks as usize,
+        0 => samples.len() - 2 * narrowed.checks.checks as usize,
         spent => spent as usize,
     };
     let interpolated = match (refinement, narrowed.spent[0]) {

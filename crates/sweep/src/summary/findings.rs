@@ -70,7 +70,7 @@ mod tests {
     use crate::bands::Band;
     use crate::boundary::Transition;
     use crate::certainty::Certainty;
-    use crate::hidden_band_checks::{HiddenBandChecks, Tried};
+    use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
     use crate::skipped::Skipped;
     use touchdown_dynamics::outcome::{Class, Failure};
 
@@ -91,8 +91,11 @@ mod tests {
                 bracket_width: None,
                 certainty: Certainty::Certain,
             }],
-            looks: HiddenBandChecks {
-                stroke: Tried { looks: 3, finds: 1 },
+            checks: HiddenBandChecks {
+                stroke: CheckCounts {
+                    checks: 3,
+                    finds: 1,
+                },
                 ..HiddenBandChecks::default()
             },
             skipped: Skipped {

@@ -23,7 +23,7 @@ pub struct SweepCounts {
     /// Bands found.
     pub bands: usize,
     /// Intervals looked into for hidden bands.
-    pub looks: HiddenBandChecks,
+    pub checks: HiddenBandChecks,
     /// What skips skipped.
     pub skipped: Skipped,
     /// Landings that put transitions to the test.
@@ -99,7 +99,7 @@ impl SweepCounts {
         self.landings += boundary.landings;
         self.evaluations += boundary.evaluations;
         self.bands += boundary.bands.len();
-        self.looks += boundary.looks;
+        self.checks += boundary.checks;
         self.skipped += boundary.skipped;
         self.tests += boundary.tests;
         let kind = boundary.transition.map(|transition| transition.to);

@@ -13,7 +13,7 @@ use crate::input_error::{InputError, Place};
 use crate::library::Library;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{NAMES, NamedConditions, SceneFault};
-use crate::section::Found;
+use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::{locate_condition, named_vehicle};
@@ -85,13 +85,13 @@ pub fn read(path: &Path) -> Result<Vec<SceneCase>, InputError> {
 struct Changes<'d> {
     number: usize,
     place: Place,
-    name: Option<Found<'d>>,
-    vehicle: Option<Found<'d>>,
-    parameters: Vec<(Parameter, Found<'d>)>,
+    name: Option<LocatedValue<'d>>,
+    vehicle: Option<LocatedValue<'d>>,
+    parameters: Vec<(Parameter, LocatedValue<'d>)>,
 }
 
 impl<'d> Changes<'d> {
-    fn of(entry: &Found<'d>, number: usize) -> Result<Self, InputError> {
+    fn of(entry: &LocatedValue<'d>, number: usize) -> Result<Self, InputError> {
         let mut changes = Self {
             number,
             place: entry.here(),
@@ -118,7 +118,7 @@ impl<'d> Changes<'d> {
     }
 
     /// Where the case says the first of what belongs to a part of the input, if it says any.
-    fn first_of(&self, part: Home) -> Option<&Found<'d>> {
+    fn first_of(&self, part: Home) -> Option<&LocatedValue<'d>> {
         let vehicle = self.vehicle.as_ref().filter(|_| part == Home::Vehicle);
         let own = || self.parameters.iter().find(|(p, _)| p.home() == part);
         vehicle.or_else(|| own().map(|(_, found)| found))
@@ -143,8 +143,8 @@ impl<'d> Changes<'d> {
         self.complain(error, said)
     }
 
-    fn complain(&self, error: InputError, found: Option<&Found>) -> InputError {
-        let place = found.map_or_else(|| self.place.clone(), Found::here);
+    fn complain(&self, error: InputError, found: Option<&LocatedValue>) -> InputError {
+        let place = found.map_or_else(|| self.place.clone(), LocatedValue::here);
         error.within(&format!("case {}", self.number)).at(place)
     }
 }

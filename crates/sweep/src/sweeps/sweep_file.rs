@@ -13,7 +13,7 @@ use crate::input_error::InputError;
 use crate::library::Library;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
-use crate::section::Found;
+use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::sensitivity_input;
 use crate::sweep::{OverrideNames, SWEEP};
@@ -110,7 +110,7 @@ fn vehicle_document(root: &Section, path: &Path, library: Library) -> Result<Doc
 
 /// The vehicle file that a value names, which stands in the file `path`.
 pub(crate) fn named_vehicle(
-    found: &Found,
+    found: &LocatedValue,
     path: &Path,
     library: Library,
 ) -> Result<Document, InputError> {

@@ -21,9 +21,9 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::case::{Case, CaseFault};
 use crate::certainty::Variation;
+use crate::early_stop::EarlyStop;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
-use crate::known::Known;
 use crate::landing_queue::{CloseOnDrop, LandingQueue};
 use crate::landing_table;
 use crate::scene_input::SceneFault;
@@ -147,7 +147,7 @@ impl Workers {
         observer: &impl Observer,
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
-        let mut known = Known::of(sweep, shard, opened).map_err(RunError::Journal)?;
+        let mut known = EarlyStop::of(sweep, shard, opened).map_err(RunError::Journal)?;
         let Opened { journal, done, .. } = opened;
         let points = done.missing().map(|index| shard.point(index));
         let stop = Stop::on(cancel);

@@ -8,7 +8,7 @@ use std::path::Path;
 use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::boundary::Boundary;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::hidden_band_checks::Tried;
+use touchdown_sweep::hidden_band_checks::CheckCounts;
 use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::sweep_file::Sweep;
@@ -48,7 +48,7 @@ fn narrow(boundary: &Boundary, class: Class) -> Vec<[f64; 2]> {
 #[test]
 fn a_strut_that_comes_close_to_its_stop_betrays_a_band_in_which_it_bottoms() {
     let found = search(18.0, 30.0);
-    assert_eq!(found.looks.stroke, Tried { looks: 1, finds: 1 });
+    assert_eq!(found.checks.stroke, CheckCounts { checks: 1, finds: 1 });
     let bands = narrow(&found, Class::Bottomed);
     assert!(
         matches!(bands[..], [[from, to]] if (15.5..15.66).contains(&from) && (15.66..15.75).contains(&to)),
@@ -59,7 +59,7 @@ fn a_strut_that_comes_close_to_its_stop_betrays_a_band_in_which_it_bottoms() {
 #[test]
 fn a_vehicle_that_hardly_topples_betrays_a_band_in_which_it_does_not() {
     let found = search(14.0, 35.0);
-    assert_eq!(found.looks.righting.finds, 1);
+    assert_eq!(found.checks.righting.finds, 1);
     let bands = narrow(&found, Class::Stable);
     assert!(
         matches!(bands[..], [[from, to]] if (14.25..14.29).contains(&from) && (14.29..14.5).contains(&to)),

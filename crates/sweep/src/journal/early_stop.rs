@@ -14,7 +14,7 @@ use crate::sweep_file::{Job, Sweep};
 
 /// The landings from the first on.
 #[derive(Debug)]
-pub(crate) struct Known {
+pub(crate) struct EarlyStop {
     /// Whether a run ends when enough is known; a shard alone cannot tell.
     ends_early: bool,
     pub(crate) is_enough: bool,
@@ -23,7 +23,7 @@ pub(crate) struct Known {
     ahead: BTreeMap<usize, Finding>,
 }
 
-impl Known {
+impl EarlyStop {
     /// What the journal of a shard tells so far.
     pub(crate) fn of(sweep: &Sweep, shard: Shard, opened: &Opened) -> Result<Self, JournalError> {
         let ends_early =
