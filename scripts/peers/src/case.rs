@@ -7,7 +7,8 @@ use std::time::Instant as Clock;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use touchdown_dynamics::landing::{land, land_observed};
+use touchdown_dynamics::land::{land, land_observed};
+use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
@@ -16,7 +17,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integrator::{Integrator, settings};
 use crate::plain_landing::{PlainLanding, Until};
-use crate::variables::{COUNT, LEGS, position_and_pitch, state};
+use crate::variables::{COUNT, position_and_pitch, state};
 
 /// Position (ft) and pitch (deg).
 type Seen = ([f64; 3], f64);
@@ -24,7 +25,7 @@ type Seen = ([f64; 3], f64);
 /// A touchdown of a vehicle.
 #[pyclass(frozen)]
 pub struct Case {
-    vehicle: Arc<Vehicle<LEGS>>,
+    vehicle: Arc<Vehicle>,
     scene: Scene,
 }
 
@@ -71,12 +72,13 @@ impl Case {
             }
             Integrator::Own(settings) => {
                 let mut seen = None;
-                land_observed(&self.vehicle, &self.scene, &settings, time, |instant| {
+                let mut observe = |instant: &Instant| {
                     if (instant.time - time).abs() < 1e-9 {
                         let pitch = instant.attitude.euler().pitch.to_degrees();
                         seen = Some((instant.position.into(), pitch));
                     }
-                });
+                };
+                land_observed(&self.vehicle, &self.scene, &settings, time, &mut observe);
                 Ok(seen)
             }
         }

@@ -8,8 +8,9 @@ use std::cell::Cell;
 
 use touchdown_dynamics::methods::{ForceModel, System};
 use touchdown_dynamics::outcome::{Class, Outcome};
+use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::scene::{Scene, Settings};
-use touchdown_dynamics::stability::{Judge, calm_height};
+use touchdown_dynamics::stability::{StabilityMonitor, calm_height};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
@@ -27,10 +28,10 @@ pub enum Until {
 
 /// A landing under way.
 pub struct PlainLanding {
-    model: ForceModel<LEGS>,
-    first: State<f64, LEGS>,
-    sets: [[f64; 3]; LEGS],
-    judge: Judge<LEGS>,
+    model: ForceModel,
+    first: State<f64>,
+    sets: PerLeg<[f64; 3]>,
+    monitor: StabilityMonitor,
     least_angle: f64,
     until: Until,
     limit: f64,
@@ -40,13 +41,13 @@ pub struct PlainLanding {
 
 impl PlainLanding {
     /// The landing at first contact.
-    pub fn new(vehicle: &Vehicle<LEGS>, scene: &Scene, settings: &Settings, until: Until) -> Self {
+    pub fn new(vehicle: &Vehicle, scene: &Scene, settings: &Settings, until: Until) -> Self {
         let model = ForceModel::new(vehicle, scene, settings);
         Self {
             first: touchdown(vehicle, scene, model.motion()),
             model,
-            sets: [[0.0; 3]; LEGS],
-            judge: Judge::new(scene, calm_height(vehicle)),
+            sets: [[0.0; 3]; LEGS].into(),
+            monitor: StabilityMonitor::new(scene, calm_height(vehicle)),
             least_angle: f64::INFINITY,
             until,
             limit: settings.time_limit(),
@@ -86,10 +87,10 @@ impl PlainLanding {
         if matches!(self.until, Until::Time(_)) {
             return false;
         }
-        self.outcome = match self.judge.look(self.model.motion(), &state) {
+        self.outcome = match self.monitor.choose_plane(self.model.motion(), &state) {
             Ok(seen) => {
                 self.least_angle = self.least_angle.min(seen.angle);
-                let verdict = self.judge.verdict(&seen, self.least_angle);
+                let verdict = self.monitor.verdict(&seen, self.least_angle);
                 verdict.map(Outcome::from).or_else(|| self.model.end(&look))
             }
             Err(verdict) => Some(verdict.into()),

@@ -12,7 +12,7 @@ pub const COUNT: usize = BODY + LEGS * LEG;
 
 /// The state that `COUNT` numbers say.
 #[inline]
-pub fn state(y: &[f64]) -> State<f64, LEGS> {
+pub fn state(y: &[f64]) -> State<f64> {
     let body = Body {
         position: Vector3::new(y[0], y[1], y[2]),
         velocity: Vector3::new(y[3], y[4], y[5]),
@@ -24,17 +24,17 @@ pub fn state(y: &[f64]) -> State<f64, LEGS> {
         LegState {
             link_angle: l[0],
             link_rate: l[1],
-            pad_angle: l[2],
+            pad_turn: l[2],
             pad_rate: l[3],
             work: [0.0; 6],
         }
     };
-    State::new(&body, std::array::from_fn(leg))
+    State::new(&body, &std::array::from_fn::<_, LEGS, _>(leg))
 }
 
 /// Writes a state, or its derivative, as `COUNT` numbers.
 #[inline]
-pub fn write(state: &State<f64, LEGS>, y: &mut [f64]) {
+pub fn write(state: &State<f64>, y: &mut [f64]) {
     let body = state.body();
     y[0..3].copy_from_slice(body.position.as_slice());
     y[3..6].copy_from_slice(body.velocity.as_slice());
@@ -45,14 +45,14 @@ pub fn write(state: &State<f64, LEGS>, y: &mut [f64]) {
         y[BODY + LEG * j..][..LEG].copy_from_slice(&[
             leg.link_angle,
             leg.link_rate,
-            leg.pad_angle,
+            leg.pad_turn,
             leg.pad_rate,
         ]);
     }
 }
 
 /// Position (ft) and pitch (deg).
-pub fn position_and_pitch(state: &State<f64, LEGS>) -> ([f64; 3], f64) {
+pub fn position_and_pitch(state: &State<f64>) -> ([f64; 3], f64) {
     let body = state.body();
     let q = body.quaternion;
     let attitude = Attitude::from_quaternion([q.x, q.y, q.z, q.w]);
