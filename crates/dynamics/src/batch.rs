@@ -207,8 +207,8 @@ impl<const N: usize> LaneGroup<N> {
 
     /// Gives free lanes to landings that wait.
     fn fill(&mut self) {
-        for (lane, buffer) in self.lanes.iter_mut().enumerate() {
-            if buffer.is_some() {
+        for (lane, place) in self.lanes.iter_mut().enumerate() {
+            if place.is_some() {
                 continue;
             }
             let Some(mut member) = self.waiting.pop() else {
@@ -216,7 +216,7 @@ impl<const N: usize> LaneGroup<N> {
             };
             self.steps.load(lane, &member.simulation);
             member.changes_seen = member.simulation.trajectory.changes;
-            *buffer = Some(member);
+            *place = Some(member);
         }
     }
 }
@@ -228,7 +228,7 @@ struct Batch<R, const N: usize> {
     under_way: usize,
     explicit: LaneGroup<N>,
     implicit: LaneGroup<N>,
-    /// Those that have ended, whose buffers others take.
+    /// Those that have ended, whose places others take.
     ended: Vec<Box<Member>>,
     occupancy: Occupancy,
 }
@@ -272,9 +272,9 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             changes_seen: PerLeg::same(self.legs, 0),
         };
         let member = match self.ended.pop() {
-            Some(mut buffer) => {
-                *buffer = member;
-                buffer
+            Some(mut place) => {
+                *place = member;
+                place
             }
             None => Box::new(member),
         };

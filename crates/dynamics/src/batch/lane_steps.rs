@@ -19,7 +19,7 @@ pub(super) struct LaneSteps<const N: usize> {
     /// Overwritten by the stages of implicit steps.
     stages: [State<Lanes<N>>; 6],
     length: Lanes<N>,
-    /// SignalValues midway through implicit steps, and at the ends.
+    /// Signals midway through implicit steps, and at the ends.
     middle: Signals<Lanes<N>>,
     signals: Signals<Lanes<N>>,
     /// Rates (1/s) that no decay exceeds at the starts of implicit steps.
@@ -171,8 +171,8 @@ impl<R: Transpose<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
             landings,
         } = self;
         let mut idle = steps.idle.iter_mut();
-        let mut buffers = landings.map(|landing| {
-            // There are as many idle buffers as lanes.
+        let mut places = landings.map(|landing| {
+            // There are as many idle places as lanes.
             let idle = idle.next();
             match (landing, idle) {
                 (Some(simulation), _) => {
@@ -195,25 +195,25 @@ impl<R: Transpose<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
                     middle,
                     signals,
                 },
-                (None, None) => unreachable!("an idle buffer for each lane"),
+                (None, None) => unreachable!("an idle place for each lane"),
             }
         });
         let Step { after, slopes, .. } = &steps.step;
         after.deal(
             registers,
-            buffers.each_mut().map(|buffer| &mut buffer.step.after),
+            places.each_mut().map(|place| &mut place.step.after),
         );
         for (k, slope) in slopes.iter().enumerate().skip(1) {
             slope.deal(
                 registers,
-                buffers.each_mut().map(|buffer| &mut buffer.step.slopes[k]),
+                places.each_mut().map(|place| &mut place.step.slopes[k]),
             );
         }
         if kind == StepKind::Implicit {
-            let signals = buffers.each_mut().map(|buffer| &mut *buffer.middle);
+            let signals = places.each_mut().map(|place| &mut *place.middle);
             steps.middle.deal(registers, signals);
         }
-        let signals = buffers.each_mut().map(|buffer| &mut *buffer.signals);
+        let signals = places.each_mut().map(|place| &mut *place.signals);
         steps.signals.deal(registers, signals);
     }
 }

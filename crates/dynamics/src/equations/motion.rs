@@ -119,7 +119,7 @@ impl Motion<f64> {
         self.legs[index].link_inertia
     }
 
-    /// SignalValues of all legs, the link torques only if asked for: no other signal is a force.
+    /// Signals of all legs, the link torques only if asked for: no other signal is a force.
     pub fn signals(
         &self,
         state: &State<f64>,
@@ -285,7 +285,7 @@ impl<S: Real> Motion<S> {
     }
 }
 
-/// A leg with the angle α of its pad in buffer of what the pad has turned: where a pad presses on a stop of its hinge, α
+/// A leg with the angle α of its pad in place of what the pad has turned: where a pad presses on a stop of its hinge, α
 /// falls behind (`hinge`; model chapter 6). The equations of a leg take the angle.
 #[inline(always)]
 fn at_angle<S: Real>(pieces: &pieces::ActivePieces<S>, leg: LegState<S>) -> LegState<S> {

@@ -3,7 +3,7 @@
 
 use super::event::{CAUTION, Exit, Guard, Sample, SignalValues, locate};
 
-/// SignalValues of which some have known rates.
+/// Signals of which some have known rates.
 pub trait Rated: SignalValues {
     /// Whether the rate of signal `index` is known.
     fn has_rate(index: usize) -> bool;
@@ -29,7 +29,7 @@ pub struct StepEnds<'a, V> {
     length: f64,
     start: &'a V,
     end: &'a V,
-    /// SignalValues that may have left their ranges.
+    /// Signals that may have left their ranges.
     guards: &'a [Guard],
 }
 

@@ -115,7 +115,7 @@ pub struct Guard {
     pub range: Bounds,
 }
 
-/// SignalValues at one point of a step.
+/// Signals at one point of a step.
 #[derive(Debug, Clone)]
 pub struct Node<V> {
     /// Fraction of the step, 0 to 1.
@@ -124,7 +124,7 @@ pub struct Node<V> {
     pub signals: V,
 }
 
-/// SignalValues seen at one point of a step.
+/// Signals seen at one point of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<'a, V> {
     /// Fraction of the step, 0 to 1.
@@ -320,9 +320,9 @@ pub(super) fn locate<V: SignalValues>(
     mut evaluate: impl FnMut(f64, &mut V),
 ) -> (f64, usize) {
     let mut thetas = nodes.map(|node| node.theta);
-    // The signals of a node are those it came with until a new one takes its buffer.
+    // The signals of a node are those it came with until a new one takes its place.
     let mut given = nodes.map(|node| Some(node.signals));
-    // The nodes stay where they are, but for the one that a new one takes the buffer of.
+    // The nodes stay where they are, but for the one that a new one takes the place of.
     let [mut inside, mut outside, mut third] = [0, 1, 2];
     let mut failures = 0;
     loop {

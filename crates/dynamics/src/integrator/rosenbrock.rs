@@ -103,7 +103,7 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
         self.stage
             .advance_motion([S::one()], [sixth], &mut self.after);
 
-        // In buffer of its stages' slopes a step keeps its mean slope, that in the middle, and its error over h.
+        // In place of its stages' slopes a step keeps its mean slope, that in the middle, and its error over h.
         let [first, mean, midway, error, _, end] = &mut self.slopes;
         last(&self.after, end);
         self.before.midway(

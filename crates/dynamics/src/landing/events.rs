@@ -92,7 +92,7 @@ impl Trajectory<'_> {
         found
     }
 
-    /// Puts the laws in buffer that hold from the present state on. One change can bring another
+    /// Puts the laws in place that hold from the present state on. One change can bring another
     /// with it, so this goes on until every signal lies in its range.
     pub(super) fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {

@@ -16,7 +16,7 @@ const QUADS: usize = Signals::RANGED_QUADS;
 /// How far beyond their ranges signals get, while nothing is known of it.
 const NOWHERE: [Quad; QUADS] = [Lanes([0.0; LANES]); QUADS];
 
-/// SignalValues to be watched, as many as there can be.
+/// Signals to be watched, as many as there can be.
 pub(super) type Guards = ArrayVec<Guard, { QUADS * LANES * MOST_LEGS }>;
 
 /// Ranges of all legs' signals.

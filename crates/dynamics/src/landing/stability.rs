@@ -147,7 +147,7 @@ pub struct StabilityMonitor {
 }
 
 impl StabilityMonitor {
-    /// A monitor for a scene, who has yet to look. Motion counts as subsided only while the CG is
+    /// A monitor for a scene; plane and critical feet are yet to be chosen. Motion counts as subsided only while the CG is
     /// within `calm_height` (ft) of the surface.
     pub fn new(scene: &Scene, calm_height: f64) -> Self {
         let slope = scene.conditions().slope;

@@ -1,4 +1,4 @@
-//! A step tried, explicit or implicit, for one landing or for several in lanes: the one buffer where the method of the
+//! A step tried, explicit or implicit, for one landing or for several in lanes: the one place where the method of the
 //! integrator, the equations of motion and the registers meet.
 
 use pulp::NullaryFnOnce;

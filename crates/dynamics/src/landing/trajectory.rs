@@ -60,7 +60,7 @@ pub(crate) struct Trajectory<'o> {
     /// How often those of each leg have changed.
     pub(crate) changes: PerLeg<u64>,
     pub(super) ranges: SignalRanges,
-    /// SignalValues that may have left their range within the last step.
+    /// Signals that may have left their range within the last step.
     pub(super) suspects: Guards,
     /// The gentle kinks next to each strut that works.
     pub(super) kinks: PerLeg<Option<GentleKinks>>,
@@ -75,7 +75,7 @@ pub(crate) struct Trajectory<'o> {
     /// The signals in the middle of the step, if it is implicit or was looked into.
     pub(crate) middle: Signals<f64>,
     pub(super) is_middle_seen: bool,
-    /// SignalValues at the points of the step that an event was closed in by.
+    /// Signals at the points of the step that an event was closed in by.
     pub(super) buffers: [Signals<f64>; 3],
     /// The step before, if no law has changed since.
     pub(super) earlier: Option<Earlier>,

@@ -15,13 +15,13 @@ pub(super) struct StabilityTrack {
     monitor: StabilityMonitor,
     /// What the monitor sees now.
     seen: Observation,
-    /// What he saw at the start of the step before, and how long ago that is, s. Laws that change leave it: feet
+    /// What it saw at the start of the step before, and how long ago that is, s. Laws that change leave it: feet
     /// and velocities go on without a jump.
     before: Option<(Observation, f64)>,
 }
 
 impl StabilityTrack {
-    /// A monitor and what he sees at touchdown.
+    /// A monitor and what it sees at touchdown.
     pub(super) fn new(monitor: StabilityMonitor, seen: Observation) -> Self {
         Self {
             monitor,

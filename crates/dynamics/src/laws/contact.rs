@@ -3,7 +3,7 @@
 //! A [`LegMode`] is the discrete side of a leg's state: crush memory, friction branches, strut and
 //! hinge. It yields the coefficients for the equations of motion and the range of each signal over
 //! which they hold; when a signal leaves its range, [`LegMode::cross`] puts the next piece in
-//! buffer.
+//! place.
 
 mod choice;
 
@@ -23,7 +23,7 @@ pub use choice::Choice;
 /// cos 65 deg: a loaded pad inclined further has no law in the model.
 const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
 
-/// Distance from its resting buffer on a stop at which a pad counts as arrived, rad: at least this,
+/// Distance from its resting place on a stop at which a pad counts as arrived, rad: at least this,
 /// and at least this share of the tolerance.
 const PAD_ARRIVAL: f64 = 1e-12;
 const PAD_ARRIVAL_SHARE: f64 = 0.01;
@@ -247,7 +247,7 @@ impl LegMode {
         ]
     }
 
-    /// Puts the next piece in buffer after `signal` left its range. `leg` is this leg's index.
+    /// Puts the next piece in place after `signal` left its range. `leg` is this leg's index.
     ///
     /// # Errors
     /// The outcome, when the event ends the landing.

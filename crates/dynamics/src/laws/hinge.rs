@@ -5,7 +5,7 @@
 //! |dα/dt| never exceeds 100 rad/s.
 //!
 //! That has a closed form: overrun = (1 − e^(−1000 Θ))/1000, with Θ = ∫|α̇| dt what α̇ has turned since the stop. So
-//! a pad that presses on a stop has a *turn* in buffer of its angle, stop ± Θ, which follows α̇ and is not stiff.
+//! a pad that presses on a stop has a *turn* in place of its angle, stop ± Θ, which follows α̇ and is not stiff.
 //! Methods that choose pieces anew at every evaluation take dα/dt as it is written.
 
 use libm::log1p;
@@ -16,7 +16,7 @@ use crate::scalar::Real;
 
 /// Fading of the rate beyond a stop, 1/rad: its inverse is the greatest overrun.
 const FADING: f64 = 1000.0;
-/// E-foldings of the distance from the resting buffer that one step takes at most: in one of 16 the force of a pad on its
+/// E-foldings of the distance from the resting place that one step takes at most: in one of 16 the force of a pad on its
 /// way to its stop hides between two stages, and with 8 its share of the error still shows at tight tolerances.
 const E_FOLDINGS: f64 = 4.0;
 /// Greatest |dα/dt|, rad/s.
@@ -129,7 +129,7 @@ pub struct Stops {
     pub inner: f64,
     /// Greatest angle.
     pub outer: f64,
-    /// Distance from the resting buffer beyond a stop at which the pad counts as arrived.
+    /// Distance from the resting place beyond a stop at which the pad counts as arrived.
     pub arrival: f64,
 }
 

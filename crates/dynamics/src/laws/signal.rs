@@ -59,7 +59,7 @@ impl Signal {
     pub const COUNT: usize = 24;
     /// Leading ones that have ranges.
     pub const RANGED: usize = 18;
-    /// Leading ones that have their rates among the signals, so many buffers on.
+    /// Leading ones that have their rates among the signals, so many places on.
     pub const RATED: usize = 4;
 
     /// Every signal, in storage order.

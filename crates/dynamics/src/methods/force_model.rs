@@ -1,7 +1,7 @@
 //! The equations of motion for methods that locate no events: at every evaluation each law's
 //! active piece is chosen from the state.
 //!
-//! This is the only buffer where these methods touch laws and motion.
+//! This is the only place where these methods touch laws and motion.
 
 use crate::contact::{Choice, LegLaws, LegMode};
 use crate::motion::{LegLoads, LegPieces, Motion, Pieces, Signal, Signals};
@@ -24,7 +24,7 @@ pub struct ForceModel {
     laws: Vec<LegLaws>,
     /// Pieces for a look at signals that no piece has a say in.
     untouched: Pieces<f64>,
-    /// A buffer to start from for the pieces of each leg.
+    /// A place to start from for the pieces of each leg.
     untouched_legs: PerLeg<LegPieces<f64>>,
 }
 
@@ -33,7 +33,7 @@ pub struct ForceModel {
 pub struct Look {
     /// Derivative of the state.
     pub slope: State<f64>,
-    /// SignalValues of the legs.
+    /// Signals of the legs.
     pub signals: Signals<f64>,
     /// Coefficients of the pieces chosen.
     pub pieces: PerLeg<LegPieces<f64>>,

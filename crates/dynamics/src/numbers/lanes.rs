@@ -170,7 +170,7 @@ pub trait PerLane: Sized {
     /// The one in a lane.
     fn lane<const N: usize>(wide: &Self::Lanes<N>, lane: usize) -> Self;
 
-    /// Lays itself into a lane in buffer of what is there.
+    /// Lays itself into a lane in place of what is there.
     fn set_lane<const N: usize>(&self, wide: &mut Self::Lanes<N>, lane: usize);
 
     /// The same in all lanes.

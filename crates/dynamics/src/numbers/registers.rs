@@ -17,14 +17,14 @@ pub trait Transpose<const N: usize>: Registers {
     /// Rows made columns: the numbers of each lane, one after the other.
     fn transposed(self, rows: &[Lanes<N>; N]) -> [[f64; N]; N];
 
-    /// Writes numbers that lie in lanes to one buffer for each lane.
+    /// Writes numbers that lie in lanes to one place for each lane.
     #[inline(always)]
-    fn deal(self, wide: &[Lanes<N>], buffers: [&mut [f64]; N]) {
-        let buffers = buffers.map(|buffer| buffer.as_chunks_mut().0);
+    fn deal(self, wide: &[Lanes<N>], places: [&mut [f64]; N]) {
+        let places = places.map(|place| place.as_chunks_mut().0);
         for (block, rows) in wide.as_chunks().0.iter().enumerate() {
             let columns = self.transposed(rows);
             for lane in 0..N {
-                buffers[lane][block] = columns[lane];
+                places[lane][block] = columns[lane];
             }
         }
     }

@@ -1,5 +1,5 @@
 //! The extremes that a landing reports (least stability angle and clearance, greatest forces and strokes of its
-//! struts) are those that a close guard on it sees.
+//! struts) are those that a closely sampled landing shows.
 
 use crate::common::random::{fixed_list, usual_conditions};
 use crate::common::{settings, table_4_1};

@@ -1,4 +1,4 @@
-//! SignalValues and feet over many states.
+//! Signals and feet over many states.
 
 use crate::common::bare::Bare;
 use crate::common::{level_scene, table_4_1};

@@ -55,7 +55,7 @@ struct Pair {
 
 /// What is asked of all images but those of landings that go astray by rounding.
 const LIMIT: f64 = 1e-5;
-/// Changes of velocity, in units of its last buffer, that show whether a landing does.
+/// Changes of velocity, in units of its last place, that show whether a landing does.
 const NUDGES: [f64; 8] = [-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0];
 /// How much further astray than by any nudge an image may be: it differs by more roundings than one.
 const FURTHER: f64 = 10.0;
@@ -211,7 +211,7 @@ fn a_third_of_a_turn_permutes_the_legs() {
     check("motion", &pairs, |d| d.motion);
 }
 
-/// The turns and mirrors about the centreline, other than none, that carry every leg to another's buffer.
+/// The turns and mirrors about the centreline, other than none, that carry every leg to another's place.
 fn leg_symmetries() -> [Matrix3<f64>; 5] {
     let turn = |degrees: f64| {
         Rotation3::from_axis_angle(&Vector3::z_axis(), degrees.to_radians()).into_inner()

@@ -127,7 +127,7 @@ fn vehicle_columns(
     Ok(varied)
 }
 
-/// The vehicle of a row: that of the file with what the row says overrides.
+/// The vehicle of a row: that of the file, with the values of the row in place of its own.
 fn vehicle_of(
     file: &VehicleFile,
     varied: &[(usize, Parameter)],

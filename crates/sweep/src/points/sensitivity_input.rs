@@ -1,4 +1,4 @@
-//! Which sensitivities a sweep asks for: the table `[sensitivity]`, or names given overrides.
+//! Which sensitivities a sweep asks for: the table `[sensitivity]`, or the names that override it.
 
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
@@ -24,7 +24,7 @@ pub(crate) fn parameters(root: &Section, legs: usize) -> Result<Vec<Parameter>, 
     }
 }
 
-/// The parameters of names that were given overrides.
+/// The parameters of names that override those of the file.
 ///
 /// # Errors
 /// Names the first that cannot be used.

@@ -57,7 +57,7 @@ pub struct Boundary {
     pub bands: Vec<Band>,
     /// Intervals between like outcomes that were looked into for a hidden band.
     pub checks: HiddenBandChecks,
-    /// What skips skipped.
+    /// What skips left out.
     pub skipped: Skipped,
     /// Landings that put transitions to the test.
     pub tests: u64,

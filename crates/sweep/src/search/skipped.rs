@@ -1,4 +1,4 @@
-//! Work that skips skipped a search, in counts that the search itself knows.
+//! Work that skips left out of a search, as counts that the search itself knows.
 //!
 //! How many evaluations of the equations of motion a landing would have taken that was not computed, only
 //! a search without the skip tells: `docs/notes/skips.md` has both for the level-vehicle grid.

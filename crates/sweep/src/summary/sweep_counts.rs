@@ -24,7 +24,7 @@ pub struct SweepCounts {
     pub bands: usize,
     /// Intervals looked into for hidden bands.
     pub checks: HiddenBandChecks,
-    /// What skips skipped.
+    /// What skips left out.
     pub skipped: Skipped,
     /// Landings that put transitions to the test.
     pub tests: u64,

@@ -68,7 +68,7 @@ pub struct Sweep {
     pub(crate) document: Document,
 }
 
-/// What was given overrides, by the names of files and words.
+/// Names of the files and words that override a sweep file.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct OverrideNames {
     pub(crate) vehicle: Option<PathBuf>,

@@ -48,7 +48,13 @@ fn narrow(boundary: &Boundary, class: Class) -> Vec<[f64; 2]> {
 #[test]
 fn a_strut_that_comes_close_to_its_stop_betrays_a_band_in_which_it_bottoms() {
     let found = search(18.0, 30.0);
-    assert_eq!(found.checks.stroke, CheckCounts { checks: 1, finds: 1 });
+    assert_eq!(
+        found.checks.stroke,
+        CheckCounts {
+            checks: 1,
+            finds: 1
+        }
+    );
     let bands = narrow(&found, Class::Bottomed);
     assert!(
         matches!(bands[..], [[from, to]] if (15.5..15.66).contains(&from) && (15.66..15.75).contains(&to)),

@@ -9,7 +9,7 @@ use crate::per_leg::PerLeg;
 use crate::registers::Transpose;
 use crate::scalar::Real;
 
-/// SignalValues of all legs at one instant, leg by leg.
+/// Signals of all legs at one instant, leg by leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub struct Signals<S> {

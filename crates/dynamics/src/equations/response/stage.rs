@@ -33,7 +33,7 @@ impl<S: Real> Response<S> {
                 }
             }
         }
-        // L U in buffer, with ones on the diagonal of L and the inverse of that of U.
+        // L U in place, with ones on the diagonal of L and the inverse of that of U.
         for pivot in 0..6 {
             let inverse = S::one() / matrix[(pivot, pivot)];
             matrix[(pivot, pivot)] = inverse;

@@ -39,7 +39,7 @@ impl Bare {
         }
     }
 
-    /// Puts in buffer the pieces that hold at a state.
+    /// Puts in place the pieces that hold at a state.
     pub fn settle(&mut self, state: &State<f64>) {
         let mut state = *state;
         let mut modes: Vec<LegMode> = self.laws.iter().map(LegMode::untouched).collect();

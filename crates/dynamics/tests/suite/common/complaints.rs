@@ -11,13 +11,13 @@ impl Complaints {
     /// Complains about `row` unless `value` is within `limit` of `expected`.
     pub fn near(&mut self, row: &str, quantity: &str, value: f64, expected: f64, limit: f64) {
         let deviation = (value - expected).abs();
-        let buffer = self.worst.iter().position(|w| w.0 == quantity);
-        let buffer = buffer.unwrap_or_else(|| {
+        let place = self.worst.iter().position(|w| w.0 == quantity);
+        let place = place.unwrap_or_else(|| {
             let fresh = (quantity.into(), 0.0, limit, String::new());
             self.worst.push(fresh);
             self.worst.len() - 1
         });
-        let worst = &mut self.worst[buffer];
+        let worst = &mut self.worst[place];
         if deviation > worst.1 {
             (worst.1, worst.2, worst.3) = (deviation, limit, row.into());
         }

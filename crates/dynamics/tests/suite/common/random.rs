@@ -65,7 +65,7 @@ pub fn wild_scene() -> impl Strategy<Value = Scene> {
     let steep = 60f64.to_radians();
     let ground = (-steep..steep, 0.0..2.0, 0.0..2.0);
     let spin = prop::array::uniform3(-5.0..5.0);
-    // Level, at rest, on level or frictionless ground: the buffers where something vanishes.
+    // Level, at rest, on level or frictionless ground: the places where something vanishes.
     let vanish = prop::array::uniform6(prop::bool::weighted(0.1));
     (speeds, attitude, ground, spin, vanish).prop_map(|(speeds, attitude, ground, spin, vanish)| {
         let unless = |index: usize, value: f64| if vanish[index] { 0.0 } else { value };
