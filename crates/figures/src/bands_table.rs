@@ -1,6 +1,6 @@
 //! Tables of bands, read back: at each point the ranges of speed in which landings end alike.
 
-use crate::boundary_table::Kind;
+use crate::boundary_table::{BoundaryTable, Kind, Point};
 use crate::figure_error::FigureError;
 use crate::table::Table;
 
@@ -46,7 +46,7 @@ impl BandsTable {
             let kind = match row.text(outcome) {
                 "stable" => None,
                 name => Some(Kind::from_name(name).ok_or_else(|| {
-                    row.complain(outcome, "stable, unstable, bottomed or failure")
+                    row.complain(outcome, "stable, unstable, bottomed, failure or undecided")
                 })?),
             };
             let band = Band {
@@ -66,6 +66,34 @@ impl BandsTable {
             }
         }
         Ok(Self { points })
+    }
+
+    /// Checks that these are the bands of a result table: of each point the first that is not stable begins at its first
+    /// transition.
+    ///
+    /// # Errors
+    /// Names the first point at which they do not fit together.
+    pub fn check_against(&self, table: &BoundaryTable) -> Result<(), FigureError> {
+        let fits = |point: &Point| {
+            let first = (self.at(&point.coordinates).iter()).find(|band| band.kind.is_some());
+            match (first, point.transition) {
+                (None, None) => true,
+                (Some(band), Some(found)) => {
+                    band.kind == Some(found.kind)
+                        && found
+                            .low
+                            .is_none_or(|low| (low..=found.high).contains(&band.from))
+                }
+                _ => false,
+            }
+        };
+        match table.points.iter().position(|point| !fits(point)) {
+            None => Ok(()),
+            Some(row) => Err(FigureError::Table(format!(
+                "bands: they do not belong to this table, whose row {} has another first transition: run the sweep again",
+                row + 1
+            ))),
+        }
     }
 
     /// The bands at a point; none when the table lacks it.

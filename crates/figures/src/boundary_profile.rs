@@ -7,7 +7,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::axis_range::AxisRange;
 use crate::axis_title::axis_title;
 use crate::bands_table::BandsTable;
-use crate::boundary_table::{BoundaryTable, Kind};
+use crate::boundary_table::{BoundaryTable, Kind, Transition};
 use crate::caption::Caption;
 use crate::figure_error::{FigureError, drawing};
 use crate::ink;
@@ -23,9 +23,6 @@ pub const SIZE: (u32, u32) = (900, 560);
 
 /// More points than this would touch each other at the common size of marks.
 const CROWD: usize = 70;
-
-/// What may happen above a transition.
-const KINDS: [Kind; 3] = [Kind::Unstable, Kind::Bottomed, Kind::Failure];
 
 type Frame = Cartesian2d<AxisRange, RangedCoordf64>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Frame>;
@@ -117,9 +114,9 @@ fn draw_line(chart: &mut Chart, stations: &[Station]) -> Result<(), FigureError>
     });
     chart.draw_series(lines).map_err(drawing)?;
     let brackets = stations.iter().filter_map(|station| {
-        let [low, high] = station.transition?.bracket;
+        let found = station.transition?;
         Some(PathElement::new(
-            vec![(station.x, low), (station.x, high)],
+            vec![(station.x, found.low?), (station.x, found.high)],
             ink::LINE,
         ))
     });
@@ -140,6 +137,7 @@ fn draw_marks(
     };
     for station in stations {
         let (mark, speed) = match station.transition {
+            Some(found) if found.low.is_none() => (Mark::AtOrBelow(found.kind), found.speed),
             Some(found) => (Mark::Transition(found.kind), found.speed),
             None => (Mark::NoTransition, high),
         };
@@ -168,7 +166,7 @@ fn draw_words(
         body.draw(&Text::new(word.to_owned(), place, style))
             .map_err(drawing)
     };
-    for kind in KINDS {
+    for kind in Kind::ALL {
         if let Some((x, speed)) = shading::broadest(stations, kind, high) {
             write(ink::word(kind), x, speed, ink::mark(kind))?;
         }
@@ -179,7 +177,12 @@ fn draw_words(
         .iter()
         .filter_map(|station| Some(station.transition?.speed))
         .fold(high, f64::min);
-    write("stable", middle, 0.5 * (low + least), ink::NONE)
+    // Below the lowest speed searched nothing was computed.
+    let is_stable_below = |station: &Station| station.transition.is_none_or(|t| t.low.is_some());
+    if stations.iter().all(is_stable_below) {
+        write("stable", middle, 0.5 * (low + least), ink::NONE)?;
+    }
+    Ok(())
 }
 
 fn legend(stations: &[Station], searched_to: Option<f64>) -> Vec<(Mark, String)> {
@@ -187,19 +190,30 @@ fn legend(stations: &[Station], searched_to: Option<f64>) -> Vec<(Mark, String)>
         (Kind::Unstable, "first transition: topples"),
         (Kind::Bottomed, "first transition: a strut bottoms"),
         (Kind::Failure, "landing cannot be computed"),
+        (Kind::Undecided, "undecided at the time limit"),
     ];
     let mut entries: Vec<(Mark, String)> = meanings
         .into_iter()
         .filter(|(kind, _)| {
-            let found = |station: &Station| station.transition.is_some_and(|t| t.kind == *kind);
+            let found = |station: &Station| {
+                (station.transition).is_some_and(|t| t.kind == *kind && t.low.is_some())
+            };
             stations.iter().any(found)
         })
         .map(|(kind, meaning)| (Mark::Transition(kind), meaning.to_owned()))
         .collect();
+    let open = Kind::ALL.into_iter().filter(|kind| {
+        let is_open = |t: Transition| t.kind == *kind && t.low.is_none();
+        (stations.iter()).any(|station| station.transition.is_some_and(is_open))
+    });
+    entries.extend(open.map(|kind| {
+        let meaning = format!("{}, at or below the lowest speed searched", ink::word(kind));
+        (Mark::AtOrBelow(kind), meaning)
+    }));
     let high = stations::vertical_range(stations, searched_to).1;
     let regions = shading::regions(stations, high);
     // Regions too narrow for their word.
-    let wordless = KINDS.into_iter().filter(|kind| {
+    let wordless = Kind::ALL.into_iter().filter(|kind| {
         regions.iter().any(|region| region.kind == *kind)
             && shading::broadest(stations, *kind, high).is_none()
     });

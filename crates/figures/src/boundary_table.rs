@@ -17,6 +17,18 @@ pub enum Kind {
     Bottomed,
     /// The landing cannot be computed.
     Failure,
+    /// The vehicle still moves at the time limit.
+    Undecided,
+}
+
+impl Kind {
+    /// All of them, in the order of legends.
+    pub const ALL: [Self; 4] = [
+        Self::Unstable,
+        Self::Bottomed,
+        Self::Failure,
+        Self::Undecided,
+    ];
 }
 
 impl Kind {
@@ -26,17 +38,13 @@ impl Kind {
             Self::Unstable => "unstable",
             Self::Bottomed => "bottomed",
             Self::Failure => "failure",
+            Self::Undecided => "undecided",
         }
     }
 
     /// The kind that a word of a result table stands for.
     pub fn from_name(name: &str) -> Option<Self> {
-        match name {
-            "unstable" => Some(Self::Unstable),
-            "bottomed" => Some(Self::Bottomed),
-            "failure" => Some(Self::Failure),
-            _ => None,
-        }
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 }
 
@@ -47,8 +55,11 @@ pub struct Transition {
     pub kind: Kind,
     /// Speed, ft/s.
     pub speed: f64,
-    /// Bracket of the speed, ft/s.
-    pub bracket: [f64; 2],
+    /// Lower end of its bracket, ft/s; `None` where landings at the lowest speed searched were not stable already, so
+    /// that the transition lies at or below it.
+    pub low: Option<f64>,
+    /// Upper end of its bracket, ft/s.
+    pub high: f64,
 }
 
 /// A row of the table.
@@ -110,12 +121,16 @@ fn transition(
     let kind = match row.text(kind) {
         "none" => return Ok(None),
         name => Kind::from_name(name)
-            .ok_or_else(|| row.complain(kind, "unstable, bottomed, failure or none"))?,
+            .ok_or_else(|| row.complain(kind, "unstable, bottomed, failure, undecided or none"))?,
     };
     Ok(Some(Transition {
         kind,
         speed: row.number(speed)?,
-        bracket: [row.number(low)?, row.number(high)?],
+        low: match row.text(low) {
+            "" => None,
+            _ => Some(row.number(low)?),
+        },
+        high: row.number(high)?,
     }))
 }
 
@@ -128,13 +143,17 @@ mod tests {
 
     #[test]
     fn transitions_and_their_absence_are_read() {
-        let text = format!("{HEADING}-5,unstable,11.4,11.3,11.5,55,1\n0,none,,,,101,2\n");
+        let rows = "-5,unstable,11.4,11.3,11.5,55,1\n0,none,,25,,101,2\n5,failure,8,,8,1,1\n";
+        let text = format!("{HEADING}{rows}");
         let table = BoundaryTable::parse(&text).unwrap();
         assert_eq!(table.axes, ["roll_deg"]);
         assert_eq!(table.points[0].coordinates, [-5.0]);
         let found = table.points[0].transition.unwrap();
-        assert_eq!((found.kind, found.bracket), (Kind::Unstable, [11.3, 11.5]));
+        assert_eq!(found.kind, Kind::Unstable);
+        assert_eq!((found.low, found.high), (Some(11.3), 11.5));
         assert_eq!(table.points[1].transition, None);
+        let open = table.points[2].transition.unwrap();
+        assert_eq!((open.speed, open.low), (8.0, None));
     }
 
     #[test]

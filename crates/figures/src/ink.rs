@@ -38,6 +38,7 @@ pub fn mark(kind: Kind) -> RGBColor {
         Kind::Unstable => RGBColor(0, 90, 160),
         Kind::Bottomed => RGBColor(213, 94, 0),
         Kind::Failure => RGBColor(150, 40, 110),
+        Kind::Undecided => RGBColor(105, 105, 105),
     }
 }
 
@@ -57,6 +58,7 @@ pub fn region(kind: Kind) -> RGBColor {
         Kind::Unstable => RGBColor(206, 223, 240),
         Kind::Bottomed => RGBColor(248, 214, 186),
         Kind::Failure => RGBColor(240, 224, 236),
+        Kind::Undecided => RGBColor(226, 226, 218),
     }
 }
 
@@ -66,6 +68,7 @@ pub fn word(kind: Kind) -> &'static str {
         Kind::Unstable => "topples",
         Kind::Bottomed => "strut bottoms",
         Kind::Failure => "not computed",
+        Kind::Undecided => "undecided",
     }
 }
 

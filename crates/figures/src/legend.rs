@@ -10,10 +10,13 @@ use crate::ink;
 /// A mark in a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
-    /// A transition: a disc for toppling, a square for bottoming, a cross for failures.
+    /// A transition: a disc for toppling, a square for bottoming, a cross for failures, a ring where landings are
+    /// undecided.
     Transition(Kind),
     /// Region of this colour: a rectangle.
     Region(Kind),
+    /// The transition lies at or below the lowest speed searched: a triangle that points down.
+    AtOrBelow(Kind),
     /// No transition: an open triangle.
     NoTransition,
     /// Lowest transition of a row of a map: a disc.
@@ -44,7 +47,18 @@ pub fn draw_mark(
                     area.draw(&Rectangle::new(corners, colour.filled()))
                 }
                 Kind::Failure => area.draw(&Cross::new(centre, side - 1, colour.stroke_width(2))),
+                Kind::Undecided => {
+                    area.draw(&Circle::new(centre, side - 1, colour.stroke_width(2)))
+                }
             }
+        }
+        Mark::AtOrBelow(kind) => {
+            let corners = [
+                (x, y + side),
+                (x - side, y - side + 1),
+                (x + side, y - side + 1),
+            ];
+            area.draw(&Polygon::new(corners, ink::mark(kind).filled()))
         }
         Mark::Region(kind) => {
             let corners = [(x - side - 2, y - side), (x + side + 2, y + side)];

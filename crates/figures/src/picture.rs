@@ -59,6 +59,9 @@ pub fn draw(
     }
     let table = BoundaryTable::parse(table)?;
     let bands = bands.map(BandsTable::parse).transpose()?;
+    if let Some(bands) = &bands {
+        bands.check_against(&table)?;
+    }
     match table.axes.len() {
         1 => Ok(vec![Picture {
             suffix: "",

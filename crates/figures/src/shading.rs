@@ -69,7 +69,8 @@ fn quadrilateral(x0: f64, a: &Band, x1: f64, b: &Band) -> Option<Region> {
     })
 }
 
-/// The bands of a station, or what its first transition says of them.
+/// The bands of a station, or what its first transition says of them. Nothing is said of speeds below the lowest
+/// searched.
 fn bands(station: &Station, high: f64) -> Vec<Band> {
     if !station.bands.is_empty() {
         return station.bands.clone();

@@ -81,7 +81,8 @@ pub(crate) mod tests {
         let transition = speed.map(|speed| Transition {
             kind: Kind::Unstable,
             speed,
-            bracket: [speed, speed],
+            low: Some(speed),
+            high: speed,
         });
         Station {
             x,

@@ -19,6 +19,7 @@ use std::sync::{Mutex, PoisonError};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use serde::Deserialize;
+use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
@@ -85,7 +86,13 @@ fn land(
     let limit = Settings::DEFAULT_TIME_LIMIT;
     let settings = Settings::new(tolerance, limit, CrushRule::default())?;
     let never = AtomicBool::new(false);
-    Ok(workers.cases(|_| Arc::clone(vehicle), scenes, &settings, &(), &never)?)
+    let request = |key: usize| Request {
+        key,
+        vehicle: Arc::clone(vehicle),
+        scene: scenes[key],
+        settings,
+    };
+    Ok(workers.cases(scenes.len(), request, &(), &never)?)
 }
 
 /// A thousand level landings at the tolerance of boundary searches.

@@ -99,7 +99,7 @@ fn made_up(point: usize) -> Finding {
     Finding::Boundary(Boundary {
         transition: Some(Transition {
             to: Class::Unstable,
-            low,
+            low: Some(low),
             high: low + 1.0 / 1024.0,
             certainty: Certainty::Certain,
         }),

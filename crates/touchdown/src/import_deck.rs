@@ -9,6 +9,7 @@ use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
+use crate::output_guard::OutputGuard;
 use crate::print::print;
 
 const EXAMPLE: &str = "\
@@ -29,6 +30,9 @@ pub struct Options {
     /// Folder to write to
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
+    /// Replace files that are there already
+    #[arg(long)]
+    overwrite: bool,
 }
 
 /// Runs `import-deck`.
@@ -39,7 +43,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let deck = parse(&place, &text)?;
     let stem = options.cards.file_stem().unwrap_or_default();
     let files = files(&deck, &stem.to_string_lossy(), &place)?;
-    for file in Folder::open(&options.out)?.write_files(&files)? {
+    let folder = Folder::open(&options.out)?;
+    let guard = OutputGuard {
+        inputs: &[&options.cards],
+        overwrite: options.overwrite,
+    };
+    for (name, bytes) in &files {
+        guard.check_same(&folder.path(name), bytes)?;
+    }
+    for file in folder.write_files(&files)? {
         print(&format!("{}\n", file.display()))?;
     }
     Ok(())

@@ -2,7 +2,7 @@
 //! file.
 
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use touchdown_dynamics::land::land_with_summary;
@@ -15,7 +15,8 @@ use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
-use crate::land_files::{interval, place_of};
+use crate::land_files::{interval, is_case_table, is_history, place_of};
+use crate::output_guard::OutputGuard;
 use crate::print::print;
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
@@ -107,6 +108,9 @@ pub struct Options {
     /// folder
     #[arg(long, value_name = "PATH", help_heading = "Many landings")]
     pub out: Option<PathBuf>,
+    /// Replace files that are no earlier results of this command
+    #[arg(long, help_heading = "Output")]
+    overwrite: bool,
     /// Threads for --cases [default: one for each core]
     #[arg(
         long,
@@ -123,23 +127,36 @@ pub struct Options {
 /// Runs `land`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let (Some(scene), Some(out)) = (&options.scene, &options.out) {
-        return scene_cases::run(scene, out, options.interval);
+        return scene_cases::run(scene, out, options.interval, options.overwrite);
     }
     let settings = options.solver.settings()?;
-    let Some(vehicle) = &options.vehicle else {
+    let Some(vehicle_path) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());
     };
-    let vehicle = VehicleFile::read(vehicle)?;
+    let vehicle = VehicleFile::read(vehicle_path)?;
+    let inputs: Vec<&Path> = (std::iter::once(vehicle_path).chain(&options.cases))
+        .map(PathBuf::as_path)
+        .collect();
+    let guard = OutputGuard {
+        inputs: &inputs,
+        overwrite: options.overwrite,
+    };
     match (&options.cases, &options.out) {
         (Some(cases), Some(out)) => {
             let workers = Workers::start(options.threads)?;
+            guard.check(out, is_case_table)?;
             cases::run(&workers, options.quiet, &vehicle, &settings, cases, out)
         }
         (None, Some(_)) => {
             let complaint = "--out says nothing without --cases or a scene file";
             Err(InputError::other(complaint).into())
         }
-        _ => land_once(options, &vehicle, &settings),
+        _ => {
+            if let Some(history) = &options.history {
+                guard.check(history, is_history)?;
+            }
+            land_once(options, &vehicle, &settings)
+        }
     }
 }
 

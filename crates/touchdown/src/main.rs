@@ -14,6 +14,7 @@ mod land;
 mod land_files;
 mod merge;
 mod new;
+mod output_guard;
 mod overrides;
 mod overview;
 mod plot;

@@ -10,19 +10,30 @@ use touchdown_sweep::scene_file::{self, SceneCase};
 use touchdown_sweep::{cases, method_input::method_words};
 
 use crate::failure::Failure;
-use crate::land_files::interval;
+use crate::land_files::{interval, is_case_table, is_history};
+use crate::output_guard::OutputGuard;
 use crate::print::print;
 use crate::report::degrees;
 use crate::summary;
 
 /// Lands all cases and writes their histories, every `seconds`, and their results to a folder.
-pub fn run(scene: &Path, out: &Path, seconds: f64) -> Result<(), Failure> {
+pub fn run(scene: &Path, out: &Path, seconds: f64, overwrite: bool) -> Result<(), Failure> {
     let cases = scene_file::read(scene)?;
     for case in &cases {
         interval(seconds, case.settings.time_limit())?;
     }
     let folder = Folder::open(out)?;
     let stem = scene.file_stem().unwrap_or_default().to_string_lossy();
+
+    let guard = OutputGuard {
+        inputs: &[scene],
+        overwrite,
+    };
+    for case in &cases {
+        let file = folder.path(&format!("{stem}-{}.csv", case.name));
+        guard.check(&file, is_history)?;
+    }
+    guard.check(&folder.path(&format!("{stem}.csv")), is_case_table)?;
 
     let mut files = Vec::new();
     let mut landings = Vec::new();

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use touchdown_dynamics::landing::Landing;
-use touchdown_sweep::boundary::Extent;
-use touchdown_sweep::certainty::LEAST_LANDINGS;
+use touchdown_sweep::boundary::{Extent, Transition};
+use touchdown_sweep::certainty::{Certainty, LEAST_LANDINGS};
 use touchdown_sweep::hidden_band_checks::HiddenBandChecks;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
@@ -32,8 +32,8 @@ pub fn cases(
     let evaluations = landings.iter().map(|landing| landing.evaluations).sum();
     let seconds = wall_time.as_secs_f64();
     format!(
-        "{} cases: {}\n{}{}",
-        landings.len(),
+        "{}: {}\n{}{}",
+        number(landings.len(), "case"),
         counted(&kinds),
         cost(
             landings.len() as u64,
@@ -56,15 +56,15 @@ pub fn sweep(
     match &counts.probabilities {
         None => {
             let kinds = counted(&counts.kinds());
-            text += &format!("  {} points, first transition to: {kinds}\n", counts.points);
+            let points = number(counts.points, "point");
+            text += &format!("  {points}, first transition to: {kinds}\n");
         }
         Some(known) => text += &outcomes(known.overall, sweep.design.count()),
     }
-    if let Some((point, transition)) = counts.lowest {
-        let (speed, kind) = (transition.speed(), transition.to);
-        let place = sweep.place(point);
-        text += &format!("  lowest V_H {speed:.4} ft/s ({kind}) at {place}\n");
+    if let Some((point, transition)) = &counts.lowest {
+        text += &lowest(transition, &sweep.place(*point));
     }
+    text += &warnings(sweep, counts);
     let Circumstances {
         threads, wall_time, ..
     } = circumstances;
@@ -85,6 +85,66 @@ pub fn sweep(
     );
     text += &format!("  {}", written(files));
     text
+}
+
+/// The lowest first transition, and how well it is known.
+fn lowest(transition: &Transition, place: &str) -> String {
+    let (speed, kind) = (transition.speed(), transition.to);
+    match (transition.low, transition.certainty) {
+        (None, _) => format!(
+            "  lowest V_H at or below {speed:.4} ft/s ({kind}), the lowest speed searched, at {place}\n"
+        ),
+        (Some(_), Certainty::Disputed([from, to])) => format!(
+            "  lowest V_H {speed:.4} ft/s ({kind}, disputed between {from:.4} and {to:.4}) at {place}\n"
+        ),
+        (Some(_), _) => format!("  lowest V_H {speed:.4} ft/s ({kind}) at {place}\n"),
+    }
+}
+
+/// What numbers of a sweep do not tell by themselves: landings without a result, transitions that are no more than
+/// bounds, or that the smallest changes move.
+fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
+    let mut text = String::new();
+    let mut warn = |points: usize, what: &str| {
+        if points > 0 {
+            text += &format!("  warning: at {} {what}\n", number(points, "point"));
+        }
+    };
+    warn(
+        counts.at_or_below,
+        "landings are not stable at the lowest speed searched: V_H lies at or below it",
+    );
+    let limit = sweep.settings.time_limit();
+    warn(
+        counts.with_undecided,
+        &format!("some landings are undecided: they still moved at time_limit_s = {limit}"),
+    );
+    warn(
+        counts.with_failures,
+        "some landings could not be computed: they end as failure",
+    );
+    warn(
+        counts.disputed,
+        "the first transition is disputed: the smallest changes move it by more than its bracket",
+    );
+    if let Some(known) = &counts.probabilities {
+        let undecided = known.overall.undecided;
+        if undecided > 0 {
+            text += &format!(
+                "  warning: {} undecided: still moving at time_limit_s = {limit}, counted as not stable\n",
+                number(undecided as usize, "landing")
+            );
+        }
+    }
+    text
+}
+
+/// A number of things in words.
+pub fn number(count: usize, thing: &str) -> String {
+    match count {
+        1 => format!("1 {thing}"),
+        _ => format!("{count} {thing}s"),
+    }
 }
 
 /// Bands, and looks for hidden ones by what led to them.
@@ -147,15 +207,17 @@ fn outcomes(count: Count, asked: usize) -> String {
         true => format!(" of {asked}, which are enough"),
         false => String::new(),
     };
-    let failed = match count.failed {
-        0 => String::new(),
-        failed => format!("  could not be computed: {failed}\n"),
-    };
     format!(
-        "  {} landings{early}\n{}{}{failed}",
+        "  {} landings{early}\n{}{}{}{}{}",
         count.landings,
         share("toppled", count.toppled),
-        share("bottomed a strut", count.bottomed)
+        share("bottomed a strut", count.bottomed),
+        share("undecided", count.undecided),
+        share("not computed", count.failed),
+        share(
+            "not stable, all of these together",
+            count.landings - count.stable()
+        ),
     )
 }
 

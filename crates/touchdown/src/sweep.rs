@@ -76,6 +76,9 @@ pub struct Options {
     /// Form of the tables
     #[arg(long, value_name = "FORMAT", default_value = "csv")]
     format: Format,
+    /// Replace files that are no earlier results of a sweep
+    #[arg(long)]
+    overwrite: bool,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -98,6 +101,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return Ok(());
     }
     let folder = Folder::open(&options.out)?;
+    for sweep in &sweeps {
+        sweep_results::check_places(sweep, &folder, options.overwrite)?;
+    }
 
     let points = sweeps.iter().map(|sweep| shard.len(sweep.design.count()));
     let progress = Progress::start("points", points.sum(), options.quiet);

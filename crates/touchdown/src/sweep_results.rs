@@ -1,11 +1,13 @@
 //! The files that a sweep leaves: tables, record and pictures.
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use touchdown_figures::picture;
 use touchdown_sweep::design::Design;
 use touchdown_sweep::file_writer::{Draft, Folder};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::results::{self, Circumstances};
 use touchdown_sweep::sweep_counts::SweepCounts;
@@ -13,6 +15,7 @@ use touchdown_sweep::sweep_file::{Job, Sweep};
 use touchdown_sweep::tables::Tables;
 
 use crate::failure::Failure;
+use crate::output_guard::OutputGuard;
 use crate::plot;
 
 /// Longest table that is drawn, bytes: beyond it nothing could be made out.
@@ -39,6 +42,66 @@ pub struct Written {
     pub files: Vec<PathBuf>,
 }
 
+/// What follows the name of a sweep in the names of its tables, and a column that each of them has.
+const TABLES: [(&str, &str); 4] = [
+    ("", "first_transition_to"),
+    ("-bands", "bracket_width_fps"),
+    ("-probabilities", "topple_probability"),
+    ("-sensitivity", "dvh_dp_fps_per_unit"),
+];
+/// What follows it in the names of pictures.
+const PICTURES: [&str; 5] = [
+    "",
+    "-contours",
+    "-contours-negative",
+    "-perspective",
+    "-sensitivity",
+];
+
+/// Whether a file that begins with this line is a table of a sweep: the one of its points is one of landings too.
+fn is_table(line: &str, column: &str) -> bool {
+    let has = |name: &str| line.split(',').any(|known| known == name);
+    has(column) || column == TABLES[0].1 && has("outcome") && has("end_time_s")
+}
+
+/// Checks that the results of a sweep may be written: what is in their places is earlier results.
+///
+/// # Errors
+/// Names the file that is not.
+pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(), InputError> {
+    let inputs: Vec<&Path> = [sweep.path.as_path(), sweep.vehicle.document.path()].into();
+    let guard = OutputGuard {
+        inputs: &inputs,
+        overwrite,
+    };
+    let stem = sweep.stem();
+    for (end, column) in TABLES {
+        let table = folder.path(&format!("{stem}{end}.csv"));
+        guard.check(&table, |line| is_table(line, column))?;
+    }
+    let record = folder.path(&format!("{stem}.json"));
+    let text = fs::read_to_string(&record).unwrap_or_default();
+    guard.check(&record, |_| text.contains("\"name\": \"touchdown\""))
+}
+
+/// Removes what an earlier run of a sweep of this name has written and this one has not, so that no results of two runs
+/// stand side by side.
+fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), Failure> {
+    let tables = TABLES.iter().flat_map(|(end, _)| {
+        [".csv", ".parquet"].map(|form| folder.path(&format!("{stem}{end}{form}")))
+    });
+    let pictures = PICTURES
+        .iter()
+        .flat_map(|end| [".svg", ".png"].map(|form| folder.path(&format!("{stem}{end}{form}"))));
+    for file in tables.chain(pictures) {
+        if !written.contains(&file.as_path()) && file.is_file() {
+            fs::remove_file(&file)
+                .map_err(|error| Failure::running(format!("{}: {error}", file.display())))?;
+        }
+    }
+    Ok(())
+}
+
 /// Writes all results of a sweep into a folder.
 pub fn write(
     sweep: &Sweep,
@@ -63,6 +126,8 @@ pub fn write(
     drafts.extend(tables.sensitivity);
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
+    let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
+    remove_stale(&sweep.stem(), folder, &places)?;
     Ok(Written {
         counts: tables.counts,
         circumstances,

@@ -50,12 +50,26 @@ pub(crate) fn require(
     }
 }
 
-/// `Ok(value)` when it is finite and greater than zero.
+/// No number of a lander is greater than this, whatever its unit: what follows from such numbers stays finite.
+const GREATEST: f64 = 1e9;
+
+/// `Ok(value)` when it is greater than zero and no greater than any number of a lander.
 pub(crate) fn positive(quantity: &str, value: f64) -> Result<f64, Invalid> {
-    require(quantity, value, "a finite number > 0", |v| v > 0.0)
+    require(quantity, value, "0 < value ≤ 1e9", |v| {
+        v > 0.0 && v <= GREATEST
+    })
 }
 
-/// `Ok(value)` when it is finite and not below zero.
+/// `Ok(value)` when it is not below zero and no greater than any number of a lander.
 pub(crate) fn non_negative(quantity: &str, value: f64) -> Result<f64, Invalid> {
-    require(quantity, value, "a finite number ≥ 0", |v| v >= 0.0)
+    require(quantity, value, "0 ≤ value ≤ 1e9", |v| {
+        (0.0..=GREATEST).contains(&v)
+    })
+}
+
+/// `Ok(value)` when its magnitude is no greater than that of any number of a lander.
+pub(crate) fn bounded(quantity: &str, value: f64) -> Result<f64, Invalid> {
+    require(quantity, value, "-1e9 ≤ value ≤ 1e9", |v| {
+        v.abs() <= GREATEST
+    })
 }

@@ -4,7 +4,7 @@ pub use super::settings::Settings;
 use crate::attitude::Attitude;
 pub use crate::rules::CrushRule;
 
-use crate::invalid::{Invalid, non_negative, require};
+use crate::invalid::{Invalid, bounded, require};
 
 /// Touchdown conditions as an input says them; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,20 +37,20 @@ impl Scene {
     /// # Errors
     /// Names the first quantity outside its range, in the words of the sweep file.
     pub fn new(conditions: Conditions) -> Result<Self, Invalid> {
-        non_negative("vertical_velocity_fps", conditions.vertical_velocity)?;
-        non_negative("horizontal_velocity_fps", conditions.horizontal_velocity)?;
-        require(
-            "cross_slope_deg",
-            conditions.cross_slope.to_degrees(),
-            "a finite number",
-            |_| true,
-        )?;
+        let speed = |name, speed| {
+            require(name, speed, "0 ≤ value ≤ 10000", |v| {
+                (0.0..=1e4).contains(&v)
+            })
+        };
+        speed("vertical_velocity_fps", conditions.vertical_velocity)?;
+        speed("horizontal_velocity_fps", conditions.horizontal_velocity)?;
+        bounded("cross_slope_deg", conditions.cross_slope.to_degrees())?;
         for rate in conditions.angular_velocity {
             require(
                 "angular_velocity_dps",
                 rate.to_degrees(),
-                "a finite number",
-                |_| true,
+                "-36000 ≤ value ≤ 36000",
+                |v| v.abs() <= 36_000.0 * (1.0 + 1e-12),
             )?;
         }
         require(
@@ -59,8 +59,13 @@ impl Scene {
             "-90 < value < 90",
             |v| v.abs() < 90.0,
         )?;
-        non_negative("friction", conditions.pad_friction)?;
-        non_negative("block_friction", conditions.block_friction)?;
+        let friction = |name, coefficient| {
+            require(name, coefficient, "0 ≤ value ≤ 1000", |v| {
+                (0.0..=1000.0).contains(&v)
+            })
+        };
+        friction("friction", conditions.pad_friction)?;
+        friction("block_friction", conditions.block_friction)?;
         Ok(Self(conditions))
     }
 

@@ -30,19 +30,17 @@ impl Settings {
     /// # Errors
     /// The tolerance must lie in [1e-12, 1e-2], the time limit in (0, 10000] s.
     pub fn new(tolerance: f64, time_limit: f64, crush_rule: CrushRule) -> Result<Self, Invalid> {
-        require("tolerance", tolerance, "1e-12 ≤ value ≤ 1e-2", |v| {
-            (1e-12..=1e-2).contains(&v)
-        })?;
         require("time_limit_s", time_limit, "0 < value ≤ 10000", |v| {
             v > 0.0 && v <= 1e4
         })?;
-        Ok(Self {
-            tolerance,
+        Self {
+            tolerance: Self::DEFAULT_TOLERANCE,
             time_limit,
             crush_rule,
             method: Method::default(),
             friction_profile: FrictionProfile::default(),
-        })
+        }
+        .with_tolerance(tolerance)
     }
 
     /// The same settings under another crush rule.
@@ -56,6 +54,17 @@ impl Settings {
             friction_profile,
             ..self
         }
+    }
+
+    /// The same settings at another tolerance.
+    ///
+    /// # Errors
+    /// It must lie in [1e-12, 1e-2].
+    pub fn with_tolerance(self, tolerance: f64) -> Result<Self, Invalid> {
+        require("tolerance", tolerance, "1e-12 ≤ value ≤ 1e-2", |v| {
+            (1e-12..=1e-2).contains(&v)
+        })?;
+        Ok(Self { tolerance, ..self })
     }
 
     /// How friction sets in near rest.

@@ -4,18 +4,24 @@
 //! parts) are what an input file says; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
 //! that every law of the model can use without asking again.
 
+use std::f64::consts::TAU;
+
 use libm::{asin, sin};
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use crate::contact::LegLaws;
 pub use crate::parts::{Block, Footpad, Inertia, LegDesign, Linkage, Strut};
 
-use crate::invalid::{Invalid, non_negative, positive, require};
+use crate::invalid::{Invalid, bounded, non_negative, positive, require};
 use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
 
 /// Legs that a vehicle needs to stand on.
 pub const LEAST_LEGS: usize = 3;
+
+/// Least and greatest angle between neighbouring legs, deg.
+const LEAST_GAP: f64 = 1.0;
+const GREATEST_GAP: f64 = 180.0 - 1e-6;
 
 /// Mass properties and legs of a lander.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +47,7 @@ impl Leg {
     /// # Errors
     /// Names the first quantity outside its range, in the words of the vehicle file.
     pub fn new(design: LegDesign) -> Result<Self, Invalid> {
-        require("azimuth_deg", design.azimuth, "a finite number", |_| true)?;
+        bounded("azimuth_deg", design.azimuth.to_degrees())?;
         let LegDesign {
             linkage,
             strut,
@@ -95,7 +101,7 @@ impl Leg {
         crush_profile("footpad.profile", &footpad.profile)?;
 
         positive("block.radius_ft", block.radius)?;
-        require("block.height_ft", block.height, "a finite number", |_| true)?;
+        bounded("block.height_ft", block.height)?;
         positive("block.diameter_ft", block.diameter)?;
         positive("block.crush_pressure_psf", block.crush_pressure)?;
         crush_profile("block.profile", &block.profile)?;
@@ -154,16 +160,45 @@ fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
         |p| p == 0.0,
     )?;
     let segments = profile.segments();
-    let elastic = positive(quantity, segments[0].slope)?;
-    for segment in &segments[1..] {
+    let elastic = positive(
+        &format!("{quantity} (slope of segment 1, 1/ft)"),
+        segments[0].slope,
+    )?;
+    for (index, segment) in segments.iter().enumerate().skip(1) {
         require(
-            quantity,
+            &format!("{quantity} (slope of segment {}, 1/ft)", index + 1),
             segment.slope,
-            &format!("no segment falling or steeper than the first ({elastic} per ft)"),
+            &format!("0 to that of the first segment, {elastic:.6}"),
             |slope| slope >= 0.0 && slope <= elastic * (1.0 + 1e-6),
         )?;
     }
     Ok(())
+}
+
+/// Legs by their azimuths from 0 to 360 deg. They have to surround the centreline: with half a turn or more between two
+/// neighbours a vehicle falls over where it stands.
+fn in_ring_order(legs: Vec<Leg>) -> Result<Vec<Leg>, Invalid> {
+    let turn = |leg: &Leg| leg.design.azimuth.rem_euclid(TAU);
+    let mut ring: Vec<(usize, Leg)> = legs.into_iter().enumerate().collect();
+    ring.sort_by(|(_, a), (_, b)| turn(a).total_cmp(&turn(b)));
+    for (place, (_, leg)) in ring.iter().enumerate() {
+        let (number, next) = &ring[(place + 1) % ring.len()];
+        let gap = (turn(next) - turn(leg)).rem_euclid(TAU).to_degrees();
+        let here = leg.design.azimuth.to_degrees();
+        let allowed = if gap < LEAST_GAP {
+            format!("{LEAST_GAP} deg or more from another leg, that at {here:.4} deg")
+        } else if gap > GREATEST_GAP {
+            format!(
+                "less than 180 deg from the leg before it, that at {here:.4} deg: legs surround the centreline"
+            )
+        } else {
+            continue;
+        };
+        let quantity = format!("legs[{}].azimuth_deg", number + 1);
+        let azimuth = next.design.azimuth.to_degrees();
+        return Err(Invalid::new(quantity, azimuth, allowed));
+    }
+    Ok(ring.into_iter().map(|(_, leg)| leg).collect())
 }
 
 /// Solves (11) for the angle γ of the extended strut.
@@ -188,8 +223,8 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
 
 impl Vehicle {
     /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
-    /// lower hardpoints ΔCG (ft), inertia, and legs in the order in which they stand around the
-    /// centreline.
+    /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered by their azimuths from 0 to 360 deg in whatever
+    /// order they come.
     ///
     /// # Errors
     /// Names the first quantity outside its range, in the words of the vehicle file.
@@ -203,12 +238,7 @@ impl Vehicle {
         let legs = legs.into();
         positive("mass_slug", mass)?;
         positive("gravity_fps2", gravity)?;
-        require(
-            "center_of_gravity_height_ft",
-            center_of_gravity_height,
-            "a finite number",
-            |_| true,
-        )?;
+        bounded("center_of_gravity_height_ft", center_of_gravity_height)?;
         let Inertia {
             xx,
             yy,
@@ -221,20 +251,23 @@ impl Vehicle {
             positive(&format!("inertia_slug_ft2.{name}"), value)?;
         }
         for (name, value) in [("xy", xy), ("xz", xz), ("yz", yz)] {
-            require(
-                &format!("inertia_slug_ft2.{name}"),
-                value,
-                "a finite number",
-                |_| true,
-            )?;
+            bounded(&format!("inertia_slug_ft2.{name}"), value)?;
         }
         let matrix = inertia.matrix();
-        let least = SymmetricEigen::new(matrix).eigenvalues.min();
+        let moments = SymmetricEigen::new(matrix).eigenvalues;
+        let (least, greatest) = (moments.min(), moments.max());
         require(
             "inertia_slug_ft2 (least principal moment)",
             least,
             "positive: the inertia matrix must be positive definite",
             |v| v > 0.0,
+        )?;
+        let others = moments.sum() - greatest;
+        require(
+            "inertia_slug_ft2 (greatest principal moment)",
+            greatest,
+            &format!("at most the sum of the other two, {others:.4}: no body has more"),
+            |v| v <= others * (1.0 + 1e-9),
         )?;
         require(
             "legs",
@@ -255,7 +288,7 @@ impl Vehicle {
             gravity,
             center_of_gravity_height,
             inertia: matrix,
-            legs,
+            legs: in_ring_order(legs)?,
         })
     }
 

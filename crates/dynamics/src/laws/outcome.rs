@@ -48,7 +48,7 @@ pub enum Failure {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Class {
-    /// Did not topple and no strut bottomed, a landing out of time included.
+    /// Came back onto its feet or came to rest.
     Stable,
     /// Toppled, in pitch or in yaw.
     Unstable,
@@ -56,13 +56,16 @@ pub enum Class {
     Bottomed,
     /// Could not be computed.
     Failure,
+    /// Still moved at the time limit: neither stable nor toppled.
+    Undecided,
 }
 
 impl Outcome {
     /// The class of this outcome.
     pub fn class(&self) -> Class {
         match self {
-            Self::StableRockback | Self::StableSubsided | Self::TimeExpired => Class::Stable,
+            Self::StableRockback | Self::StableSubsided => Class::Stable,
+            Self::TimeExpired => Class::Undecided,
             Self::UnstablePitch | Self::UnstableYaw => Class::Unstable,
             Self::Bottomed { .. } => Class::Bottomed,
             Self::Failure(_) => Class::Failure,
@@ -105,6 +108,7 @@ impl fmt::Display for Class {
             Self::Unstable => "unstable",
             Self::Bottomed => "bottomed",
             Self::Failure => "failure",
+            Self::Undecided => "undecided",
         })
     }
 }

@@ -18,6 +18,7 @@ fn letter(class: Class) -> char {
         Class::Unstable => 'U',
         Class::Bottomed => 'B',
         Class::Failure => 'F',
+        Class::Undecided => 'T',
     }
 }
 

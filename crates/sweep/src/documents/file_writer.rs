@@ -124,6 +124,11 @@ impl Draft {
         drafts.into_iter().map(rename).collect()
     }
 
+    /// Where the file will stand.
+    pub fn place(&self) -> &Path {
+        &self.path
+    }
+
     /// What was written so far, if it is a text of at most `most` bytes.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::vehicle::{
     Block, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, Vehicle,
@@ -150,7 +151,7 @@ impl VehicleFile {
         let entries = root.sections("legs", &LEG)?;
         let legs: Vec<Leg> = entries
             .iter()
-            .map(|entry| leg(&entry.over(&root)))
+            .map(|entry| leg(entry, &entry.over(&root)))
             .collect::<Result<_, _>>()?;
         let allowed = format!("{} tables [[legs]], one a leg", in_words(LEGS));
         if legs.len() != LEGS {
@@ -169,13 +170,23 @@ impl VehicleFile {
             inertia(&root.section("inertia_slug_ft2", &INERTIA)?)?,
             legs,
         )
-        .map_err(|invalid| root.complain(&invalid))?;
+        .map_err(|invalid| match of_a_leg(&invalid) {
+            Some((leg, invalid)) if leg < entries.len() => entries[leg].complain(&invalid),
+            _ => root.complain(&invalid),
+        })?;
         Ok(Self {
             document,
             name,
             vehicle,
         })
     }
+}
+
+/// The index of the leg that a complaint is about, from 0, and the complaint in the words of its table.
+fn of_a_leg(invalid: &Invalid) -> Option<(usize, Invalid)> {
+    let (number, key) = invalid.quantity.strip_prefix("legs[")?.split_once("].")?;
+    let leg = number.parse::<usize>().ok()?.checked_sub(1)?;
+    Some((leg, Invalid::new(key, invalid.value, &*invalid.allowed)))
 }
 
 fn in_words(legs: usize) -> String {
@@ -200,9 +211,10 @@ fn inertia(section: &Section) -> Result<Inertia, InputError> {
 }
 
 /// A leg from its own entry over what the vehicle says for all legs.
-fn leg(entry: &Section) -> Result<Leg, InputError> {
+/// A leg from its own table, and from that over what holds for all legs.
+fn leg(own: &Section, entry: &Section) -> Result<Leg, InputError> {
     let design = LegDesign {
-        azimuth: entry.number("azimuth_deg")?.to_radians(),
+        azimuth: own.number("azimuth_deg")?.to_radians(),
         linkage: linkage(&entry.section("linkage", &LINKAGE)?)?,
         strut: strut(&entry.section("strut", &STRUT)?)?,
         footpad: footpad(&entry.section("footpad", &FOOTPAD)?)?,

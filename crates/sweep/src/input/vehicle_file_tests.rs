@@ -83,7 +83,7 @@ const WRONG: [(&str, &str, &[&str]); 12] = [
     (
         "mass_slug = 20",
         "mass_slug = -20",
-        &["v.toml:3: mass_slug = -20", "> 0"],
+        &["v.toml:3: mass_slug = -20", "0 < value ≤ 1e9"],
     ),
     (
         "mass_slug = 20",
@@ -130,7 +130,10 @@ const WRONG: [(&str, &str, &[&str]); 12] = [
     (
         "relative_pressure = [0, 1, 1, 21]",
         "relative_pressure = [0, 1, 0.5, 21]",
-        &["block.profile", "falling"],
+        &[
+            "block.profile (slope of segment 2, 1/ft)",
+            "allowed is 0 to",
+        ],
     ),
     (
         "[[legs]]\nazimuth_deg = 240",
@@ -163,4 +166,62 @@ fn too_short_a_table_is_refused() {
         .replace("[0, 1, 1, 21]", "[0]");
     let complaint = read(&text).unwrap_err().to_string();
     assert!(complaint.contains("block.profile.interference_in = [0]: allowed is at least two"));
+}
+
+/// The Surveyor with legs at these azimuths (deg), in this order.
+fn with_legs(azimuths: [&str; 3]) -> Result<VehicleFile, InputError> {
+    let (before, _) = SURVEYOR.split_once("[[legs]]").unwrap();
+    let legs = azimuths.map(|azimuth| format!("[[legs]]\nazimuth_deg = {azimuth}\n"));
+    read(&format!("{before}{}", legs.concat()))
+}
+
+#[test]
+fn legs_are_numbered_by_their_azimuths() {
+    let azimuths = |file: VehicleFile| {
+        let legs = file.vehicle.legs().iter();
+        legs.map(|leg| leg.design().azimuth.to_degrees().round())
+            .collect::<Vec<_>>()
+    };
+    let ordered = with_legs(["0", "120", "240"]).unwrap();
+    let reversed = with_legs(["240", "120", "0"]).unwrap();
+    assert_eq!(reversed.vehicle, ordered.vehicle);
+    assert_eq!(
+        azimuths(with_legs(["60", "-60", "180"]).unwrap()),
+        [60.0, 180.0, -60.0]
+    );
+}
+
+#[test]
+fn vehicles_that_cannot_be_are_refused_where_they_say_so() {
+    let said = |file: Result<VehicleFile, InputError>| file.unwrap_err().to_string();
+    let twice = said(with_legs(["0", "120", "120"]));
+    assert!(
+        twice.contains("legs[3].azimuth_deg = 120: allowed is 1 deg or more"),
+        "{twice}"
+    );
+    let turned = said(with_legs(["0", "120", "-240"]));
+    assert!(
+        turned.contains("legs[3].azimuth_deg = -240: allowed is 1 deg"),
+        "{turned}"
+    );
+    let aside = said(with_legs(["0", "10", "20"]));
+    assert!(
+        aside.contains("less than 180 deg from the leg before it"),
+        "{aside}"
+    );
+    // Two opposite ones and a third stand on a line.
+    assert!(with_legs(["0", "90", "180"]).is_err());
+
+    let slab = SURVEYOR.replace("xx = 138.12", "xx = 500");
+    let slab = said(read(&slab));
+    assert!(slab.contains("greatest principal moment) = 500"), "{slab}");
+    assert!(slab.contains("at most the sum of the other two"), "{slab}");
+
+    let (before, _) = SURVEYOR.rsplit_once("azimuth_deg").unwrap();
+    let nowhere = said(read(before));
+    let line = before.lines().count();
+    assert!(
+        nowhere.contains(&format!("v.toml:{line}: legs[3].azimuth_deg is missing")),
+        "{nowhere}"
+    );
 }

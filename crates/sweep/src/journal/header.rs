@@ -18,7 +18,7 @@ use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 
 /// Version of the journals that this program writes.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// The head of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

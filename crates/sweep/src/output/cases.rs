@@ -1,65 +1,75 @@
-//! Tables of cases: one landing per row, of one vehicle or of one that differs from row to row.
+//! Tables of cases: one landing per row, each of which may change the vehicle and the solver.
 
+use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use csv::StringRecord;
 use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::scene::Scene;
+use touchdown_dynamics::methods::Method;
+use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::document::Value;
+use crate::document::{Document, Value};
 use crate::input_error::{InputError, Place};
 use crate::landing_table;
-use crate::parameter::Parameter;
+use crate::library::Library;
+use crate::parameter::{Home, Parameter};
 use crate::scene_input::{NAMES, NamedConditions};
+use crate::section::Section;
+use crate::settings_input::{self, crush_rule_name, friction_profile_name};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 
 /// Columns that every table of cases must have.
-pub(crate) const REQUIRED: [&str; 6] = [
-    "case",
+pub(crate) const REQUIRED: [&str; 5] = [
     "vertical_velocity_fps",
     "horizontal_velocity_fps",
     "cross_slope_deg",
     "slope_deg",
     "friction",
 ];
-/// Columns of the attitude, unless it is given in tip form.
-pub(crate) const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
+/// Columns that are no parameters: the name of the case, its vehicle file, and a remark that nothing depends on.
+pub(crate) const OWN: [&str; 3] = ["case", "vehicle", "note"];
+const NAME_COLUMN: &str = OWN[0];
+const VEHICLE_COLUMN: &str = OWN[1];
 
-/// The cases of a table, in its order.
+/// A row of a table of cases.
 #[derive(Debug, Clone)]
-pub struct Cases {
-    /// Their names, from the column `case`.
-    pub names: Vec<String>,
-    /// Their scenes.
-    pub scenes: Vec<Scene>,
-    /// Their vehicles: one for all, or one for each.
-    vehicles: Vec<Arc<Vehicle>>,
+pub struct CaseRow {
+    /// Its name, from the column `case`, or else its number.
+    pub name: String,
+    /// What lands.
+    pub vehicle: Arc<Vehicle>,
+    /// How it touches down.
+    pub scene: Scene,
+    /// How that is computed.
+    pub settings: Settings,
 }
 
-impl Cases {
-    /// The vehicle of a case.
-    pub fn vehicle(&self, case: usize) -> Arc<Vehicle> {
-        Arc::clone(&self.vehicles[if self.vehicles.len() == 1 { 0 } else { case }])
-    }
-}
-
-/// Reads and checks a whole table. Columns named `vehicle.` and a key of the vehicle file hold instead
-/// of what it says; other columns that are no touchdown condition are ignored. An empty cell leaves
-/// its condition to the default, and a number of the vehicle to its file.
+/// Reads and checks a whole table. Every key of a case of a scene file may be a column, dotted where it is one of the
+/// vehicle or the solver; what a cell leaves empty is that of `vehicle`, of `settings` or the default.
 ///
 /// # Errors
 /// Names file, line, row, column and value of the first thing wrong, and what is allowed.
-pub fn read(path: &Path, vehicle: &VehicleFile) -> Result<Cases, InputError> {
+pub fn read(
+    path: &Path,
+    vehicle: &VehicleFile,
+    settings: &Settings,
+) -> Result<Vec<CaseRow>, InputError> {
     let place = Place::file(path);
     let text = std::fs::read_to_string(path)
         .map_err(|error| InputError::other(format!("cannot be read: {error}")).at(place.clone()))?;
-    parse(&place, &text, vehicle)
+    parse(path, &text, vehicle, settings)
 }
 
-fn parse(place: &Place, text: &str, vehicle: &VehicleFile) -> Result<Cases, InputError> {
+fn parse(
+    path: &Path,
+    text: &str,
+    vehicle: &VehicleFile,
+    settings: &Settings,
+) -> Result<Vec<CaseRow>, InputError> {
+    let place = Place::file(path);
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
@@ -71,107 +81,222 @@ fn parse(place: &Place, text: &str, vehicle: &VehicleFile) -> Result<Cases, Inpu
         InputError::other(format!("not a table of comma-separated values: {error}")).at(place)
     };
     let heading = reader.headers().map_err(broken)?.clone();
-    let on_heading = |error: InputError| error.at(place.line(1));
-    check_heading(&heading).map_err(on_heading)?;
-    let varied = vehicle_columns(&heading, LEGS).map_err(on_heading)?;
+    let columns = Columns::of(&heading).map_err(|error| error.at(place.line(1)))?;
 
-    let mut cases = Cases {
-        names: Vec::new(),
-        scenes: Vec::new(),
-        vehicles: Vec::new(),
+    let mut vehicles = Vehicles {
+        table: path,
+        own: vehicle,
+        shared: Arc::new(vehicle.vehicle.clone()),
+        files: HashMap::new(),
     };
+    let mut cases = Vec::new();
     for (index, record) in reader.records().enumerate() {
         let record = record.map_err(broken)?;
         let line = record.position().map_or(0, |position| position.line());
         let place = place.line(line as usize).row(index + 1);
-        let scene = scene(&heading, &record).map_err(|error| error.at(place.clone()))?;
-        cases.scenes.push(scene);
-        if !varied.is_empty() {
-            let vehicle = vehicle_of(vehicle, &varied, &record);
-            cases
-                .vehicles
-                .push(Arc::new(vehicle.map_err(|error| error.at(place))?));
-        }
-        cases.names.push(cell(&heading, &record, "case").to_owned());
+        let case = columns
+            .case(&heading, &record, &mut vehicles, settings)
+            .map_err(|error| error.at(place))?;
+        cases.push(CaseRow {
+            name: match case.name.as_str() {
+                "" => (index + 1).to_string(),
+                name => name.to_owned(),
+            },
+            ..case
+        });
     }
-    if cases.names.is_empty() {
+    if cases.is_empty() {
         return Err(
             InputError::other("has no rows: required is at least one case").at(place.clone()),
         );
     }
-    if varied.is_empty() {
-        cases.vehicles.push(Arc::new(vehicle.vehicle.clone()));
-    }
     Ok(cases)
 }
 
-/// Columns that hold numbers of the vehicle.
-fn vehicle_columns(
-    heading: &StringRecord,
-    legs: usize,
-) -> Result<Vec<(usize, Parameter)>, InputError> {
-    let mut varied: Vec<(usize, Parameter)> = Vec::new();
-    for (index, name) in heading.iter().enumerate() {
-        if !name.starts_with("vehicle.") {
-            continue;
-        }
-        let refuse = |said: &str| Err(InputError::other(format!("column {name}: {said}")));
-        let Some(parameter) = Parameter::named(name, legs) else {
-            return refuse(&Parameter::unknown(name, legs));
+/// The columns of a table that change the vehicle or the solver.
+struct Columns {
+    vehicle: Vec<(usize, Parameter)>,
+    solver: Vec<(usize, Parameter)>,
+}
+
+impl Columns {
+    fn of(heading: &StringRecord) -> Result<Self, InputError> {
+        let mut columns = Self {
+            vehicle: Vec::new(),
+            solver: Vec::new(),
         };
-        if varied.iter().any(|(_, known)| *known == parameter) {
-            return refuse("is there twice: allowed is once");
-        }
-        varied.push((index, parameter));
-    }
-    Ok(varied)
-}
-
-/// The vehicle of a row: that of the file, with the values of the row in place of its own.
-fn vehicle_of(
-    file: &VehicleFile,
-    varied: &[(usize, Parameter)],
-    record: &StringRecord,
-) -> Result<Vehicle, InputError> {
-    let mut document = file.document.clone();
-    let mut said = Vec::new();
-    for (index, parameter) in varied {
-        let text = record.get(*index).unwrap_or("");
-        if text.is_empty() {
-            continue;
-        }
-        match text.parse::<f64>() {
-            Ok(value) if value.is_finite() => {
-                document.write(parameter.path(), Value::Number(value));
+        for (index, name) in heading.iter().enumerate() {
+            if heading.iter().take(index).any(|before| before == name) {
+                let said = format!("column {name} is there twice: allowed is once");
+                return Err(InputError::other(said));
             }
-            _ => return Err(InputError::value(parameter.name(), text, "a finite number")),
+            if OWN.contains(&name) || NAMES.contains(&name) {
+                continue;
+            }
+            let parameter = Parameter::named(name, LEGS).filter(|known| known.name() == name);
+            match parameter {
+                Some(parameter) if parameter.home() == Home::Vehicle => {
+                    columns.vehicle.push((index, parameter));
+                }
+                Some(parameter) if name.starts_with("solver.") => {
+                    columns.solver.push((index, parameter));
+                }
+                _ => return Err(InputError::other(unknown(name))),
+            }
         }
-        said.push(format!("{} = {text}", parameter.name()));
+        let has = |name: &str| heading.iter().any(|column| column == name);
+        match REQUIRED.iter().find(|name| !has(name)) {
+            Some(absent) => Err(InputError::other(format!(
+                "column {absent} is missing: required are {}",
+                REQUIRED.join(", ")
+            ))),
+            None => Ok(columns),
+        }
     }
-    VehicleFile::from_document(document)
-        .map(|file| file.vehicle)
-        .map_err(|error| InputError::other(format!("at {}: {error}", said.join(", "))))
+
+    /// The case of a row; its name may be empty.
+    fn case(
+        &self,
+        heading: &StringRecord,
+        record: &StringRecord,
+        vehicles: &mut Vehicles,
+        settings: &Settings,
+    ) -> Result<CaseRow, InputError> {
+        Ok(CaseRow {
+            name: cell(heading, record, NAME_COLUMN).to_owned(),
+            scene: scene(heading, record)?,
+            vehicle: vehicles.of_row(
+                cell(heading, record, VEHICLE_COLUMN),
+                &self.vehicle,
+                record,
+            )?,
+            settings: self.settings(settings, record)?,
+        })
+    }
+
+    /// The settings of a row: those given, with the values of the row in place of their own.
+    fn settings(&self, given: &Settings, record: &StringRecord) -> Result<Settings, InputError> {
+        let values = values(&self.solver, record)?;
+        if values.is_empty() {
+            return Ok(*given);
+        }
+        if given.method() != Method::Located {
+            let said = "solver.… columns and --method exclude each other: write solver.method here";
+            return Err(InputError::other(said));
+        }
+        let is_located = |(parameter, text, _): &Given| {
+            parameter.name() != "solver.method" || *text == "located"
+        };
+        let mut text = format!(
+            "[solver]\ntime_limit_s = {}\ncrush_rule = \"{}\"\nfriction_profile = \"{}\"\n",
+            given.time_limit(),
+            crush_rule_name(given.crush_rule()),
+            friction_profile_name(given.friction_profile())
+        );
+        if values.iter().all(is_located) {
+            text += &format!("tolerance = {}\n", given.tolerance());
+        }
+        let mut document = Document::parse(Path::new("solver"), &text)?;
+        for (parameter, _, value) in &values {
+            document.write(parameter.path(), value.clone());
+        }
+        Section::root(&document, &["solver"])
+            .and_then(|root| settings_input::settings_of_landing(&root))
+            .map_err(|error| at(&values, &error))
+    }
 }
 
-fn check_heading(heading: &StringRecord) -> Result<(), InputError> {
-    let has = |name: &str| heading.iter().any(|column| column == name);
-    let attitude: &[&str] = if has("tip_deg") { &[] } else { &EULER };
-    if let Some(absent) = REQUIRED.iter().chain(attitude).find(|name| !has(name)) {
-        let alike = crate::input_error::nearest(absent, &heading.iter().collect::<Vec<_>>());
-        let hint = alike.map_or(String::new(), |name| format!(" (there is a column {name})"));
-        let needed = [&REQUIRED[..], attitude].concat().join(", ");
-        return Err(InputError::other(format!(
-            "column {absent} is missing{hint}: required are {needed}"
-        )));
+/// The complaint that no column may have this name.
+fn unknown(name: &str) -> String {
+    let mut alike = Parameter::nearest(name, LEGS);
+    alike.retain(|name| !name.starts_with("search.") && !name.starts_with("scene."));
+    let guess = match alike.as_slice() {
+        [] => String::new(),
+        names => format!("did you mean {}? ", names.join(" or ")),
+    };
+    format!(
+        "column {name}: no such column; {guess}allowed are {}, keys of the scene, and dotted keys of the vehicle and the \
+         solver, such as vehicle.strut.compression_damping; for remarks there is the column note",
+        OWN.join(", ")
+    )
+}
+
+/// The vehicles of the rows.
+struct Vehicles<'v> {
+    /// The table, from whose folder paths are.
+    table: &'v Path,
+    /// The one of rows that name no other.
+    own: &'v VehicleFile,
+    shared: Arc<Vehicle>,
+    files: HashMap<String, VehicleFile>,
+}
+
+impl Vehicles<'_> {
+    /// The vehicle of a row: that of its file, with the values of the row in place of its own.
+    fn of_row(
+        &mut self,
+        name: &str,
+        columns: &[(usize, Parameter)],
+        record: &StringRecord,
+    ) -> Result<Arc<Vehicle>, InputError> {
+        if !name.is_empty() && !self.files.contains_key(name) {
+            let path = self.table.parent().unwrap_or(Path::new("")).join(name);
+            let file = VehicleFile::read_from(&path, Library::Disk)?;
+            self.files.insert(name.to_owned(), file);
+        }
+        let values = values(columns, record)?;
+        let file = self.files.get(name);
+        if values.is_empty() && file.is_none() {
+            return Ok(Arc::clone(&self.shared));
+        }
+        let mut document = file.unwrap_or(self.own).document.clone();
+        for (parameter, _, value) in &values {
+            document.write(parameter.path(), value.clone());
+        }
+        VehicleFile::from_document(document)
+            .map(|file| Arc::new(file.vehicle))
+            .map_err(|error| at(&values, &error))
     }
-    let twice = NAMES
-        .iter()
-        .find(|name| heading.iter().filter(|column| column == *name).count() > 1);
-    match twice {
-        Some(name) => Err(InputError::other(format!(
-            "column {name} is there twice: allowed is once"
-        ))),
-        None => Ok(()),
+}
+
+/// A parameter with what a row says of it, as written and as a value.
+type Given<'r> = (&'r Parameter, &'r str, Value);
+
+/// What a row says of these parameters.
+fn values<'r>(
+    columns: &'r [(usize, Parameter)],
+    record: &'r StringRecord,
+) -> Result<Vec<Given<'r>>, InputError> {
+    let said = columns.iter().filter_map(|(index, parameter)| {
+        let text = record.get(*index).filter(|text| !text.is_empty())?;
+        Some((parameter, text))
+    });
+    said.map(|(parameter, text)| {
+        let value = match parameter.words() {
+            [] => Value::Number(number(parameter.name(), text)?),
+            words if words.contains(&text) => Value::Text(text.to_owned()),
+            words => {
+                let allowed = format!("one of {}", words.join(", "));
+                return Err(InputError::value(parameter.name(), text, &allowed));
+            }
+        };
+        Ok((parameter, text, value))
+    })
+    .collect()
+}
+
+/// A complaint that arose with these values.
+fn at(values: &[Given], error: &InputError) -> InputError {
+    let said: Vec<String> = (values.iter())
+        .map(|(parameter, text, _)| format!("{} = {text}", parameter.name()))
+        .collect();
+    InputError::other(format!("at {}: {error}", said.join(", ")))
+}
+
+fn number(name: &str, text: &str) -> Result<f64, InputError> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err(InputError::value(name, text, "a finite number")),
     }
 }
 
@@ -187,10 +312,7 @@ fn scene(heading: &StringRecord, record: &StringRecord) -> Result<Scene, InputEr
         if text.is_empty() {
             continue;
         }
-        match text.parse::<f64>() {
-            Ok(value) if value.is_finite() => conditions.set(name, value),
-            _ => return Err(InputError::value(name, text, "a finite number")),
-        }
+        conditions.set(name, number(name, text)?);
     }
     conditions.scene().map_err(|fault| match fault.value {
         Some(value) => InputError::value(fault.name, value, &fault.allowed),
@@ -202,7 +324,7 @@ fn scene(heading: &StringRecord, record: &StringRecord) -> Result<Scene, InputEr
 ///
 /// # Errors
 /// None but those of memory.
-pub fn table(names: &[String], landings: &[Landing]) -> Result<Vec<u8>, csv::Error> {
+pub fn table(names: &[impl AsRef<str>], landings: &[Landing]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for (index, (name, landing)) in names.iter().zip(landings).enumerate() {
         let (columns, values): (Vec<_>, Vec<_>) =
@@ -211,7 +333,7 @@ pub fn table(names: &[String], landings: &[Landing]) -> Result<Vec<u8>, csv::Err
             writer.write_field("case")?;
             writer.write_record(columns)?;
         }
-        writer.write_field(name)?;
+        writer.write_field(name.as_ref())?;
         writer.write_record(values.iter().map(landing_table::Cell::to_string))?;
     }
     writer

@@ -1,15 +1,17 @@
 use super::*;
+use touchdown_dynamics::scene::CrushRule;
 
-const HEADING: &str = "case,colour,vertical_velocity_fps,horizontal_velocity_fps,\
+const HEADING: &str = "case,note,vertical_velocity_fps,horizontal_velocity_fps,\
     cross_slope_deg,pitch_deg,yaw_deg,roll_deg,slope_deg,friction";
 
-fn read_text(text: &str) -> Result<Cases, InputError> {
+fn read_text(text: &str) -> Result<Vec<CaseRow>, InputError> {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../sweeps/vehicles/surveyor-table-4-1.toml"
     );
     let surveyor = VehicleFile::read(Path::new(path)).unwrap();
-    parse(&Place::file(Path::new("c.csv")), text, &surveyor)
+    let settings = Settings::new(1e-5, 20.0, CrushRule::default()).unwrap();
+    parse(Path::new("c.csv"), text, &surveyor, &settings)
 }
 
 fn complaint(text: &str) -> String {
@@ -17,22 +19,70 @@ fn complaint(text: &str) -> String {
 }
 
 #[test]
-fn unknown_columns_are_ignored_and_empty_cells_are_defaults() {
+fn empty_cells_are_defaults_and_cases_without_a_name_have_their_number() {
     let text = format!(
-        "{HEADING},angular_velocity_z_dps\na, red,14,11,180,,1,2,15,1,\nb,,14,12,180,0,0,0,15,1,90\n"
+        "{HEADING},angular_velocity_z_dps\na, red,14,11,180,,1,2,15,1,\n,,14,12,180,0,0,0,15,1,90\n"
     );
     let cases = read_text(&text).unwrap();
-    assert_eq!(cases.names, ["a", "b"]);
-    let rate = cases.scenes[1].conditions().angular_velocity[2];
-    assert_eq!(rate, std::f64::consts::FRAC_PI_2);
-    assert_eq!(cases.scenes[0].conditions().angular_velocity[2], 0.0);
+    assert_eq!((&*cases[0].name, &*cases[1].name), ("a", "2"));
+    let rate = |case: usize| cases[case].scene.conditions().angular_velocity[2];
+    assert_eq!((rate(0), rate(1)), (0.0, std::f64::consts::FRAC_PI_2));
+    let least = "vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction\n\
+                 14,11,180,15,1\n";
+    let scene = read_text(least).unwrap()[0].scene;
+    assert_eq!(scene.conditions().slope, 15f64.to_radians());
+}
+
+#[test]
+fn columns_that_say_nothing_are_refused() {
+    let row = "1,,14,11,180,0,0,0,15,1";
+    for (column, guess) in [
+        ("block_frction", "did you mean block_friction"),
+        ("crush_rule", "did you mean solver.crush_rule"),
+        ("solver.tolerence", "did you mean solver.tolerance"),
+        ("search.from_fps", "no such column"),
+        ("colour", "there is the column note"),
+    ] {
+        let said = complaint(&format!("{HEADING},{column}\n{row},1\n"));
+        let place = format!("c.csv:1: column {column}: ");
+        assert!(said.starts_with(&place) && said.contains(guess), "{said}");
+    }
+    let twice = complaint(&format!("{HEADING},friction\n{row},1\n"));
+    assert!(twice.contains("column friction is there twice"), "{twice}");
+}
+
+#[test]
+fn rows_may_differ_in_how_they_are_computed() {
+    let text = format!(
+        "{HEADING},solver.tolerance,solver.crush_rule,solver.method,solver.interval_s\n\
+         1,,14,11,180,0,0,0,15,1,1e-8,section,,\n2,,14,11,180,0,0,0,15,1,,,,\n\
+         3,,14,11,180,0,0,0,15,1,,,rk4,0.001\n"
+    );
+    let cases = read_text(&text).unwrap();
+    let settings = |case: usize| cases[case].settings;
+    let of = |case| (settings(case).tolerance(), settings(case).crush_rule());
+    assert_eq!(of(0), (1e-8, CrushRule::Section));
+    assert_eq!(of(1), (1e-5, CrushRule::PivotRate));
+    assert_eq!(settings(0).time_limit(), 20.0);
+    assert!(matches!(settings(2).method(), Method::RungeKutta(_)));
+    let wrong = complaint(&text.replace("section", "sections"));
+    assert!(
+        wrong.contains("solver.crush_rule = sections: allowed is one of"),
+        "{wrong}"
+    );
+    let wrong = complaint(&text.replace("1e-8", "8"));
+    assert!(
+        wrong.starts_with("c.csv:2: row 1: at solver.tolerance = 8"),
+        "{wrong}"
+    );
 }
 
 #[test]
 fn tip_form_needs_no_euler_columns() {
     let text = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,\
                 friction,tip_deg,tip_azimuth_deg\n1,14,11,180,15,1,9,90\n";
-    let tip = read_text(text).unwrap().scenes[0]
+    let tip = read_text(text).unwrap()[0]
+        .scene
         .conditions()
         .attitude
         .tip();
@@ -47,7 +97,7 @@ fn rows_may_differ_in_numbers_of_the_vehicle() {
     );
     let cases = read_text(&text).unwrap();
     let of = |case: usize| {
-        let vehicle = cases.vehicle(case);
+        let vehicle = &cases[case].vehicle;
         let preload = vehicle.legs()[1].design().strut.preload;
         (vehicle.mass(), preload)
     };
@@ -55,13 +105,13 @@ fn rows_may_differ_in_numbers_of_the_vehicle() {
     let wrong = complaint(&text.replace(",25,", ",-25,"));
     let expected = "c.csv:2: row 1: at vehicle.mass_slug = -25:";
     assert!(
-        wrong.starts_with(expected) && wrong.contains("> 0"),
+        wrong.starts_with(expected) && wrong.contains("0 < value"),
         "{wrong}"
     );
     let wrong = complaint(&text.replace("mass_slug", "mas_slug"));
     assert!(
         wrong.contains(
-            "c.csv:1: column vehicle.mas_slug: no such parameter; did you mean vehicle.mass_slug"
+            "c.csv:1: column vehicle.mas_slug: no such column; did you mean vehicle.mass_slug"
         ),
         "{wrong}"
     );
@@ -81,13 +131,8 @@ fn complaints_name_line_row_column_and_value() {
     assert!(row("2,,14,11,180,0,0,0,15,").contains("row 2: friction is missing"));
     assert!(row("2,,14").contains("c.csv:3: not a table"));
     assert!(complaint(HEADING).contains("no rows"));
-    assert!(
-        complaint(&format!(
-            "{}\n",
-            HEADING.replace("slope_deg,fr", "slope_rad,fr")
-        ))
-        .contains("c.csv:1: column slope_deg is missing (there is a column slope_rad)")
-    );
+    let without = HEADING.replace(",slope_deg,fr", ",fr");
+    assert!(complaint(&without).contains("c.csv:1: column slope_deg is missing: required are"));
     let both = format!("{HEADING},tip_deg,tip_azimuth_deg\n{good},3,0\n");
     assert!(complaint(&both).contains("not both"));
 }

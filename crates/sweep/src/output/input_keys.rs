@@ -33,7 +33,7 @@ pub fn tables() -> Vec<KeyTable> {
         keys: keys.to_vec(),
     };
     let solver = [&settings_input::SOLVER[..], &method_input::KEYS].concat();
-    let required = [&cases::REQUIRED[..], &cases::EULER].concat();
+    let of_cases = [&cases::OWN[..], &cases::REQUIRED].concat();
     vec![
         table("vehicle", &vehicle_file::VEHICLE),
         table("vehicle.inertia_slug_ft2", &vehicle_file::INERTIA),
@@ -55,7 +55,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("solver.error_per_second", &method_input::LIMITS),
         table("scene file", &scene_file::SCENE_FILE),
         table("case", &scene_file::CASE),
-        table("table of cases", &required),
+        table("table of cases", &of_cases),
     ]
 }
 

@@ -24,6 +24,11 @@ pub const COLUMNS: [&str; 9] = [
     "disputed_to_fps",
 ];
 
+/// Certainty of a transition that lies at or below the lowest speed searched, as landings there are not stable.
+const AT_OR_BELOW: &str = "at-or-below";
+/// Certainty where there is no transition up to the highest speed searched: if there is one, it lies above.
+const ABOVE: &str = "above";
+
 /// How a sweep was run, which its input does not tell.
 #[derive(Debug, Clone, Copy)]
 pub struct Circumstances<'a> {
@@ -69,11 +74,20 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
     let found = boundary.transition;
     let speed = |speed: Option<f64>| speed.map_or(String::new(), |speed| speed.to_string());
     let certainty = found.map_or(Certainty::Untested, |found| found.certainty);
-    let [word, from, to] = certainty.cells();
+    let [mut word, from, to] = certainty.cells();
+    let low = match found {
+        Some(transition) => transition.low,
+        None => Some(boundary.searched_to),
+    };
+    if found.is_none() {
+        word = ABOVE.to_owned();
+    } else if low.is_none() {
+        word = AT_OR_BELOW.to_owned();
+    }
     [
         transition_name(boundary),
         speed(found.map(|found| found.speed())),
-        speed(found.map(|found| found.low)),
+        speed(low),
         speed(found.map(|found| found.high)),
         boundary.landings.to_string(),
         boundary.evaluations.to_string(),
@@ -127,10 +141,13 @@ fn outcomes(counts: &SweepCounts) -> Value {
     json!({
         "landings": count.landings,
         "toppled": count.toppled,
-        "topple_probability_95": wilson(count.toppled, count.landings),
         "bottomed": count.bottomed,
-        "bottom_probability_95": wilson(count.bottomed, count.landings),
+        "undecided": count.undecided,
         "failed": count.failed,
+        "stable": count.stable(),
+        "topple_probability_95": wilson(count.toppled, count.landings),
+        "bottom_probability_95": wilson(count.bottomed, count.landings),
+        "not_stable_probability_95": wilson(count.landings - count.stable(), count.landings),
     })
 }
 
@@ -147,7 +164,7 @@ mod tests {
         let at = |to, low, high| Boundary {
             transition: Some(Transition {
                 to,
-                low,
+                low: Some(low),
                 high,
                 certainty: Certainty::Certain,
             }),
@@ -156,6 +173,7 @@ mod tests {
             ..Boundary::default()
         };
         let none = Boundary {
+            searched_to: 25.0,
             landings: 101,
             evaluations: 2000,
             ..Boundary::default()
@@ -164,6 +182,15 @@ mod tests {
             at(Class::Unstable, 11.25, 11.5),
             none,
             at(Class::Bottomed, 0.1, 0.3),
+            Boundary {
+                transition: Some(Transition {
+                    to: Class::Failure,
+                    low: None,
+                    high: 8.0,
+                    certainty: Certainty::Untested,
+                }),
+                ..Boundary::default()
+            },
         ];
         (sweep, boundaries)
     }
@@ -184,8 +211,9 @@ mod tests {
             rows.collect::<Vec<_>>(),
             [
                 "-60,unstable,11.375,11.25,11.5,50,1000,certain,,",
-                "-55,none,,,,101,2000,,,",
-                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,"
+                "-55,none,,25,,101,2000,above,,",
+                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,",
+                "-45,failure,8,,8,0,0,at-or-below,,"
             ]
         );
     }

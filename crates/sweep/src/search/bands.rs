@@ -47,7 +47,7 @@ impl Search {
             spent,
             loose,
         } = self.confirmed_scan(false, &land).await?;
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::OverrideNames)).await;
+        let sample = async |speed| Sample::at(speed, land(speed, Variation::Unchanged)).await;
         let mut checks = HiddenBandChecks::default();
         let mut skipped = Skipped {
             left_out: self.left_out(false, &samples),

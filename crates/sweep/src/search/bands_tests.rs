@@ -127,7 +127,7 @@ fn one_class_is_one_band_and_not_stable_at_the_start_a_transition_there() {
     assert_eq!(found.bands.len(), 1);
     assert_eq!((found.bands[0].from, found.bands[0].to), (0.0, 25.0));
     let transition = found.transition.unwrap();
-    assert_eq!((transition.low, transition.high), (0.0, 0.0));
+    assert_eq!((transition.low, transition.high), (None, 0.0));
     assert_eq!(survey(|_| Class::Stable).transition, None);
 }
 

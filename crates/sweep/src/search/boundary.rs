@@ -32,9 +32,9 @@ pub struct Band {
 pub struct Transition {
     /// How landings end at `high`.
     pub to: Class,
-    /// Highest speed known to be stable below the change, ft/s; equal to `high` when the lowest
-    /// speed of the search was not stable already.
-    pub low: f64,
+    /// Highest speed known to be stable below the change, ft/s; `None` where the lowest speed of the search was
+    /// not stable already, so that the change lies at or below it.
+    pub low: Option<f64>,
     /// Lowest speed known not to be stable, ft/s.
     pub high: f64,
     /// How well it is determined.
@@ -42,9 +42,9 @@ pub struct Transition {
 }
 
 impl Transition {
-    /// Middle of the bracket, ft/s.
+    /// Middle of the bracket, ft/s, or the lowest speed of the search where there is none.
     pub fn speed(&self) -> f64 {
-        0.5 * (self.low + self.high)
+        self.low.map_or(self.high, |low| 0.5 * (low + self.high))
     }
 }
 
@@ -53,6 +53,8 @@ impl Transition {
 pub struct Boundary {
     /// The first transition, if there is one in the range.
     pub transition: Option<Transition>,
+    /// Highest speed landed at, ft/s: without a transition landings are stable up to there.
+    pub searched_to: f64,
     /// All bands of the range from below; none when only the first transition was asked for.
     pub bands: Vec<Band>,
     /// Intervals between like outcomes that were looked into for a hidden band.
@@ -90,12 +92,13 @@ impl Boundary {
     pub(crate) fn of(samples: &[Sample]) -> Self {
         let transition = first_unstable(samples).map(|index| Transition {
             to: samples[index].class(),
-            low: samples[index.saturating_sub(1)].speed,
+            low: index.checked_sub(1).map(|below| samples[below].speed),
             high: samples[index].speed,
             certainty: Certainty::default(),
         });
         Self {
             transition,
+            searched_to: samples.last().map_or(0.0, |highest| highest.speed),
             landings: samples.len() as u64,
             evaluations: samples.iter().map(|sample| sample.trial.evaluations).sum(),
             ..Self::default()

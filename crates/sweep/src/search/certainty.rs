@@ -55,7 +55,7 @@ impl Certainty {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Variation {
     /// None.
-    OverrideNames,
+    Unchanged,
     /// The solver's tolerance times a factor.
     Tolerance(f64),
     /// A turn about the x axis of the ground, deg.
@@ -89,12 +89,10 @@ impl Variation {
         let conditions = *scene.conditions();
         let mut settings = *settings;
         let conditions = match self {
-            Self::OverrideNames => conditions,
+            Self::Unchanged => conditions,
             Self::Tolerance(factor) => {
                 let tolerance = (settings.tolerance() * factor).clamp(TOLERANCES[0], TOLERANCES[1]);
-                settings = Settings::new(tolerance, settings.time_limit(), settings.crush_rule())?
-                    .with_method(settings.method())
-                    .with_friction_profile(settings.friction_profile());
+                settings = settings.with_tolerance(tolerance)?;
                 conditions
             }
             Self::Tilt(degrees) => {
@@ -135,7 +133,7 @@ pub(crate) async fn test<Stop>(
     for (end, sample, sign) in [(0, low, -1.0), (1, high, 1.0)] {
         let class = sample.class();
         let agree = async |speed: f64, given: bool| -> Result<bool, Stop> {
-            let given = given.then_some(Variation::OverrideNames);
+            let given = given.then_some(Variation::Unchanged);
             for variation in given.into_iter().chain(VARIATIONS) {
                 if land(speed, variation).await?.outcome.class() != class {
                     return Ok(false);

@@ -63,7 +63,7 @@ fn variations_change_what_they_say_and_little_of_it() {
     .unwrap();
     let settings = Settings::new(1e-6, 40.0, CrushRule::default()).unwrap();
     let varied = |variation: Variation| variation.of(&scene, &settings).unwrap();
-    assert_eq!(varied(Variation::OverrideNames), (scene, settings));
+    assert_eq!(varied(Variation::Unchanged), (scene, settings));
     assert_eq!(varied(Variation::Tolerance(0.1)).1.tolerance(), 1e-7);
     let faster = varied(Variation::Speed(1e-6)).0;
     assert_eq!(faster.conditions().horizontal_velocity, 11.000001);

@@ -29,7 +29,7 @@ impl Search {
             spent: replaced,
             loose,
         } = self.confirmed_scan(true, &land).await?;
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::OverrideNames)).await;
+        let sample = async |speed| Sample::at(speed, land(speed, Variation::Unchanged)).await;
         let left_out = self.left_out(true, &samples);
         let mut narrowed = Narrowed::default();
         if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {

@@ -60,7 +60,7 @@ fn others(class: Class) -> &'static [Class] {
         Class::Stable => &[Class::Unstable, Class::Bottomed],
         Class::Unstable => &[Class::Stable, Class::Bottomed],
         Class::Bottomed => &[Class::Stable],
-        Class::Failure => &[],
+        Class::Failure | Class::Undecided => &[],
     }
 }
 

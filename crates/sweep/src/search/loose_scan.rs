@@ -31,9 +31,7 @@ impl Search {
     ) -> Result<Scanned, Stop> {
         if self.scan_looseness == 1.0 {
             return Ok(Scanned {
-                samples: self
-                    .scan_at(Variation::OverrideNames, to_first, land)
-                    .await?,
+                samples: self.scan_at(Variation::Unchanged, to_first, land).await?,
                 spent: [0; 2],
                 loose: 0,
             });
@@ -44,8 +42,7 @@ impl Search {
         let mut spent = [0; 2];
         let mut is_confirmed = true;
         let ends = ends_of_changes(&samples);
-        let again =
-            (ends.iter()).map(|index| land(samples[*index].speed, Variation::OverrideNames));
+        let again = (ends.iter()).map(|index| land(samples[*index].speed, Variation::Unchanged));
         let again = join_all(again).await?;
         for (index, trial) in ends.into_iter().zip(again) {
             let speed = samples[index].speed;
@@ -55,9 +52,7 @@ impl Search {
         }
         if !is_confirmed {
             samples.iter().for_each(|sample| count(&mut spent, sample));
-            samples = self
-                .scan_at(Variation::OverrideNames, to_first, land)
-                .await?;
+            samples = self.scan_at(Variation::Unchanged, to_first, land).await?;
         }
         Ok(Scanned {
             samples,
@@ -126,7 +121,7 @@ mod tests {
             };
             Ok(Trial::example(
                 class,
-                if variation == Variation::OverrideNames {
+                if variation == Variation::Unchanged {
                     10
                 } else {
                     1

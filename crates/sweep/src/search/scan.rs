@@ -126,14 +126,14 @@ where
         let place = Place {
             index,
             class,
-            is_soon: is_clear && trial.duration < SOON,
+            is_soon: is_clear && class != Class::Undecided && trial.duration < SOON,
             is_upright: is_clear && trial.least_angle > UPRIGHT,
         };
         self.samples.borrow_mut().push(sample);
         Ok(place)
     }
 
-    /// HiddenBandChecks between two landings; whether the first change was all there was to find, and is found.
+    /// Lands between two landings; whether the first change was all there was to find, and is found.
     async fn between(&self, low: &Place, high: &Place) -> Result<bool, Stop> {
         if high.index - low.index == 1 {
             return Ok(self.to_first && high.class != Class::Stable);

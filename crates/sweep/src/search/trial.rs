@@ -168,6 +168,7 @@ impl Trial {
             Class::Unstable => Outcome::UnstablePitch,
             Class::Bottomed => Outcome::Bottomed { leg: 0 },
             Class::Failure => Outcome::Failure(Failure::StepLimit),
+            Class::Undecided => Outcome::TimeExpired,
         };
         Self {
             outcome,

@@ -42,7 +42,8 @@ pub(crate) async fn of_point<Stop>(
             ..Sensitivity::default()
         }
     };
-    let Some(transition) = boundary.transition.filter(|found| found.low < found.high) else {
+    let bracketed = (boundary.transition).and_then(|found| Some((found, found.low?)));
+    let Some((transition, low)) = bracketed else {
         return Ok(nowhere(None, Dependence::NoTransition));
     };
     if let Certainty::Disputed(_) = transition.certainty {
@@ -58,15 +59,13 @@ pub(crate) async fn of_point<Stop>(
     let width = FINER * search.tolerance;
     let near = Near {
         around: transition.speed(),
-        within: 0.5 * (transition.high - transition.low),
+        within: 0.5 * (transition.high - low),
         reach: search.scan_step,
         to: transition.to,
         width,
     };
     let found = match near
-        .follow(&async |speed| {
-            Sample::at(speed, counted(case, speed, Variation::OverrideNames)).await
-        })
+        .follow(&async |speed| Sample::at(speed, counted(case, speed, Variation::Unchanged)).await)
         .await?
     {
         // Landing at its ends once more gave something else.
@@ -152,7 +151,7 @@ impl Known {
             };
             match near
                 .follow(&async |speed| {
-                    Sample::at(speed, land(&case, speed, Variation::OverrideNames)).await
+                    Sample::at(speed, land(&case, speed, Variation::Unchanged)).await
                 })
                 .await?
             {

@@ -79,10 +79,11 @@ mod tests {
         let boundary = Finding::Boundary(Boundary {
             transition: Some(Transition {
                 to: Class::Failure,
-                low: 0.1 + 0.2,
+                low: Some(0.1 + 0.2),
                 high: f64::MIN_POSITIVE,
                 certainty: Certainty::Disputed([1.0, 2.0]),
             }),
+            searched_to: 25.0,
             bands: vec![Band {
                 from: -0.0,
                 to: 1.0 / 3.0,

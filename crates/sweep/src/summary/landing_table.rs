@@ -1,4 +1,4 @@
-//! One landing as a row of named results; units are in the names, −1 is never.
+//! One landing as a row of named results; units are in the names; what never happened is empty.
 
 use std::fmt;
 
@@ -16,6 +16,8 @@ pub enum Cell {
     Number(f64),
     /// A count.
     Count(u64),
+    /// What never happened.
+    Empty,
 }
 
 impl fmt::Display for Cell {
@@ -24,7 +26,14 @@ impl fmt::Display for Cell {
             Self::Word(word) => f.write_str(word),
             Self::Number(number) => write!(f, "{number}"),
             Self::Count(count) => write!(f, "{count}"),
+            Self::Empty => Ok(()),
         }
+    }
+}
+
+impl From<Option<f64>> for Cell {
+    fn from(number: Option<f64>) -> Self {
+        number.map_or(Self::Empty, Self::Number)
     }
 }
 
@@ -34,6 +43,7 @@ impl From<Cell> for Value {
             Cell::Word(word) => word.into(),
             Cell::Number(number) => number.into(),
             Cell::Count(count) => count.into(),
+            Cell::Empty => Self::Null,
         }
     }
 }
@@ -44,34 +54,31 @@ pub type Column = (String, Cell);
 /// All results of a landing, in the order of the columns.
 pub fn columns(landing: &Landing) -> Vec<Column> {
     let mut columns = vec![column("outcome", Cell::Word(landing.outcome.to_string()))];
-    let mut number = |name: &str, value| columns.push(column(name, Cell::Number(value)));
-    number("end_time_s", landing.end_time);
+    let mut number = |name: &str, value| columns.push(column(name, Cell::from(value)));
+    number("end_time_s", Some(landing.end_time));
     number(
         "min_stability_angle_deg",
-        landing.min_stability_angle.to_degrees(),
+        Some(landing.min_stability_angle.to_degrees()),
     );
-    number("min_clearance_ft", landing.min_clearance);
+    number("min_clearance_ft", Some(landing.min_clearance));
     number(
         "initial_kinetic_energy_ftlb",
-        landing.energies.initial_kinetic,
+        Some(landing.energies.initial_kinetic),
     );
     number(
         "potential_energy_change_ftlb",
-        landing.energies.potential_change,
+        Some(landing.energies.potential_change),
     );
     for (leg, force) in landing.max_strut_force.iter().enumerate() {
-        number(&format!("max_strut_force_{}_lb", leg + 1), *force);
+        number(&format!("max_strut_force_{}_lb", leg + 1), Some(*force));
     }
     for (leg, time) in landing.pad_contact.iter().enumerate() {
-        number(&format!("pad_contact_{}_s", leg + 1), time.unwrap_or(-1.0));
+        number(&format!("pad_contact_{}_s", leg + 1), *time);
     }
     for (leg, time) in landing.block_contact.iter().enumerate() {
-        number(
-            &format!("block_contact_{}_s", leg + 1),
-            time.unwrap_or(-1.0),
-        );
+        number(&format!("block_contact_{}_s", leg + 1), *time);
     }
-    number("energy_closure_ftlb", landing.energies.closure());
+    number("energy_closure_ftlb", Some(landing.energies.closure()));
     columns.push(column("steps", Cell::Count(landing.steps)));
     columns.push(column(
         "derivative_evaluations",
@@ -174,7 +181,7 @@ pub(crate) mod tests {
              block_contact_1_s,block_contact_2_s,block_contact_3_s,\
              energy_closure_ftlb,steps,derivative_evaluations,failure"
         );
-        let expected = "failure,1.5,29.999999999999996,0.5,100,10,1,2,3,0,-1,0.25,-1,-1,-1,\
+        let expected = "failure,1.5,29.999999999999996,0.5,100,10,1,2,3,0,,0.25,,,,\
                         0.5,7,70,loaded footpad 2 inclined more than 65 deg";
         let values: Vec<String> = values.iter().map(Cell::to_string).collect();
         assert_eq!(values.join(","), expected);

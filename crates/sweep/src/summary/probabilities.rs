@@ -19,8 +19,9 @@ const MOST_VALUES: usize = 20;
 /// Landings between two questions whether enough is known.
 const PACE: u64 = 100;
 
-/// Columns of the table of probabilities.
-pub const COLUMNS: [&str; 12] = [
+/// Columns of the table of probabilities: of each class of landings, and last of all that were not stable, their number,
+/// share and interval.
+pub const COLUMNS: [&str; 24] = [
     "axis",
     "from",
     "to",
@@ -33,6 +34,18 @@ pub const COLUMNS: [&str; 12] = [
     "bottom_probability",
     "bottom_low_95",
     "bottom_high_95",
+    "undecided",
+    "undecided_probability",
+    "undecided_low_95",
+    "undecided_high_95",
+    "failed",
+    "failure_probability",
+    "failure_low_95",
+    "failure_high_95",
+    "not_stable",
+    "not_stable_probability",
+    "not_stable_low_95",
+    "not_stable_high_95",
 ];
 
 /// Landings counted by how they ended.
@@ -44,6 +57,8 @@ pub struct Count {
     pub toppled: u64,
     /// Bottomed a strut.
     pub bottomed: u64,
+    /// Still moving at the time limit.
+    pub undecided: u64,
     /// Could not be computed.
     pub failed: u64,
 }
@@ -57,7 +72,13 @@ impl Count {
             Class::Unstable => self.toppled += 1,
             Class::Bottomed => self.bottomed += 1,
             Class::Failure => self.failed += 1,
+            Class::Undecided => self.undecided += 1,
         }
+    }
+
+    /// Landings that were stable.
+    pub fn stable(&self) -> u64 {
+        self.landings - self.toppled - self.bottomed - self.undecided - self.failed
     }
 
     /// Whether after so many landings both probabilities are known to intervals of a width.
@@ -72,23 +93,24 @@ impl Count {
             && narrow(self.bottomed)
     }
 
-    fn cells(&self) -> [String; 9] {
-        let share = |hits: u64| match self.landings {
-            0 => String::new(),
-            all => (hits as f64 / all as f64).to_string(),
-        };
-        let [toppled, bottomed] = [self.toppled, self.bottomed].map(|hits| {
-            let [low, high] = wilson(hits, self.landings);
-            [
-                hits.to_string(),
-                share(hits),
-                low.to_string(),
-                high.to_string(),
-            ]
+    fn cells(&self) -> impl Iterator<Item = String> {
+        let all = self.landings;
+        let counts = [
+            self.toppled,
+            self.bottomed,
+            self.undecided,
+            self.failed,
+            all - self.stable(),
+        ];
+        let cells = counts.into_iter().flat_map(move |hits| {
+            let [low, high] = wilson(hits, all);
+            let share = match all {
+                0 => String::new(),
+                all => (hits as f64 / all as f64).to_string(),
+            };
+            [hits.to_string(), share, low.to_string(), high.to_string()]
         });
-        let [t0, t1, t2, t3] = toppled;
-        let [b0, b1, b2, b3] = bottomed;
-        [self.landings.to_string(), t0, t1, t2, t3, b0, b1, b2, b3]
+        std::iter::once(all.to_string()).chain(cells)
     }
 }
 

@@ -3,6 +3,7 @@
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Boundary, Transition};
+use crate::certainty::Certainty;
 use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::landing_table::Cell;
@@ -34,16 +35,26 @@ pub struct SweepCounts {
     pub slopes: [usize; 2],
     /// The lowest first transition, and its point.
     pub lowest: Option<(usize, Transition)>,
+    /// Points whose first transition lies at or below the lowest speed searched.
+    pub at_or_below: usize,
+    /// Points whose first transition is disputed.
+    pub disputed: usize,
+    /// Points at which some landings could not be computed, or were undecided at the time limit, as far as
+    /// transitions and bands tell.
+    pub with_failures: usize,
+    /// See `with_failures`.
+    pub with_undecided: usize,
     /// Outcomes, where they are asked.
     pub probabilities: Option<Probabilities>,
-    kinds: [usize; 4],
+    kinds: [usize; 5],
 }
 
 /// First transitions that are told apart, in the order in which they are told.
-const KINDS: [Option<Class>; 4] = [
+const KINDS: [Option<Class>; 5] = [
     Some(Class::Unstable),
     Some(Class::Bottomed),
     Some(Class::Failure),
+    Some(Class::Undecided),
     None,
 ];
 
@@ -106,6 +117,15 @@ impl SweepCounts {
         if let Some(index) = KINDS.iter().position(|known| *known == kind) {
             self.kinds[index] += 1;
         }
+        let has =
+            |class| kind == Some(class) || boundary.bands.iter().any(|band| band.class == class);
+        self.with_failures += usize::from(has(Class::Failure));
+        self.with_undecided += usize::from(has(Class::Undecided));
+        if let Some(transition) = boundary.transition {
+            self.at_or_below += usize::from(transition.low.is_none());
+            let is_disputed = matches!(transition.certainty, Certainty::Disputed(_));
+            self.disputed += usize::from(is_disputed);
+        }
         let is_lower = |transition: Transition| match self.lowest {
             Some((_, lowest)) => transition.speed() < lowest.speed(),
             None => true,
@@ -147,14 +167,13 @@ fn evaluations(cells: &[Cell]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certainty::Certainty;
 
     #[test]
     fn kinds_and_the_first_of_the_lowest_are_kept() {
         let at = |to, speed| Boundary {
             transition: Some(Transition {
                 to,
-                low: speed,
+                low: Some(speed),
                 high: speed,
                 certainty: Certainty::Untested,
             }),

@@ -64,7 +64,14 @@ pub fn read(path: &Path) -> Result<Vec<SceneCase>, InputError> {
     for (index, entry) in entries.iter().enumerate() {
         let changes = Changes::of(entry, index + 1)?;
         let name = match &changes.name {
-            None => (index + 1).to_string(),
+            None => {
+                let number = (index + 1).to_string();
+                if cases.iter().any(|case| case.name == number) {
+                    let said = format!("has no name, and another case is named {number}");
+                    return Err(changes.complain(InputError::other(said), None));
+                }
+                number
+            }
             Some(found) => {
                 let name = found.text()?;
                 let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
@@ -150,7 +157,9 @@ impl<'d> Changes<'d> {
 }
 
 fn unknown(name: &str, legs: usize) -> String {
-    let guess = match Parameter::nearest(name, legs).as_slice() {
+    let mut alike = Parameter::nearest(name, legs);
+    alike.retain(|name| !name.starts_with("search."));
+    let guess = match alike.as_slice() {
         [] => String::new(),
         names => format!("did you mean {}? ", names.join(" or ")),
     };

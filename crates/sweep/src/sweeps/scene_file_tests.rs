@@ -92,17 +92,18 @@ fn the_other_form_of_an_attitude_replaces_it() {
 fn complaints_name_line_case_key_value_and_what_is_allowed() {
     #[rustfmt::skip]
     let cases = [
-        ("[[case]]\n[[case]]\nfriction = -1\n", &["deck.toml:11: case 2: friction = -1", "≥ 0"][..]),
+        ("[[case]]\n[[case]]\nfriction = -1\n", &["deck.toml:11: case 2: friction = -1", "0 ≤ value ≤ 1000"][..]),
         ("[[case]]\nrol_deg = 4\n", &["deck.toml:10: case[1].rol_deg = 4", "did you mean roll_deg"]),
         ("[[case]]\nroll_deg = \"x\"\n", &["deck.toml:10: case[1].roll_deg", "a number"]),
         ("[[case]]\ntip_deg = 4\n", &["deck.toml:9: case 1: tip_azimuth_deg is missing"]),
         ("[[case]]\n\"search.from_fps\" = 4\n", &["case[1].search.from_fps = 4", "no such key"]),
         ("[[case]]\nsolver.tolerance = 2\n", &["deck.toml:10: case 1: solver.tolerance = 2", "1e-12"]),
         ("[[case]]\nsolver.crush_rule = \"soft\"\n", &["case[1].solver.crush_rule = \"soft\"", "pivot-rate"]),
-        ("[[case]]\nvehicle.mass_slug = 0\n", &["deck.toml:10: case 1: mass_slug = 0", "> 0"]),
+        ("[[case]]\nvehicle.mass_slug = 0\n", &["deck.toml:10: case 1: mass_slug = 0", "0 < value"]),
         ("[[case]]\nvehicle = \"no.toml\"\n", &["deck.toml:10: case[1].vehicle = \"no.toml\"", "no file"]),
         ("[[case]]\nname = \"a/b\"\n", &["case[1].name = \"a/b\"", "letters"]),
         ("[[case]]\nname = \"2\"\n[[case]]\nname = \"2\"\n", &["deck.toml:12: case[2].name", "other than"]),
+        ("[[case]]\nname = \"2\"\n[[case]]\n", &["deck.toml:11: case 2: has no name", "is named 2"]),
         ("[case]\nroll_deg = 1\n", &["case", "tables [[case]]"]),
         ("[other]\n", &["other", "unknown key"]),
     ];

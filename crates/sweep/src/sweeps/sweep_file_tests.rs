@@ -237,7 +237,7 @@ const WRONG: [(&str, &str, &[&str]); 15] = [
     (
         "friction = 1.0",
         "friction = -1",
-        &[":10: scene.friction = -1", "≥ 0"],
+        &[":10: scene.friction = -1", "0 ≤ value ≤ 1000"],
     ),
     (
         "friction = 1.0",

@@ -16,7 +16,6 @@ use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
 use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::case::{Case, CaseFault};
@@ -228,24 +227,23 @@ impl Workers {
         })
     }
 
-    /// Computes one landing for every scene, in their order, of the vehicle that belongs to its index: several at a
-    /// time on each thread, side by side.
+    /// Computes so many landings, each as `request` asks for by its index, which is also its key: several at a time on
+    /// each thread, side by side.
     ///
     /// # Errors
     /// When `cancel` became true; it is looked at before every landing.
     pub fn cases(
         &self,
-        vehicle: impl Fn(usize) -> Arc<Vehicle> + Sync + Send,
-        scenes: &[Scene],
-        settings: &Settings,
+        count: usize,
+        request: impl Fn(usize) -> Request + Sync,
         observer: &impl Observer,
         cancel: &AtomicBool,
     ) -> Result<Vec<Landing>, RunError> {
         let stop = Stop::on(cancel);
         let unasked = AtomicUsize::new(0);
-        let found = Mutex::new(vec![None; scenes.len()]);
+        let found = Mutex::new(vec![None; count]);
         // No thread takes so many at once that another has none.
-        let share = scenes.len().div_ceil(self.threads());
+        let share = count.div_ceil(self.threads());
         self.pool.broadcast(|_| {
             let under_way = Cell::new(0);
             let mut next = || {
@@ -253,14 +251,11 @@ impl Workers {
                     return None;
                 }
                 let key = unasked.fetch_add(1, Ordering::Relaxed);
-                let scene = *scenes.get(key)?;
+                if key >= count {
+                    return None;
+                }
                 under_way.set(under_way.get() + 1);
-                Some(Request {
-                    key,
-                    vehicle: vehicle(key),
-                    scene,
-                    settings: *settings,
-                })
+                Some(request(key))
             };
             land_many(&mut next, &mut |key, landing| {
                 under_way.set(under_way.get() - 1);
@@ -366,7 +361,7 @@ mod tests {
     use std::path::Path;
 
     use touchdown_dynamics::land::land;
-    use touchdown_dynamics::scene::CrushRule;
+    use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 
     use super::*;
     use crate::measured_scenes::near_boundary;
@@ -409,13 +404,13 @@ mod tests {
         for threads in [1, 2, 3] {
             let cancel = AtomicBool::new(false);
             let cases = |observer: &CancelsAt| {
-                workers(threads).cases(
-                    |_| Arc::clone(&vehicle),
-                    &scenes,
-                    &settings,
-                    observer,
-                    &cancel,
-                )
+                let request = |key: usize| Request {
+                    key,
+                    vehicle: Arc::clone(&vehicle),
+                    scene: scenes[key],
+                    settings,
+                };
+                workers(threads).cases(scenes.len(), request, observer, &cancel)
             };
             let never = CancelsAt(0, AtomicUsize::new(0), &cancel);
             assert_eq!(cases(&never).unwrap(), expected);

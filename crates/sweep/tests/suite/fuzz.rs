@@ -7,6 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use proptest::prelude::*;
+use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_sweep::cases;
 use touchdown_sweep::document::Document;
 use touchdown_sweep::header::Header;
@@ -89,9 +90,9 @@ proptest! {
         fs::write(&path, changed(CASES, &changes))?;
         let surveyor = Document::parse(Path::new("v.toml"), SURVEYOR).unwrap();
         let surveyor = VehicleFile::from_document(surveyor).unwrap();
-        if let Ok(cases) = cases::read(&path, &surveyor) {
-            prop_assert_eq!(cases.names.len(), cases.scenes.len());
-            prop_assert!(cases.vehicle(cases.names.len() - 1).mass() > 0.0);
+        let settings = Settings::new(1e-6, 40.0, CrushRule::default()).unwrap();
+        if let Ok(cases) = cases::read(&path, &surveyor, &settings) {
+            prop_assert!(cases.iter().all(|case| case.vehicle.mass() > 0.0));
         }
     }
 

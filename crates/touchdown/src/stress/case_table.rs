@@ -14,7 +14,7 @@ pub type Reasons = BTreeMap<usize, Vec<String>>;
 pub fn written(sweep: &Sweep, reasons: &Reasons) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let axes = sweep.axes.iter().map(|axis| axis.name());
-    writer.write_record(["case", "why"].into_iter().chain(axes))?;
+    writer.write_record(["case", "note"].into_iter().chain(axes))?;
     for (number, why) in reasons {
         writer.write_field(number.to_string())?;
         writer.write_field(why.join("; "))?;

@@ -59,8 +59,7 @@ impl Sense {
                 continue;
             };
             let is_contact = name.starts_with("pad_contact") || name.starts_with("block_contact");
-            // −1 is never.
-            let is_outside = is_contact && *number != -1.0 && !(0.0..=end).contains(number);
+            let is_outside = is_contact && !(0.0..=end).contains(number);
             if !number.is_finite() || is_outside {
                 return Some(format!("{name} is {number}"));
             }
@@ -126,7 +125,6 @@ pub mod tests {
         let long = [("energy_closure_ftlb", 0.023), ("end_time_s", 3.5)];
         let long = long.map(|(name, number)| (name, Cell::Number(number)));
         assert_eq!(sense.complaint(&Outcome::TimeExpired, &landed(&long)), None);
-        assert_eq!(complaint("pad_contact_2_s", -1.0), None);
         for (name, number) in [
             ("pad_contact_2_s", 2.5),
             ("block_contact_1_s", -0.5),

@@ -43,7 +43,7 @@ without a result where the model has a law (it has none for a loaded footpad inc
 65 deg).
 
 Their journal is in the output folder: after an interruption run again to go on. Afterwards
-stress-cases.csv holds all that went wrong, and the extremes, with the reason in the column `why`.
+stress-cases.csv holds all that went wrong, and the extremes, with the reason in the column `note`.
 They land again, bit for bit at the same tolerance, with
   touchdown land --vehicle stress/stress-vehicle.toml --cases stress/stress-cases.csv \\
     --tolerance 3e-5 --out again.csv

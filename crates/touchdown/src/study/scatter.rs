@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
+use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::methods::{ErrorLimits, Method};
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::Scene;
@@ -121,7 +122,13 @@ pub fn table(
     for first in first_intervals(RUNS) {
         let control = control(ErrorLimits::default(), first, LEAST_INTERVAL)?;
         let settings = settings(Method::Report(control))?;
-        let landings = workers.cases(|_| Arc::clone(&vehicle), &scenes, &settings, &(), &cancel)?;
+        let request = |key: usize| Request {
+            key,
+            vehicle: Arc::clone(&vehicle),
+            scene: scenes[key],
+            settings,
+        };
+        let landings = workers.cases(scenes.len(), request, &(), &cancel)?;
         for (row, landing) in rows.iter_mut().zip(landings) {
             row.2 += usize::from(landing.outcome.class() == Class::Unstable);
         }

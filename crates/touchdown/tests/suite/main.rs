@@ -8,6 +8,7 @@ mod committed_results;
 mod document_examples;
 mod full_disk;
 mod interruptions;
+mod nothing_silent;
 mod output_columns;
 mod plots;
 mod runs;

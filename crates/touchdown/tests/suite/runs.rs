@@ -216,7 +216,7 @@ fn cases_are_landed_in_their_order() {
     let bench = Bench::new();
     bench.write(
         "cases.csv",
-        "remark,case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,pitch_deg,\
+        "note,case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,pitch_deg,\
          yaw_deg,roll_deg,slope_deg,friction\n\
          slow,7,14,2,180,0,0,0,15,1\nfast,3,14,13,180,0,0,0,15,1\n",
     );

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use crate::common::Bench;
 
 /// Wild landings that could once not be computed or made no sense, from `touchdown stress`; the reason in
-/// the column `why`.
+/// the column `note`.
 const FOUND: &str = include_str!("found-by-stress.csv");
 /// The tolerance of sweeps, and of wild landings.
 const TOLERANCE: &str = "3e-5";
@@ -56,7 +56,7 @@ fn kills_and_wild_landings_are_told_and_land_again_as_they_did() {
         .iter()
         .zip(land_again(&bench, vehicle, cases, TOLERANCE))
     {
-        let why = &kept["why"];
+        let why = &kept["note"];
         let is_beyond = landed["failure"].ends_with("inclined more than 65 deg");
         assert_eq!(why.contains("no law: "), is_beyond, "{why}: {landed:?}");
         let has_failed = landed["outcome"] == "failure" && !is_beyond;
@@ -116,7 +116,7 @@ fn what_stress_once_found_makes_sense() {
         assert!(landed.values().all(is_number), "{landed:?}");
         if landed["outcome"] == "failure" {
             assert!(
-                found["why"].contains(&landed["failure"]),
+                found["note"].contains(&landed["failure"]),
                 "{found:?} {landed:?}"
             );
             continue;

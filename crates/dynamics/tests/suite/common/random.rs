@@ -141,10 +141,17 @@ pub fn wild_vehicle(count: usize) -> impl Strategy<Value = Vehicle> {
     (5.0..60.0, 1.5..30.0, 0.3..3.0, moments, products, legs).prop_filter_map(
         "a vehicle that can be built",
         |(mass, gravity, height, moments, products, legs)| {
+            // No body has a moment greater than the sum of the other two.
+            let twist: f64 = products.iter().map(|product: &f64| product.abs()).sum();
+            let most = |k: usize| -> f64 {
+                let others: f64 = moments[(k + 1) % 3] + moments[(k + 2) % 3];
+                let spare = (3.0 * twist).min(0.3 * others);
+                f64::min(moments[k], others - spare)
+            };
             let inertia = Inertia {
-                xx: moments[0],
-                yy: moments[1],
-                zz: moments[2],
+                xx: most(0),
+                yy: most(1),
+                zz: most(2),
                 xy: products[0],
                 xz: products[1],
                 yz: products[2],
