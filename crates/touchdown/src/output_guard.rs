@@ -60,10 +60,15 @@ impl OutputGuard<'_> {
     }
 
     fn refuse(&self, file: &Path, is_own: impl FnOnce() -> bool) -> Result<(), InputError> {
+        let refused = |complaint| Err(InputError::other(complaint).at(Place::file(file)));
+        if file.is_dir() {
+            return refused("is a folder: allowed is the name of a file");
+        }
         if self.overwrite || !file.exists() || is_own() {
             return Ok(());
         }
-        let complaint = "exists and is no earlier result of this command: allowed is another file, or --overwrite";
-        Err(InputError::other(complaint).at(Place::file(file)))
+        refused(
+            "exists and is no earlier result of this command: allowed is another file, or --overwrite",
+        )
     }
 }
