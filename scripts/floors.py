@@ -40,6 +40,23 @@ FLOORS = {
         ["search"],
         ["documents"],
     ],
+    "figures": [
+        ["lib"],
+        ["picture"],
+        ["charts", "maps"],
+        ["page"],
+        ["tables"],
+        ["words", "png"],
+    ],
+    "touchdown": [
+        ["main"],
+        ["stress", "study", "work_precision"],
+        ["landings", "surface", "sweeps"],
+        ["pictures"],
+        ["import_deck", "new", "shell"],
+        ["options"],
+        ["terminal"],
+    ],
 }
 
 USE = re.compile(r"^\s*(?:pub(?:\([^)]*\))? )?use ([^;]*);", re.M)

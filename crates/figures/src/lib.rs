@@ -2,37 +2,19 @@
 //!
 //! The same table gives the same picture, byte for byte.
 
-mod axis_range;
-pub mod axis_title;
-pub mod bands_table;
-pub mod boundary_profile;
-pub mod boundary_table;
-pub mod caption;
-mod colour_bar;
-pub mod contour_map;
-pub mod figure_error;
-pub mod history_chart;
-pub mod history_table;
-mod ink;
-mod isolines;
-pub mod leading_feet;
-mod legend;
-mod levels;
-pub mod line_chart;
-pub mod map_view;
-mod mesh;
-pub mod number;
-pub mod parameter_words;
-pub mod perspective;
+mod charts;
+mod maps;
+mod page;
 pub mod picture;
 pub mod png;
-pub mod sensitivity_table;
-mod shading;
-mod sheet;
-mod stations;
-pub mod surface;
-mod table;
-pub mod tornado_chart;
-mod tornado_words;
-mod view_point;
-pub mod work_precision;
+mod tables;
+mod words;
+
+pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, work_precision};
+use charts::{shading, tornado_words};
+use maps::{colour_bar, isolines, levels, view_point};
+pub use maps::{contour_map, leading_feet, map_view, perspective, surface};
+use page::{axis_range, ink, legend, mesh, sheet};
+pub use tables::{bands_table, boundary_table, history_table, sensitivity_table};
+use tables::{stations, table};
+pub use words::{axis_title, caption, figure_error, number, parameter_words};

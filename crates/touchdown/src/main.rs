@@ -3,41 +3,28 @@
 //! The program `touchdown`: one landing, a table of landings, or a sweep for the speed at which
 //! the lander begins to topple.
 
-mod cases;
-mod dry_run;
-mod failure;
 mod import_deck;
-mod integration_report;
-mod interrupt;
-mod journal_files;
-mod land;
-mod land_files;
-mod merge;
+mod landings;
 mod new;
-mod output_guard;
-mod overrides;
-mod overview;
-mod plot;
-mod print;
-mod progress;
-mod report;
-mod scene_cases;
+mod options;
+mod pictures;
 mod shell;
-mod solver_options;
 mod stress;
 mod study;
-mod summary;
 mod surface;
-mod sweep;
-mod sweep_files;
-mod sweep_results;
-mod touchdown_options;
+mod sweeps;
+mod terminal;
 mod work_precision;
-mod worst_case;
 
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
+
+use landings::{cases, integration_report, land, land_files, report, scene_cases};
+use options::{overrides, solver_options, touchdown_options};
+use pictures::{plot, worst_case};
+use sweeps::{dry_run, journal_files, merge, overview, sweep, sweep_files, sweep_results};
+use terminal::{failure, interrupt, output_guard, print, progress, summary};
 
 /// How fast sideways may a legged lander touch down before it topples?
 ///

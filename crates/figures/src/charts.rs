@@ -1,0 +1,9 @@
+//! Profiles, histories, tornado charts and lines over one axis.
+
+pub mod boundary_profile;
+pub mod history_chart;
+pub mod line_chart;
+pub mod shading;
+pub mod tornado_chart;
+pub mod tornado_words;
+pub mod work_precision;

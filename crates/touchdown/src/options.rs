@@ -1,0 +1,5 @@
+//! Options that several commands share.
+
+pub mod overrides;
+pub mod solver_options;
+pub mod touchdown_options;

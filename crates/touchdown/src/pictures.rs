@@ -1,0 +1,4 @@
+//! The command `plot`.
+
+pub mod plot;
+pub mod worst_case;

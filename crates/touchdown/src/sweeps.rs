@@ -1,0 +1,9 @@
+//! The commands `sweep` and `merge`.
+
+pub mod dry_run;
+pub mod journal_files;
+pub mod merge;
+pub mod overview;
+pub mod sweep;
+pub mod sweep_files;
+pub mod sweep_results;
