@@ -13,6 +13,7 @@ pub mod record;
 mod signal_history;
 mod simulation;
 pub mod stability;
+mod steadiness;
 mod step_attempt;
 mod stiffness;
 mod strut_peaks;

@@ -45,7 +45,7 @@ pub use search::{
     bands, boundary, certainty, first_transition, hidden, hidden_band_checks, lattice, refine,
     scan, search_range, skipped, trial,
 };
-use search::{join_all, loose_scan};
+use search::{join_all, narrowed_scan};
 pub use summary::{findings, landing_table, probabilities, sweep_counts};
 pub use sweeps::{case, measured_scenes, overrides, scene_file, sweep, sweep_file};
 use threads::landing_queue;

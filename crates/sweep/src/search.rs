@@ -8,7 +8,7 @@ pub mod hidden;
 pub mod hidden_band_checks;
 pub(crate) mod join_all;
 pub mod lattice;
-pub(crate) mod loose_scan;
+pub(crate) mod narrowed_scan;
 pub mod refine;
 pub mod scan;
 pub mod search_range;

@@ -12,6 +12,7 @@ pub struct Settings {
     crush_rule: CrushRule,
     method: Method,
     friction_profile: FrictionProfile,
+    ends_early: bool,
 }
 
 impl Settings {
@@ -39,6 +40,7 @@ impl Settings {
             crush_rule,
             method: Method::default(),
             friction_profile: FrictionProfile::default(),
+            ends_early: false,
         }
         .with_tolerance(tolerance)
     }
@@ -65,6 +67,20 @@ impl Settings {
             (1e-12..=1e-2).contains(&v)
         })?;
         Ok(Self { tolerance, ..self })
+    }
+
+    /// The same settings, but landings end as [`crate::outcome::Outcome::StableSteady`] once they are steady: for scans,
+    /// which ask only how a landing ends.
+    pub fn ending_early(self) -> Self {
+        Self {
+            ends_early: true,
+            ..self
+        }
+    }
+
+    /// Whether steady landings end early.
+    pub fn ends_early(&self) -> bool {
+        self.ends_early
     }
 
     /// How friction sets in near rest.

@@ -3,6 +3,7 @@
 use std::convert::Infallible;
 
 use super::history::History;
+use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::StabilityTrack;
@@ -45,6 +46,7 @@ pub(crate) enum NextStart {
 pub(crate) struct Simulation<'o> {
     pub(crate) trajectory: Trajectory<'o>,
     stability: StabilityTrack,
+    steadiness: Steadiness,
     control: StepControl,
     /// Steps aimed at, rejected ones included.
     attempts: u64,
@@ -73,6 +75,7 @@ impl<'o> Simulation<'o> {
         Self {
             trajectory,
             stability: StabilityTrack::new(monitor, seen),
+            steadiness: Steadiness::new(vehicle, scene),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (0, 0.0),
@@ -291,6 +294,7 @@ impl<'o> Simulation<'o> {
         let Self {
             trajectory,
             stability,
+            steadiness,
             control,
             burst,
             ..
@@ -360,6 +364,12 @@ impl<'o> Simulation<'o> {
                 link_accelerations,
                 length: reach * length,
             });
+        }
+        steadiness.note(trajectory.time, stability.angle());
+        let ends_early = trajectory.settings.ends_early();
+        let body = trajectory.step.before.body();
+        if let Some(outcome) = steadiness.end(trajectory.time, &body, ends_early) {
+            return Err(outcome);
         }
         trajectory.follow();
         Ok(if goes_to_end {

@@ -51,6 +51,11 @@ impl StabilityTrack {
         }
     }
 
+    /// Stability angle σ now, rad.
+    pub(super) fn angle(&self) -> f64 {
+        self.seen.angle
+    }
+
     /// Whether within a step of `length` s that ends like this no verdict can fall.
     fn keeps(&self, end: &Observation, length: f64) -> bool {
         self.before

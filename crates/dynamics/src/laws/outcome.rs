@@ -23,6 +23,10 @@ pub enum Outcome {
     TimeExpired,
     /// The landing could not be computed to its end.
     Failure(Failure),
+    /// It slides steadily down a slope on which friction cannot stop it.
+    Sliding,
+    /// It stood or slid steadily and upright, far from toppling: a landing of a scan goes no further.
+    StableSteady,
 }
 
 /// Why a landing could not be computed to its end.
@@ -56,7 +60,7 @@ pub enum Class {
     Bottomed,
     /// Could not be computed.
     Failure,
-    /// Still moved at the time limit: neither stable nor toppled.
+    /// Still moved at the time limit, or slides without end: neither stable nor toppled.
     Undecided,
 }
 
@@ -64,8 +68,8 @@ impl Outcome {
     /// The class of this outcome.
     pub fn class(&self) -> Class {
         match self {
-            Self::StableRockback | Self::StableSubsided => Class::Stable,
-            Self::TimeExpired => Class::Undecided,
+            Self::StableRockback | Self::StableSubsided | Self::StableSteady => Class::Stable,
+            Self::TimeExpired | Self::Sliding => Class::Undecided,
             Self::UnstablePitch | Self::UnstableYaw => Class::Unstable,
             Self::Bottomed { .. } => Class::Bottomed,
             Self::Failure(_) => Class::Failure,
@@ -83,6 +87,8 @@ impl fmt::Display for Outcome {
             Self::Bottomed { leg } => write!(f, "bottomed-leg-{}", leg + 1),
             Self::TimeExpired => f.write_str("time-expired"),
             Self::Failure(_) => f.write_str("failure"),
+            Self::Sliding => f.write_str("sliding"),
+            Self::StableSteady => f.write_str("stable-steady"),
         }
     }
 }

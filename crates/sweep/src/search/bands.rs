@@ -8,12 +8,10 @@ pub use crate::boundary::Band;
 use crate::join_all::join_all;
 
 use crate::boundary::Boundary;
+use touchdown_dynamics::outcome::Outcome;
+
 use crate::certainty::{Certainty, Variation};
-use crate::hidden;
-use crate::hidden_band_checks::HiddenBandChecks;
-use crate::loose_scan::Scanned;
 use crate::search_range::{Extent, Search};
-use crate::skipped::Skipped;
 use crate::trial::{Sample, Trial};
 
 impl Search {
@@ -42,55 +40,12 @@ impl Search {
         &self,
         land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let Scanned {
-            mut samples,
-            spent,
-            loose,
-        } = self.confirmed_scan(false, &land).await?;
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::Unchanged)).await;
-        let mut checks = HiddenBandChecks::default();
-        let mut skipped = Skipped {
-            left_out: self.left_out(false, &samples),
-            loose,
-            replaced: spent[0],
-            ..Skipped::default()
-        };
-
-        let mut found = Vec::new();
-        let suspects = hidden::suspects(&samples, self.scan_step);
-        let looked = suspects.iter().map(|suspect| {
-            let ends = [&samples[suspect.index], &samples[suspect.index + 1]];
-            hidden::look(ends, suspect.otherwise, &sample)
-        });
-        for (suspect, look) in suspects.iter().zip(join_all(looked).await?) {
-            let class = samples[suspect.index].class();
-            let has_found = look.iter().any(|s| s.class() != class);
-            checks.of(class, suspect.otherwise).count(has_found);
-            found.extend(look);
-        }
-        insert(&mut samples, found);
-
-        let mut between = Vec::new();
-        let mut spent = spent;
-        let narrowing = self.narrowing(true);
-        let pairs = samples.windows(2);
-        let narrowed = pairs.map(|pair| narrowing.between(&pair[0], &pair[1], &sample));
-        for mut narrowed in join_all(narrowed).await? {
-            between.append(&mut narrowed.samples);
-            checks.gaps += narrowed.checks;
-            skipped.interpolated += narrowed.interpolated;
-            spent = [spent[0] + narrowed.spent[0], spent[1] + narrowed.spent[1]];
-        }
-        insert(&mut samples, between);
-
+        let scan = self.narrowed_scan(false, &land).await?;
+        let samples = &scan.samples;
         let mut boundary = Boundary {
-            bands: bands(&samples),
-            checks,
-            skipped,
-            ..Boundary::of(&samples)
+            bands: bands(samples),
+            ..Boundary::of_scan(&scan)
         };
-        boundary.landings += spent[0];
-        boundary.evaluations += spent[1];
         let changes = || {
             let pairs = samples.windows(2).map(|pair| [&pair[0], &pair[1]]);
             pairs.filter(|[low, high]| low.class() != high.class())
@@ -112,11 +67,6 @@ impl Search {
     }
 }
 
-fn insert(samples: &mut Vec<Sample>, more: Vec<Sample>) {
-    samples.extend(more);
-    samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-}
-
 /// Runs of landings of the same class, from end to end.
 fn bands(samples: &[Sample]) -> Vec<Band> {
     let mut bands: Vec<Band> = Vec::new();
@@ -128,8 +78,11 @@ fn bands(samples: &[Sample]) -> Vec<Band> {
         let to = next.map_or(last.speed, |next| 0.5 * (last.speed + next.speed));
         let middle = 0.5 * (from + to);
         let distance = |sample: &&Sample| (sample.speed - middle).abs();
-        let nearest = run
+        // A landing that ended early does not tell how it would have come to rest.
+        let told = run
             .iter()
+            .filter(|sample| sample.trial.outcome != Outcome::StableSteady);
+        let nearest = told
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .unwrap_or(first);
         bands.push(Band {

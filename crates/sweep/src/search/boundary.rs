@@ -7,6 +7,7 @@ pub use crate::search_range::{Extent, Search};
 
 use crate::certainty::Certainty;
 use crate::hidden_band_checks::HiddenBandChecks;
+use crate::narrowed_scan::NarrowedScan;
 use crate::skipped::Skipped;
 use crate::trial::{Sample, first_unstable};
 
@@ -86,6 +87,18 @@ impl Boundary {
         self.tests += tested.landings;
         self.evaluations += tested.evaluations;
         self.skipped.untested += u64::from(tested.is_spared);
+    }
+
+    /// What a narrowed scan found and cost.
+    pub(crate) fn of_scan(scan: &NarrowedScan) -> Self {
+        let mut boundary = Self {
+            checks: scan.checks,
+            skipped: scan.skipped,
+            ..Self::of(&scan.samples)
+        };
+        boundary.landings += scan.spent[0];
+        boundary.evaluations += scan.spent[1];
+        boundary
     }
 
     /// What a search found that took these landings, in order: the first transition and the cost.

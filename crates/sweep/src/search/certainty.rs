@@ -58,19 +58,16 @@ pub enum Variation {
     Unchanged,
     /// The solver's tolerance times a factor.
     Tolerance(f64),
+    /// The solver's tolerance times a factor, for a scan: steady landings end early.
+    Scan(f64),
     /// A turn about the x axis of the ground, deg.
     Tilt(f64),
-    /// A change of the horizontal speed, ft/s.
-    Speed(f64),
 }
 
 /// All changes tested, the dearest last: what one tells the others need not.
-const VARIATIONS: [Variation; 6] = [
-    Variation::Tolerance(10.0),
+const VARIATIONS: [Variation; 3] = [
     Variation::Tilt(1e-6),
     Variation::Tilt(-1e-6),
-    Variation::Speed(1e-6),
-    Variation::Speed(-1e-6),
     Variation::Tolerance(0.1),
 ];
 
@@ -91,8 +88,11 @@ impl Variation {
         let conditions = match self {
             Self::Unchanged => conditions,
             Self::Tolerance(factor) => {
-                let tolerance = (settings.tolerance() * factor).clamp(TOLERANCES[0], TOLERANCES[1]);
-                settings = settings.with_tolerance(tolerance)?;
+                settings = at_tolerance(settings, factor)?;
+                conditions
+            }
+            Self::Scan(factor) => {
+                settings = at_tolerance(settings, factor)?.ending_early();
                 conditions
             }
             Self::Tilt(degrees) => {
@@ -106,13 +106,15 @@ impl Variation {
                     ..conditions
                 }
             }
-            Self::Speed(change) => Conditions {
-                horizontal_velocity: (conditions.horizontal_velocity + change).max(0.0),
-                ..conditions
-            },
         };
         Ok((Scene::new(conditions)?, settings))
     }
+}
+
+/// Settings with a factor on their tolerance.
+fn at_tolerance(settings: Settings, factor: f64) -> Result<Settings, Invalid> {
+    let [least, greatest] = TOLERANCES;
+    settings.with_tolerance((settings.tolerance() * factor).clamp(least, greatest))
 }
 
 /// Puts the change between two neighbouring landings to the test, if it is one that `doubt` means.

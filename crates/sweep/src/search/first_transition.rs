@@ -8,10 +8,7 @@ use std::cell::Cell;
 
 use crate::boundary::{Boundary, Tested};
 use crate::certainty::{self, Doubt, Variation};
-use crate::loose_scan::Scanned;
-use crate::refine::Narrowed;
 use crate::search_range::Search;
-use crate::skipped::Skipped;
 use crate::trial::{Sample, Trial, first_unstable};
 
 impl Search {
@@ -24,22 +21,10 @@ impl Search {
         &self,
         land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        let Scanned {
-            mut samples,
-            spent: replaced,
-            loose,
-        } = self.confirmed_scan(true, &land).await?;
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::Unchanged)).await;
-        let left_out = self.left_out(true, &samples);
-        let mut narrowed = Narrowed::default();
-        if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
-            let (low, high) = (&samples[index - 1], &samples[index]);
-            narrowed = self.narrowing(false).between(low, high, &sample).await?;
-            samples.append(&mut narrowed.samples);
-            samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-        }
-        let mut boundary = Boundary::of(&samples);
-        if let Some(index) = first_unstable(&samples).filter(|index| *index > 0) {
+        let scan = self.narrowed_scan(true, &land).await?;
+        let samples = &scan.samples;
+        let mut boundary = Boundary::of_scan(&scan);
+        if let Some(index) = first_unstable(samples).filter(|index| *index > 0) {
             let ends = [&samples[index - 1], &samples[index]];
             let tested = self.tested(ends, &land).await?;
             boundary.count(&tested);
@@ -47,16 +32,6 @@ impl Search {
                 found.certainty = tested.certainty;
             }
         }
-        boundary.checks.gaps = narrowed.checks;
-        boundary.skipped += Skipped {
-            left_out,
-            loose,
-            replaced: replaced[0],
-            interpolated: narrowed.interpolated,
-            untested: 0,
-        };
-        boundary.landings += narrowed.spent[0] + replaced[0];
-        boundary.evaluations += narrowed.spent[1] + replaced[1];
         Ok(boundary)
     }
 

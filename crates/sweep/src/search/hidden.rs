@@ -19,6 +19,8 @@ use crate::trial::Sample;
 
 /// How much steeper than around it the course of a margin may be inside an interval.
 const STEEPER: f64 = 2.0;
+/// Widest interval between landings of a scan that is looked into, in steps of the scan.
+const WIDEST: f64 = 4.5;
 /// Landings spent on one look: they narrow the place of the least margin to 1/29 of the interval.
 const LANDINGS: usize = 8;
 
@@ -31,15 +33,14 @@ pub(crate) struct Suspect {
     pub(crate) otherwise: Class,
 }
 
-/// Intervals between landings of a scan that may hide a band; there are none where the scan skipped
-/// steps.
+/// Intervals between landings of a scan that may hide a band; there are none where the scan passed over many steps.
 pub(crate) fn suspects(samples: &[Sample], scan_step: f64) -> Vec<Suspect> {
-    let is_step = |pair: &[Sample]| pair[1].speed - pair[0].speed < 1.5 * scan_step;
+    let are_near = |pair: &[Sample]| pair[1].speed - pair[0].speed < WIDEST * scan_step;
     let mut suspects = Vec::new();
     for (index, around) in samples.windows(4).enumerate() {
         let class = around[0].class();
         let is_alike = around.iter().all(|sample| sample.class() == class);
-        if !is_alike || !around.windows(2).all(is_step) {
+        if !is_alike || !around.windows(2).all(are_near) {
             continue;
         }
         let hides = |otherwise| {
@@ -149,7 +150,11 @@ mod tests {
             ..Trial::example(class, 1)
         };
         trial.margins.toppling = Some(least_angle * least_angle);
-        Sample { speed, trial }
+        Sample {
+            speed,
+            trial,
+            is_loose: false,
+        }
     }
 
     /// A landing that leaves so much stroke, or else bottoms a strut, and ends in `class` if it does not.
@@ -157,7 +162,11 @@ mod tests {
         let class = if stroke > 0.0 { class } else { Class::Bottomed };
         let mut trial = Trial::example(class, 1);
         trial.margins.bottoming = Some(stroke);
-        Sample { speed, trial }
+        Sample {
+            speed,
+            trial,
+            is_loose: false,
+        }
     }
 
     fn suspected(samples: impl Fn(f64) -> Sample) -> Vec<(usize, Class)> {

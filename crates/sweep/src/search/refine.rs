@@ -18,8 +18,7 @@
 //! transition at 14.311, and interpolation finds the one, halving the other. Halving therefore holds
 //! where nothing is said.
 //!
-//! Where margins jump or turn back an interval may hold more than one. It is halved after all then, so
-//! that both ways give the same, and looked at again in its wide gaps.
+//! Where margins jump or turn back an interval may hold more than one. Its wide gaps are looked at again then.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -59,25 +58,25 @@ pub(crate) struct Narrowing {
 pub(crate) struct Narrowed {
     /// Landings in between, in no order.
     pub(crate) samples: Vec<Sample>,
+    /// Ends of the interval that the change lies beside, where they were looser, at the solver's tolerance.
+    pub(crate) ends: Vec<Sample>,
+    /// Whether those ended alike at either tolerance.
+    pub(crate) holds: bool,
     /// Gaps between like landings that were looked into for another change.
     pub(crate) checks: CheckCounts,
-    /// Landings that are not among the samples, and evaluations in them.
-    pub(crate) spent: [u64; 2],
     /// Landings that halving takes more than interpolating did.
     pub(crate) interpolated: i64,
 }
 
 impl Narrowing {
-    /// Narrows down the change of class between two landings and any other that is met on the way.
+    /// Narrows down the change of class between two landings and any other that is met on the way. `sample` lands at the
+    /// solver's tolerance; the two landings may be looser.
     pub(crate) async fn between<Stop>(
         &self,
         low: &Sample,
         high: &Sample,
         sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
     ) -> Result<Narrowed, Stop> {
-        if low.class() == high.class() {
-            return Ok(Narrowed::default());
-        }
         let lattice = Lattice::new(low.speed, high.speed, self.tolerance);
         let mut nodes = Vec::new();
         let mut land = async |index| {
@@ -95,38 +94,30 @@ impl Narrowing {
         let ends = [node(0, low), node(lattice.parts(), high)];
         let [from, to] = ends.clone();
         self.narrow(from, to, &mut land).await?;
-        let mut narrowed = Narrowed::default();
+        let mut narrowed = Narrowed {
+            holds: true,
+            ..Narrowed::default()
+        };
         let is_regular = is_regular(&ends, &nodes);
         if self.refinement == Refinement::Margin {
-            let halvings = if is_regular { lattice.halvings() } else { 0 };
-            narrowed.interpolated = halvings as i64 - nodes.len() as i64;
+            narrowed.interpolated = lattice.halvings() as i64 - nodes.len() as i64;
         }
         if !is_regular {
-            if self.refinement == Refinement::Margin {
-                // The margins led astray, or to one of several changes: only halving counts.
-                let evaluations = nodes.iter().map(|node| node.sample.trial.evaluations);
-                narrowed.spent = [nodes.len() as u64, evaluations.sum()];
-                nodes.clear();
-                let halving = Self {
-                    refinement: Refinement::Bisection,
-                    ..*self
-                };
-                let [from, to] = ends.clone();
-                let mut land = async |index| {
-                    let node = Node {
-                        index,
-                        sample: sample(lattice.speed(index)).await?,
-                    };
-                    nodes.push(node.clone());
-                    Ok(node)
-                };
-                halving.narrow(from, to, &mut land).await?;
-            }
             let mut land = async |index| {
                 let sample = sample(lattice.speed(index)).await?;
                 Ok(Node { index, sample })
             };
             narrowed.checks = self.look_again(&ends, &mut nodes, &mut land).await?;
+        }
+        for end in &ends {
+            let is_beside = |node: &Node| node.index.abs_diff(end.index) == 1;
+            let differs = |node: &Node| node.class() != end.class();
+            let neighbours = nodes.iter().chain(&ends).filter(|node| is_beside(node));
+            if end.sample.is_loose && { neighbours }.any(differs) {
+                let again = sample(end.sample.speed).await?;
+                narrowed.holds &= again.class() == end.class();
+                narrowed.ends.push(again);
+            }
         }
         narrowed.samples = nodes.into_iter().map(|node| node.sample).collect();
         Ok(narrowed)
@@ -183,7 +174,7 @@ impl Narrowing {
         let mut outside: Option<Node> = None;
         while low.class() != high.class() && high.index - low.index > 1 {
             let aim = match self.refinement {
-                Refinement::Margin => aim(&low, &high, outside.as_ref()),
+                Refinement::Margin => aim_of(&low, &high, outside.as_ref()),
                 Refinement::Bisection => None,
             };
             landings += 1;
@@ -246,17 +237,21 @@ impl Node {
     }
 }
 
-/// Where the margin passes zero between two landings, counted in parts of the lattice: on the line
-/// through both, or on the parabola through a landing beyond them too where the margin is monotone.
-fn aim(low: &Node, high: &Node, outside: Option<&Node>) -> Option<f64> {
+/// Where the margin that tells of the change between two landings passes zero ([`aim`]).
+fn aim_of(low: &Node, high: &Node, outside: Option<&Node>) -> Option<f64> {
     let classes = [low.class(), high.class()];
     let point = |node: &Node| Some([node.index as f64, node.margin(classes)?]);
-    let [a, b] = [point(low)?, point(high)?];
+    aim(point(low)?, point(high)?, outside.and_then(point))
+}
+
+/// Where a margin passes zero between two landings, each given by its place on a lattice and its margin: on the line
+/// through both, or on the parabola through a landing beyond them too where the margin is monotone. `None` where it does
+/// not change its sign.
+pub(crate) fn aim(a: [f64; 2], b: [f64; 2], outside: Option<[f64; 2]>) -> Option<f64> {
     let changes_sign = (a[1] > 0.0) != (b[1] > 0.0);
     let line = || a[0] + (b[0] - a[0]) * a[1] / (a[1] - b[1]);
     changes_sign.then(|| {
         outside
-            .and_then(point)
             .and_then(|c| inverse(a, b, c))
             .filter(|place| (a[0]..b[0]).contains(place))
             .unwrap_or_else(line)
@@ -279,7 +274,7 @@ fn inverse(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<f64> {
 
 /// The place to land at next: next to the aim, on the side of the farther end, and so that neither
 /// part is wider than `widest`; the middle without an aim.
-fn place(aim: Option<f64>, low: u64, high: u64, widest: f64) -> u64 {
+pub(crate) fn place(aim: Option<f64>, low: u64, high: u64, widest: f64) -> u64 {
     let middle = low + (high - low) / 2;
     let Some(aim) = aim else {
         return middle;

@@ -16,14 +16,11 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     let land = async |speed| Ok::<_, Infallible>(sample(speed));
     let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
     let mut samples = narrowed.samples;
-    let landings = match narrowed.spent[0] {
-        0 => samples.len() - 2 * narrowed.checks.checks as usize,
-        spent => spent as usize,
-    };
-    let interpolated = match (refinement, narrowed.spent[0]) {
-        (Refinement::Bisection, _) => 0,
-        (Refinement::Margin, 0) => HALVINGS as i64 - landings as i64,
-        (Refinement::Margin, spent) => -(spent as i64),
+    assert!(narrowed.holds && narrowed.ends.is_empty());
+    let landings = samples.len() - 2 * narrowed.checks.checks as usize;
+    let interpolated = match refinement {
+        Refinement::Bisection => 0,
+        Refinement::Margin => HALVINGS as i64 - landings as i64,
     };
     assert_eq!(narrowed.interpolated, interpolated);
     samples.extend([low, high]);
@@ -104,4 +101,29 @@ fn an_irregular_interval_is_looked_at_again() {
             .filter(|pair| pair[0].class() != pair[1].class());
         assert!((changes.next().unwrap()[0].speed - 0.04).abs() < 0.001);
     }
+}
+
+/// Ends of a change that come from a scan are landed at again where the change lies beside them, and only there.
+#[test]
+fn ends_of_a_scan_are_landed_at_again_beside_a_change() {
+    let ends_at = |place: f64, loose_place: f64| {
+        let narrowing = Narrowing {
+            refinement: Refinement::Margin,
+            tolerance: 0.001,
+            to_all: true,
+        };
+        let [low, high] = [0.0, 0.25].map(|speed| Sample {
+            is_loose: true,
+            ..Sample::example(speed, loose_place - speed)
+        });
+        let land = async |speed| Ok::<_, Infallible>(Sample::example(speed, place - speed));
+        let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
+        let ends = narrowed.ends.iter().map(|end| end.speed);
+        (ends.collect::<Vec<_>>(), narrowed.holds)
+    };
+    assert_eq!(ends_at(0.1, 0.1), (vec![], true));
+    assert_eq!(ends_at(0.1, 0.2), (vec![], true));
+    assert_eq!(ends_at(0.0005, 0.1), (vec![0.0], true));
+    assert_eq!(ends_at(-0.1, 0.1), (vec![0.0], false));
+    assert_eq!(ends_at(0.3, 0.1), (vec![0.25], false));
 }

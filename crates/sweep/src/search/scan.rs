@@ -1,25 +1,16 @@
 //! The scan over the range of speeds that finds where outcomes change.
 //!
-//! A full scan lands at every step. A skipping scan lands at strides of several steps first and
-//! leaves out what lies between two landings that ended alike, when both were *quiet*: the one kind
-//! of landing that keeps away from another outcome. All else is halved down to the step, so that a
-//! change that either scan finds is found in the same step.
+//! A full scan lands at every step. A skipping scan lands at strides of several steps first. Between two landings that
+//! ended otherwise it lands where their margins say that the outcome changes, else in the middle, down to the step. What
+//! lies between two landings that ended alike is left out when both are quiet and far from ending otherwise:
 //!
-//! A landing is quiet
-//! * that ended before `SOON`: it settled or went over on its first feet. Narrow bands lie among
-//!   landings that bounce and rock for long;
-//! * or that stayed upright, σ above `UPRIGHT` throughout;
-//! * if, in either case, it did not fail, and its strut nearest to a stop had `CLEAR` of its stroke to
-//!   spare or would have needed as much more. Whether a strut just bottoms changes back and forth with the speed.
+//! * Both ended within `SOON`, or both stayed upright with σ above `UPRIGHT`. Narrow bands lie among landings that
+//!   bounce and rock for long.
+//! * Neither failed nor was undecided, and the strut nearest to a stop had `CLEAR` of its stroke to spare or would have
+//!   needed as much more: whether a strut just bottoms changes back and forth with the speed.
+//! * The mean of their margins against toppling is more than the steepest margin seen would lose over half their distance.
 //!
-//! This is a measured rule and no proof. Of all pairs of landings 0.5, 1, 2 and 4 ft/s apart that end
-//! alike and are clear of their stops, 2077 have another band between them, failures apart, on 4185 points (those of the
-//! figures, every fourth of the surface of Figure 4-20, every fifth of the trade, slopes of 5 to 25 deg, friction of 0.5 to 1.3, vertical
-//! velocities of 4 to 22 ft/s, both crush rules, and 1500 tipped, spinning vehicles of other mass, height,
-//! strength and damping). Of none did both ends stay above 0.741 rad, of none with the report's vehicle above 0.617. Of
-//! nine, at three of the 1500, both ended before 1.4 free-fall times, of none with the report's vehicle before 1.74. On all
-//! of the points the scan by 0.25 ft/s is reproduced but for three bands of failures between stable landings, with 0.46 of its
-//! landings and 0.69 of its evaluations (figures 0.53, level grid 0.52).
+//! This is a measured rule and no proof (`docs/notes/skips.md`).
 
 use std::cell::RefCell;
 
@@ -27,16 +18,19 @@ use futures::future::try_join;
 use touchdown_dynamics::outcome::Class;
 
 use crate::join_all::join_all;
+use crate::refine::{aim, place};
 pub use crate::search_range::Scan;
 
 use crate::search_range::Search;
-use crate::trial::Sample;
 use crate::trial::first_unstable;
+use crate::trial::{Sample, Trial};
 
 /// Free-fall times after which a landing has not ended soon.
-const SOON: f64 = 1.4;
+const SOON: f64 = 2.2;
 /// Least stability angle of an upright landing, rad.
-const UPRIGHT: f64 = 0.75;
+const UPRIGHT: f64 = 0.6;
+/// Change of a margin against toppling with the speed that is not expected to be exceeded, rad² per ft/s.
+const STEEPEST: f64 = 0.2;
 /// How far the struts of a quiet landing are from just meeting a stop, in units of the whole stroke.
 const CLEAR: f64 = 0.05;
 /// Widest stride, ft/s.
@@ -55,6 +49,7 @@ impl Search {
             land: async |index| sample(self.scan_speed(index)).await,
             to_first,
             stride: self.stride(),
+            step: self.scan_step,
             samples: RefCell::default(),
         };
         if to_first {
@@ -102,15 +97,22 @@ struct Walk<F> {
     to_first: bool,
     /// Steps from one landing to the next, before any between them is looked at.
     stride: u64,
+    /// Width of a step, ft/s.
+    step: f64,
     samples: RefCell<Vec<Sample>>,
+}
+
+/// Whether a landing ended for sure, its struts clear of their stops.
+fn is_clear(trial: &Trial) -> bool {
+    let is_decided = !matches!(trial.outcome.class(), Class::Failure | Class::Undecided);
+    is_decided && (trial.margins.bottoming).is_some_and(|margin| margin.abs() >= CLEAR)
 }
 
 /// A place of the scan that was landed at.
 struct Place {
     index: u64,
     class: Class,
-    is_soon: bool,
-    is_upright: bool,
+    trial: Trial,
 }
 
 impl<F, Stop> Walk<F>
@@ -119,18 +121,25 @@ where
 {
     async fn to(&self, index: u64) -> Result<Place, Stop> {
         let sample = (self.land)(index).await?;
-        let class = sample.class();
-        let trial = &sample.trial;
-        let margin = trial.margins.bottoming;
-        let is_clear = class != Class::Failure && margin.is_some_and(|m| m.abs() >= CLEAR);
         let place = Place {
             index,
-            class,
-            is_soon: is_clear && class != Class::Undecided && trial.duration < SOON,
-            is_upright: is_clear && trial.least_angle > UPRIGHT,
+            class: sample.class(),
+            trial: sample.trial.clone(),
         };
         self.samples.borrow_mut().push(sample);
         Ok(place)
+    }
+
+    /// Whether nothing between two landings that ended alike can be expected to end otherwise.
+    fn is_quiet(&self, low: &Place, high: &Place) -> bool {
+        let ends = [&low.trial, &high.trial];
+        let are = |quiet: fn(&Trial) -> bool| ends.iter().all(|trial| quiet(trial));
+        let half_width = 0.5 * (high.index - low.index) as f64 * self.step;
+        let margins = low.trial.margins.toppling.zip(high.trial.margins.toppling);
+        let mean = margins.map(|(a, b)| 0.5 * (a + b));
+        are(is_clear)
+            && (are(|trial| trial.duration < SOON) || are(|trial| trial.least_angle > UPRIGHT))
+            && mean.is_some_and(|mean| mean.abs() > STEEPEST * half_width)
     }
 
     /// Lands between two landings; whether the first change was all there was to find, and is found.
@@ -138,11 +147,10 @@ where
         if high.index - low.index == 1 {
             return Ok(self.to_first && high.class != Class::Stable);
         }
-        let are_quiet = (low.is_soon && high.is_soon) || (low.is_upright && high.is_upright);
-        if low.class == high.class && are_quiet {
+        if low.class == high.class && self.is_quiet(low, high) {
             return Ok(false);
         }
-        let middle = self.to(low.index + (high.index - low.index) / 2).await?;
+        let middle = self.to(next_place(low, high)).await?;
         let below = Box::pin(self.between(low, &middle));
         let above = Box::pin(self.between(&middle, high));
         if !self.to_first && high.index - low.index > self.stride / 4 {
@@ -152,6 +160,16 @@ where
         }
         Ok(below.await? || above.await?)
     }
+}
+
+/// Where to land between two places: where their margins say that the outcome changes, else in the middle.
+fn next_place(low: &Place, high: &Place) -> u64 {
+    let classes = [low.class, high.class];
+    let point = |place: &Place| Some([place.index as f64, place.trial.margin(classes)?]);
+    let aim = point(low)
+        .zip(point(high))
+        .and_then(|(a, b)| aim(a, b, None));
+    place(aim, low.index, high.index, f64::INFINITY)
 }
 
 #[cfg(test)]

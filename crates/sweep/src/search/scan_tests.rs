@@ -18,6 +18,13 @@ const SEARCH: Search = Search {
     doubt: Doubt::None,
 };
 
+fn landing(speed: f64, trial: Trial) -> Sample {
+    Sample {
+        trial,
+        ..Sample::example(speed, 1.0)
+    }
+}
+
 /// Scans landings that last so long and end in such a class at a speed; returns them.
 fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<Sample> {
     let sample = async |speed| {
@@ -27,7 +34,8 @@ fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -
             ..Trial::example(class, 1)
         };
         trial.margins.bottoming = Some(0.5);
-        Ok::<_, Infallible>(Sample { speed, trial })
+        trial.margins.toppling = Some(if class == Class::Stable { 0.9 } else { -0.9 });
+        Ok::<_, Infallible>(landing(speed, trial))
     };
     let Ok(samples) = block_on(search.scanned(to_first, &sample));
     samples
@@ -61,7 +69,7 @@ fn a_full_scan_takes_every_step_up_to_what_it_looks_for() {
 fn quiet_stretches_are_passed_over_and_changes_found_in_the_same_step() {
     let land = |v: f64| match v {
         v if v < 10.0 => (0.5, Class::Stable),
-        v if v < 11.4 => (2.0, Class::Stable),
+        v if v < 11.4 => (3.0, Class::Stable),
         v if v < 12.0 => (3.0, Class::Unstable),
         _ => (1.0, Class::Unstable),
     };
@@ -76,11 +84,29 @@ fn quiet_stretches_are_passed_over_and_changes_found_in_the_same_step() {
     assert_eq!(first.last(), Some(&12.0));
 }
 
+/// Margins that may fall to zero between two landings are followed, however soon those end.
+#[test]
+fn small_margins_are_not_passed_over() {
+    let count = |margin: f64| {
+        let sample = async |speed| {
+            let mut trial = Trial::example(Class::Stable, 1);
+            trial.duration = 0.5;
+            trial.margins.bottoming = Some(0.5);
+            trial.margins.toppling = Some(margin);
+            Ok::<_, Infallible>(landing(speed, trial))
+        };
+        let Ok(samples) = block_on(SEARCH.scanned(false, &sample));
+        samples.len()
+    };
+    // A margin of 0.2 rad² is passed over where landings are less than 2 ft/s apart.
+    assert_eq!([0.9, 0.21, 0.02].map(count), [8, 14, 101]);
+}
+
 #[test]
 fn long_landings_are_never_passed_over() {
-    assert_eq!(scan(SEARCH, false, |_| (2.0, Class::Stable)).len(), 101);
+    assert_eq!(scan(SEARCH, false, |_| (3.0, Class::Stable)).len(), 101);
     let odd = Search { to: 1.1, ..SEARCH };
-    assert_eq!(scan(odd, false, |_| (2.0, Class::Stable)).len(), 6);
+    assert_eq!(scan(odd, false, |_| (3.0, Class::Stable)).len(), 6);
     assert_eq!(scan(odd, false, |_| (1.0, Class::Stable)), [0.0, 1.1]);
 }
 
@@ -92,7 +118,8 @@ fn landings_next_to_a_stop_and_failures_are_never_passed_over() {
                 let mut trial = Trial::example(class, 1);
                 trial.duration = 0.5;
                 trial.margins.bottoming = Some(margin);
-                Ok::<_, Infallible>(Sample { speed, trial })
+                trial.margins.toppling = Some(0.9);
+                Ok::<_, Infallible>(landing(speed, trial))
             };
             let Ok(samples) = block_on(SEARCH.scanned(false, &sample));
             assert_eq!(samples.len(), count, "{class:?} at {margin}");
@@ -106,7 +133,7 @@ fn landings_next_to_a_stop_and_failures_are_never_passed_over() {
 fn what_is_left_out_is_what_a_full_scan_takes_more() {
     let land = |v: f64| match v {
         v if v < 8.0 => (0.5, Class::Stable),
-        v if v < 9.6 => (2.0, Class::Stable),
+        v if v < 9.6 => (3.0, Class::Stable),
         _ => (1.0, Class::Unstable),
     };
     for to in [25.0, 24.9, 10.0, 7.0] {

@@ -120,6 +120,8 @@ pub struct Sample {
     pub speed: f64,
     /// What it told.
     pub trial: Trial,
+    /// Whether it was computed for a scan, at a looser tolerance or with an early end.
+    pub(crate) is_loose: bool,
 }
 
 impl Sample {
@@ -129,7 +131,11 @@ impl Sample {
         landing: impl Future<Output = Result<Trial, Stop>>,
     ) -> Result<Self, Stop> {
         let trial = landing.await?;
-        Ok(Self { speed, trial })
+        Ok(Self {
+            speed,
+            trial,
+            is_loose: false,
+        })
     }
 
     /// The class of its outcome.
@@ -197,6 +203,10 @@ impl Sample {
             margins,
             ..Trial::example(class, 1)
         };
-        Self { speed, trial }
+        Self {
+            speed,
+            trial,
+            is_loose: false,
+        }
     }
 }

@@ -83,6 +83,7 @@ mod tests {
         match speed {
             speed if speed < 12.5 => Sample::example(speed, 0.3 * (11.4 - speed)),
             speed => Sample {
+                is_loose: false,
                 speed,
                 trial: Trial::example(Class::Bottomed, 1),
             },

@@ -137,6 +137,10 @@ fn why(outcome: &Outcome) -> String {
         Outcome::Bottomed { leg } => format!("strut {} reached its least length", leg + 1),
         Outcome::TimeExpired => "nothing of this before the time limit".to_owned(),
         Outcome::Failure(reason) => reason.to_string(),
+        Outcome::Sliding => {
+            "it slides steadily down a slope on which friction cannot stop it".to_owned()
+        }
+        Outcome::StableSteady => "it was steady and far from toppling".to_owned(),
     }
 }
 
