@@ -109,6 +109,29 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
     }
 }
 
+/// As `nohup` starts a program: what closes the terminal does not end it.
+#[test]
+fn a_closed_terminal_interrupts_unless_hangups_are_ignored() {
+    for (trap, code) in [("", 130), ("trap '' HUP;", 0)] {
+        let bench = bench();
+        let program = env!("CARGO_BIN_EXE_touchdown");
+        let mut sweep = Command::new("sh")
+            .args([
+                "-c",
+                &format!("{trap} exec {program} sweep sweep.toml --threads 1"),
+            ])
+            .current_dir(bench.path("."))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        wait_for_points(&bench, JOURNAL, &mut sweep);
+        signal(&sweep, "-HUP");
+        let done = Done::from(sweep.wait_with_output().unwrap());
+        assert_eq!(done.code, Some(code), "{trap:?}: {}", done.err);
+    }
+}
+
 /// How many points are in the journal, whole; `None` when it is gone.
 fn journaled_points(bench: &Bench) -> Option<usize> {
     let journal = bench.path(JOURNAL);
