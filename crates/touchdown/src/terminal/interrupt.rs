@@ -40,6 +40,17 @@ pub fn flag() -> Result<Arc<AtomicBool>, Failure> {
     Ok(cancel)
 }
 
+/// Makes a write beyond the limit of a file's size (`ulimit -f`) an error like that of a full disk, instead of a signal
+/// that ends the program in the middle of it.
+pub fn report_file_limits() {
+    #[cfg(unix)]
+    {
+        let unread = Arc::new(AtomicBool::new(false));
+        // Should this fail, the signal ends the program as it would have without.
+        let _ = register(signal_hook::consts::SIGXFSZ, unread);
+    }
+}
+
 /// Signals that interrupt. `nohup` ignores the one of a terminal that is closed, and so does the program then.
 fn signals() -> Vec<i32> {
     let mut signals = vec![SIGINT, SIGTERM];
