@@ -65,7 +65,8 @@ impl From<WriteError> for TablesError {
 }
 
 impl Tables {
-    /// Writes the tables of a sweep beside their places in `folder`, points in grid order.
+    /// Writes the tables of a sweep beside their places in `folder`, points in grid order; of a sweep in part, those that
+    /// have a result.
     ///
     /// # Errors
     /// When a result is missing or something cannot be read or written.
@@ -99,6 +100,9 @@ impl Tables {
         let mut counts = SweepCounts::of(sweep);
         for point in 0..sweep.design.count() {
             let bytes = results.result(point)?;
+            if bytes.is_none() && sweep.part.is_some() {
+                continue;
+            }
             let finding = bytes.as_deref().and_then(Finding::decode);
             let finding = finding.ok_or(TablesError::Point(point))?;
             points.add(&results::row(sweep, point, &finding))?;

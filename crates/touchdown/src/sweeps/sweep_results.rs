@@ -10,6 +10,7 @@ use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::results::{self, Circumstances};
+use touchdown_sweep::sweep::partial;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::{Job, Sweep};
 use touchdown_sweep::tables::Tables;
@@ -90,6 +91,7 @@ fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), Fa
     let tables = TABLES.iter().flat_map(|(end, _)| {
         [".csv", ".parquet"].map(|form| folder.path(&format!("{stem}{end}{form}")))
     });
+    let tables = tables.chain([folder.path(&format!("{stem}.json"))]);
     let pictures = PICTURES
         .iter()
         .flat_map(|end| [".svg", ".png"].map(|form| folder.path(&format!("{stem}{end}{form}"))));
@@ -128,6 +130,9 @@ pub fn write(
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
     remove_stale(&sweep.stem(), folder, &places)?;
+    if sweep.part.is_none() {
+        remove_stale(&partial(&sweep.stem()), folder, &places)?;
+    }
     Ok(Written {
         counts: tables.counts,
         circumstances,
@@ -173,7 +178,34 @@ fn pictures(
         Some(bands) => bands.text(LONGEST_DRAWN)?,
         None => None,
     };
+    let points = drawable(sweep, points);
+    if points.lines().nth(1).is_none() {
+        return Ok(Vec::new());
+    }
+    let bands = bands.filter(|_| sweep.part.is_none() || sweep.axes.len() == 1);
     let pictures =
         picture::draw(&points, bands.as_deref(), Some(record)).map_err(Failure::running)?;
     plot::both(&sweep.stem(), &pictures)
+}
+
+/// The part of a table of points that pictures can show: of a sweep in part over two axes, the values of the first axis
+/// at which all points are there.
+fn drawable(sweep: &Sweep, points: String) -> String {
+    let Design::Grid(grid) = &sweep.design else {
+        return points;
+    };
+    let [_, fast] = grid.dimensions() else {
+        return points;
+    };
+    if sweep.part.is_none() {
+        return points;
+    }
+    let whole = grid.axes()[fast[0]].count();
+    let slow = |row: &str| row.split(',').next().map(str::to_owned);
+    let rows: Vec<&str> = points.lines().collect();
+    let is_whole = |group: &&[&str]| group.len() == whole;
+    let (heading, rows) = rows.split_at(1.min(rows.len()));
+    let groups = rows.chunk_by(|a, b| slow(a) == slow(b)).filter(is_whole);
+    let drawn = heading.iter().chain(groups.flatten());
+    drawn.map(|row| format!("{row}\n")).collect()
 }

@@ -6,6 +6,7 @@ mod bad_landings;
 mod bad_sweeps;
 mod committed_results;
 mod document_examples;
+mod dry_runs;
 mod full_disk;
 mod interruptions;
 mod nothing_silent;
