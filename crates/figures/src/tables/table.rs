@@ -103,7 +103,7 @@ impl<'t> Row<'t> {
     fn number_within(&self, column: usize, least: f64, most: f64) -> Result<f64, FigureError> {
         match self.text(column).parse::<f64>() {
             Ok(number) if (least..=most).contains(&number) => Ok(number),
-            _ => Err(self.error(column, &format!("a number from {least:e} to {most:e}"))),
+            _ => Err(self.error(column, &format!("a number from {least} to {most}"))),
         }
     }
 
