@@ -39,8 +39,8 @@ use journal::early_stop;
 pub use journal::{header, merge, point_set, shard};
 use output::parquet_table;
 pub use output::{bands_table, cases, history, input_keys, results, sensitivity_table, tables};
+pub use points::{assignment, design, distribution, grid, levels, parameter, sample};
 use points::{axis_input, sample_input, sensitivity_input};
-pub use points::{design, distribution, grid, levels, parameter, sample};
 pub use search::{
     bands, boundary, certainty, first_transition, hidden, hidden_band_checks, lattice, refine,
     scan, search_range, skipped, trial,

@@ -1,5 +1,6 @@
 //! The points of a sweep: what varies, over which values, in which order.
 
+pub mod assignment;
 pub(crate) mod axis_input;
 pub mod design;
 pub mod distribution;

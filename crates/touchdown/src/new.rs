@@ -78,7 +78,7 @@ fn naming(template: &str, vehicle: &str) -> String {
 fn write(file: &Path, text: &str) -> Result<(), Failure> {
     let mut new = File::create_new(file).map_err(|error| {
         let complaint = match error.kind() {
-            ErrorKind::AlreadyExists => "exists already: allowed is the name of a new file".into(),
+            ErrorKind::AlreadyExists => "exists already: expected the name of a new file".into(),
             _ => format!("cannot be written: {error}"),
         };
         InputError::other(complaint).at(Place::file(file))

@@ -39,7 +39,7 @@ pub fn manual(options: &Manual, mut program: Command) -> Result<(), Failure> {
             let names = program.get_subcommands().map(Command::get_name);
             let names = names.collect::<Vec<_>>().join(", ");
             found.ok_or_else(|| {
-                InputError::other(format!("there is no command {name}: allowed are {names}"))
+                InputError::other(format!("there is no command {name}: expected {names}"))
             })?
         }
     };

@@ -94,6 +94,6 @@ impl<'t> Row<'t> {
     pub fn complain(&self, column: usize, allowed: &str) -> FigureError {
         let (name, value) = (&self.heading[column], self.text(column));
         let row = self.number;
-        FigureError::Table(format!("row {row}: {name} = {value}: allowed is {allowed}"))
+        FigureError::Table(format!("row {row}: {name} = {value}: expected {allowed}"))
     }
 }

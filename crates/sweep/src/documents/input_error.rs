@@ -61,12 +61,12 @@ pub struct InputError {
 impl InputError {
     /// `key` has a `value` that is not what is `allowed`.
     pub fn value(key: &str, value: impl fmt::Display, allowed: &str) -> Self {
-        Self::other(format!("{key} = {value}: allowed is {allowed}"))
+        Self::other(format!("{key} = {value}: expected {allowed}"))
     }
 
     /// `key` is not there.
     pub fn missing(key: &str, allowed: &str) -> Self {
-        Self::other(format!("{key} is missing: required is {allowed}"))
+        Self::other(format!("{key} is missing: expected {allowed}"))
     }
 
     /// `key` is not one of the `known` keys; names the nearest of them.
@@ -78,7 +78,7 @@ impl InputError {
         };
         let known = known.join(", ");
         Self::other(format!(
-            "{key} = {value}: unknown key; {guess}allowed here: {known}"
+            "{key} = {value}: unknown key; {guess}known keys: {known}"
         ))
     }
 
@@ -138,7 +138,7 @@ mod tests {
         let error = InputError::value("friction", -1, "a finite number ≥ 0").at(place);
         assert_eq!(
             error.to_string(),
-            "a.csv:4: row 3: friction = -1: allowed is a finite number ≥ 0"
+            "a.csv:4: row 3: friction = -1: expected a finite number ≥ 0"
         );
     }
 

@@ -157,7 +157,7 @@ impl VehicleFile {
         if legs.len() != LEGS {
             return Err(match root.optional("legs") {
                 Some(found) => found.complain_that(&format!(
-                    "{} legs are described: allowed is {allowed}",
+                    "{} legs are described: expected {allowed}",
                     legs.len()
                 )),
                 None => root.missing("legs", &allowed),
@@ -281,7 +281,7 @@ fn profile(section: &Section, key: &str, columns: [&str; 3]) -> Result<Profile, 
     let list = table.value(ordinates, "a list of numbers")?;
     if x.len() != y.len() {
         return Err(list.complain_that(&format!(
-            "{} numbers: allowed is as many as {abscissas}, {}",
+            "{} numbers: expected as many as {abscissas}, {}",
             y.len(),
             x.len()
         )));

@@ -43,7 +43,7 @@ pub(crate) fn entries<'d>(
             return Err(found.complain_that(&Parameter::unknown(&name, legs)));
         };
         if entries.iter().any(|other| other.parameter == parameter) {
-            return Err(found.complain_that("varies twice: allowed is one axis for each key"));
+            return Err(found.complain_that("varies twice: expected one axis for each key"));
         }
         entries.push(AxisEntry { parameter, found });
     }
@@ -108,7 +108,7 @@ impl AxisEntry<'_> {
             (Some(_), _) if form.optional("step").is_some() => {
                 return Err(self
                     .found
-                    .complain_that("step and count: allowed is either of the two"));
+                    .complain_that("step and count: expected only one of the two"));
             }
             (Some(count), false) => Levels::even(from, to, count),
             (Some(count), true) => Levels::logarithmic(from, to, count),
@@ -167,7 +167,7 @@ pub(crate) fn is_logarithmic(form: &Section) -> Result<bool, InputError> {
 pub(crate) fn only(form: &Section, usable: &[&str]) -> Result<(), InputError> {
     match form.all_values().find(|(key, _)| !usable.contains(key)) {
         Some((_, found)) => Err(found.complain_that(&format!(
-            "says nothing here: allowed beside each other are {}",
+            "says nothing here: the keys that go together are {}",
             usable.join(", ")
         ))),
         None => Ok(()),

@@ -4,6 +4,8 @@
 //! `vehicle.legs[2].strut.preload_lb`, `vehicle.footpad.profile.scale`, `solver.tolerance`. Keys of
 //! the scene go by their short names too, and are always called by them in results.
 
+use crate::document::Value;
+use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::method_input;
 use crate::scene_input::NAMES;
@@ -93,7 +95,7 @@ impl Parameter {
             names => format!("did you mean {}? ", names.join(" or ")),
         };
         format!(
-            "no such parameter; {guess}allowed are keys of the scene, and dotted keys of the vehicle, \
+            "no such parameter; {guess}expected keys of the scene, and dotted keys of the vehicle, \
              the search and the solver, such as vehicle.strut.compression_damping"
         )
     }
@@ -128,6 +130,21 @@ impl Parameter {
     /// The word that a coordinate stands for: coordinates count words from 0.
     pub fn word(&self, coordinate: f64) -> Option<&'static str> {
         self.words.get(coordinate as usize).copied()
+    }
+
+    /// The value that a text stands for.
+    ///
+    /// # Errors
+    /// When it is neither a finite number nor, of a parameter that has words, one of them.
+    pub(crate) fn value(&self, text: &str) -> Result<Value, InputError> {
+        match self.words {
+            [] => match text.parse::<f64>() {
+                Ok(number) if number.is_finite() => Ok(Value::Number(number)),
+                _ => Err(InputError::value(&self.name, text, "a finite number")),
+            },
+            words if words.contains(&text) => Ok(Value::Text(text.to_owned())),
+            words => Err(InputError::value(&self.name, text, &words.join(" or "))),
+        }
     }
 
     /// A coordinate as results write it: with as many digits as it takes to read the same number

@@ -82,7 +82,7 @@ pub(crate) fn sampled(
     }
     if groups.len() > spread.most_axes() {
         let most = spread.most_axes();
-        return Err(design.complain_that(&format!("allowed are at most {most} axes")));
+        return Err(design.complain_that(&format!("expected at most {most} axes")));
     }
     let sample = Sample::new(axes, spread, count, seed as u64);
     Ok(Some(Sampled { sample, enough }))
@@ -158,7 +158,7 @@ impl Reader<'_, '_> {
             .join(file.text()?);
         if !self.library.has(&path) {
             return Err(file.complain_that(&format!(
-                "there is no file {}: allowed is the path of a table, relative to this file",
+                "there is no file {}: expected the path of a table, relative to this file",
                 path.display()
             )));
         }
@@ -207,7 +207,7 @@ fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, I
         }
     }
     if values.is_empty() {
-        return Err(InputError::other("has no rows: required is at least one").at(place));
+        return Err(InputError::other("has no rows: expected at least one").at(place));
     }
     Ok(values)
 }

@@ -42,15 +42,15 @@ fn add(parameters: &mut Vec<Parameter>, name: &str, legs: usize) -> Result<(), S
         return Err(Parameter::unknown(name, legs));
     };
     if parameter.name() == HORIZONTAL_VELOCITY {
-        return Err("is what the search varies: allowed are other conditions".to_owned());
+        return Err("is what the search varies: expected other conditions".to_owned());
     }
     if parameter.home() == Home::Sweep {
-        let complaint = "is no property of the lander or the landing: allowed are keys of the scene \
+        let complaint = "is no property of the lander or the landing: expected keys of the scene \
                          and dotted keys of the vehicle";
         return Err(complaint.to_owned());
     }
     if parameters.contains(&parameter) {
-        return Err("is there twice: allowed is once".to_owned());
+        return Err("is there twice: expected once".to_owned());
     }
     parameters.push(parameter);
     Ok(())

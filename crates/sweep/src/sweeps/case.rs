@@ -48,7 +48,7 @@ pub enum CaseFault {
 impl fmt::Display for CaseFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Scene(fault) => write!(f, "{}: allowed is {}", fault.name, fault.allowed),
+            Self::Scene(fault) => write!(f, "{}: expected {}", fault.name, fault.allowed),
             Self::Input { error, .. } => error.fmt(f),
         }
     }
@@ -65,7 +65,7 @@ impl Sweep {
         let valueless = |parameter: &&Parameter| self.value(0, parameter).is_none();
         match self.sensitivity.iter().find(valueless) {
             Some(parameter) => refuse(format!(
-                "sensitivity to {}: it has no value here: allowed are numbers that the sweep or the \
+                "sensitivity to {}: it has no value here: expected numbers that the sweep or the \
                  vehicle file gives",
                 parameter.name()
             )),

@@ -164,7 +164,7 @@ fn unknown(name: &str, legs: usize) -> String {
         names => format!("did you mean {}? ", names.join(" or ")),
     };
     format!(
-        "no such key of a case; {guess}allowed are name, keys of the scene, a vehicle file, and \
+        "no such key of a case; {guess}expected name, keys of the scene, a vehicle file, and \
          dotted keys of the vehicle and the solver, such as vehicle.strut.compression_damping"
     )
 }

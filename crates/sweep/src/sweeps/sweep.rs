@@ -74,6 +74,8 @@ pub(crate) struct OverrideNames {
     pub(crate) vehicle: Option<PathBuf>,
     pub(crate) words: Vec<(String, String)>,
     #[serde(default)]
+    pub(crate) set: Vec<(String, String)>,
+    #[serde(default)]
     pub(crate) sensitivity: Vec<String>,
 }
 

@@ -117,7 +117,7 @@ pub(crate) fn named_vehicle(
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
     if !library.has(&file) {
         return Err(found.complain_that(&format!(
-            "there is no file {}: allowed is the path of a vehicle file, relative to this file",
+            "there is no file {}: expected the path of a vehicle file, relative to this file",
             file.display()
         )));
     }
@@ -161,7 +161,7 @@ fn check_names(
     }
     for (name, _) in scene.all_values() {
         if let Some(entry) = varied(name) {
-            let both = "also fixed in [scene]: allowed is either of the two";
+            let both = "also fixed in [scene]: expected only one of the two";
             return Err(entry.found.complain_that(both));
         }
     }
@@ -186,7 +186,7 @@ fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
         .collect::<Result<_, _>>()?;
     Grid::new(axes).map_err(|fault| match fault {
         GridFault::Uneven([first, other]) => entries[other].found.complain_that(&format!(
-            "moves together with {} but has not as many values: allowed is the same number of \
+            "moves together with {} but has not as many values: expected the same number of \
              values along one zip",
             entries[first].parameter.name()
         )),
@@ -237,7 +237,7 @@ pub(crate) fn locate_condition(
         .find(|entry| entry.parameter.name() == fault.name);
     match (entry, fault.value) {
         (Some(entry), Some(value)) => entry.found.complain_that(&format!(
-            "{value} is among them: allowed is {}",
+            "{value} is among them: expected {}",
             fault.allowed
         )),
         _ => scene.missing(fault.name, &fault.allowed),

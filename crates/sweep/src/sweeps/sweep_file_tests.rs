@@ -112,7 +112,7 @@ fn values_of_axes_are_checked_before_the_run() {
     for fragment in [
         "axes.vehicle.strut.preload_lb = [185, -5]",
         "at vehicle.strut.preload_lb = -5",
-        "surveyor-table-4-1.toml:26: strut.preload_lb = -5: allowed is",
+        "surveyor-table-4-1.toml:26: strut.preload_lb = -5: expected",
     ] {
         assert!(said.contains(fragment), "{fragment} is not in: {said}");
     }
@@ -175,10 +175,10 @@ fn wrong_samples_are_complained_about() {
         ("design = \"sobol\"\ncount = 2.5\nseed = 1", speed, "a whole number"),
         ("design = \"sobol\"\ncount = 2", speed, "sample.seed is missing"),
         (good, "horizontal_velocity_fps = [1, 2]", "in a sample"),
-        (good, "horizontal_velocity_fps = { mean = 1, sd = 0 }", "sd = 0: allowed is a number > 0"),
+        (good, "horizontal_velocity_fps = { mean = 1, sd = 0 }", "sd = 0: expected a number > 0"),
         (good, "horizontal_velocity_fps = { mean = 1, to = 0 }", "from is missing"),
         (good, "horizontal_velocity_fps = { file = \"x.csv\", column = \"v\" }", "there is no file"),
-        (good, "horizontal_velocity_fps = { mean = 0, sd = 1 }", "is among them: allowed is"),
+        (good, "horizontal_velocity_fps = { mean = 0, sd = 1 }", "is among them: expected"),
     ];
     for (sample, axis, fragment) in wrong {
         let text = outcome(
@@ -325,7 +325,7 @@ fn extent_and_statement_are_read_and_may_be_left_out() {
     assert!(
         complaint
             .to_string()
-            .contains("search.bands = \"some\": allowed is \"first\" or \"all\""),
+            .contains("search.bands = \"some\": expected \"first\" or \"all\""),
         "{complaint}"
     );
 }

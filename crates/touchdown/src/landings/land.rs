@@ -9,8 +9,10 @@ use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::parameter::Home;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -75,6 +77,10 @@ pub struct Options {
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE", required_unless_present = "scene")]
     vehicle: Option<PathBuf>,
+    /// Set one value of the vehicle or the touchdown by its dotted name, e.g. vehicle.strut.preload_lb=200; may be
+    /// repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse, conflicts_with = "scene")]
+    set: Vec<Assignment>,
     #[command(flatten)]
     touchdown: TouchdownOptions,
     #[command(flatten)]
@@ -133,7 +139,23 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let Some(vehicle_path) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());
     };
-    let vehicle = VehicleFile::read(vehicle_path)?;
+    assignment::check_once(&options.set)?;
+    let vehicle = assignment::set_vehicle(&VehicleFile::read(vehicle_path)?, &options.set)?;
+    for one in &options.set {
+        match one.parameter().home() {
+            Home::Vehicle => {}
+            Home::Scene if options.cases.is_none() => {}
+            Home::Scene => {
+                return Err(one
+                    .refuse("with --cases the table gives the touchdown")
+                    .into());
+            }
+            Home::Sweep => {
+                let complaint = "expected a key of the vehicle or the touchdown; options such as --tolerance set the solver";
+                return Err(one.refuse(complaint).into());
+            }
+        }
+    }
     let inputs: Vec<&Path> = (std::iter::once(vehicle_path).chain(&options.cases))
         .map(PathBuf::as_path)
         .collect();
@@ -161,7 +183,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 }
 
 fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> Result<(), Failure> {
-    let scene = options.touchdown.scene()?;
+    let conditions = options.touchdown.with(&options.set)?;
+    let scene = options.touchdown.scene(&conditions, &options.set)?;
     // No observations are needed without a history.
     let interval = match options.history {
         Some(_) => interval(options.interval, settings.time_limit())?,
@@ -184,14 +207,27 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
         let table = history.table().map_err(Failure::running)?;
         folder.write_files(&[(name, table)])?;
     }
-    let conditions = options.touchdown.named();
     print(&if options.json {
         format!(
             "{:#}\n",
-            report::json(vehicle, &conditions, settings, &landing, &integration)
+            report::json(
+                vehicle,
+                &options.set,
+                &conditions,
+                settings,
+                &landing,
+                &integration
+            )
         )
     } else {
-        report::text(vehicle, &conditions, settings, &landing, &integration)
+        report::text(
+            vehicle,
+            &options.set,
+            &conditions,
+            settings,
+            &landing,
+            &integration,
+        )
     })?;
     match &landing.outcome {
         Outcome::Failure(reason) => Err(Failure::running(format!(

@@ -5,8 +5,10 @@ use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::landing_table;
 use touchdown_sweep::method_input::{method_name, method_words};
+use touchdown_sweep::parameter::Home;
 use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -23,6 +25,7 @@ pub fn degrees(angle: f64, decimals: u8) -> String {
 /// A landing for a reader.
 pub fn text(
     vehicle: &VehicleFile,
+    set: &[Assignment],
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing,
@@ -35,7 +38,12 @@ pub fn text(
         .collect();
     let energies = &landing.energies;
     let work = |of: fn(&LegWork) -> f64| energies.legs.iter().map(of).sum::<f64>();
-    let mut lines = Lines(format!("{}\n{}\n\n", vehicle.name, wrapped(&given)));
+    let changes: String = (set.iter())
+        .filter(|one| one.parameter().home() == Home::Vehicle)
+        .map(|one| format!("with {} = {}\n", one.parameter().name(), one.text()))
+        .collect();
+    let name = &vehicle.name;
+    let mut lines = Lines(format!("{name}\n{changes}{}\n\n", wrapped(&given)));
     lines.add(
         "outcome",
         format!("{} at {:.6} s", landing.outcome, landing.end_time),
@@ -143,6 +151,7 @@ fn why(outcome: &Outcome) -> String {
 /// A landing for a program.
 pub fn json(
     vehicle: &VehicleFile,
+    set: &[Assignment],
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing,
@@ -170,6 +179,9 @@ pub fn json(
     json!({
         "program": { "name": "touchdown", "version": env!("CARGO_PKG_VERSION") },
         "vehicle_file": vehicle.document.path().display().to_string(),
+        "set": (set.iter())
+            .map(|one| (one.parameter().name().to_owned(), json!(one.text())))
+            .collect::<Map<String, Value>>(),
         "scene": scene,
         "solver": {
             "tolerance": settings.tolerance(),

@@ -1,9 +1,10 @@
-//! Options of `sweep` that hold instead of what sweep files say, for one study more than they tell.
+//! Options of `sweep` that replace what sweep files say.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::scene::CrushRule;
+use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::settings_input::crush_rule_name;
@@ -12,13 +13,16 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::solver_options::rule;
 
-/// What holds instead of the sweep files.
+/// What replaces the values of the sweep files.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Overrides of what the sweep files say")]
+#[command(next_help_heading = "Replacing values of the sweep files")]
 pub struct OverrideOptions {
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE")]
     vehicle: Option<PathBuf>,
+    /// Set one value by its dotted name, e.g. vehicle.strut.preload_lb=200 or slope_deg=10; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse)]
+    set: Vec<Assignment>,
     /// When an element may crush further: "pivot-rate" or "section"
     #[arg(long, value_name = "RULE", value_parser = rule)]
     crush_rule: Option<CrushRule>,
@@ -81,6 +85,7 @@ impl OverrideOptions {
         let given = |(key, word): (&str, Option<String>)| Some((key.to_owned(), word?));
         let overrides = Overrides {
             vehicle,
+            set: self.set.clone(),
             words: words.into_iter().filter_map(given).collect(),
             sensitivity: self.sensitivity.clone(),
         };

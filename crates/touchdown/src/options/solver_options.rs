@@ -47,11 +47,11 @@ pub struct SolverOptions {
 
 /// The crush rule of a name.
 pub fn rule(name: &str) -> Result<CrushRule, String> {
-    crush_rule(name).ok_or_else(|| "allowed is pivot-rate or section".to_owned())
+    crush_rule(name).ok_or_else(|| "expected pivot-rate or section".to_owned())
 }
 
 fn profile(name: &str) -> Result<FrictionProfile, String> {
-    friction_profile(name).ok_or_else(|| "allowed is A, B or C".to_owned())
+    friction_profile(name).ok_or_else(|| "expected A, B or C".to_owned())
 }
 
 impl SolverOptions {

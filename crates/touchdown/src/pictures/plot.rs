@@ -58,7 +58,7 @@ enum Form {
 /// Runs `plot`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let (Some(out), true) = (&options.out, options.tables.len() > 1) {
-        let complaint = "--out names one picture: allowed is one table with it";
+        let complaint = "--out names one picture: expected one table with it";
         return Err(InputError::other(complaint).at(Place::file(out)).into());
     }
     for table in &options.tables {
@@ -106,7 +106,7 @@ fn form_of(out: &Path) -> Result<Form, InputError> {
         Some("svg") => Ok(Form::Svg),
         Some("png") => Ok(Form::Png),
         _ => Err(InputError::other(
-            "is no name of a picture: allowed is one that ends in .svg or .png",
+            "is no name of a picture: expected one that ends in .svg or .png",
         )
         .at(Place::file(out))),
     }
@@ -140,7 +140,7 @@ fn draw(table: &Path, least_over: &[String]) -> Result<Vec<Picture>, InputError>
         .map_err(|error| refuse(error.to_string()))?;
     if pictures.is_empty() {
         return Err(refuse(
-            "has no picture: allowed are tables over one axis or a grid of two".to_owned(),
+            "has no picture: expected tables over one axis or a grid of two".to_owned(),
         ));
     }
     Ok(pictures)

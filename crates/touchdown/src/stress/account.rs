@@ -111,7 +111,7 @@ impl Account {
         match self.senseless {
             0 if failed <= most => None,
             0 => Some(format!(
-                "{failed} wild landings ended without a result, allowed are {most}"
+                "{failed} wild landings ended without a result; at most {most} may"
             )),
             count => Some(format!("{count} wild landings make no sense")),
         }

@@ -157,7 +157,7 @@ fn read(results: &Results) -> Result<Vec<Row>, InputError> {
     let refuse = |complaint: String| InputError::other(complaint).at(Place::file(&file));
     let text = std::fs::read_to_string(&file).map_err(|error| {
         refuse(format!(
-            "cannot be read: {error}; allowed is what `touchdown study scatter` writes"
+            "cannot be read: {error}; expected what `touchdown study scatter` writes"
         ))
     })?;
     let mut rows = Vec::new();

@@ -113,6 +113,6 @@ fn an_output_folder_that_cannot_be_written_is_refused() {
         .run(&["sweep", "sweep.toml", "--out", "file/results"])
         .refused(&[
             "file/results: output folder cannot be written",
-            "allowed is a folder in which files can be written",
+            "expected a folder in which files can be written",
         ]);
 }

@@ -180,6 +180,6 @@ fn inputs_beyond_any_lander_are_refused() {
             arguments.drain(place..place + 2);
         }
         arguments.push(option);
-        bench.run(&arguments).refused(&[name, "allowed is"]);
+        bench.run(&arguments).refused(&[name, "expected"]);
     }
 }

@@ -72,7 +72,7 @@ fn what_no_transition_can_depend_on_is_refused() {
     let ask = |names: &str| bench.run(&["sweep", "sweep.toml", "--sensitivity", names]);
     ask("frction").refused(&["--sensitivity frction", "did you mean friction?"]);
     ask("horizontal_velocity_fps").refused(&["is what the search varies"]);
-    ask("solver.crush_rule").refused(&["solver.crush_rule", "allowed are keys of the scene"]);
+    ask("solver.crush_rule").refused(&["solver.crush_rule", "expected keys of the scene"]);
     ask("friction,scene.friction").refused(&["scene.friction", "is there twice"]);
     ask("tip_deg").refused(&["sweep.toml", "tip_deg", "has no value here"]);
     let wrong = |right: &str, wrong: &str, fragments: &[&str]| {
