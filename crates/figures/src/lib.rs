@@ -11,7 +11,7 @@ mod tables;
 mod words;
 
 pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, work_precision};
-use charts::{shading, tornado_words};
+use charts::{distribution_chart, probability_chart, shading, tornado_words};
 use maps::{colour_bar, isolines, levels, view_point};
 pub use maps::{contour_map, leading_feet, map_view, perspective, surface};
 use page::{axis_range, ink, legend, mesh, sheet};

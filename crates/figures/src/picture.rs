@@ -5,11 +5,13 @@ use crate::boundary_profile;
 use crate::boundary_table::BoundaryTable;
 use crate::caption::Caption;
 use crate::contour_map;
+use crate::distribution_chart;
 use crate::figure_error::FigureError;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
 use crate::map_view::View;
 use crate::perspective;
+use crate::probability_chart;
 use crate::sensitivity_table::{self, SensitivityTable};
 use crate::surface::Surface;
 use crate::tornado_chart;
@@ -55,6 +57,18 @@ pub fn draw(
         return Ok(vec![Picture {
             suffix: "",
             svg: tornado_chart::draw(&SensitivityTable::parse(table)?, &caption)?,
+        }]);
+    }
+    if probability_chart::is_one(table) {
+        return Ok(vec![Picture {
+            suffix: "",
+            svg: probability_chart::draw(table, &caption)?,
+        }]);
+    }
+    if distribution_chart::is_one(table) {
+        return Ok(vec![Picture {
+            suffix: "",
+            svg: distribution_chart::draw(table, &caption)?,
         }]);
     }
     let table = BoundaryTable::parse(table)?;

@@ -5,6 +5,7 @@ pub(crate) mod axis_input;
 pub mod design;
 pub mod distribution;
 pub mod grid;
+pub(crate) mod joint_normal;
 pub mod levels;
 pub mod parameter;
 pub mod sample;

@@ -13,7 +13,15 @@ use crate::section::{Layer, Section};
 
 pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
 /// Keys of an axis that is sampled.
-const SAMPLED: [&str; 4] = ["mean", "sd", "file", "column"];
+const SAMPLED: [&str; 7] = [
+    "distribution",
+    "mean",
+    "sd",
+    "sigma",
+    "mode",
+    "file",
+    "column",
+];
 const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";
 const NEEDED: &str = "a table [axes] with at least one condition that varies";
 

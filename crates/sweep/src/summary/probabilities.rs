@@ -163,7 +163,7 @@ impl Probabilities {
             match &sweep.design {
                 Design::Grid(grid) => Bins::of_levels(&grid.axes()[index], written),
                 Design::Sample(sample) => {
-                    Bins::of_distribution(&sample.axes()[index].distribution, written)
+                    Bins::of_distribution(&sample.axes()[index].marginal(), written)
                 }
             }
         };
@@ -224,7 +224,11 @@ impl Bins {
         let outer = match *distribution {
             Distribution::Uniform { from, to }
             | Distribution::LogUniform { from, to }
-            | Distribution::Truncated { from, to, .. } => [written(from), written(to)],
+            | Distribution::Truncated { from, to, .. }
+            | Distribution::Triangular { from, to, .. } => [written(from), written(to)],
+            Distribution::Lognormal { .. } | Distribution::Rayleigh { .. } => {
+                [written(0.0), String::new()]
+            }
             Distribution::Normal { .. } | Distribution::Column(_) => [String::new(), String::new()],
         };
         Self::by_edges(edges.collect(), outer, written)

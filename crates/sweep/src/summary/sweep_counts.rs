@@ -4,6 +4,7 @@ use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Boundary, Transition};
 use crate::certainty::Certainty;
+use crate::design::Design;
 use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::landing_table::Cell;
@@ -11,6 +12,7 @@ use crate::probabilities::Probabilities;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::skipped::Skipped;
 use crate::sweep_file::{Job, Sweep};
+use crate::transition_statistics::TransitionStatistics;
 
 /// Counts over the points of a sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -46,6 +48,8 @@ pub struct SweepCounts {
     pub with_undecided: usize,
     /// Outcomes, where they are asked.
     pub probabilities: Option<Probabilities>,
+    /// Transition velocities, where points are sampled.
+    pub transitions: Option<TransitionStatistics>,
     kinds: [usize; 5],
 }
 
@@ -65,8 +69,18 @@ impl SweepCounts {
             Job::Boundary(_) => None,
             Job::Outcome { .. } => Some(Probabilities::none(sweep)),
         };
+        // Open ends can be sorted only where all points are searched over the same range.
+        let varies = (sweep.axes.iter())
+            .any(|axis| ["search.from_fps", "search.to_fps"].contains(&axis.name()));
+        let transitions = match (&sweep.job, &sweep.design) {
+            (Job::Boundary(search), Design::Sample(_)) if !varies => {
+                Some(TransitionStatistics::none(search))
+            }
+            _ => None,
+        };
         Self {
             probabilities,
+            transitions,
             ..Self::default()
         }
     }
@@ -113,6 +127,9 @@ impl SweepCounts {
         self.checks += boundary.checks;
         self.skipped += boundary.skipped;
         self.tests += boundary.tests;
+        if let Some(transitions) = &mut self.transitions {
+            transitions.add(boundary);
+        }
         let kind = boundary.transition.map(|transition| transition.to);
         if let Some(index) = KINDS.iter().position(|known| *known == kind) {
             self.kinds[index] += 1;

@@ -174,7 +174,7 @@ fn wrong_samples_are_complained_about() {
         ("design = \"sobol\"\ncount = 70000\nseed = 1", speed, "from 1 to 65536"),
         ("design = \"sobol\"\ncount = 2.5\nseed = 1", speed, "a whole number"),
         ("design = \"sobol\"\ncount = 2", speed, "sample.seed is missing"),
-        (good, "horizontal_velocity_fps = [1, 2]", "in a sample"),
+        (good, "horizontal_velocity_fps = [1, 2]", "a table such as"),
         (good, "horizontal_velocity_fps = { mean = 1, sd = 0 }", "sd = 0: expected a number > 0"),
         (good, "horizontal_velocity_fps = { mean = 1, to = 0 }", "from is missing"),
         (good, "horizontal_velocity_fps = { file = \"x.csv\", column = \"v\" }", "there is no file"),

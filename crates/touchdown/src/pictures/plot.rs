@@ -127,10 +127,13 @@ fn draw(table: &Path, least_over: &[String]) -> Result<Vec<Picture>, InputError>
         let name = format!("{}{ending}", stem(table));
         fs::read_to_string(table.with_file_name(name)).ok()
     };
-    // Tables of sensitivities have no record of their own.
-    let of_sweep = stem(table).strip_suffix("-sensitivity").map(str::to_owned);
-    let of_sweep = of_sweep
-        .and_then(|stem| fs::read_to_string(table.with_file_name(format!("{stem}.json"))).ok());
+    // Tables beside that of the points have no record of their own.
+    let of_sweep = ["-sensitivity", "-probabilities", "-distribution"]
+        .iter()
+        .find_map(|end| {
+            let stem = stem(table).strip_suffix(end)?.to_owned();
+            fs::read_to_string(table.with_file_name(format!("{stem}.json"))).ok()
+        });
     let record = beside(".json").or(of_sweep);
     let (text, bands) = match least_over {
         [] => (text, beside("-bands.csv")),

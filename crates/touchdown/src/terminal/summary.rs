@@ -12,6 +12,7 @@ use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::skipped::Skipped;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::transition_statistics::{Rank, TransitionStatistics};
 
 /// A table of cases in short.
 pub fn cases(
@@ -64,6 +65,9 @@ pub fn sweep(
     if let Some((point, transition)) = &counts.lowest {
         text += &lowest(transition, &sweep.place(*point));
     }
+    if let Some(transitions) = &counts.transitions {
+        text += &quantiles(transitions);
+    }
     text += &warnings(sweep, counts);
     let Circumstances {
         threads, wall_time, ..
@@ -99,6 +103,28 @@ fn lowest(transition: &Transition, place: &str) -> String {
         ),
         (Some(_), _) => format!("  lowest V_H {speed:.4} ft/s ({kind}) at {place}\n"),
     }
+}
+
+/// Some quantiles of the transition velocities of a sample, with their intervals.
+fn quantiles(transitions: &TransitionStatistics) -> String {
+    let in_words = |rank: Rank| match rank {
+        Rank::AtOrBelow(speed) => format!("{speed} or less"),
+        Rank::Speed(speed) => format!("{speed:.4}"),
+        Rank::Above(speed) => format!("more than {speed}"),
+    };
+    let quantiles = transitions.quantiles(&[0.05, 0.5, 0.95]);
+    let parts = quantiles.into_iter().map(|quantile| {
+        let interval = match quantile.interval.map(|end| end.map(in_words)) {
+            [Some(low), Some(high)] => format!("{low} to {high}"),
+            [Some(low), None] => format!("from {low}"),
+            [None, Some(high)] => format!("up to {high}"),
+            [None, None] => "unknown".to_owned(),
+        };
+        let (percent, speed) = (100.0 * quantile.share, in_words(quantile.speed));
+        format!("{percent} % {speed} (95 % interval {interval})")
+    });
+    let parts: Vec<String> = parts.collect();
+    format!("  V_H quantiles, ft/s: {}\n", parts.join(", "))
 }
 
 /// What numbers of a sweep do not tell by themselves: landings without a result, transitions that are no more than

@@ -77,7 +77,11 @@ fn commands(text: &str) -> Vec<Vec<String>> {
         let rest = line
             .strip_prefix("cargo run --release -- ")
             .or_else(|| line.strip_prefix("touchdown "))?;
-        Some(rest.split_whitespace().map(|word| word.trim_matches('"').to_owned()).collect())
+        Some(
+            rest.split_whitespace()
+                .map(|word| word.trim_matches('"').to_owned())
+                .collect(),
+        )
     };
     joined.lines().filter_map(of_program).collect()
 }

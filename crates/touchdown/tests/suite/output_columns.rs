@@ -50,6 +50,26 @@ count = 4
 seed = 1
 "#;
 
+/// A small sample of transitions.
+const DISPERSED: &str = r#"title = "Three transitions"
+vehicle = "vehicle.toml"
+[scene]
+vertical_velocity_fps = 14
+cross_slope_deg = 180
+slope_deg = 15
+[axes]
+friction = { from = 0.9, to = 1.1 }
+[sample]
+design = "sobol"
+count = 3
+seed = 1
+[search]
+from_fps = 10
+to_fps = 14
+scan_step_fps = 1
+tolerance_fps = 0.5
+"#;
+
 const CASES: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,\
                      friction,pitch_deg,yaw_deg,roll_deg\n1,14,3,180,15,1,0,0,0\n";
 
@@ -134,13 +154,23 @@ fn columns_of_sweeps_are_described() {
     let bench = Bench::new();
     fs::write(bench.path("two.toml"), BOUNDARY).unwrap();
     fs::write(bench.path("four.toml"), OUTCOME).unwrap();
-    bench.run(&["sweep", "two.toml", "four.toml", "--out", "out"]);
+    fs::write(bench.path("three.toml"), DISPERSED).unwrap();
+    bench.run(&[
+        "sweep",
+        "two.toml",
+        "four.toml",
+        "three.toml",
+        "--out",
+        "out",
+    ]);
     for (file, before, name) in [
         ("out/two.csv", 1, "transitions"),
         ("out/two-bands.csv", 1, "bands"),
         ("out/two-sensitivity.csv", 1, "sensitivities"),
         ("out/four.csv", 1, "landings"),
         ("out/four-probabilities.csv", 0, "probabilities"),
+        ("out/three-quantiles.csv", 0, "quantiles"),
+        ("out/three-distribution.csv", 0, "distribution"),
     ] {
         assert_eq!(
             bench.heading(file, before),
