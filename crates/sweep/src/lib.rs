@@ -48,5 +48,4 @@ pub use search::{
 use search::{join_all, loose_scan};
 pub use summary::{findings, landing_table, probabilities, sweep_counts, transition_statistics};
 pub use sweeps::{case, measured_scenes, overrides, scene_file, sweep, sweep_file};
-use threads::landing_queue;
 pub use threads::run;

@@ -21,7 +21,7 @@ impl Folder {
     /// Names the folder and what is in the way.
     pub fn open(path: &Path) -> Result<Self, InputError> {
         let refuse = |error: io::Error| {
-            let complaint = format!("{error}: expected a folder in which files can be written");
+            let complaint = format!("{error}: expected a writable folder");
             InputError::other(format!("output folder cannot be written: {complaint}"))
                 .at(Place::file(path))
         };

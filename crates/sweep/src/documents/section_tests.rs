@@ -68,7 +68,7 @@ fn unknown_missing_and_mistyped_keys_are_named() {
         .unwrap();
     assert_eq!(
         strut.text("damping_lb").unwrap_err().to_string(),
-        "v.toml:2: strut.damping_lb = 3: expected a text in quotes"
+        "v.toml:2: strut.damping_lb = 3: expected text in quotes"
     );
     assert_eq!(
         strut.number("preload_lb").unwrap_err().to_string(),

@@ -1,4 +1,4 @@
-//! Methods of integration by name, and what each of them may be told.
+//! Integration methods by name, with their numbers.
 
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, FixedInterval, Method};
@@ -33,7 +33,7 @@ pub(crate) const LIMITS: [&str; 7] = [
     "attitude_deg",
 ];
 
-/// Numbers that a method may be told.
+/// Numbers of a method.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct MethodNumbers {
     /// Relative tolerance per step: `located`.
@@ -50,7 +50,7 @@ pub struct MethodNumbers {
     pub limits: Option<ErrorLimits>,
 }
 
-/// The method of a name, one of [`METHODS`], as its numbers say.
+/// The method with a name, one of [`METHODS`], and numbers.
 ///
 /// # Errors
 /// Names the first number that is out of its range or of no use to the method.
@@ -108,7 +108,7 @@ pub fn method_name(method: &Method) -> &'static str {
     }
 }
 
-/// What a method goes by, in words.
+/// A method and its numbers as text.
 pub fn method_words(method: &Method, tolerance: f64) -> String {
     let name = method_name(method);
     match method {

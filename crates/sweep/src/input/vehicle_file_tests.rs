@@ -119,7 +119,7 @@ const WRONG: [(&str, &str, &[&str]); 12] = [
         "interference_in = [0, 0.1, 5.75]",
         &[
             "block.profile.relative_pressure",
-            "as many as interference_in, 3",
+            "as many as in interference_in, 3",
         ],
     ),
     (
@@ -135,7 +135,7 @@ const WRONG: [(&str, &str, &[&str]); 12] = [
     (
         "[[legs]]\nazimuth_deg = 240",
         "",
-        &["2 legs are described", "three tables [[legs]]"],
+        &["2 legs: expected", "three tables [[legs]]"],
     ),
     (
         "azimuth_deg = 240",

@@ -143,6 +143,8 @@ fn outcomes(counts: &SweepCounts) -> Value {
         "stable": count.stable(),
         "topple_probability_95": wilson(count.toppled, count.landings),
         "bottom_probability_95": wilson(count.bottomed, count.landings),
+        "undecided_probability_95": wilson(count.undecided, count.landings),
+        "failure_probability_95": wilson(count.failed, count.landings),
         "not_stable_probability_95": wilson(count.landings - count.stable(), count.landings),
     })
 }

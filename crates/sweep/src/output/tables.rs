@@ -18,7 +18,7 @@ use crate::{bands_table, probabilities, results};
 /// Tables that are written but not yet in their places.
 #[derive(Debug)]
 pub struct Tables {
-    /// What each point came to.
+    /// Results of the points.
     pub points: Draft,
     /// Bands, where all were searched.
     pub bands: Option<Draft>,
@@ -28,11 +28,11 @@ pub struct Tables {
     pub quantiles: Option<Draft>,
     /// See `quantiles`.
     pub distribution: Option<Draft>,
-    /// What transitions depend on, where that was asked.
+    /// Sensitivities, if there are any.
     pub sensitivity: Option<Draft>,
-    /// The same as Parquet files, where they were asked for.
+    /// The same tables as Parquet files, if requested.
     pub parquet: Vec<Draft>,
-    /// Their points in numbers.
+    /// Counts over the points.
     pub counts: SweepCounts,
 }
 
@@ -43,7 +43,7 @@ pub enum TablesError {
     Journal(JournalError),
     /// A table cannot be written.
     Deposit(WriteError),
-    /// A point is in no journal, or what it came to cannot be understood.
+    /// No journal has a readable result of this point.
     Point(usize),
 }
 

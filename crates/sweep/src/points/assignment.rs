@@ -28,7 +28,7 @@ impl Assignment {
         Self::new(name.trim(), value.trim())
     }
 
-    /// Sets the parameter `name` to what `text` says.
+    /// Sets the parameter `name` to the value in `text`.
     ///
     /// # Errors
     /// As [`Assignment::parse`].
@@ -93,7 +93,7 @@ pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
     }
 }
 
-/// The vehicle with what is set of it in place of what its file says.
+/// The vehicle with the set values in place of those of its file.
 ///
 /// # Errors
 /// When that is no vehicle.

@@ -59,7 +59,7 @@ impl Parameter {
         })
     }
 
-    /// Names most like a misspelt one, the most alike first.
+    /// Names most similar to a misspelt one, the most similar first.
     pub fn nearest(name: &str, legs: usize) -> Vec<String> {
         const SHOWN: usize = 3;
         const LEAST_LIKENESS: f64 = 0.75;
@@ -69,7 +69,7 @@ impl Parameter {
         let last = |name: &str| name.rsplit('.').next().unwrap_or(name).to_owned();
         let likeness = |known: &String| {
             let whole = strsim::jaro_winkler(name, known);
-            // A right key under a wrong table, or under none, is what was meant too.
+            // The right key in the wrong table, or in none, counts as similar.
             let key = strsim::jaro_winkler(&last(name), &last(known)) - 0.01;
             whole.max(key)
         };
@@ -88,15 +88,15 @@ impl Parameter {
         alike.into_iter().map(|(_, known)| known).collect()
     }
 
-    /// The complaint that no parameter has a name.
+    /// The message for an unknown name.
     pub(crate) fn unknown(name: &str, legs: usize) -> String {
         let guess = match Self::nearest(name, legs).as_slice() {
             [] => String::new(),
             names => format!("did you mean {}? ", names.join(" or ")),
         };
         format!(
-            "no such parameter; {guess}expected keys of the scene, and dotted keys of the vehicle, \
-             the search and the solver, such as vehicle.strut.compression_damping"
+            "unknown parameter; {guess}expected a key of the scene, or a dotted key of the vehicle, the \
+             search or the solver, such as vehicle.strut.compression_damping"
         )
     }
 
@@ -127,12 +127,12 @@ impl Parameter {
         self.words
     }
 
-    /// The word that a coordinate stands for: coordinates count words from 0.
+    /// The word of a coordinate, which is its index.
     pub fn word(&self, coordinate: f64) -> Option<&'static str> {
         self.words.get(coordinate as usize).copied()
     }
 
-    /// The value that a text stands for.
+    /// The value in a text.
     ///
     /// # Errors
     /// When it is neither a finite number nor, of a parameter that has words, one of them.

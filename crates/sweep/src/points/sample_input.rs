@@ -50,11 +50,11 @@ const AXIS: &str = "a table such as { from = …, to = … }, { mean = …, sd =
 /// Greatest seed that TOML and JSON keep exactly.
 const GREATEST_SEED: f64 = 9_007_199_254_740_992.0;
 
-/// What `[sample]` says.
+/// The content of `[sample]`.
 #[derive(Debug)]
 pub(crate) struct Sampled {
     pub(crate) sample: Sample,
-    /// Width of the intervals of probabilities at which enough is known.
+    /// Width of the intervals of probabilities at which the sweep stops.
     pub(crate) enough: Option<f64>,
 }
 
@@ -108,7 +108,7 @@ pub(crate) fn sampled(
     }
     if groups.len() > spread.most_axes() {
         let most = spread.most_axes();
-        return Err(design.complain_that(&format!("expected at most {most} axes")));
+        return Err(design.complain_that(&format!("expected at most {most} axes with this design")));
     }
     let axes = forms
         .into_iter()
@@ -124,7 +124,7 @@ pub(crate) fn sampled(
     Ok(Some(Sampled { sample, enough }))
 }
 
-/// An axis of a sample as its table says it.
+/// How an axis is given.
 enum AxisForm {
     Single(Distribution),
     /// One of several jointly normal axes.
@@ -186,7 +186,9 @@ impl Reader<'_, '_> {
             return Err(entry.found.complain(AXIS));
         };
         if !entry.parameter.words().is_empty() {
-            return Err(entry.found.complain_that("words cannot be sampled"));
+            return Err(entry
+                .found
+                .complain_that("a parameter with words cannot be sampled"));
         }
         if is_joint {
             only(&form, &["mean"])?;
@@ -300,7 +302,7 @@ fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, I
         }
     }
     if values.is_empty() {
-        return Err(InputError::other("has no rows: expected at least one").at(place));
+        return Err(InputError::other("has no rows: expected at least one row").at(place));
     }
     Ok(values)
 }

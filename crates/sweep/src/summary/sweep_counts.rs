@@ -1,4 +1,4 @@
-//! A sweep in numbers, added up point by point.
+//! Counts over the points of a sweep.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -23,17 +23,17 @@ pub struct SweepCounts {
     pub landings: u64,
     /// Evaluations of the equations of motion.
     pub evaluations: u64,
-    /// Bands found.
+    /// Bands.
     pub bands: usize,
-    /// Intervals looked into for hidden bands.
+    /// Checks for hidden bands.
     pub checks: HiddenBandChecks,
-    /// What skips left out.
+    /// Landings saved by shortcuts of the search.
     pub skipped: Skipped,
-    /// Landings that put transitions to the test.
+    /// Landings that tested transitions.
     pub tests: u64,
     /// Landings for sensitivities.
     pub sensitivity_landings: u64,
-    /// Sensitivities asked for, over all points, and how many of them are smooth.
+    /// Sensitivities computed at all points, and those of them with a derivative.
     pub slopes: [usize; 2],
     /// The lowest first transition, and its point.
     pub lowest: Option<(usize, Transition)>,
@@ -41,19 +41,19 @@ pub struct SweepCounts {
     pub at_or_below: usize,
     /// Points whose first transition is disputed.
     pub disputed: usize,
-    /// Points at which some landings could not be computed, or were undecided at the time limit, as far as
-    /// transitions and bands tell.
+    /// Points with a transition or a band of landings that could not be computed, or that were undecided at the time
+    /// limit.
     pub with_failures: usize,
     /// See `with_failures`.
     pub with_undecided: usize,
-    /// Outcomes, where they are asked.
+    /// Probabilities, of a sweep of single landings.
     pub probabilities: Option<Probabilities>,
     /// Transition velocities, where points are sampled.
     pub transitions: Option<TransitionStatistics>,
     kinds: [usize; 5],
 }
 
-/// First transitions that are told apart, in the order in which they are told.
+/// Kinds of first transitions, in the order in which they are listed.
 const KINDS: [Option<Class>; 5] = [
     Some(Class::Unstable),
     Some(Class::Bottomed),
@@ -86,9 +86,9 @@ impl SweepCounts {
     }
 
     /// Adds a point; points come in order.
-    pub fn add(&mut self, sweep: &Sweep, point: usize, found: &Finding) {
+    pub fn add(&mut self, sweep: &Sweep, point: usize, finding: &Finding) {
         self.points += 1;
-        match found {
+        match finding {
             Finding::Boundary(boundary) => self.add_boundary(point, boundary),
             Finding::Sensitive {
                 boundary,
@@ -107,7 +107,7 @@ impl SweepCounts {
         }
     }
 
-    /// Whether the points so far tell enough, so that those after them do not count.
+    /// Whether the points so far are enough, so that the rest is left out.
     pub fn is_enough(&self, sweep: &Sweep) -> bool {
         match (sweep.job, &self.probabilities) {
             (
@@ -154,13 +154,13 @@ impl SweepCounts {
         }
     }
 
-    fn add_sensitivity(&mut self, found: &Sensitivity) {
-        self.sensitivity_landings += found.landings;
-        self.landings += found.landings;
-        self.evaluations += found.evaluations;
+    fn add_sensitivity(&mut self, finding: &Sensitivity) {
+        self.sensitivity_landings += finding.landings;
+        self.landings += finding.landings;
+        self.evaluations += finding.evaluations;
         let is_smooth = |slope: &&Slope| matches!(slope.dependence, Dependence::Smooth { .. });
-        self.slopes[0] += found.slopes.len();
-        self.slopes[1] += found.slopes.iter().filter(is_smooth).count();
+        self.slopes[0] += finding.slopes.len();
+        self.slopes[1] += finding.slopes.iter().filter(is_smooth).count();
     }
 
     /// Number of points for each kind of first transition that occurs, `none` last.

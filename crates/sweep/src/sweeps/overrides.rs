@@ -23,7 +23,7 @@ pub struct Overrides {
     pub words: Vec<(String, String)>,
     /// Values of parameters that do not vary.
     pub set: Vec<Assignment>,
-    /// Parameters on which the transition's dependence is asked; the file's where there are none.
+    /// Parameters of sensitivities; those of the file if empty.
     pub sensitivity: Vec<String>,
 }
 
@@ -40,10 +40,10 @@ impl Sweep {
                 InputError::other(complaint).at(self.document.place())
             };
             if self.axes.iter().any(|axis| axis.name() == name) {
-                return Err(refuse("varies in this sweep"));
+                return Err(refuse("this parameter varies in the sweep"));
             }
             if name.starts_with("search.") && self.search().is_none() {
-                return Err(refuse("says nothing where job = \"outcome\""));
+                return Err(refuse("not used with job = \"outcome\""));
             }
             if let Some(path) = KeyPath::parse(name) {
                 self.document.write(&path, Value::Text(word.clone()));
@@ -94,7 +94,7 @@ impl Sweep {
                 return Err(one.refuse("the sweep searches the horizontal velocity"));
             }
             if !searches && name.starts_with("search.") {
-                return Err(one.refuse("the sweep has job = \"outcome\" and searches nothing"));
+                return Err(one.refuse("not used with job = \"outcome\""));
             }
             if one.parameter().home() == Home::Sweep {
                 self.document.write(one.path(), one.value());
@@ -145,7 +145,10 @@ mod tests {
         assert_eq!(settings.crush_rule(), CrushRule::Section);
         changed.axes[0] = crate::parameter::Parameter::named("solver.crush_rule", 3).unwrap();
         let complaint = changed.clone().with(&overrides).unwrap_err().to_string();
-        assert!(complaint.contains("varies in this sweep"), "{complaint}");
+        assert!(
+            complaint.contains("this parameter varies in the sweep"),
+            "{complaint}"
+        );
         overrides.words = vec![word("search.bands", "both")];
         let complaint = changed.with(&overrides).unwrap_err().to_string();
         assert!(complaint.contains("search.bands = \"both\""), "{complaint}");

@@ -13,7 +13,7 @@ use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
 use crate::settings_input::{crush_rule_name, friction_profile_name};
 use crate::sweep_file::{Job, Sweep};
 
-/// Longest axis whose values are told one by one.
+/// Longest axis whose values are listed one by one.
 const MOST_VALUES: usize = 1000;
 
 impl Sweep {

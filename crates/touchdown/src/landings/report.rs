@@ -1,4 +1,4 @@
-//! One landing, told to a reader or to a program.
+//! The report of one landing, as text and as JSON.
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Landing, LegWork};
@@ -14,6 +14,7 @@ use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
+use crate::summary::number;
 
 /// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
 pub fn degrees(angle: f64, decimals: u8) -> String {
@@ -22,7 +23,7 @@ pub fn degrees(angle: f64, decimals: u8) -> String {
     format!("{rounded:.*}", usize::from(decimals))
 }
 
-/// A landing for a reader.
+/// The report as text.
 pub fn text(
     vehicle: &VehicleFile,
     set: &[Assignment],
@@ -91,8 +92,10 @@ pub fn text(
     lines.add(
         "computation",
         format!(
-            "{} steps, {} events, {} derivative evaluations",
-            landing.steps, landing.events, landing.evaluations,
+            "{}, {}, {}",
+            number(landing.steps, "step"),
+            number(landing.events, "event"),
+            number(landing.evaluations, "derivative evaluation"),
         ),
     );
     lines.add(
@@ -138,17 +141,19 @@ fn wrapped(parts: &[String]) -> String {
 
 fn why(outcome: &Outcome) -> String {
     match outcome {
-        Outcome::StableRockback => "it rocked up and came back onto other feet".to_owned(),
-        Outcome::StableSubsided => "its motion subsided near the ground".to_owned(),
-        Outcome::UnstablePitch => "its CG passed outboard of the critical feet".to_owned(),
-        Outcome::UnstableYaw => "all feet came to one side of the plane of motion".to_owned(),
-        Outcome::Bottomed { leg } => format!("strut {} reached its least length", leg + 1),
-        Outcome::TimeExpired => "nothing of this before the time limit".to_owned(),
+        Outcome::StableRockback => "it tipped up, stopped and fell back".to_owned(),
+        Outcome::StableSubsided => "its motion died out near the ground".to_owned(),
+        Outcome::UnstablePitch => {
+            "its CG passed over the line through the critical feet".to_owned()
+        }
+        Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
+        Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
+        Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),
         Outcome::Failure(reason) => reason.to_string(),
     }
 }
 
-/// A landing for a program.
+/// The report as JSON.
 pub fn json(
     vehicle: &VehicleFile,
     set: &[Assignment],

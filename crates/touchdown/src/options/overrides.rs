@@ -23,20 +23,20 @@ pub struct OverrideOptions {
     /// Set one value by its dotted name, e.g. vehicle.strut.preload_lb=200 or slope_deg=10; may be repeated
     #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse)]
     set: Vec<Assignment>,
-    /// When an element may crush further: "pivot-rate" or "section"
+    /// Crush rule: "pivot-rate" or "section"
     #[arg(long, value_name = "RULE", value_parser = rule)]
     crush_rule: Option<CrushRule>,
-    /// Search up to the first transition, or all of them
+    /// Find the first transition, or every band of the range
     #[arg(long, value_name = "BANDS")]
     bands: Option<Bands>,
-    /// Scan every step, or skip those between quiet landings
+    /// Land at every step of the scan, or skip steps between quiet landings
     #[arg(long, value_name = "SCAN")]
     scan: Option<ScanName>,
-    /// Narrow brackets by interpolating margins, or by halving
+    /// Narrow brackets by interpolating margins or by halving
     #[arg(long, value_name = "HOW")]
     refinement: Option<RefinementName>,
-    /// Parameters by their dotted names (commas between them) on which the dependence of the first
-    /// transition is told: dV_H/dp at every point, and a tornado chart
+    /// Parameters, by their dotted names and separated by commas, for which dV_H/dp is computed at every
+    /// point; with a tornado chart
     #[arg(long, value_name = "PARAMETERS", value_delimiter = ',')]
     sensitivity: Vec<String>,
 }
@@ -55,7 +55,7 @@ enum Bands {
 enum ScanName {
     /// Every step
     Full,
-    /// Every step but between quiet landings
+    /// Without the steps between quiet landings
     Skipping,
 }
 

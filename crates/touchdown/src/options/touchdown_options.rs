@@ -31,13 +31,13 @@ pub struct TouchdownOptions {
     /// Pitch angle, about the horizontal axis across the slope [default: 0]
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     pitch: Option<f64>,
-    /// Yaw angle, about the vehicle's once turned y axis [default: 0]
+    /// Yaw angle, about the vehicle's y axis after pitch [default: 0]
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     yaw: Option<f64>,
     /// Roll angle, about the vehicle's centreline [default: 0]
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     roll: Option<f64>,
-    /// Angle between centreline and vertical; the tip form, instead of pitch, yaw and roll
+    /// Angle between centreline and vertical; replaces --pitch, --yaw and --roll
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     tip: Option<f64>,
     /// Azimuth of the axis about which the vehicle is tipped, with --tip

@@ -28,7 +28,7 @@ const MOST_DRAWN_AXES: usize = 2;
 pub enum Format {
     /// Comma-separated values
     Csv,
-    /// Parquet, beside the CSV files: with units and the whole input in the files' metadata
+    /// Parquet beside the CSV files, with units and the whole input in the metadata
     Parquet,
 }
 

@@ -51,7 +51,7 @@ fn landings_out_of_time_are_undecided_and_not_stable() {
     let told = ran(&bench, &["sweep", "sample.toml"]);
     assert!(told.contains("undecided 20: 100.00 %"), "{told}");
     assert!(
-        told.contains("not stable, all of these together 20: 100.00 %"),
+        told.contains("not stable (all of these) 20: 100.00 %"),
         "{told}"
     );
     assert!(told.contains("warning: 20 landings undecided"), "{told}");

@@ -216,6 +216,22 @@ fn columns_of_landings_are_described() {
     }
 }
 
+/// The page of the model says what each column of a history is.
+#[test]
+fn columns_of_histories_are_in_the_model() {
+    let model = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/model.md"));
+    let (_, history) = PAGE.split_once("<!-- columns: history -->").unwrap();
+    let rows = history
+        .lines()
+        .skip(3)
+        .take_while(|row| row.starts_with('|'));
+    let names: Vec<&str> = rows.map(|row| row.split('`').nth(1).unwrap()).collect();
+    assert!(names.len() > 30, "{names:?}");
+    for name in names {
+        assert!(model.contains(&format!("`{name}`")), "{name}");
+    }
+}
+
 #[test]
 fn units_are_those_that_columns_carry() {
     let rows = PAGE.lines().filter(|row| row.starts_with("| `"));

@@ -37,7 +37,11 @@ fn whole(threads: &str) -> [String; 2] {
     let bench = bench();
     let done = bench.run(&["sweep", "sweep.toml", "--threads", threads]);
     assert_eq!(done.code, Some(0), "{}", done.err);
-    assert!(done.out.contains("which are enough"), "{}", done.out);
+    assert!(
+        done.out.contains("enough for the interval width"),
+        "{}",
+        done.out
+    );
     assert!(done.out.contains("toppled"), "{}", done.out);
     RESULTS.map(|name| bench.read(name))
 }

@@ -16,7 +16,7 @@ fn new_files_are_valid_as_written_and_never_replace_another() {
         let written = bench.read(file);
         bench
             .run(&["new", kind, file])
-            .refused(&[file, "exists already"]);
+            .refused(&[file, "exists: expected"]);
         assert_eq!(bench.read(file), written);
     }
     let counted = bench.run(&["sweep", "trade.toml", "--out", "results", "--dry-run"]);
