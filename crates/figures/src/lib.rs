@@ -11,7 +11,7 @@ mod tables;
 mod words;
 
 pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, work_precision};
-use charts::{history_page, shading, tornado_words};
+use charts::{distribution_chart, history_page, probability_chart, shading, tornado_words};
 use maps::{colour_bar, isolines, map_legend, view_point};
 pub use maps::{contour_map, leading_feet, levels, map_view, perspective, surface};
 pub use page::legend;

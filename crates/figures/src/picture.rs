@@ -5,12 +5,14 @@ use crate::boundary_profile;
 use crate::boundary_table::{Axis, BoundaryTable};
 use crate::caption::Caption;
 use crate::contour_map;
+use crate::distribution_chart;
 use crate::figure_error::FigureError;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
 use crate::levels::Levels;
 use crate::map_view::View;
 use crate::perspective;
+use crate::probability_chart;
 use crate::sensitivity_table::{self, SensitivityTable};
 use crate::surface::Surface;
 use crate::tornado_chart;
@@ -93,6 +95,14 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
         choices.check("sensitivities", false, false)?;
         let table = SensitivityTable::parse(table)?;
         return tornado_chart::draw(&table, &caption).map(only);
+    }
+    if probability_chart::is_one(table) {
+        choices.check("probabilities", false, false)?;
+        return probability_chart::draw(table, &caption).map(only);
+    }
+    if distribution_chart::is_one(table) {
+        choices.check("a distribution", false, false)?;
+        return distribution_chart::draw(table, &caption).map(only);
     }
     choices.check("a sweep", true, false)?;
     let all: Vec<String> = (BoundaryTable::axes(table)?.into_iter())

@@ -1,4 +1,6 @@
 //! Landings and searches on all cores.
 
-pub(crate) mod landing_queue;
+mod landing_queue;
+mod point;
 pub mod run;
+mod run_error;

@@ -22,6 +22,10 @@ pub enum Mark {
     Jump,
     /// An open circle of this colour.
     Ring(Colour),
+    /// A disc of this colour.
+    Disc(Colour),
+    /// An interval: a thin vertical bar.
+    Interval,
     /// A line of this style.
     Line(Style),
     /// An area of this style.
@@ -72,6 +76,11 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
             canvas.curve(&ends, Style::stroke(palette::JUMP, palette::JUMP_WIDTH));
         }
         Mark::Ring(colour) => canvas.circle((x, y), side - 1.0, Style::stroke(colour, 1.5)),
+        Mark::Disc(colour) => canvas.circle((x, y), side - 1.0, Style::fill(colour)),
+        Mark::Interval => {
+            let ends = [(x, y - side - 2.0), (x, y + side + 2.0)];
+            canvas.curve(&ends, Style::stroke(palette::TEXT, 1.0));
+        }
         Mark::Line(style) => {
             canvas.curve(&[(x - LINE / 2.0, y), (x + LINE / 2.0, y)], style);
         }

@@ -59,7 +59,7 @@ fn a_scale_multiplies_the_ordinates_of_a_table_for_all_legs_or_one() {
     assert!(
         complaint
             .to_string()
-            .contains("footpad.profile.scale = 0: allowed is a number > 0")
+            .contains("footpad.profile.scale = 0: expected a number > 0")
     );
 }
 
@@ -119,7 +119,7 @@ const WRONG: [(&str, &str, &[&str]); 12] = [
         "interference_in = [0, 0.1, 5.75]",
         &[
             "block.profile.relative_pressure",
-            "as many as interference_in, 3",
+            "as many as in interference_in, 3",
         ],
     ),
     (
@@ -130,15 +130,12 @@ const WRONG: [(&str, &str, &[&str]); 12] = [
     (
         "relative_pressure = [0, 1, 1, 21]",
         "relative_pressure = [0, 1, 0.5, 21]",
-        &[
-            "block.profile (slope of segment 2, 1/ft)",
-            "allowed is 0 to",
-        ],
+        &["block.profile (slope of segment 2, 1/ft)", "expected 0 to"],
     ),
     (
         "[[legs]]\nazimuth_deg = 240",
         "",
-        &["2 legs are described", "three tables [[legs]]"],
+        &["2 legs: expected", "three tables [[legs]]"],
     ),
     (
         "azimuth_deg = 240",
@@ -165,7 +162,7 @@ fn too_short_a_table_is_refused() {
         .replace("[0, 0.1, 5.75, 7.75]", "[0]")
         .replace("[0, 1, 1, 21]", "[0]");
     let complaint = read(&text).unwrap_err().to_string();
-    assert!(complaint.contains("block.profile.interference_in = [0]: allowed is at least two"));
+    assert!(complaint.contains("block.profile.interference_in = [0]: expected at least two"));
 }
 
 /// The Surveyor with legs at these azimuths (deg), in this order.
@@ -196,12 +193,12 @@ fn vehicles_that_cannot_be_are_refused_where_they_say_so() {
     let said = |file: Result<VehicleFile, InputError>| file.unwrap_err().to_string();
     let twice = said(with_legs(["0", "120", "120"]));
     assert!(
-        twice.contains("legs[3].azimuth_deg = 120: allowed is 1 deg or more"),
+        twice.contains("legs[3].azimuth_deg = 120: expected 1 deg or more"),
         "{twice}"
     );
     let turned = said(with_legs(["0", "120", "-240"]));
     assert!(
-        turned.contains("legs[3].azimuth_deg = -240: allowed is 1 deg"),
+        turned.contains("legs[3].azimuth_deg = -240: expected 1 deg"),
         "{turned}"
     );
     let aside = said(with_legs(["0", "10", "20"]));

@@ -117,7 +117,7 @@ pub(crate) fn named_vehicle(
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
     if !library.has(&file) {
         return Err(found.complain_that(&format!(
-            "there is no file {}: allowed is the path of a vehicle file, relative to this file",
+            "there is no file {}: expected the path of a vehicle file, relative to this file",
             file.display()
         )));
     }
@@ -157,11 +157,11 @@ fn check_names(
             return Err(found.complain_that(SEARCHED));
         }
     } else if let Some(found) = root.optional("search") {
-        return Err(found.complain_that("says nothing where job = \"outcome\""));
+        return Err(found.complain_that("not used with job = \"outcome\""));
     }
     for (name, _) in scene.all_values() {
         if let Some(entry) = varied(name) {
-            let both = "also fixed in [scene]: allowed is either of the two";
+            let both = "also in [scene]: expected only one of the two";
             return Err(entry.found.complain_that(both));
         }
     }
@@ -169,9 +169,9 @@ fn check_names(
         .iter()
         .find(|entry| entry.parameter.name().starts_with("search."));
     match searched {
-        Some(entry) if asked == JobWord::Outcome => Err(entry
-            .found
-            .complain_that("says nothing where job = \"outcome\"")),
+        Some(entry) if asked == JobWord::Outcome => {
+            Err(entry.found.complain_that("not used with job = \"outcome\""))
+        }
         _ => Ok(()),
     }
 }
@@ -186,12 +186,14 @@ fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
         .collect::<Result<_, _>>()?;
     Grid::new(axes).map_err(|fault| match fault {
         GridFault::Uneven([first, other]) => entries[other].found.complain_that(&format!(
-            "moves together with {} but has not as many values: allowed is the same number of \
-             values along one zip",
+            "moves together with {} but has another number of values: expected the same number of \
+             values in one zip group",
             entries[first].parameter.name()
         )),
         GridFault::Empty | GridFault::Uncountable => match root.optional("axes") {
-            Some(found) => found.complain_that("the grid has more points than can be counted"),
+            Some(found) => {
+                found.complain_that("the grid has more points than can be counted: expected fewer")
+            }
             None => root.missing("axes", "a table [axes]"),
         },
     })
@@ -236,10 +238,9 @@ pub(crate) fn locate_condition(
         .iter()
         .find(|entry| entry.parameter.name() == fault.name);
     match (entry, fault.value) {
-        (Some(entry), Some(value)) => entry.found.complain_that(&format!(
-            "{value} is among them: allowed is {}",
-            fault.allowed
-        )),
+        (Some(entry), Some(value)) => entry
+            .found
+            .complain_that(&format!("includes {value}: expected {}", fault.allowed)),
         _ => scene.missing(fault.name, &fault.allowed),
     }
 }

@@ -1,14 +1,13 @@
-//! Landings on every core.
+//! Landings on all cores.
 //!
-//! Many points are searched at a time, and landings are shared out one by one, so that all cores, and the lanes of
-//! their registers, are busy to the end. What a point came to goes to the journal as soon as it is known, and
-//! nothing of it stays in memory. No landing knows of another, so that results do not depend on the threads.
+//! Many points are searched concurrently, and their landings are distributed one by one, so that all cores and all lanes
+//! are busy to the end. The result of a point goes to the journal at once and does not stay in memory. A landing does not
+//! depend on any other, so results do not depend on the number of threads.
 
 use std::cell::Cell;
-use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::task::{Poll, ready};
 
 use futures::executor::block_on;
@@ -16,85 +15,23 @@ use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
 use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::case::{Case, CaseFault};
-use crate::certainty::Variation;
+use super::landing_queue::{CloseOnDrop, LandingQueue};
+use super::point::{self, Stop};
+pub use super::run_error::{Observer, RunError};
 use crate::early_stop::EarlyStop;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
-use crate::landing_queue::{CloseOnDrop, LandingQueue};
-use crate::landing_table;
-use crate::scene_input::SceneFault;
-use crate::sensitivity;
 use crate::shard::Shard;
-use crate::sweep_file::{Job, Sweep};
-use crate::trial::{Scales, Trial};
+use crate::sweep_file::Sweep;
 
-/// Points that are searched at a time for each thread: as many as it has landings under way, should each ask for one at a
-/// time.
+/// Points searched concurrently for each thread: as many as the landings that it has under way, if each search requests one
+/// at a time.
 const SEARCHES: usize = 16;
 
-/// Threads that are allowed for each core, and however few cores there are: more only slow a run down.
+/// Threads allowed for each core, and on any machine. More only slow a run down.
 const THREADS_PER_CORE: usize = 4;
 const LEAST_THREAD_LIMIT: usize = 16;
-
-/// Whoever wants to know how far a run is. Called from all threads.
-pub trait Observer: Sync {
-    /// A point of the grid, by its number, is about to be computed, beside others.
-    fn begin(&self, _point: usize) {}
-    /// A landing has been computed.
-    fn landing(&self) {}
-    /// A point of the grid, or a case, by its number, is done.
-    fn point(&self, _point: usize) {}
-}
-
-/// Nobody.
-impl Observer for () {}
-
-/// Why a run has no result.
-#[derive(Debug)]
-pub enum RunError {
-    /// It was told to stop.
-    Cancelled,
-    /// A point of the grid has no valid input.
-    Point {
-        /// Its coordinates in words.
-        place: String,
-        /// What is wrong.
-        fault: CaseFault,
-    },
-    /// Results could not be kept.
-    Journal(JournalError),
-    /// More threads were asked for than a machine with so many cores is allowed.
-    TooManyThreads {
-        /// Threads asked for.
-        asked: usize,
-        /// The most that are allowed.
-        most: usize,
-    },
-    /// The threads could not be started.
-    Threads(rayon::ThreadPoolBuildError),
-}
-
-impl fmt::Display for RunError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Cancelled => f.write_str("cancelled"),
-            Self::Point { place, fault } => {
-                write!(f, "the point {place} has no valid input: {fault}")
-            }
-            Self::Journal(error) => error.fmt(f),
-            Self::TooManyThreads { asked, most } => write!(
-                f,
-                "threads = {asked}: allowed are 1 to {most} on this machine; results do not depend on them"
-            ),
-            Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
-        }
-    }
-}
-
-impl std::error::Error for RunError {}
 
 /// The threads that compute landings.
 #[derive(Debug)]
@@ -128,16 +65,16 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Does other work on these threads: what it does in parallel takes no others.
+    /// Runs other work on these threads, so that its parallel parts start no more.
     pub fn lend<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         self.pool.install(work)
     }
 
-    /// Finds what the sweep asks at every point of a shard that is not `done`, into the journal.
+    /// Computes every point of a shard that the journal does not have yet, into the journal.
     ///
     /// # Errors
-    /// When `cancel` became true, which is looked at before every landing, or a result cannot be
-    /// kept. What was journaled until then stays good.
+    /// When `cancel` becomes true, which is checked before every landing, or a result cannot be written. The journal keeps
+    /// what was written until then.
     pub fn sweep(
         &self,
         sweep: &Sweep,
@@ -146,60 +83,60 @@ impl Workers {
         observer: &impl Observer,
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
-        let mut known = EarlyStop::of(sweep, shard, opened).map_err(RunError::Journal)?;
+        let mut early_stop = EarlyStop::of(sweep, shard, opened).map_err(RunError::Journal)?;
         let Opened { journal, done, .. } = opened;
         let points = done.missing().map(|index| shard.point(index));
         let stop = Stop::on(cancel);
-        if known.is_enough {
+        if early_stop.is_enough {
             return Ok(());
         }
-        let search = async |point, landing_queue: &LandingQueue| {
+        let search = async |point, queue: &LandingQueue| {
             observer.begin(point);
-            let finding = find(sweep, point, landing_queue, observer, &stop).await?;
+            let finding = point::compute(sweep, point, queue, observer, &stop).await?;
             observer.point(point);
             Ok(finding)
         };
-        let found = self.search(points, &stop, search, |finished| {
+        let result = self.search(points, &stop, search, |finished| {
             if let Some((point, finding)) = finished {
                 journal.add(point, &finding.encode())?;
-                if known.is_enough_with(sweep, point, finding) {
+                if early_stop.is_enough_with(sweep, point, finding) {
                     stop.stop();
                 }
             }
             journal.tick()
         });
-        let found = match (known.is_enough, found) {
+        let result = match (early_stop.is_enough, result) {
             (true, Err(RunError::Cancelled)) if !cancel.load(Ordering::Relaxed) => Ok(()),
-            (_, found) => found,
+            (_, result) => result,
         };
-        // Also when the run was stopped, but not over the error that stopped it.
-        found.and(journal.finish().map_err(RunError::Journal))
+        // The journal is finished in any case; the first error counts.
+        result.and(journal.finish().map_err(RunError::Journal))
     }
 
-    /// Finds what the sweep asks at some points, in their order.
+    /// Computes some points, in their order.
     ///
     /// # Errors
     /// When the input of one of them is not valid.
     pub fn points(&self, sweep: &Sweep, points: &[usize]) -> Result<Vec<Finding>, RunError> {
         let never = AtomicBool::new(false);
         let stop = Stop::on(&never);
-        let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        let search = async |index: usize, landing_queue: &LandingQueue| {
-            find(sweep, points[index], landing_queue, &(), &stop).await
+        let mut findings: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
+        let search = async |index: usize, queue: &LandingQueue| {
+            point::compute(sweep, points[index], queue, &(), &stop).await
         };
         self.search(0..points.len(), &stop, search, |finished| {
-            found.extend(finished);
+            findings.extend(finished);
             Ok(())
         })?;
-        found.sort_by_key(|(index, _)| *index);
-        Ok(found.into_iter().map(|(_, finding)| finding).collect())
+        findings.sort_by_key(|(index, _)| *index);
+        Ok(findings.into_iter().map(|(_, finding)| finding).collect())
     }
 
-    /// Searches points with `search`, many at a time, and gives what each came to to `keep`; all threads land for
-    /// them. `keep` is also called every now and then when nothing is new.
+    /// Runs `search` for many points concurrently while all threads compute their landings, and passes each result to `keep`.
+    /// `keep` is also called without a result from time to time.
     ///
     /// # Errors
-    /// The first that a search or `keep` gave up with, or that the run was stopped.
+    /// The first error of a search or of `keep`, or that the run is to end.
     fn search<T>(
         &self,
         points: impl Iterator<Item = usize>,
@@ -207,17 +144,16 @@ impl Workers {
         search: impl AsyncFn(usize, &LandingQueue) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
-        let landing_queue = &LandingQueue::new(self.threads());
+        let queue = &LandingQueue::new(self.threads());
         self.pool.in_place_scope(|scope| {
-            scope.spawn_broadcast(move |_, _| landing_queue.land());
-            let _rest = CloseOnDrop(landing_queue);
+            scope.spawn_broadcast(move |_, _| queue.land());
+            let _close = CloseOnDrop(queue);
             let search = &search;
-            let searches =
-                points.map(|point| async move { (point, search(point, landing_queue).await) });
+            let searches = points.map(|point| async move { (point, search(point, queue).await) });
             let mut searches = stream::iter(searches).buffer_unordered(SEARCHES * self.threads());
             block_on(poll_fn(|context| {
-                // Whenever a search has got a landing.
-                stop.go_on()?;
+                // Polled whenever a search has received a landing.
+                stop.check()?;
                 keep(None).map_err(RunError::Journal)?;
                 while let Some((point, result)) = ready!(searches.poll_next_unpin(context)) {
                     keep(Some((point, result?))).map_err(RunError::Journal)?;
@@ -227,11 +163,10 @@ impl Workers {
         })
     }
 
-    /// Computes so many landings, each as `request` asks for by its index, which is also its key: several at a time on
-    /// each thread, side by side.
+    /// Computes `count` landings in batches on all threads. `request` gives each by its index, which is its key too.
     ///
     /// # Errors
-    /// When `cancel` became true; it is looked at before every landing.
+    /// When `cancel` becomes true, which is checked before every landing.
     pub fn cases(
         &self,
         count: usize,
@@ -240,17 +175,17 @@ impl Workers {
         cancel: &AtomicBool,
     ) -> Result<Vec<Landing>, RunError> {
         let stop = Stop::on(cancel);
-        let unasked = AtomicUsize::new(0);
-        let found = Mutex::new(vec![None; count]);
-        // No thread takes so many at once that another has none.
+        let next_key = AtomicUsize::new(0);
+        let landings = Mutex::new(vec![None; count]);
+        // A batch leaves an equal share to the other threads.
         let share = count.div_ceil(self.threads());
         self.pool.broadcast(|_| {
             let under_way = Cell::new(0);
             let mut next = || {
-                if under_way.get() == share || stop.go_on().is_err() {
+                if under_way.get() == share || stop.check().is_err() {
                     return None;
                 }
-                let key = unasked.fetch_add(1, Ordering::Relaxed);
+                let key = next_key.fetch_add(1, Ordering::Relaxed);
                 if key >= count {
                     return None;
                 }
@@ -261,107 +196,27 @@ impl Workers {
                 under_way.set(under_way.get() - 1);
                 observer.landing();
                 observer.point(key);
-                found.lock().unwrap_or_else(PoisonError::into_inner)[key] = Some(landing);
+                landings.lock().unwrap_or_else(PoisonError::into_inner)[key] = Some(landing);
             });
         });
-        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-        found
+        let landings = landings
+            .into_inner()
+            .unwrap_or_else(PoisonError::into_inner);
+        landings
             .into_iter()
             .collect::<Option<_>>()
             .ok_or(RunError::Cancelled)
     }
 }
 
-/// Whether to go on: not when the run was cancelled from outside or has come to an end within.
-struct Stop<'c> {
-    cancelled: &'c AtomicBool,
-    ended: AtomicBool,
-}
-
-impl<'c> Stop<'c> {
-    fn on(cancelled: &'c AtomicBool) -> Self {
-        let ended = AtomicBool::new(false);
-        Self { cancelled, ended }
-    }
-
-    fn stop(&self) {
-        self.ended.store(true, Ordering::Relaxed);
-    }
-
-    fn go_on(&self) -> Result<(), RunError> {
-        match self.cancelled.load(Ordering::Relaxed) || self.ended.load(Ordering::Relaxed) {
-            true => Err(RunError::Cancelled),
-            false => Ok(()),
-        }
-    }
-}
-
-/// What a sweep asks at a point.
-async fn find(
-    sweep: &Sweep,
-    point: usize,
-    landing_queue: &LandingQueue,
-    observer: &impl Observer,
-    stop: &Stop<'_>,
-) -> Result<Finding, RunError> {
-    let invalid = |fault| RunError::Point {
-        place: sweep.place(point),
-        fault,
-    };
-    let case = sweep.case(point).map_err(invalid)?;
-    let landed = async |vehicle: &Arc<Vehicle>, scene, settings| {
-        stop.go_on()?;
-        let vehicle = Arc::clone(vehicle);
-        let landing = landing_queue.landing(point, vehicle, scene, settings).await;
-        let landing = landing.ok_or(RunError::Cancelled)?;
-        observer.landing();
-        Ok(landing)
-    };
-    let Job::Boundary(search) = case.job else {
-        let landing = landed(&case.vehicle, case.scene, case.settings).await?;
-        let cells = landing_table::columns(&landing)
-            .into_iter()
-            .map(|(_, cell)| cell);
-        return Ok(Finding::Landing {
-            cells: cells.collect(),
-            outcome: landing.outcome,
-        });
-    };
-    let trial = async |case: &Case, speed, variation: Variation| {
-        let varied = case
-            .scene
-            .with_horizontal_velocity(speed)
-            .and_then(|faster| variation.of(&faster, &case.settings));
-        let (varied, settings) = varied.map_err(|fault| {
-            invalid(CaseFault::Scene(SceneFault {
-                name: crate::scene_input::HORIZONTAL_VELOCITY,
-                value: Some(fault.value),
-                allowed: fault.allowed,
-            }))
-        })?;
-        let landing = landed(&case.vehicle, varied, settings).await?;
-        Ok(Trial::of(landing, &Scales::of(&case.vehicle)))
-    };
-    let boundary = search
-        .boundary(async |speed, variation| trial(&case, speed, variation).await)
-        .await?;
-    if sweep.sensitivity.is_empty() {
-        return Ok(Finding::Boundary(boundary));
-    }
-    let searched = (&case, &search);
-    let sensitivity = sensitivity::of_point(sweep, point, searched, &boundary, &trial).await?;
-    Ok(Finding::Sensitive {
-        boundary,
-        sensitivity,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
+    use std::sync::Arc;
 
     use touchdown_dynamics::land::land;
     use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
+    use touchdown_dynamics::vehicle::Vehicle;
 
     use super::*;
     use crate::measured_scenes::near_boundary;
@@ -394,9 +249,9 @@ mod tests {
     }
 
     #[test]
-    fn cases_come_in_order_for_any_number_of_threads_and_stop_when_told() {
+    fn cases_come_in_order_for_any_number_of_threads_and_stop_when_cancelled() {
         let (vehicle, scenes, settings) = short_landings();
-        // More than all threads have under way.
+        // More than all threads have under way at once.
         let scenes = scenes.repeat(5);
         let expected: Vec<_> = (scenes.iter())
             .map(|scene| land(&vehicle, scene, &settings))
@@ -422,10 +277,10 @@ mod tests {
     }
 
     #[test]
-    fn searches_get_the_landings_that_they_ask_for_and_every_point_is_kept_once() {
+    fn searches_receive_the_landings_they_request_and_every_point_is_kept_once() {
         let (vehicle, scenes, settings) = short_landings();
         let land = |point: usize| land(&vehicle, &scenes[point % scenes.len()], &settings);
-        // As many landings as they may, and none too.
+        // Some searches request nothing.
         let landings = |point| (point..point + point % 5).collect::<Vec<usize>>();
         let expected: Vec<(usize, Vec<Landing>)> = (0..100)
             .map(|point| (point, landings(point).into_iter().map(land).collect()))
@@ -433,12 +288,11 @@ mod tests {
         let cancel = AtomicBool::new(false);
         for threads in [1, 2, 3] {
             let stop = Stop::on(&cancel);
-            let search = async |point: usize, landing_queue: &LandingQueue| {
+            let search = async |point: usize, queue: &LandingQueue| {
                 let mut landed = Vec::new();
                 for landing in landings(point) {
                     let scene = scenes[landing % scenes.len()];
-                    let landing =
-                        landing_queue.landing(point, Arc::clone(&vehicle), scene, settings);
+                    let landing = queue.landing(point, Arc::clone(&vehicle), scene, settings);
                     landed.push(landing.await.unwrap());
                 }
                 Ok(landed)
@@ -457,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_kept_ends_the_run() {
+    fn a_failure_to_keep_a_result_ends_the_run() {
         let cancel = AtomicBool::new(false);
         let stop = Stop::on(&cancel);
         let mut kept = 0;
@@ -480,11 +334,11 @@ mod tests {
         let cancel = AtomicBool::new(false);
         let landings = AtomicUsize::new(0);
         let stop = Stop::on(&cancel);
-        let search = async |point: usize, landing_queue: &LandingQueue| {
+        let search = async |point: usize, queue: &LandingQueue| {
             loop {
-                stop.go_on()?;
+                stop.check()?;
                 let scene = scenes[point % scenes.len()];
-                let landing = landing_queue.landing(point, Arc::clone(&vehicle), scene, settings);
+                let landing = queue.landing(point, Arc::clone(&vehicle), scene, settings);
                 assert!(landing.await.is_some());
                 if landings.fetch_add(1, Ordering::Relaxed) == 50 {
                     cancel.store(true, Ordering::Relaxed);

@@ -1,17 +1,20 @@
-//! One landing, told to a reader or to a program.
+//! The report of one landing, as text and as JSON.
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::landing_table;
 use touchdown_sweep::method_input::{method_name, method_words};
+use touchdown_sweep::parameter::Home;
 use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
+use crate::summary::number;
 
 /// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
 pub fn degrees(angle: f64, decimals: u8) -> String {
@@ -20,9 +23,10 @@ pub fn degrees(angle: f64, decimals: u8) -> String {
     format!("{rounded:.*}", usize::from(decimals))
 }
 
-/// A landing for a reader.
+/// The report as text.
 pub fn text(
     vehicle: &VehicleFile,
+    set: &[Assignment],
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing,
@@ -35,7 +39,12 @@ pub fn text(
         .collect();
     let energies = &landing.energies;
     let work = |of: fn(&LegWork) -> f64| energies.legs.iter().map(of).sum::<f64>();
-    let mut lines = Lines(format!("{}\n{}\n\n", vehicle.name, wrapped(&given)));
+    let changes: String = (set.iter())
+        .filter(|one| one.parameter().home() == Home::Vehicle)
+        .map(|one| format!("with {} = {}\n", one.parameter().name(), one.text()))
+        .collect();
+    let name = &vehicle.name;
+    let mut lines = Lines(format!("{name}\n{changes}{}\n\n", wrapped(&given)));
     lines.add(
         "outcome",
         format!("{} at {:.6} s", landing.outcome, landing.end_time),
@@ -83,8 +92,10 @@ pub fn text(
     lines.add(
         "computation",
         format!(
-            "{} steps, {} events, {} derivative evaluations",
-            landing.steps, landing.events, landing.evaluations,
+            "{}, {}, {}",
+            number(landing.steps, "step"),
+            number(landing.events, "event"),
+            number(landing.evaluations, "derivative evaluation"),
         ),
     );
     lines.add(
@@ -130,19 +141,22 @@ fn wrapped(parts: &[String]) -> String {
 
 fn why(outcome: &Outcome) -> String {
     match outcome {
-        Outcome::StableRockback => "it rocked up and came back onto other feet".to_owned(),
-        Outcome::StableSubsided => "its motion subsided near the ground".to_owned(),
-        Outcome::UnstablePitch => "its CG passed outboard of the critical feet".to_owned(),
-        Outcome::UnstableYaw => "all feet came to one side of the plane of motion".to_owned(),
-        Outcome::Bottomed { leg } => format!("strut {} reached its least length", leg + 1),
-        Outcome::TimeExpired => "nothing of this before the time limit".to_owned(),
+        Outcome::StableRockback => "it tipped up, stopped and fell back".to_owned(),
+        Outcome::StableSubsided => "its motion died out near the ground".to_owned(),
+        Outcome::UnstablePitch => {
+            "its CG passed over the line through the critical feet".to_owned()
+        }
+        Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
+        Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
+        Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),
         Outcome::Failure(reason) => reason.to_string(),
     }
 }
 
-/// A landing for a program.
+/// The report as JSON.
 pub fn json(
     vehicle: &VehicleFile,
+    set: &[Assignment],
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing,
@@ -170,6 +184,9 @@ pub fn json(
     json!({
         "program": { "name": "touchdown", "version": env!("CARGO_PKG_VERSION") },
         "vehicle_file": vehicle.document.path().display().to_string(),
+        "set": (set.iter())
+            .map(|one| (one.parameter().name().to_owned(), json!(one.text())))
+            .collect::<Map<String, Value>>(),
         "scene": scene,
         "solver": {
             "tolerance": settings.tolerance(),

@@ -115,8 +115,11 @@ impl Files {
         })?;
         let name = stem(path);
         let beside = |name: String| fs::read_to_string(path.with_file_name(name)).ok();
-        // Tables of sensitivities have the record of their sweep.
-        let of_sweep = name.strip_suffix("-sensitivity").unwrap_or(&name);
+        // Tables beside that of the points have the record of their sweep.
+        let of_sweep = ["-sensitivity", "-probabilities", "-distribution"]
+            .iter()
+            .find_map(|end| name.strip_suffix(end))
+            .unwrap_or(&name);
         let record = beside(format!("{name}.json")).or_else(|| beside(format!("{of_sweep}.json")));
         Ok(Self {
             path: path.to_owned(),

@@ -50,7 +50,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         .map_err(|error| refuse(format!("cannot be read: {error}")))?;
     if journals.is_empty() {
         return Err(refuse(
-            "has no journals: required is at least one file *.journal".to_owned(),
+            "has no journals: expected at least one file *.journal".to_owned(),
         ));
     }
     let sweeps = by_sweep(&journals)?;

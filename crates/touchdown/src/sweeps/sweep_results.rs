@@ -31,7 +31,7 @@ const MOST_DRAWN_AXES: usize = 2;
 pub enum Format {
     /// Comma-separated values
     Csv,
-    /// Parquet, beside the CSV files: with units and the whole input in the files' metadata
+    /// Parquet beside the CSV files, with units and the whole input in the metadata
     Parquet,
 }
 
@@ -48,19 +48,23 @@ pub struct Written {
 }
 
 /// What follows the name of a sweep in the names of its tables, and a column that each of them has.
-const TABLES: [(&str, &str); 4] = [
+const TABLES: [(&str, &str); 6] = [
     ("", "first_transition_to"),
     ("-bands", "bracket_width_fps"),
     ("-probabilities", "topple_probability"),
     ("-sensitivity", "dvh_dp_fps_per_unit"),
+    ("-quantiles", "low_95_fps"),
+    ("-distribution", "cumulative_share"),
 ];
 /// What follows it in the names of pictures.
-const PICTURES: [&str; 5] = [
+const PICTURES: [&str; 7] = [
     "",
     "-contours",
     "-contours-negative",
     "-perspective",
     "-sensitivity",
+    "-probabilities",
+    "-distribution",
 ];
 
 /// Whether a file that begins with this line is a table of a sweep: the one of its points is one of landings too.
@@ -120,15 +124,21 @@ pub fn write(
     let record = format!("{record:#}\n");
 
     let (mut files, remark) = pictures(sweep, &tables, &record, folder)?;
-    files.extend(tornado_chart(sweep, &tables, &record)?);
+    files.extend(charts(sweep, &tables, &record)?);
     files.push((format!("{}.json", sweep.stem()), record.into_bytes()));
     let mut drafts = files
         .iter()
         .map(|(name, bytes)| folder.draft_of(name, bytes))
         .collect::<Result<Vec<_>, _>>()?;
     drafts.extend(tables.parquet);
-    drafts.extend(tables.beside);
-    drafts.extend(tables.sensitivity);
+    let beside = [
+        tables.bands,
+        tables.probabilities,
+        tables.quantiles,
+        tables.distribution,
+        tables.sensitivity,
+    ];
+    drafts.extend(beside.into_iter().flatten());
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
@@ -141,27 +151,29 @@ pub fn write(
     })
 }
 
-/// What transitions depend on, where anything has a derivative.
-fn tornado_chart(
-    sweep: &Sweep,
-    tables: &Tables,
-    record: &str,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+/// Charts of the tables beside that of the points: the tornado chart where anything has a derivative, probabilities by
+/// bin, the distribution of transition velocities.
+fn charts(sweep: &Sweep, tables: &Tables, record: &str) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let [_, smooth] = tables.counts.slopes;
-    let text = match &tables.sensitivity {
-        Some(table) if smooth > 0 => table.text(LONGEST_DRAWN)?,
-        _ => None,
-    };
-    let Some(text) = text else {
-        return Ok(Vec::new());
-    };
-    let source = Source {
-        table: &text,
-        record: Some(record),
-        ..Source::default()
-    };
-    let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
-    plot::both(&format!("{}-sensitivity", sweep.stem()), &pictures)
+    let sensitivity = tables.sensitivity.as_ref().filter(|_| smooth > 0);
+    let mut files = Vec::new();
+    for (end, table) in [
+        ("-sensitivity", sensitivity),
+        ("-probabilities", tables.probabilities.as_ref()),
+        ("-distribution", tables.distribution.as_ref()),
+    ] {
+        let text = table.map(|table| table.text(LONGEST_DRAWN)).transpose()?;
+        if let Some(text) = text.flatten() {
+            let source = Source {
+                table: &text,
+                record: Some(record),
+                ..Source::default()
+            };
+            let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
+            files.extend(plot::both(&format!("{}{end}", sweep.stem()), &pictures)?);
+        }
+    }
+    Ok(files)
 }
 
 /// Files by name.
@@ -174,13 +186,15 @@ fn pictures(
     record: &str,
     folder: &Folder,
 ) -> Result<(NamedFiles, Option<String>), Failure> {
-    if !matches!(sweep.job, Job::Boundary(_)) {
+    // Samples have a picture of their distribution.
+    let is_drawn = matches!(
+        (&sweep.job, &sweep.design),
+        (Job::Boundary(_), Design::Grid(_))
+    );
+    if !is_drawn {
         return Ok((Vec::new(), None));
     }
     let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
-    if !matches!(sweep.design, Design::Grid(_)) {
-        return none("the points are no grid");
-    }
     let is_reduced = sweep.axes.len() > MOST_DRAWN_AXES;
     let longest = if is_reduced {
         LONGEST_REDUCED
@@ -196,7 +210,7 @@ fn pictures(
             longest >> 20
         ));
     };
-    let bands = match &tables.beside {
+    let bands = match &tables.bands {
         Some(bands) => bands.text(LONGEST_DRAWN)?,
         None => None,
     };

@@ -15,6 +15,7 @@ mod runs;
 mod samples;
 mod scene_files;
 mod sensitivities;
+mod set_values;
 mod starting_files;
 mod stress;
 mod study;

@@ -51,7 +51,7 @@ fn landings_out_of_time_are_undecided_and_not_stable() {
     let told = ran(&bench, &["sweep", "sample.toml"]);
     assert!(told.contains("undecided 20: 100.00 %"), "{told}");
     assert!(
-        told.contains("not stable, all of these together 20: 100.00 %"),
+        told.contains("not stable (all of these) 20: 100.00 %"),
         "{told}"
     );
     assert!(told.contains("warning: 20 landings undecided"), "{told}");
@@ -180,6 +180,6 @@ fn inputs_beyond_any_lander_are_refused() {
             arguments.drain(place..place + 2);
         }
         arguments.push(option);
-        bench.run(&arguments).refused(&[name, "allowed is"]);
+        bench.run(&arguments).refused(&[name, "expected"]);
     }
 }
