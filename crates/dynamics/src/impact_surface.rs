@@ -115,7 +115,7 @@ impl fmt::Display for NoSurface {
         match self {
             Self::Input(invalid) => write!(
                 f,
-                "{} = {}: allowed is {}",
+                "{} = {}: expected {}",
                 invalid.quantity, invalid.value, invalid.allowed
             ),
             Self::Collinear => {

@@ -1,7 +1,11 @@
-//! The page that pictures are drawn on: ink, grid, axes and legends.
+//! What all pictures are drawn with: the canvas, colours, axes, legends, and the sheet with its captions.
 
-pub mod axis_range;
-pub mod ink;
+pub mod canvas;
+pub mod frame;
 pub mod legend;
-pub mod mesh;
+pub mod palette;
 pub mod sheet;
+pub mod style;
+pub mod text;
+pub mod thinning;
+pub mod ticks;

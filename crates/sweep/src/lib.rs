@@ -41,14 +41,14 @@ use journal::early_stop;
 pub use journal::{header, merge, point_set, shard};
 use output::parquet_table;
 pub use output::{bands_table, cases, history, input_keys, results, sensitivity_table, tables};
-use points::{axis_input, sample_input, sensitivity_input};
-pub use points::{design, distribution, grid, levels, parameter, sample};
+pub use points::{assignment, design, distribution, grid, levels, parameter, sample};
+use points::{axis_input, joint_normal, sample_input, sensitivity_input};
 pub use search::{
     bands, boundary, certainty, first_transition, hidden, hidden_band_checks, lattice, refine,
     scan, search_range, skipped, trial,
 };
 use search::{join_all, narrowed_scan};
-pub use summary::{findings, landing_table, probabilities, sweep_counts};
+pub use summary::{findings, landing_table, probabilities, sweep_counts, transition_statistics};
 use sweeps::resolved_input;
 pub use sweeps::{case, measured_scenes, overrides, scene_file, sweep, sweep_file};
 use threads::landing_queue;

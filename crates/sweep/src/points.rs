@@ -1,9 +1,11 @@
 //! The points of a sweep: what varies, over which values, in which order.
 
+pub mod assignment;
 pub(crate) mod axis_input;
 pub mod design;
 pub mod distribution;
 pub mod grid;
+pub(crate) mod joint_normal;
 pub mod levels;
 pub mod parameter;
 pub mod sample;

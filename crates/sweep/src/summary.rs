@@ -4,3 +4,4 @@ pub mod findings;
 pub mod landing_table;
 pub mod probabilities;
 pub mod sweep_counts;
+pub mod transition_statistics;

@@ -27,10 +27,10 @@ pub struct Options {
     /// the card number in columns 1 to 7 and five fields of 12 from column 13, a blank card after
     /// each run
     cards: PathBuf,
-    /// Folder to write to
+    /// Folder for the files
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
-    /// Replace files that are there already
+    /// Replace existing files
     #[arg(long)]
     overwrite: bool,
 }
@@ -125,7 +125,7 @@ fn scene_file(stem: &str, landings: &[Landing]) -> String {
         .iter()
         .map(|landing| landing.run.serial_number().to_string())
         .collect();
-    // Serial numbers name the cases where they tell them apart.
+    // Serial numbers name the cases where they differ.
     let is_name = |(index, serial): (usize, &String)| {
         let is_plain = serial.chars().all(|c| c.is_ascii_digit());
         is_plain && !serials[..index].contains(serial)

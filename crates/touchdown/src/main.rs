@@ -25,7 +25,7 @@ use touchdown_sweep::results::COMMIT;
 
 use landings::{cases, integration_report, land, land_files, report, scene_cases};
 use options::{overrides, solver_options, touchdown_options};
-use pictures::{plot, worst_case};
+use pictures::plot;
 use sweeps::{
     axis_words, dry_run, estimate, journal_files, merge, overview, sweep, sweep_files,
     sweep_results,
@@ -52,33 +52,33 @@ static LONG_VERSION: LazyLock<String> = LazyLock::new(|| {
 });
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 failed while running, 2 input that cannot be used, 130 interrupted.";
+Exit codes: 0 done, 1 failed while running, 2 unusable input, 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Compute one landing, those of a scene file, or one for each row of a table
+    /// Compute one landing, the cases of a scene file, or one landing for each row of a table
     Land(Box<land::Options>),
-    /// Search the horizontal velocity at which landings cease to be stable, over a grid
+    /// Find the horizontal velocity at which landings cease to be stable, at every point of a grid or a sample
     Sweep(sweep::Options),
-    /// Put the shards of sweeps together into results
+    /// Write the results of sweeps that were computed in shards
     Merge(merge::Options),
-    /// Draw the pictures of result tables anew
+    /// Draw the pictures of result tables
     Plot(plot::Options),
-    /// Write a commented vehicle, sweep or scene file to start from
+    /// Write a commented vehicle, sweep or scene file as a starting point
     New(new::Options),
-    /// Find slope and cross-slope from the times at which the footpads struck the surface
+    /// Find slope and cross-slope from the times at which the footpads touched the surface
     Surface(surface::Options),
     /// Convert a card deck of the 1966 program to vehicle files, a scene file and tables of cases
     ImportDeck(import_deck::Options),
-    /// Compare results with what the report of 1966 says
+    /// Compare results with the report of 1966
     Study(study::Options),
-    /// Measure what a tolerance costs and what it buys
+    /// Measure error and run time against the tolerance
     WorkPrecision(work_precision::Options),
-    /// Test this program on this machine: sweeps killed again and again, and wild landings
+    /// Test the program on this machine: kill sweeps again and again, compute random extreme landings
     Stress(stress::Options),
-    /// Print the completions of a shell
+    /// Print completions for a shell
     Completions(shell::Completions),
-    /// Print a manual page
+    /// Print a manual page (roff)
     Man(shell::Manual),
 }
 

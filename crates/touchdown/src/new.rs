@@ -13,7 +13,7 @@ use crate::print::print;
 const VEHICLE: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SWEEP: &str = include_str!("new/sweep.toml");
 const SCENE: &str = include_str!("new/scene.toml");
-/// What the templates say for the path of the vehicle file.
+/// Placeholder of the templates for the path of the vehicle file.
 const VEHICLE_PATH: &str = "VEHICLE";
 
 const EXAMPLES: &str = "\
@@ -23,7 +23,7 @@ Examples:
     touchdown new sweep trade.toml
     touchdown sweep trade.toml --out results
 
-  A sweep of a vehicle that there is already:
+  A sweep of an existing vehicle:
     touchdown new sweep trade.toml --vehicle sweeps/vehicles/surveyor-table-4-1.toml";
 
 /// Options of `new`.
@@ -36,7 +36,7 @@ pub struct Options {
 
 #[derive(Debug, Subcommand)]
 enum Kind {
-    /// A vehicle file: the Surveyor, each of its numbers explained
+    /// A vehicle file: the Surveyor, with an explanation of each number
     Vehicle(NewFile),
     /// A sweep file: V_H over roll and cross-slope
     Sweep(NamesVehicle),
@@ -46,7 +46,7 @@ enum Kind {
 
 #[derive(Debug, Args)]
 struct NewFile {
-    /// File to write; one that exists is left alone
+    /// File to write; an existing file is not replaced
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
 }
@@ -55,7 +55,7 @@ struct NewFile {
 struct NamesVehicle {
     #[command(flatten)]
     new: NewFile,
-    /// Vehicle file that it names, relative to it
+    /// Path of the vehicle file, relative to the new file
     #[arg(long, value_name = "FILE", default_value = "lander.toml")]
     vehicle: String,
 }
@@ -78,7 +78,7 @@ fn naming(template: &str, vehicle: &str) -> String {
 fn write(file: &Path, text: &str) -> Result<(), Failure> {
     let mut new = File::create_new(file).map_err(|error| {
         let complaint = match error.kind() {
-            ErrorKind::AlreadyExists => "exists already: allowed is the name of a new file".into(),
+            ErrorKind::AlreadyExists => "exists: expected the name of a new file".into(),
             _ => format!("cannot be written: {error}"),
         };
         InputError::other(complaint).at(Place::file(file))

@@ -1,4 +1,4 @@
-//! `touchdown completions` and `touchdown man`: what shells and manuals are told of the program.
+//! `touchdown completions` and `touchdown man`.
 
 use clap::{Args, Command};
 use clap_complete::Shell;
@@ -10,14 +10,14 @@ use crate::print::print;
 /// Options of `completions`.
 #[derive(Debug, Args)]
 pub struct Completions {
-    /// Shell whose completions are printed
+    /// The shell
     shell: Shell,
 }
 
 /// Options of `man`.
 #[derive(Debug, Args)]
 pub struct Manual {
-    /// Page of this command instead of the program's own
+    /// Print the page of this command instead of that of the program
     #[arg(value_name = "COMMAND")]
     command: Option<String>,
 }
@@ -35,11 +35,11 @@ pub fn manual(options: &Manual, mut program: Command) -> Result<(), Failure> {
     let page = match &options.command {
         None => program,
         Some(name) => {
-            let found = program.find_subcommand(name).cloned();
+            let command = program.find_subcommand(name).cloned();
             let names = program.get_subcommands().map(Command::get_name);
             let names = names.collect::<Vec<_>>().join(", ");
-            found.ok_or_else(|| {
-                InputError::other(format!("there is no command {name}: allowed are {names}"))
+            command.ok_or_else(|| {
+                InputError::other(format!("there is no command {name}: expected {names}"))
             })?
         }
     };

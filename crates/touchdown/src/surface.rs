@@ -1,4 +1,4 @@
-//! `touchdown surface`: the surface from the times at which the footpads struck it (2.8).
+//! `touchdown surface`: the surface from the times at which the footpads touched it (2.8).
 
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
@@ -33,8 +33,8 @@ const GREATEST_ANGLE: f64 = 36_000.0;
 
 const EXAMPLE: &str = "\
 Example:
-  Falling at 14 ft/s and drifting at 3 ft/s along Y, pads 1, 2 and 3 struck after 0, 0.21 and 0.17 s,
-  read to 5 ms:
+  Falling at 14 ft/s and drifting at 3 ft/s along Y, pads 1, 2 and 3 touched after 0, 0.21
+  and 0.17 s, measured to 5 ms:
     touchdown surface --vehicle sweeps/vehicles/surveyor-table-4-1.toml --velocity 0,3,14 \\
       --impact-times 0,0.21,0.17 --friction 0.8 --timing-sigma 0.005";
 
@@ -45,7 +45,7 @@ pub struct Options {
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE")]
     vehicle: PathBuf,
-    /// Times at which footpads 1, 2 and 3 struck the surface, s after time zero
+    /// Times at which footpads 1, 2 and 3 touched the surface, s after time zero
     #[arg(long, value_name = "S,S,S", value_parser = triple, allow_hyphen_values = true)]
     impact_times: [f64; 3],
     /// Velocity of the CG at time zero, ft/s, in any axes whose Z points down
@@ -70,7 +70,7 @@ pub struct Options {
     /// Friction coefficient between surface and vehicle
     #[arg(long, value_name = "MU", value_parser = finite, allow_hyphen_values = true)]
     friction: f64,
-    /// Standard deviation of the impact times, s: says how far slope and cross-slope can be trusted
+    /// Standard deviation of the impact times, s: gives the errors of slope and cross-slope
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     timing_sigma: Option<f64>,
     /// Samples of timing errors, from 2 to 100000
@@ -85,8 +85,8 @@ pub struct Options {
 /// What timing errors do to the result.
 struct Uncertainty {
     sigma: f64,
-    /// Samples that have a surface, of all.
-    found: u32,
+    /// Samples that determine a surface, and all samples.
+    solved: u32,
     samples: u32,
     /// Mean and standard deviation, deg.
     slope: (f64, f64),
@@ -115,21 +115,21 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         angular_velocity: options.angular_velocity.map(f64::to_radians),
         friction: options.friction,
     };
-    let found = determine(&vehicle.vehicle, &approach, &options.impact_times).map_err(refused)?;
+    let surface = determine(&vehicle.vehicle, &approach, &options.impact_times).map_err(refused)?;
     let uncertainty = match options.timing_sigma {
         Some(sigma) => Some(uncertainty(
             options,
             &vehicle.vehicle,
             &approach,
-            &found,
+            &surface,
             sigma,
         )?),
         None => None,
     };
     print(&if options.json {
-        format!("{:#}\n", as_json(&found, uncertainty.as_ref()))
+        format!("{:#}\n", as_json(&surface, uncertainty.as_ref()))
     } else {
-        text(&vehicle.name, &found, uncertainty.as_ref())
+        text(&vehicle.name, &surface, uncertainty.as_ref())
     })?;
     Ok(())
 }
@@ -154,7 +154,7 @@ fn uncertainty(
     options: &Options,
     vehicle: &Vehicle,
     approach: &Approach,
-    found: &ImpactSurface,
+    surface: &ImpactSurface,
     sigma: f64,
 ) -> Result<Uncertainty, Failure> {
     if sigma <= 0.0 || sigma > LONGEST {
@@ -184,7 +184,7 @@ fn uncertainty(
             continue;
         };
         slopes.push(sample.slope.to_degrees());
-        if let (Some(here), Some(there)) = (sample.cross_slope, found.cross_slope) {
+        if let (Some(here), Some(there)) = (sample.cross_slope, surface.cross_slope) {
             let apart = (here - there).to_degrees();
             cross_slopes.push(apart - 360.0 * (apart / 360.0).round() + there.to_degrees());
         }
@@ -192,10 +192,10 @@ fn uncertainty(
     progress.finish();
     Ok(Uncertainty {
         sigma,
-        found: slopes.len() as u32,
+        solved: slopes.len() as u32,
         samples: options.samples,
         slope: moments(&slopes).ok_or_else(|| {
-            Failure::running("hardly any of the impact times with errors span a surface")
+            Failure::running("too few of the samples of impact times determine a surface")
         })?,
         cross_slope: moments(&cross_slopes),
     })
@@ -215,7 +215,7 @@ fn moments(values: &[f64]) -> Option<(f64, f64)> {
     Some((mean, (squares / (count - 1.0)).sqrt()))
 }
 
-fn text(vehicle: &str, found: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> String {
+fn text(vehicle: &str, surface: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> String {
     let angle_or = |angle: Option<f64>, why: &str| match angle {
         Some(angle) => format!("{} deg", degrees(angle, 6)),
         None => why.to_owned(),
@@ -223,35 +223,35 @@ fn text(vehicle: &str, found: &ImpactSurface, uncertainty: Option<&Uncertainty>)
     let mut lines = vec![
         vehicle.to_owned(),
         String::new(),
-        line("ground slope", &angle_or(Some(found.slope), "")),
+        line("ground slope", &angle_or(Some(surface.slope), "")),
         line(
             "cross-slope",
             &angle_or(
-                found.cross_slope,
+                surface.cross_slope,
                 "none: level ground or no horizontal motion",
             ),
         ),
         line(
             "rotation to ground axes",
-            &angle_or(found.rotation, "none: on level ground any axes serve"),
+            &angle_or(surface.rotation, "none: on level ground any axes serve"),
         ),
         String::new(),
         "at first contact, in ground axes (Y into the slope)".to_owned(),
-        line("pitch", &angle_or(Some(found.attitude.pitch), "")),
-        line("yaw", &angle_or(Some(found.attitude.yaw), "")),
-        line("roll", &angle_or(Some(found.attitude.roll), "")),
+        line("pitch", &angle_or(Some(surface.attitude.pitch), "")),
+        line("yaw", &angle_or(Some(surface.attitude.yaw), "")),
+        line("roll", &angle_or(Some(surface.attitude.roll), "")),
         line(
             "vertical velocity",
-            &format!("{:.6} ft/s", found.vertical_velocity),
+            &format!("{:.6} ft/s", surface.vertical_velocity),
         ),
         line(
             "horizontal velocity",
-            &format!("{:.6} ft/s", found.horizontal_velocity),
+            &format!("{:.6} ft/s", surface.horizontal_velocity),
         ),
         String::new(),
         "points of impact in the given axes, from the CG at time zero, ft".to_owned(),
     ];
-    for (leg, point) in found.impact_points.iter().enumerate() {
+    for (leg, point) in surface.impact_points.iter().enumerate() {
         let place = format!("{:>10.5} {:>10.5} {:>10.5}", point.x, point.y, point.z);
         lines.push(line(&format!("footpad {}", leg + 1), &place));
     }
@@ -259,13 +259,13 @@ fn text(vehicle: &str, found: &ImpactSurface, uncertainty: Option<&Uncertainty>)
     lines.push(line(
         "computation",
         &format!(
-            "{} landings, times met to {:.1e} s",
-            found.landings, found.residual
+            "{} landings, impact times reproduced to {:.1e} s",
+            surface.landings, surface.residual
         ),
     ));
     if let Some(Uncertainty {
         sigma,
-        found,
+        solved,
         samples,
         slope,
         cross_slope,
@@ -273,7 +273,7 @@ fn text(vehicle: &str, found: &ImpactSurface, uncertainty: Option<&Uncertainty>)
     {
         lines.push(String::new());
         lines.push(format!(
-            "with timing errors of {sigma} s ({found} of {samples} samples have a surface)"
+            "with timing errors of {sigma} s ({solved} of {samples} samples determine a surface)"
         ));
         let spread = |(mean, deviation): (f64, f64)| {
             format!("{mean:.3} deg, standard deviation {deviation:.3} deg")
@@ -290,23 +290,23 @@ fn line(name: &str, value: &str) -> String {
     format!("{name:<28} {value}")
 }
 
-fn as_json(found: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> Value {
+fn as_json(surface: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> Value {
     let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
     json!({
-        "slope_deg": found.slope.to_degrees(),
-        "cross_slope_deg": degrees(found.cross_slope),
-        "rotation_deg": degrees(found.rotation),
-        "pitch_deg": found.attitude.pitch.to_degrees(),
-        "yaw_deg": found.attitude.yaw.to_degrees(),
-        "roll_deg": found.attitude.roll.to_degrees(),
-        "vertical_velocity_fps": found.vertical_velocity,
-        "horizontal_velocity_fps": found.horizontal_velocity,
-        "impact_points_ft": found.impact_points.map(|point| [point.x, point.y, point.z]).to_vec(),
-        "residual_s": found.residual,
+        "slope_deg": surface.slope.to_degrees(),
+        "cross_slope_deg": degrees(surface.cross_slope),
+        "rotation_deg": degrees(surface.rotation),
+        "pitch_deg": surface.attitude.pitch.to_degrees(),
+        "yaw_deg": surface.attitude.yaw.to_degrees(),
+        "roll_deg": surface.attitude.roll.to_degrees(),
+        "vertical_velocity_fps": surface.vertical_velocity,
+        "horizontal_velocity_fps": surface.horizontal_velocity,
+        "impact_points_ft": surface.impact_points.map(|point| [point.x, point.y, point.z]).to_vec(),
+        "residual_s": surface.residual,
         "timing": uncertainty.map(|u| json!({
             "sigma_s": u.sigma,
             "samples": u.samples,
-            "with_a_surface": u.found,
+            "with_a_surface": u.solved,
             "slope_mean_deg": u.slope.0,
             "slope_sigma_deg": u.slope.1,
             "cross_slope_mean_deg": u.cross_slope.map(|c| c.0),

@@ -28,7 +28,7 @@ impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} = {}: allowed is {}",
+            "{} = {}: expected {}",
             self.quantity, self.value, self.allowed
         )
     }

@@ -1,10 +1,14 @@
 //! The first transition over a grid of two conditions, with its gaps and jumps.
 
-use crate::boundary_table::BoundaryTable;
+use crate::boundary_table::{BoundaryTable, Kind, Transition};
+use crate::legend::Mark;
+use crate::ticks::round_step;
 
-/// Neighbours whose transitions differ by more, ft/s, belong to different kinds of motion: the
-/// boundary jumps between them and nothing between them is known.
-pub const JUMP: f64 = 2.5;
+/// A difference between neighbours that is less than this part of the whole range is never a jump.
+const LEAST_JUMP: f64 = 0.125;
+/// A jump exceeds the upper quartile of all differences by more than this many interquartile ranges:
+/// the outer fence of Tukey's box plot.
+const FENCE: f64 = 3.0;
 
 /// First transition velocities over a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +21,12 @@ pub struct Surface {
     pub fast: Vec<f64>,
     /// Velocities, ft/s, one row for each value of the slow axis; `None` without a transition.
     pub speeds: Vec<Vec<Option<f64>>>,
+    /// Points whose transition is no boundary between stable landings and others: where landings cannot
+    /// be computed or are undecided, or where those at the lowest speed searched are not stable.
+    pub doubtful: Vec<([f64; 2], Mark)>,
+    /// Neighbours whose transitions differ by more, ft/s, belong to different kinds of motion: the
+    /// boundary jumps between them, and nothing between them is known.
+    pub jump: f64,
 }
 
 /// What is known of a cell of the grid between four neighbouring points.
@@ -26,7 +36,7 @@ pub enum Cell {
     /// (slow + 1, fast): the boundary may be interpolated.
     Whole([f64; 4]),
     /// The boundary jumps between its corners.
-    Torn,
+    Jump,
     /// At least one corner has no transition.
     Open,
 }
@@ -38,13 +48,11 @@ impl Surface {
         let [slow_name, fast_name] = table.axes.as_slice() else {
             return None;
         };
-        let points: Vec<([f64; 2], Option<f64>)> = table
+        let points: Vec<([f64; 2], Option<Transition>)> = table
             .points
             .iter()
             .filter_map(|point| match point.coordinates[..] {
-                [slow, fast] if within(slow) => {
-                    Some(([slow, fast], point.transition.map(|found| found.speed)))
-                }
+                [slow, fast] if within(slow) => Some(([slow, fast], point.transition)),
                 _ => None,
             })
             .collect();
@@ -59,13 +67,17 @@ impl Surface {
             return None;
         }
         let mut speeds = vec![vec![None; fast.len()]; slow.len()];
-        for ([a, b], speed) in points {
+        for &([a, b], found) in &points {
             let row = slow.partition_point(|value| *value < a);
             let column = fast.partition_point(|value| *value < b);
-            speeds[row][column] = speed;
+            speeds[row][column] = found.map(|found| found.speed);
         }
+        let doubtful = points.iter();
+        let doubtful = doubtful.filter_map(|(place, found)| Some((*place, doubt((*found)?)?)));
         Some(Self {
             axes: [slow_name.clone(), fast_name.clone()],
+            doubtful: doubtful.collect(),
+            jump: jump(&speeds),
             slow,
             fast,
             speeds,
@@ -84,11 +96,11 @@ impl Surface {
         let [Some(a), Some(b), Some(c), Some(d)] = corners else {
             return Cell::Open;
         };
-        let torn = [(a, b), (b, c), (c, d), (d, a)]
+        let is_jump = [(a, b), (b, c), (c, d), (d, a)]
             .into_iter()
-            .any(|(one, other)| (one - other).abs() > JUMP);
-        if torn {
-            Cell::Torn
+            .any(|(one, other)| (one - other).abs() > self.jump);
+        if is_jump {
+            Cell::Jump
         } else {
             Cell::Whole([a, b, c, d])
         }
@@ -105,7 +117,7 @@ impl Surface {
 
     /// Bars across the edges of the grid over which the boundary jumps: their ends lie half-way to
     /// the next rows or columns.
-    pub fn jumps(&self) -> Vec<[[f64; 2]; 2]> {
+    pub fn jump_bars(&self) -> Vec<[[f64; 2]; 2]> {
         let (s, f) = (&self.slow, &self.fast);
         let half = |values: &[f64], index: usize| {
             let below = values[index.saturating_sub(1)];
@@ -120,12 +132,12 @@ impl Surface {
                 half(f, index(f, f0)).map(|fast| [0.5 * (s0 + s1), fast])
             }
         };
-        let edges = self.torn_edges().into_iter();
+        let edges = self.jump_edges().into_iter();
         edges.map(|[a, b]| bar(a, b)).collect()
     }
 
     /// Neighbours along either axis between which the boundary jumps: their places and heights.
-    pub fn torn_edges(&self) -> Vec<[([f64; 2], f64); 2]> {
+    pub fn jump_edges(&self) -> Vec<[([f64; 2], f64); 2]> {
         let at = |r: usize, c: usize| Some(([self.slow[r], self.fast[c]], self.speeds[r][c]?));
         let mut edges = Vec::new();
         for r in 0..self.slow.len() {
@@ -135,7 +147,7 @@ impl Surface {
                     if row < self.slow.len()
                         && column < self.fast.len()
                         && let (Some(a), Some(b)) = (at(r, c), at(row, column))
-                        && (a.1 - b.1).abs() > JUMP
+                        && (a.1 - b.1).abs() > self.jump
                     {
                         edges.push([a, b]);
                     }
@@ -147,13 +159,26 @@ impl Surface {
 
     /// Lowest and highest transition, ft/s, if there is any.
     pub fn range(&self) -> Option<(f64, f64)> {
-        let speeds = || self.speeds.iter().flatten().flatten();
-        let least = speeds().copied().reduce(f64::min)?;
-        Some((least, speeds().copied().reduce(f64::max)?))
+        let least = self.heights().reduce(f64::min)?;
+        Some((least, self.heights().reduce(f64::max)?))
+    }
+
+    /// All transitions, ft/s.
+    pub fn heights(&self) -> impl Iterator<Item = f64> {
+        self.speeds.iter().flatten().flatten().copied()
+    }
+
+    /// Places of the points without a transition.
+    pub fn gaps(&self) -> impl Iterator<Item = [f64; 2]> {
+        let rows = self.slow.iter().zip(&self.speeds);
+        rows.flat_map(|(slow, row)| {
+            let points = self.fast.iter().zip(row);
+            points.filter_map(|(fast, speed)| speed.is_none().then_some([*slow, *fast]))
+        })
     }
 
     /// For each value of the slow axis the fast one with the lowest transition.
-    pub fn valley(&self) -> Vec<[f64; 2]> {
+    pub fn lowest_in_rows(&self) -> Vec<[f64; 2]> {
         let lowest = |row: &Vec<Option<f64>>| {
             let with_speed = row.iter().zip(&self.fast);
             with_speed
@@ -167,61 +192,43 @@ impl Surface {
     }
 }
 
-#[cfg(test)]
-pub(crate) mod tests {
-    use super::*;
-
-    /// Three by four points, one without transition, one across a jump.
-    pub(crate) const TABLE: &str = "\
-cross_slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps
-80,-30,unstable,12,12,12
-80,-10,unstable,13,13,13
-80,10,unstable,14,14,14
-80,30,none,,,
-130,-30,unstable,12,12,12
-130,-10,unstable,11,11,11
-130,10,unstable,13,13,13
-130,30,unstable,20,20,20
-180,-30,unstable,13,13,13
-180,-10,unstable,12,12,12
-180,10,unstable,11.5,11.5,11.5
-180,30,unstable,20.5,20.5,20.5
-";
-
-    pub(crate) fn example() -> Surface {
-        Surface::of(&BoundaryTable::parse(TABLE).unwrap(), |_| true).unwrap()
-    }
-
-    #[test]
-    fn gaps_and_jumps_are_told_apart() {
-        let surface = example();
-        assert_eq!(surface.cell(0, 0), Cell::Whole([12.0, 13.0, 11.0, 12.0]));
-        assert_eq!(surface.cell(0, 2), Cell::Open);
-        assert_eq!(surface.cell(1, 2), Cell::Torn);
-        assert_eq!(surface.cells().count(), 6);
-        assert_eq!(surface.range(), Some((11.0, 20.5)));
-    }
-
-    #[test]
-    fn jumps_are_bars_between_their_points() {
-        let bars = example().jumps();
-        assert_eq!(bars.len(), 2);
-        assert_eq!(bars[0], [[105.0, 20.0], [155.0, 20.0]]);
-        assert_eq!(bars[1], [[155.0, 20.0], [180.0, 20.0]]);
-    }
-
-    #[test]
-    fn the_valley_is_the_lowest_of_each_row() {
-        let lowest = [[80.0, -30.0], [130.0, -10.0], [180.0, 10.0]];
-        assert_eq!(example().valley(), lowest);
-    }
-
-    #[test]
-    fn what_fills_no_grid_is_no_surface() {
-        let cut = TABLE.rsplit_once("180,30").unwrap().0;
-        let table = BoundaryTable::parse(cut).unwrap();
-        assert_eq!(Surface::of(&table, |_| true), None);
-        assert_eq!(Surface::of(&table, |slow| slow < 100.0), None);
-        assert!(Surface::of(&table, |slow| slow < 150.0).is_some());
+/// The mark of a transition that is no boundary between stable landings and others.
+fn doubt(found: Transition) -> Option<Mark> {
+    match found {
+        Transition {
+            kind, low: None, ..
+        } => Some(Mark::AtOrBelow(kind)),
+        Transition {
+            kind: kind @ (Kind::Failure | Kind::Undecided),
+            ..
+        } => Some(Mark::Transition(kind)),
+        _ => None,
     }
 }
+
+/// By how much neighbours differ where the boundary jumps, ft/s: far more than neighbours mostly do, and
+/// a good part of the whole range; a round number.
+fn jump(speeds: &[Vec<Option<f64>>]) -> f64 {
+    let along = |row: &[Option<f64>], next: &[Option<f64>]| -> Vec<f64> {
+        let pairs = row.iter().zip(next);
+        pairs
+            .filter_map(|(a, b)| Some(((*a)? - (*b)?).abs()))
+            .collect()
+    };
+    let fast = speeds.iter().flat_map(|row| along(row, &row[1..]));
+    let slow = speeds.windows(2).flat_map(|rows| along(&rows[0], &rows[1]));
+    let mut differences: Vec<f64> = fast.chain(slow).collect();
+    differences.sort_by(f64::total_cmp);
+    let quartile = |quarters: usize| {
+        let index = quarters * differences.len().saturating_sub(1) / 4;
+        differences.get(index).copied().unwrap_or(0.0)
+    };
+    let fence = quartile(3) + FENCE * (quartile(3) - quartile(1));
+    let heights = || speeds.iter().flatten().flatten().copied();
+    let range = heights().fold(0.0, f64::max) - heights().fold(f64::INFINITY, f64::min);
+    round_step(fence.max(LEAST_JUMP * range))
+}
+
+#[cfg(test)]
+#[path = "surface_tests.rs"]
+pub(crate) mod tests;

@@ -4,6 +4,11 @@ use csv::StringRecord;
 
 use crate::figure_error::FigureError;
 
+/// Greatest number in a table, and greatest velocity of a transition, ft/s. What is beyond them is a
+/// damaged table: no picture has room for it.
+const GREATEST: f64 = 1e12;
+const GREATEST_VELOCITY: f64 = 1e4;
+
 /// A table.
 pub struct Table {
     heading: StringRecord,
@@ -57,7 +62,7 @@ impl Table {
     ///
     /// # Errors
     /// When there is none.
-    pub fn some_rows(&self) -> Result<impl Iterator<Item = Row<'_>>, FigureError> {
+    pub fn nonempty_rows(&self) -> Result<impl Iterator<Item = Row<'_>>, FigureError> {
         if self.rows.is_empty() {
             return Err(FigureError::Table("has no rows".to_owned()));
         }
@@ -82,18 +87,30 @@ impl<'t> Row<'t> {
     /// The number in a column.
     ///
     /// # Errors
-    /// When it is no finite number.
+    /// When it is no number, or one that no result can have.
     pub fn number(&self, column: usize) -> Result<f64, FigureError> {
+        self.number_within(column, -GREATEST, GREATEST)
+    }
+
+    /// The velocity in a column, ft/s.
+    ///
+    /// # Errors
+    /// When it is no velocity that a search can find.
+    pub fn velocity(&self, column: usize) -> Result<f64, FigureError> {
+        self.number_within(column, 0.0, GREATEST_VELOCITY)
+    }
+
+    fn number_within(&self, column: usize, least: f64, most: f64) -> Result<f64, FigureError> {
         match self.text(column).parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(self.complain(column, "a finite number")),
+            Ok(number) if (least..=most).contains(&number) => Ok(number),
+            _ => Err(self.error(column, &format!("a number from {least} to {most}"))),
         }
     }
 
     /// A complaint about what stands in a column.
-    pub fn complain(&self, column: usize, allowed: &str) -> FigureError {
+    pub fn error(&self, column: usize, expected: &str) -> FigureError {
         let (name, value) = (&self.heading[column], self.text(column));
         let row = self.number;
-        FigureError::Table(format!("row {row}: {name} = {value}: allowed is {allowed}"))
+        FigureError::Table(format!("row {row}: {name} = {value}: expected {expected}"))
     }
 }

@@ -342,7 +342,7 @@ mod tests {
     fn refuses_what_is_not_finite_with_its_line_and_key() {
         assert_eq!(
             complaint("[scene]\nslope_deg = nan\n"),
-            "f.toml:2: scene.slope_deg = nan: allowed is a finite number"
+            "f.toml:2: scene.slope_deg = nan: expected a finite number"
         );
         assert!(
             complaint("[axes]\nroll_deg = [0,\n -inf]")

@@ -21,7 +21,7 @@ impl Folder {
     /// Names the folder and what is in the way.
     pub fn open(path: &Path) -> Result<Self, InputError> {
         let refuse = |error: io::Error| {
-            let complaint = format!("{error}: allowed is a folder in which files can be written");
+            let complaint = format!("{error}: expected a writable folder");
             InputError::other(format!("output folder cannot be written: {complaint}"))
                 .at(Place::file(path))
         };
@@ -40,7 +40,7 @@ impl Folder {
     /// Also when `file` is a folder.
     pub fn of(file: &Path) -> Result<Self, InputError> {
         if file.is_dir() || file.file_name().is_none() {
-            let complaint = "is a folder: allowed is the name of a file";
+            let complaint = "is a folder: expected the name of a file";
             return Err(InputError::other(complaint).at(Place::file(file)));
         }
         match file.parent() {

@@ -1,9 +1,9 @@
-//! The one way in which this crate complains about input.
+//! Errors in the input: place, key, value and what was expected.
 
 use std::fmt;
 use std::path::Path;
 
-/// Where in the input something stands.
+/// A place in the input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
     file: String,
@@ -54,7 +54,7 @@ impl fmt::Display for Place {
 /// Longest number that is written without an exponent: any with all its digits, but not 1e300.
 const LONGEST_NUMBER: usize = 24;
 
-/// Input that cannot be used: where it stands, what it says and what is allowed.
+/// Input that cannot be used: its place, key and value, and what was expected.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InputError {
     place: Option<Place>,
@@ -62,15 +62,15 @@ pub struct InputError {
 }
 
 impl InputError {
-    /// `key` has a `value` that is not what is `allowed`.
+    /// `key` has a `value` that is not `allowed`.
     pub fn value(key: &str, value: impl fmt::Display, allowed: &str) -> Self {
         let value = short(value.to_string());
-        Self::other(format!("{key} = {value}: allowed is {allowed}"))
+        Self::other(format!("{key} = {value}: expected {allowed}"))
     }
 
     /// `key` is not there.
     pub fn missing(key: &str, allowed: &str) -> Self {
-        Self::other(format!("{key} is missing: required is {allowed}"))
+        Self::other(format!("{key} is missing: expected {allowed}"))
     }
 
     /// `key` is not one of the `known` keys; names the nearest of them.
@@ -82,11 +82,11 @@ impl InputError {
         };
         let known = known.join(", ");
         Self::other(format!(
-            "{key} = {value}: unknown key; {guess}allowed here: {known}"
+            "{key} = {value}: unknown key; {guess}known keys: {known}"
         ))
     }
 
-    /// Any other complaint.
+    /// Any other error.
     pub fn other(complaint: impl Into<String>) -> Self {
         Self {
             place: None,
@@ -94,7 +94,7 @@ impl InputError {
         }
     }
 
-    /// The same complaint within a part of the input that has a name of its own.
+    /// The same error within a named part of the input.
     pub fn within(self, part: &str) -> Self {
         Self {
             complaint: format!("{part}: {}", self.complaint),
@@ -102,7 +102,7 @@ impl InputError {
         }
     }
 
-    /// The same complaint without a place.
+    /// The same error without a place.
     #[must_use]
     pub fn nowhere(self) -> Self {
         Self {
@@ -111,7 +111,7 @@ impl InputError {
         }
     }
 
-    /// The same complaint with its place.
+    /// The same error with its place.
     pub fn at(self, place: Place) -> Self {
         Self {
             place: Some(place),
@@ -139,7 +139,7 @@ pub(crate) fn short(value: String) -> String {
     }
 }
 
-/// The known name most like `name`, if any is alike.
+/// The known name most similar to `name`, if one is similar enough.
 pub fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     let likeness = |candidate: &&str| strsim::jaro_winkler(name, candidate);
     known
@@ -159,15 +159,15 @@ mod tests {
         let error = InputError::value("friction", -1, "a finite number ≥ 0").at(place);
         assert_eq!(
             error.to_string(),
-            "a.csv:4: row 3: friction = -1: allowed is a finite number ≥ 0"
+            "a.csv:4: row 3: friction = -1: expected a finite number ≥ 0"
         );
     }
 
     #[test]
     fn long_numbers_have_an_exponent() {
         let said = |value: f64| InputError::value("x", value, "less").to_string();
-        assert_eq!(said(1e300), "x = 1e300: allowed is less");
-        assert_eq!(said(-1e-9), "x = -0.000000001: allowed is less");
+        assert_eq!(said(1e300), "x = 1e300: expected less");
+        assert_eq!(said(-1e-9), "x = -0.000000001: expected less");
     }
 
     #[test]

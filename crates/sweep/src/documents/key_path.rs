@@ -6,11 +6,11 @@ pub struct KeyPath {
     pub(crate) steps: Vec<Step>,
 }
 
-/// One key of the way down.
+/// One key of a path.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Step {
     pub(crate) key: String,
-    /// Which entry of an array, from 0, if the key stands for one.
+    /// Index of the entry of an array, from 0, if the key names one.
     pub(crate) entry: Option<usize>,
 }
 

@@ -47,7 +47,7 @@ impl Library<'_> {
             Self::Disk => fs::read_to_string(path).map_err(|error| refuse(error.to_string())),
             Self::Copies(sources) => match sources.iter().find(|source| source.path == path) {
                 Some(source) => Ok(source.text.clone()),
-                None => Err(refuse("no copy of it was kept".to_owned())),
+                None => Err(refuse("the journal holds no copy of it".to_owned())),
             },
         }
     }

@@ -160,7 +160,7 @@ impl<'d> Section<'d> {
     /// # Errors
     /// When it is missing or no text.
     pub fn text(&self, key: &str) -> Result<&'d str, InputError> {
-        self.value(key, "a text in quotes")?.text()
+        self.value(key, "text in quotes")?.text()
     }
 
     /// All keys with their values, of the uppermost layer, in the order of the file.
@@ -269,7 +269,7 @@ impl<'d> LocatedValue<'d> {
     pub fn text(&self) -> Result<&'d str, InputError> {
         match &self.node.value {
             Value::Text(text) => Ok(text),
-            _ => Err(self.complain("a text in quotes")),
+            _ => Err(self.complain("text in quotes")),
         }
     }
 

@@ -36,17 +36,17 @@ fn physics_complaints_find_the_line_of_their_key() {
     let damping = leg.complain(&Invalid::new("strut.damping", -60.0, "a finite number ≥ 0"));
     assert_eq!(
         damping.to_string(),
-        "v.toml:8: legs[1].strut.damping = -60: allowed is a finite number ≥ 0"
+        "v.toml:8: legs[1].strut.damping = -60: expected a finite number ≥ 0"
     );
     let preload = leg.complain(&Invalid::new("strut.preload_lb", 185.0, "less"));
     assert_eq!(
         preload.to_string(),
-        "v.toml:3: strut.preload_lb = 185: allowed is less"
+        "v.toml:3: strut.preload_lb = 185: expected less"
     );
     let derived = root.complain(&Invalid::new("mass_slug (of leg 1)", -1.0, "more"));
     assert_eq!(
         derived.to_string(),
-        "v.toml:1: mass_slug (of leg 1) = -1: allowed is more"
+        "v.toml:1: mass_slug (of leg 1) = -1: expected more"
     );
 }
 
@@ -57,21 +57,21 @@ fn unknown_missing_and_mistyped_keys_are_named() {
     assert_eq!(
         root.section("strut", &STRUT).unwrap_err().to_string(),
         "v.toml:2: strut.damping_lb = 3: unknown key; did you mean damping? \
-         allowed here: preload_lb, damping"
+         known keys: preload_lb, damping"
     );
     assert_eq!(
         root.number("mass_slug").unwrap_err().to_string(),
-        "v.toml:1: mass_slug is missing: required is a number"
+        "v.toml:1: mass_slug is missing: expected a number"
     );
     let strut = root
         .section("strut", &["damping_lb", "preload_lb"])
         .unwrap();
     assert_eq!(
         strut.text("damping_lb").unwrap_err().to_string(),
-        "v.toml:2: strut.damping_lb = 3: allowed is a text in quotes"
+        "v.toml:2: strut.damping_lb = 3: expected text in quotes"
     );
     assert_eq!(
         strut.number("preload_lb").unwrap_err().to_string(),
-        "v.toml:1: strut.preload_lb is missing: required is a number"
+        "v.toml:1: strut.preload_lb is missing: expected a number"
     );
 }

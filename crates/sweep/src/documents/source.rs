@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 /// A file word for word.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
-    /// Its path, as it was given or follows from a file that names it.
+    /// Its path, as given or as another file names it.
     pub path: PathBuf,
-    /// What it says.
+    /// Its text.
     pub text: String,
 }

@@ -1,4 +1,4 @@
-//! Methods of integration by name, and what each of them may be told.
+//! Integration methods by name, with their numbers.
 
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, FixedInterval, Method};
@@ -8,6 +8,10 @@ use crate::section::Section;
 
 /// Names of the methods.
 pub const METHODS: [&str; 5] = ["located", "report", "rk4", "trapezoidal", "milne"];
+
+/// Methods that check their errors, and methods with a fixed interval.
+const CHECKED: [&str; 2] = ["report", "milne"];
+const FIXED: [&str; 2] = ["rk4", "trapezoidal"];
 
 /// Keys of `[solver]` that concern a method.
 pub(crate) const KEYS: [&str; 6] = [
@@ -29,7 +33,7 @@ pub(crate) const LIMITS: [&str; 7] = [
     "attitude_deg",
 ];
 
-/// Numbers that a method may be told.
+/// Numbers of a method.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct MethodNumbers {
     /// Relative tolerance per step: `located`.
@@ -46,23 +50,22 @@ pub struct MethodNumbers {
     pub limits: Option<ErrorLimits>,
 }
 
-/// The method of a name, one of [`METHODS`], as its numbers say.
+/// The method with a name, one of [`METHODS`], and numbers.
 ///
 /// # Errors
 /// Names the first number that is out of its range or of no use to the method.
 pub fn method(name: &str, numbers: &MethodNumbers) -> Result<Method, Invalid> {
-    let checks_errors = matches!(name, "report" | "milne");
-    let is_fixed = matches!(name, "rk4" | "trapezoidal");
     let used = [
-        ("tolerance", numbers.tolerance, name == "located"),
-        ("error_scale", numbers.error_scale, checks_errors),
-        ("first_interval_s", numbers.first_interval, checks_errors),
-        ("least_interval_s", numbers.least_interval, checks_errors),
-        ("interval_s", numbers.interval, is_fixed),
+        ("tolerance", numbers.tolerance, &["located"][..]),
+        ("error_scale", numbers.error_scale, &CHECKED),
+        ("first_interval_s", numbers.first_interval, &CHECKED),
+        ("least_interval_s", numbers.least_interval, &CHECKED),
+        ("interval_s", numbers.interval, &FIXED),
     ];
-    for (key, value, is_used) in used {
-        if let (Some(value), false) = (value, is_used) {
-            let allowed = format!("to leave it out: method {name} does not use it");
+    for (key, value, users) in used {
+        if let (Some(value), false) = (value, users.contains(&name)) {
+            let users = users.join(" or ");
+            let allowed = format!("only with method {users}; the method is {name}");
             return Err(Invalid::new(key, value, &allowed));
         }
     }
@@ -105,7 +108,7 @@ pub fn method_name(method: &Method) -> &'static str {
     }
 }
 
-/// What a method goes by, in words.
+/// A method and its numbers as text.
 pub fn method_words(method: &Method, tolerance: f64) -> String {
     let name = method_name(method);
     match method {
@@ -154,7 +157,7 @@ pub(crate) fn read(solver: Option<&Section>, tolerance: Option<f64>) -> Result<M
         solver.optional("error_per_second"),
         matches!(name, "report" | "milne"),
     ) {
-        let said = format!("allowed is to leave it out: method {name} does not use it");
+        let said = format!("expected to leave it out: method {name} does not use it");
         return Err(found.complain_that(&said));
     }
     let numbers = MethodNumbers {
@@ -223,7 +226,7 @@ mod tests {
         assert_eq!(control.intervals().first, 0.0003);
         let complaint = method("rk4", &numbers).unwrap_err();
         assert_eq!(complaint.quantity, "error_scale");
-        assert!(complaint.allowed.contains("does not use it"));
+        assert!(complaint.allowed.contains("report or milne"));
         let numbers = MethodNumbers {
             interval: Some(2.0),
             ..MethodNumbers::default()

@@ -111,15 +111,15 @@ fn choice<T: Copy, const CHOICES: usize>(
     key: &str,
     choices: &[(&str, T); CHOICES],
 ) -> Result<T, InputError> {
-    let Some(found) = section.optional(key) else {
+    let Some(value) = section.optional(key) else {
         return Ok(choices[0].1);
     };
-    let text = found.text()?;
+    let text = value.text()?;
     match choices.iter().find(|(word, _)| *word == text) {
         Some((_, choice)) => Ok(*choice),
         None => {
             let words = choices.map(|(word, _)| format!("\"{word}\""));
-            Err(found.complain(&words.join(" or ")))
+            Err(value.complain(&words.join(" or ")))
         }
     }
 }

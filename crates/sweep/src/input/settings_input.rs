@@ -44,16 +44,17 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
         .as_ref()
         .and_then(|solver| solver.optional("crush_rule"))
     {
-        Some(found) => crush_rule(found.text()?)
-            .ok_or_else(|| found.complain("\"pivot-rate\" or \"section\""))?,
+        Some(word) => crush_rule(word.text()?)
+            .ok_or_else(|| word.complain("\"pivot-rate\" or \"section\""))?,
         None => CrushRule::default(),
     };
     let profile = match solver
         .as_ref()
         .and_then(|solver| solver.optional("friction_profile"))
     {
-        Some(found) => friction_profile(found.text()?)
-            .ok_or_else(|| found.complain("\"A\", \"B\" or \"C\""))?,
+        Some(word) => {
+            friction_profile(word.text()?).ok_or_else(|| word.complain("\"A\", \"B\" or \"C\""))?
+        }
         None => FrictionProfile::default(),
     };
     Settings::new(tolerance, time_limit, rule)
@@ -70,7 +71,7 @@ pub fn friction_profile_name(profile: FrictionProfile) -> &'static str {
     }
 }
 
-/// The friction profile that a letter of an input file stands for.
+/// The friction profile of a letter in input files.
 pub fn friction_profile(name: &str) -> Option<FrictionProfile> {
     [FrictionProfile::A, FrictionProfile::B, FrictionProfile::C]
         .into_iter()
@@ -85,7 +86,7 @@ pub fn crush_rule_name(rule: CrushRule) -> &'static str {
     }
 }
 
-/// The crush rule that a word of an input file stands for.
+/// The crush rule of a word in input files.
 pub fn crush_rule(name: &str) -> Option<CrushRule> {
     [CrushRule::PivotRate, CrushRule::Section]
         .into_iter()

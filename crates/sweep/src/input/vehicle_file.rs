@@ -156,13 +156,12 @@ impl VehicleFile {
             .iter()
             .map(|entry| leg(entry, &entry.over(&root)))
             .collect::<Result<_, _>>()?;
-        let allowed = format!("{} tables [[legs]], one a leg", in_words(LEGS));
+        let allowed = format!("{} tables [[legs]], one for each leg", in_words(LEGS));
         if legs.len() != LEGS {
             return Err(match root.optional("legs") {
-                Some(found) => found.complain_that(&format!(
-                    "{} legs are described: allowed is {allowed}",
-                    legs.len()
-                )),
+                Some(found) => {
+                    found.complain_that(&format!("{} legs: expected {allowed}", legs.len()))
+                }
                 None => root.missing("legs", &allowed),
             });
         }
@@ -213,7 +212,7 @@ fn inertia(section: &Section) -> Result<Inertia, InputError> {
     })
 }
 
-/// A leg from its own table, and from that over what holds for all legs.
+/// A leg from its own table, and from `entry`: its own table over what holds for all legs.
 fn leg(own: &Section, entry: &Section) -> Result<Leg, InputError> {
     let design = LegDesign {
         azimuth: own.number("azimuth_deg")?.to_radians(),
@@ -283,7 +282,7 @@ fn profile(section: &Section, key: &str, columns: [&str; 3]) -> Result<Profile, 
     let list = table.value(ordinates, "a list of numbers")?;
     if x.len() != y.len() {
         return Err(list.complain_that(&format!(
-            "{} numbers: allowed is as many as {abscissas}, {}",
+            "{} numbers: expected as many as in {abscissas}, {}",
             y.len(),
             x.len()
         )));
@@ -303,7 +302,7 @@ fn profile(section: &Section, key: &str, columns: [&str; 3]) -> Result<Profile, 
         }
     }
     if x[0] != 0.0 {
-        return Err(items[0].complain("first abscissa 0"));
+        return Err(items[0].complain("0 as the first abscissa"));
     }
     let items = list.items("a list of numbers")?;
     for (ordinate, item) in y.iter().zip(&items) {

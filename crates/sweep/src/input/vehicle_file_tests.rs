@@ -59,7 +59,7 @@ fn a_scale_multiplies_the_ordinates_of_a_table_for_all_legs_or_one() {
     assert!(
         complaint
             .to_string()
-            .contains("footpad.profile.scale = 0: allowed is 0 < value")
+            .contains("footpad.profile.scale = 0: expected 0 < value")
     );
 }
 
@@ -119,7 +119,7 @@ const WRONG: [(&str, &str, &[&str]); 16] = [
         "interference_in = [0, 0.1, 5.75]",
         &[
             "block.profile.relative_pressure",
-            "as many as interference_in, 3",
+            "as many as in interference_in, 3",
         ],
     ),
     (
@@ -131,7 +131,7 @@ const WRONG: [(&str, &str, &[&str]); 16] = [
         "relative_pressure = [0, 1, 1, 21]",
         "relative_pressure = [0, 1, 0.5, 21]",
         &[
-            "v.toml:61: block.profile.relative_pressure[3] = 0.5: allowed is 1 ≤ value ≤ 57.5",
+            "v.toml:61: block.profile.relative_pressure[3] = 0.5: expected 1 ≤ value ≤ 57.5",
             "no segment falls",
         ],
     ),
@@ -139,29 +139,29 @@ const WRONG: [(&str, &str, &[&str]); 16] = [
         "relative_pressure = [0, 1, 1, 21]",
         "relative_pressure = [0, 1, 1, 21.5]",
         &[
-            "block.profile.relative_pressure[4] = 21.5: allowed is 1 ≤ value ≤ 21.0",
+            "block.profile.relative_pressure[4] = 21.5: expected 1 ≤ value ≤ 21.0",
             "none is steeper than the first",
         ],
     ),
     (
         "relative_pressure = [0, 1, 1, 21]",
         "relative_pressure = [0.1, 1, 1, 21]",
-        &["block.profile.relative_pressure[1] = 0.1: allowed is 0"],
+        &["block.profile.relative_pressure[1] = 0.1: expected 0"],
     ),
     (
         "[block.profile]",
         "[block.profile]\nscale = 1e300",
-        &["block.profile.scale = 1e300: allowed is 0 < value ≤ 1e9"],
+        &["block.profile.scale = 1e300: expected 0 < value ≤ 1e9"],
     ),
     (
         "multiplier = [1, 1, 1",
         "multiplier = [1, 1, 1e200",
-        &["strut.spring_profile.multiplier[3] = 1e200: allowed is 0 ≤ value ≤ 1e9"],
+        &["strut.spring_profile.multiplier[3] = 1e200: expected 0 ≤ value ≤ 1e9"],
     ),
     (
         "[[legs]]\nazimuth_deg = 240",
         "",
-        &["2 legs are described", "three tables [[legs]]"],
+        &["2 legs: expected", "three tables [[legs]]"],
     ),
     (
         "azimuth_deg = 240",
@@ -188,7 +188,7 @@ fn too_short_a_table_is_refused() {
         .replace("[0, 0.1, 5.75, 7.75]", "[0]")
         .replace("[0, 1, 1, 21]", "[0]");
     let complaint = read(&text).unwrap_err().to_string();
-    assert!(complaint.contains("block.profile.interference_in = [0]: allowed is at least two"));
+    assert!(complaint.contains("block.profile.interference_in = [0]: expected at least two"));
 }
 
 /// The Surveyor with legs at these azimuths (deg), in this order.
@@ -219,12 +219,12 @@ fn vehicles_that_cannot_be_are_refused_where_they_say_so() {
     let said = |file: Result<VehicleFile, InputError>| file.unwrap_err().to_string();
     let twice = said(with_legs(["0", "120", "120"]));
     assert!(
-        twice.contains("legs[3].azimuth_deg = 120: allowed is 1 deg or more"),
+        twice.contains("legs[3].azimuth_deg = 120: expected 1 deg or more"),
         "{twice}"
     );
     let turned = said(with_legs(["0", "120", "-240"]));
     assert!(
-        turned.contains("legs[3].azimuth_deg = -240: allowed is 1 deg"),
+        turned.contains("legs[3].azimuth_deg = -240: expected 1 deg"),
         "{turned}"
     );
     let aside = said(with_legs(["0", "10", "20"]));

@@ -10,6 +10,7 @@ use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
+use crate::assignment::Assignment;
 use crate::case::CaseFault;
 use crate::input_error::InputError;
 use crate::library::{Library, Source};
@@ -154,9 +155,15 @@ impl Header {
         };
         let library = Library::Copies(sources);
         let read_vehicle = |path: &PathBuf| VehicleFile::read_from(path, library);
+        let assignment = |(name, text): &(String, String)| Assignment::new(name, text);
         let with = Overrides {
             vehicle: overrides.vehicle.as_ref().map(read_vehicle).transpose()?,
             words: overrides.words.clone(),
+            set: overrides
+                .set
+                .iter()
+                .map(assignment)
+                .collect::<Result<_, _>>()?,
             sensitivity: overrides.sensitivity.clone(),
         };
         Sweep::read_from(sweep, library)?.with(&with).map(Some)

@@ -69,7 +69,7 @@ impl FromStr for Shard {
             Self::new(number.parse().ok()?, count.parse().ok()?)
         };
         read().ok_or_else(|| {
-            format!("allowed is NUMBER/COUNT with 1 ≤ NUMBER ≤ COUNT ≤ {MOST_SHARDS}, such as 3/16")
+            format!("expected NUMBER/COUNT with 1 ≤ NUMBER ≤ COUNT ≤ {MOST_SHARDS}, such as 3/16")
         })
     }
 }

@@ -134,9 +134,7 @@ fn parse(
         });
     }
     if cases.is_empty() {
-        return Err(
-            InputError::other("has no rows: required is at least one case").at(place.clone()),
-        );
+        return Err(InputError::other("has no rows: expected at least one case").at(place.clone()));
     }
     let files = vehicles.files.into_iter();
     let files: BTreeMap<String, String> = files
@@ -165,7 +163,7 @@ impl Columns {
         };
         for (index, name) in heading.iter().enumerate() {
             if heading.iter().take(index).any(|before| before == name) {
-                let said = format!("column {name} is there twice: allowed is once");
+                let said = format!("column {name} is there twice: expected once");
                 return Err(InputError::other(said));
             }
             if OWN.contains(&name) || NAMES.contains(&name) {
@@ -185,7 +183,7 @@ impl Columns {
         let has = |name: &str| heading.iter().any(|column| column == name);
         match REQUIRED.iter().find(|name| !has(name)) {
             Some(absent) => Err(InputError::other(format!(
-                "column {absent} is missing: required are {}",
+                "column {absent} is missing: expected {}",
                 REQUIRED.join(", ")
             ))),
             None => Ok(columns),
@@ -253,7 +251,7 @@ fn unknown(name: &str) -> String {
         names => format!("did you mean {}? ", names.join(" or ")),
     };
     format!(
-        "column {name}: no such column; {guess}allowed are {}, keys of the scene, and dotted keys of the vehicle and the \
+        "column {name}: no such column; {guess}expected {}, keys of the scene, and dotted keys of the vehicle and the \
          solver, such as vehicle.strut.compression_damping; for remarks there is the column note",
         OWN.join(", ")
     )

@@ -71,7 +71,7 @@ fn rows_may_differ_in_how_they_are_computed() {
     assert!(matches!(settings(2).method(), Method::RungeKutta(_)));
     let wrong = complaint(&text.replace("section", "sections"));
     assert!(
-        wrong.contains("solver.crush_rule = sections: allowed is one of"),
+        wrong.contains("solver.crush_rule = sections: expected one of"),
         "{wrong}"
     );
     let wrong = complaint(&text.replace("1e-8", "8"));
@@ -128,7 +128,7 @@ fn complaints_name_line_row_column_and_value() {
     let row = |bad: &str| complaint(&format!("{HEADING}\n{good}\n{bad}\n"));
     assert_eq!(
         row("2,,14,x,180,0,0,0,15,1"),
-        "c.csv:3: row 2: horizontal_velocity_fps = x: allowed is a finite number"
+        "c.csv:3: row 2: horizontal_velocity_fps = x: expected a finite number"
     );
     assert!(row("2,,14,NaN,180,0,0,0,15,1").contains("horizontal_velocity_fps = NaN"));
     assert!(row("2,,14,11,180,0,0,0,95,1").contains("c.csv:3: row 2: slope_deg = 95"));
@@ -136,7 +136,7 @@ fn complaints_name_line_row_column_and_value() {
     assert!(row("2,,14").contains("c.csv:3: not a table"));
     assert!(complaint(HEADING).contains("no rows"));
     let without = HEADING.replace(",slope_deg,fr", ",fr");
-    assert!(complaint(&without).contains("c.csv:1: column slope_deg is missing: required are"));
+    assert!(complaint(&without).contains("c.csv:1: column slope_deg is missing: expected"));
     let both = format!("{HEADING},tip_deg,tip_azimuth_deg\n{good},3,0\n");
     assert!(complaint(&both).contains("not both"));
 }

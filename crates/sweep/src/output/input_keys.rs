@@ -3,8 +3,8 @@
 use crate::sensitivity_input::SENSITIVITY;
 use crate::sweep::SWEEP;
 use crate::{
-    axis_input, cases, method_input, sample_input, scene_file, scene_input, search_input,
-    settings_input, vehicle_file,
+    axis_input, cases, joint_normal, method_input, sample_input, scene_file, scene_input,
+    search_input, settings_input, vehicle_file,
 };
 
 /// A table of an input file and the keys that it may have.
@@ -49,6 +49,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("axis", &axis_input::FORM),
         table("sample", &sample_input::SAMPLE),
         table("sampled axis", &sample_input::FORM),
+        table("sample.covariance", &joint_normal::COVARIANCE),
         table("search", &search_input::SEARCH),
         table("sensitivity", &SENSITIVITY),
         table("solver", &solver),
@@ -66,6 +67,7 @@ pub fn word_choices() -> Vec<WordChoice> {
     }
     let choice = |key, words| WordChoice { key, words };
     vec![
+        choice("distribution", words(&sample_input::DISTRIBUTIONS)),
         choice("bands", words(&search_input::EXTENTS)),
         choice("scan", words(&search_input::SCANS)),
         choice("refinement", words(&search_input::REFINEMENTS)),

@@ -35,13 +35,17 @@ const WORDS: [&str; 9] = [
     "unit",
     "dependence",
 ];
-const COUNTS: [&str; 7] = [
+const COUNTS: [&str; 11] = [
     "landings",
     "derivative_evaluations",
     "band",
     "steps",
     "toppled",
     "bottomed",
+    "undecided",
+    "failed",
+    "not_stable",
+    "points",
     "looks",
 ];
 /// A table under way.
@@ -58,8 +62,12 @@ impl ParquetTable {
             let axis = sweep.axes.iter().find(|axis| axis.name() == name);
             axis.is_some_and(|axis| !axis.words().is_empty())
         };
+        // The ends of bins are words where an axis has words.
+        let has_bins = heading.iter().any(|name| name == "axis");
+        let has_word_bins = has_bins && sweep.axes.iter().any(|axis| !axis.words().is_empty());
         let kind = |name: &String| match name.as_str() {
             word if WORDS.contains(&word) || has_words(word) => Physical::BYTE_ARRAY,
+            "from" | "to" if has_word_bins => Physical::BYTE_ARRAY,
             count if COUNTS.contains(&count) => Physical::INT64,
             _ => Physical::DOUBLE,
         };

@@ -12,6 +12,7 @@ use crate::probabilities::wilson;
 use crate::sweep::Part;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
+use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
 use crate::vehicle_file::LEGS;
 
 /// Columns of the table after those of the axes.
@@ -26,11 +27,6 @@ pub const COLUMNS: [&str; 9] = [
     "disputed_from_fps",
     "disputed_to_fps",
 ];
-
-/// Certainty of a transition that lies at or below the lowest speed searched, as landings there are not stable.
-const AT_OR_BELOW: &str = "at-or-below";
-/// Certainty where there is no transition up to the highest speed searched: if there is one, it lies above.
-const ABOVE: &str = "above";
 
 /// How a sweep was run, which its input does not tell.
 #[derive(Debug, Clone, Copy)]
@@ -168,6 +164,8 @@ fn outcomes(counts: &SweepCounts) -> Value {
         "stable": count.stable(),
         "topple_probability_95": wilson(count.toppled, count.landings),
         "bottom_probability_95": wilson(count.bottomed, count.landings),
+        "undecided_probability_95": wilson(count.undecided, count.landings),
+        "failure_probability_95": wilson(count.failed, count.landings),
         "not_stable_probability_95": wilson(count.landings - count.stable(), count.landings),
     })
 }

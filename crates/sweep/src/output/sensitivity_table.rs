@@ -26,7 +26,7 @@ pub const COLUMNS: [&str; 12] = [
     "vh_change_error_fps",
 ];
 
-/// Change for which the change of V_H is told, as a part of the parameter.
+/// Change of a parameter for which the change of V_H is listed, as a fraction of the parameter.
 const SPAN: f64 = 0.1;
 /// The same for angles and rates of turn, deg and deg/s.
 const ANGULAR_SPAN: f64 = 1.0;
@@ -36,15 +36,15 @@ pub fn heading(sweep: &Sweep) -> Vec<String> {
     sweep.heading(COLUMNS)
 }
 
-/// Rows of a point, one for each parameter, in the order in which they were asked for.
+/// Rows of a point, one for each parameter, in the order of the sweep file.
 pub fn rows(
     sweep: &Sweep,
     point: usize,
     boundary: &Boundary,
-    found: &Sensitivity,
+    sensitivity: &Sensitivity,
 ) -> Vec<Vec<String>> {
     let coordinates = sweep.coordinates_written(point);
-    let asked = sweep.sensitivity.iter().zip(&found.slopes);
+    let slopes = sweep.sensitivity.iter().zip(&sensitivity.slopes);
     let row = |(parameter, slope): (&Parameter, &Slope)| {
         let value = sweep.value(point, parameter);
         let cells = [
@@ -52,7 +52,7 @@ pub fn rows(
             unit(parameter.name()).to_owned(),
             number(value),
             transition_name(boundary),
-            number(found.speed),
+            number(sensitivity.speed),
             slope.dependence.word().to_owned(),
             number(slope.step),
         ];
@@ -66,7 +66,7 @@ pub fn rows(
         let cells = cells.into_iter().chain(numbers);
         coordinates.iter().cloned().chain(cells).collect()
     };
-    asked.map(row).collect()
+    slopes.map(row).collect()
 }
 
 fn span(parameter: &Parameter, value: f64) -> f64 {
@@ -97,7 +97,7 @@ mod tests {
         ];
         let slope = |step, dependence| Slope { step, dependence };
         let smooth = |derivative, error| Dependence::Smooth { derivative, error };
-        let found = Sensitivity {
+        let sensitivity = Sensitivity {
             speed: Some(11.25),
             slopes: vec![
                 slope(Some(6.5), smooth(-0.5, 0.25)),
@@ -106,7 +106,7 @@ mod tests {
             ],
             ..Sensitivity::default()
         };
-        let rows = rows(&sweep, 3, &Boundary::default(), &found);
+        let rows = rows(&sweep, 3, &Boundary::default(), &sensitivity);
         assert!(rows.iter().all(|row| row.len() == heading(&sweep).len()));
         let rows: Vec<String> = rows.iter().map(|row| row.join(",")).collect();
         assert_eq!(

@@ -12,20 +12,27 @@ use crate::parquet_table::ParquetTable;
 use crate::sensitivity_table;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::Sweep;
+use crate::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS, TransitionStatistics};
 use crate::{bands_table, probabilities, results};
 
 /// Tables that are written but not yet in their places.
 #[derive(Debug)]
 pub struct Tables {
-    /// What each point came to.
+    /// Results of the points.
     pub points: Draft,
-    /// Bands, where all were searched, or probabilities of outcomes.
-    pub beside: Option<Draft>,
-    /// What transitions depend on, where that was asked.
+    /// Bands, where all were searched.
+    pub bands: Option<Draft>,
+    /// Probabilities of outcomes, of a sweep of single landings.
+    pub probabilities: Option<Draft>,
+    /// Quantiles and distribution of the transition velocity, of a sample.
+    pub quantiles: Option<Draft>,
+    /// See `quantiles`.
+    pub distribution: Option<Draft>,
+    /// Sensitivities, if there are any.
     pub sensitivity: Option<Draft>,
-    /// The same as Parquet files, where they were asked for.
+    /// The same tables as Parquet files, if requested.
     pub parquet: Vec<Draft>,
-    /// Their points in numbers.
+    /// Counts over the points.
     pub counts: SweepCounts,
 }
 
@@ -36,7 +43,7 @@ pub enum TablesError {
     Journal(JournalError),
     /// A table cannot be written.
     Deposit(WriteError),
-    /// A point is in no journal, or what it came to cannot be understood.
+    /// No journal has a readable result of this point.
     Point(usize),
 }
 
@@ -128,17 +135,29 @@ impl Tables {
                 break;
             }
         }
-        let beside = match &counts.probabilities {
-            None => bands,
-            Some(probabilities) => {
-                let heading = probabilities::COLUMNS.map(str::to_owned);
-                let mut table = begin("-probabilities", &heading)?;
-                for row in probabilities.rows(sweep) {
-                    table.add(&row)?;
-                }
-                Some(table)
+        let whole = |end: &str, heading: &[&str], rows: Option<Vec<Vec<String>>>| {
+            let Some(rows) = rows else {
+                return Ok::<_, WriteError>(None);
+            };
+            let heading: Vec<String> = heading.iter().map(|&name| name.to_owned()).collect();
+            let mut table = begin(end, &heading)?;
+            for row in rows {
+                table.add(&row)?;
             }
+            Ok(Some(table))
         };
+        let probabilities = counts.probabilities.as_ref().map(|known| known.rows(sweep));
+        let probabilities = whole("-probabilities", &probabilities::COLUMNS, probabilities)?;
+        let quantiles = counts
+            .transitions
+            .as_ref()
+            .map(TransitionStatistics::quantile_rows);
+        let quantiles = whole("-quantiles", &QUANTILE_COLUMNS, quantiles)?;
+        let distribution = counts
+            .transitions
+            .as_ref()
+            .map(TransitionStatistics::distribution_rows);
+        let distribution = whole("-distribution", &DISTRIBUTION_COLUMNS, distribution)?;
         let (points, mut parquet) = points.end()?;
         let mut end = |table: Option<Table>| -> Result<Option<Draft>, WriteError> {
             let Some(table) = table else {
@@ -148,11 +167,13 @@ impl Tables {
             parquet.extend(more);
             Ok(Some(csv))
         };
-        let (beside, sensitivity) = (end(beside)?, end(sensitivities)?);
         Ok(Self {
             points,
-            beside,
-            sensitivity,
+            bands: end(bands)?,
+            probabilities: end(probabilities)?,
+            quantiles: end(quantiles)?,
+            distribution: end(distribution)?,
+            sensitivity: end(sensitivities)?,
             parquet,
             counts,
         })

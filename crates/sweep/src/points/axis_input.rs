@@ -13,11 +13,19 @@ use crate::section::{Layer, Section};
 
 pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
 /// Keys of an axis that is sampled.
-const SAMPLED: [&str; 4] = ["mean", "sd", "file", "column"];
+const SAMPLED: [&str; 7] = [
+    "distribution",
+    "mean",
+    "sd",
+    "sigma",
+    "mode",
+    "file",
+    "column",
+];
 const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";
 const NEEDED: &str = "a table [axes] with at least one condition that varies";
 
-/// A parameter, and where its values are said.
+/// A parameter and the place of its values.
 #[derive(Debug, Clone)]
 pub(crate) struct AxisEntry<'d> {
     pub(crate) parameter: Parameter,
@@ -35,7 +43,7 @@ pub(crate) fn entries<'d>(
     if leaves.is_empty() {
         return Err(axes.complain(NEEDED));
     }
-    // Tables within tables may have torn apart what stands together.
+    // Nested tables may have changed the order of the lines.
     leaves.sort_by_key(|(_, found)| found.node.line);
     let mut entries: Vec<AxisEntry> = Vec::with_capacity(leaves.len());
     for (name, found) in leaves {
@@ -43,7 +51,7 @@ pub(crate) fn entries<'d>(
             return Err(found.complain_that(&Parameter::unknown(&name, legs)));
         };
         if entries.iter().any(|other| other.parameter == parameter) {
-            return Err(found.complain_that("varies twice: allowed is one axis for each key"));
+            return Err(found.complain_that("varies twice: expected one axis for each parameter"));
         }
         entries.push(AxisEntry { parameter, found });
     }
@@ -103,12 +111,14 @@ impl AxisEntry<'_> {
         let [from, to] = [form.number("from")?, form.number("to")?];
         let counted = form.optional_number("count")?;
         let levels = match (counted, is_logarithmic(form)?) {
-            (None, true) => return Err(form.missing("count", "how many values, from 2 to 1e7")),
+            (None, true) => {
+                return Err(form.missing("count", "the number of values, from 2 to 1e7"));
+            }
             (None, false) => return self.range(form, from, to),
             (Some(_), _) if form.optional("step").is_some() => {
                 return Err(self
                     .found
-                    .complain_that("step and count: allowed is either of the two"));
+                    .complain_that("has step and count: expected only one of them"));
             }
             (Some(count), false) => Levels::even(from, to, count),
             (Some(count), true) => Levels::logarithmic(from, to, count),
@@ -125,7 +135,7 @@ impl AxisEntry<'_> {
         if (last - to).abs() > 1e-6 * (beyond - last).abs() {
             let span = (to - from).abs();
             return Err(found.complain_that(&format!(
-                "steps from {from} pass over to = {to}: allowed is to = {last} or {beyond}, or a step that divides {span}"
+                "steps from {from} pass over to = {to}: expected to = {last} or {beyond}, or a step that divides {span}"
             )));
         }
         Ok(levels)
@@ -187,7 +197,7 @@ pub(crate) fn is_logarithmic(form: &Section) -> Result<bool, InputError> {
 pub(crate) fn only(form: &Section, usable: &[&str]) -> Result<(), InputError> {
     match form.all_values().find(|(key, _)| !usable.contains(key)) {
         Some((_, found)) => Err(found.complain_that(&format!(
-            "says nothing here: allowed beside each other are {}",
+            "not used here: expected keys among {}",
             usable.join(", ")
         ))),
         None => Ok(()),

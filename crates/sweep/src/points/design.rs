@@ -12,7 +12,7 @@ pub enum Design {
     Sample(Sample),
 }
 
-/// Points of a sample that are looked at before a run.
+/// Points of a sample that are checked before a run.
 const MOST_PROBES: usize = 1000;
 
 impl Design {
@@ -32,8 +32,8 @@ impl Design {
         }
     }
 
-    /// Coordinates that are to be looked at before a run: every value and corner of a grid as far
-    /// as [`Grid::probes`] says, the first points of a sample.
+    /// Coordinates to check before a run: values and corners of a grid ([`Grid::probes`]), or the first points of a
+    /// sample.
     pub fn probes(&self) -> Vec<Vec<f64>> {
         match self {
             Self::Grid(grid) => grid.probes(),

@@ -1,7 +1,6 @@
 //! Distributions over which a parameter is sampled, by their quantiles.
 //!
-//! Every design draws numbers between 0 and 1 and asks for their quantiles, so that any
-//! distribution goes with any design.
+//! Every design draws numbers between 0 and 1 and takes their quantiles, so any distribution works with any design.
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -10,14 +9,14 @@ use crate::levels::{Fault, rounded};
 /// How a parameter is distributed.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Distribution {
-    /// Everything between two ends alike.
+    /// Uniform between two ends.
     Uniform {
         /// Lower end.
         from: f64,
         /// Upper end.
         to: f64,
     },
-    /// Every ratio between two positive ends alike.
+    /// Uniform in the logarithm, between two positive ends.
     LogUniform {
         /// Lower end.
         from: f64,
@@ -42,7 +41,28 @@ pub enum Distribution {
         /// Upper end.
         to: f64,
     },
-    /// The values of a column, each alike, in the order of its rows.
+    /// Lognormal.
+    Lognormal {
+        /// Mean of the number itself.
+        mean: f64,
+        /// Standard deviation of the number itself.
+        deviation: f64,
+    },
+    /// Rayleigh: the length of a vector with two independent normal components of mean 0.
+    Rayleigh {
+        /// Standard deviation of either component.
+        sigma: f64,
+    },
+    /// Triangular.
+    Triangular {
+        /// Lower end.
+        from: f64,
+        /// Where the density is greatest.
+        mode: f64,
+        /// Upper end.
+        to: f64,
+    },
+    /// The values of a column, equally likely, in the order of its rows.
     Column(Vec<f64>),
 }
 
@@ -91,6 +111,44 @@ impl Distribution {
         })
     }
 
+    /// A lognormal distribution by the mean and the standard deviation of the number itself.
+    ///
+    /// # Errors
+    /// Names the number that is wrong and what is allowed.
+    pub fn lognormal(mean: f64, deviation: f64) -> Result<Self, Fault> {
+        for (key, value) in [("mean", mean), ("sd", deviation)] {
+            if value <= 0.0 {
+                return Err((key, "a number > 0"));
+            }
+        }
+        Ok(Self::Lognormal { mean, deviation })
+    }
+
+    /// A Rayleigh distribution.
+    ///
+    /// # Errors
+    /// Names the number that is wrong and what is allowed.
+    pub fn rayleigh(sigma: f64) -> Result<Self, Fault> {
+        match sigma > 0.0 {
+            true => Ok(Self::Rayleigh { sigma }),
+            false => Err(("sigma", "a number > 0")),
+        }
+    }
+
+    /// A triangular distribution.
+    ///
+    /// # Errors
+    /// Names the number that is wrong and what is allowed.
+    pub fn triangular(from: f64, mode: f64, to: f64) -> Result<Self, Fault> {
+        if from >= to {
+            return Err(("from", "a number below to"));
+        }
+        match (from..=to).contains(&mode) {
+            true => Ok(Self::Triangular { from, mode, to }),
+            false => Err(("mode", "a number between from and to")),
+        }
+    }
+
     /// The number that a share `u` of the distribution, 0 < u < 1, lies below; to twelve digits,
     /// on which every platform's functions agree.
     pub fn quantile(&self, u: f64) -> f64 {
@@ -99,9 +157,7 @@ impl Distribution {
             Self::LogUniform { from, to } => {
                 rounded(from * libm::pow(to / from, u)).clamp(from, to)
             }
-            Self::Normal { mean, deviation } => {
-                rounded(mean + deviation * standard().inverse_cdf(u))
-            }
+            Self::Normal { mean, deviation } => rounded(mean + deviation * standard_quantile(u)),
             Self::Truncated {
                 mean,
                 deviation,
@@ -110,7 +166,23 @@ impl Distribution {
             } => {
                 let [low, high] = [from, to].map(|end| standard().cdf((end - mean) / deviation));
                 let share = low + u * (high - low);
-                rounded(mean + deviation * standard().inverse_cdf(share)).clamp(from, to)
+                rounded(mean + deviation * standard_quantile(share)).clamp(from, to)
+            }
+            Self::Lognormal { mean, deviation } => {
+                let ratio = deviation / mean;
+                let variance = libm::log1p(ratio * ratio);
+                let exponent = variance.sqrt() * standard_quantile(u) - 0.5 * variance;
+                rounded(mean * libm::exp(exponent))
+            }
+            Self::Rayleigh { sigma } => rounded(sigma * (-2.0 * libm::log1p(-u)).sqrt()),
+            Self::Triangular { from, mode, to } => {
+                let width = to - from;
+                let value = if u * width <= mode - from {
+                    from + (u * width * (mode - from)).sqrt()
+                } else {
+                    to - ((1.0 - u) * width * (to - mode)).sqrt()
+                };
+                rounded(value).clamp(from, to)
             }
             Self::Column(ref values) => {
                 let row = (u * values.len() as f64) as usize;
@@ -122,6 +194,11 @@ impl Distribution {
 
 fn standard() -> Normal {
     Normal::standard()
+}
+
+/// The number that a share `u` of the standard normal distribution lies below.
+pub(crate) fn standard_quantile(u: f64) -> f64 {
+    standard().inverse_cdf(u)
 }
 
 #[cfg(test)]
@@ -139,11 +216,11 @@ mod tests {
         [mean, variance.sqrt()]
     }
 
-    fn agree(found: [f64; 2], expected: [f64; 2], within: f64) {
-        for (found, expected) in found.iter().zip(expected) {
+    fn agree(measured: [f64; 2], expected: [f64; 2], within: f64) {
+        for (measured, expected) in measured.iter().zip(expected) {
             assert!(
-                (found - expected).abs() < within,
-                "{found} is not {expected}"
+                (measured - expected).abs() < within,
+                "{measured} is not {expected}"
             );
         }
     }
@@ -152,17 +229,24 @@ mod tests {
     fn moments_are_those_of_the_books() {
         let uniform = Distribution::uniform(1.0, 3.0, false).unwrap();
         agree(moments(&uniform), [2.0, (1.0f64 / 3.0).sqrt()], 1e-6);
-        let log = Distribution::uniform(1.0, std::f64::consts::E, true).unwrap();
-        agree(
-            moments(&log)[..1]
-                .try_into()
-                .map(|[m]: [f64; 1]| [m, 0.0])
-                .unwrap(),
-            [std::f64::consts::E - 1.0, 0.0],
-            1e-6,
-        );
+        let e = std::f64::consts::E;
+        let log = Distribution::uniform(1.0, e, true).unwrap();
+        let deviation = (0.5 * (e - 1.0) * (3.0 - e)).sqrt();
+        agree(moments(&log), [e - 1.0, deviation], 1e-6);
         let normal = Distribution::normal(5.0, 0.5, None).unwrap();
         agree(moments(&normal), [5.0, 0.5], 1e-3);
+        let lognormal = Distribution::lognormal(2.0, 0.5).unwrap();
+        agree(moments(&lognormal), [2.0, 0.5], 1e-3);
+        let rayleigh = Distribution::rayleigh(2.0).unwrap();
+        let pi = std::f64::consts::PI;
+        agree(
+            moments(&rayleigh),
+            [(2.0 * pi).sqrt(), (8.0 - 2.0 * pi).sqrt()],
+            1e-3,
+        );
+        let triangular = Distribution::triangular(1.0, 2.0, 6.0).unwrap();
+        // (a + b + c)/3 and (a² + b² + c² − ab − ac − bc)/18.
+        agree(moments(&triangular), [3.0, (21.0f64 / 18.0).sqrt()], 1e-5);
         // Between -1 and 1 the standard deviation is sqrt(1 - 2 φ(1) / (2 Φ(1) - 1)).
         let truncated = Distribution::normal(0.0, 1.0, Some([-1.0, 1.0])).unwrap();
         agree(moments(&truncated), [0.0, 0.539_56], 1e-4);
@@ -187,6 +271,15 @@ mod tests {
         );
         assert_eq!(Distribution::uniform(0.0, 1.0, true).unwrap_err().0, "from");
         assert_eq!(Distribution::normal(0.0, 0.0, None).unwrap_err().0, "sd");
+        let wrong = [
+            Distribution::lognormal(-1.0, 1.0),
+            Distribution::lognormal(1.0, 0.0),
+            Distribution::rayleigh(0.0),
+            Distribution::triangular(2.0, 2.0, 2.0),
+            Distribution::triangular(0.0, 3.0, 2.0),
+        ];
+        let named = wrong.map(|wrong| wrong.unwrap_err().0);
+        assert_eq!(named, ["mean", "sd", "sigma", "from", "mode"]);
         let far = Distribution::normal(0.0, 1.0, Some([7.0, 8.0]));
         assert_eq!(far.unwrap_err().0, "mean");
     }

@@ -53,10 +53,10 @@ impl Levels {
         // A billionth of a step forgives the rounding of decimals such as 0.1.
         let steps = ((to - from) / step + 1e-9).floor();
         if steps < 1.0 {
-            return Err(("step", "a number not beyond to - from"));
+            return Err(("step", "a number no larger than to - from"));
         }
         if steps >= MOST_VALUES {
-            return Err(("step", "so large that the axis has at most 1e7 values"));
+            return Err(("step", "a number that gives at most 1e7 values"));
         }
         let count = steps as usize + 1;
         Ok(Self::Range { from, step, count })
@@ -132,7 +132,7 @@ impl Levels {
 
 fn ends_differ(from: f64, to: f64) -> Result<(), Fault> {
     if from == to {
-        let allowed = "a number other than to; a list, [x], holds one value";
+        let allowed = "a number other than to (a single value is a list: [x])";
         return Err(("from", allowed));
     }
     Ok(())

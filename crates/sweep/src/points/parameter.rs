@@ -4,6 +4,8 @@
 //! `vehicle.legs[2].strut.preload_lb`, `vehicle.footpad.profile.scale`, `solver.tolerance`. Keys of
 //! the scene go by their short names too, and are always called by them in results.
 
+use crate::document::Value;
+use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::method_input;
 use crate::scene_input::NAMES;
@@ -57,7 +59,7 @@ impl Parameter {
         })
     }
 
-    /// Names most like a misspelt one, the most alike first.
+    /// Names most similar to a misspelt one, the most similar first.
     pub fn nearest(name: &str, legs: usize) -> Vec<String> {
         const SHOWN: usize = 3;
         const LEAST_LIKENESS: f64 = 0.75;
@@ -67,7 +69,7 @@ impl Parameter {
         let last = |name: &str| name.rsplit('.').next().unwrap_or(name).to_owned();
         let likeness = |known: &String| {
             let whole = strsim::jaro_winkler(name, known);
-            // A right key under a wrong table, or under none, is what was meant too.
+            // The right key in the wrong table, or in none, counts as similar.
             let key = strsim::jaro_winkler(&last(name), &last(known)) - 0.01;
             whole.max(key)
         };
@@ -86,15 +88,15 @@ impl Parameter {
         alike.into_iter().map(|(_, known)| known).collect()
     }
 
-    /// The complaint that no parameter has a name.
+    /// The message for an unknown name.
     pub(crate) fn unknown(name: &str, legs: usize) -> String {
         let guess = match Self::nearest(name, legs).as_slice() {
             [] => String::new(),
             names => format!("did you mean {}? ", names.join(" or ")),
         };
         format!(
-            "no such parameter; {guess}allowed are keys of the scene, and dotted keys of the vehicle, \
-             the search and the solver, such as vehicle.strut.compression_damping"
+            "unknown parameter; {guess}expected a key of the scene, or a dotted key of the vehicle, the \
+             search or the solver, such as vehicle.strut.compression_damping"
         )
     }
 
@@ -125,9 +127,24 @@ impl Parameter {
         self.words
     }
 
-    /// The word that a coordinate stands for: coordinates count words from 0.
+    /// The word of a coordinate, which is its index.
     pub fn word(&self, coordinate: f64) -> Option<&'static str> {
         self.words.get(coordinate as usize).copied()
+    }
+
+    /// The value in a text.
+    ///
+    /// # Errors
+    /// When it is neither a finite number nor, of a parameter that has words, one of them.
+    pub(crate) fn value(&self, text: &str) -> Result<Value, InputError> {
+        match self.words {
+            [] => match text.parse::<f64>() {
+                Ok(number) if number.is_finite() => Ok(Value::Number(number)),
+                _ => Err(InputError::value(&self.name, text, "a finite number")),
+            },
+            words if words.contains(&text) => Ok(Value::Text(text.to_owned())),
+            words => Err(InputError::value(&self.name, text, &words.join(" or "))),
+        }
     }
 
     /// A coordinate as results write it: with as many digits as it takes to read the same number

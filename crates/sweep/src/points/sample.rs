@@ -7,7 +7,8 @@ use rand::seq::SliceRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::distribution::Distribution;
+use crate::distribution::{Distribution, standard_quantile};
+use crate::levels::rounded;
 
 /// How points are spread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,14 +54,61 @@ impl Spread {
     }
 }
 
-/// A distribution, and which of the random numbers of a point it takes: axes that take the same
-/// move together.
+/// How an axis draws its value from the random numbers of a point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SampledAxis {
-    /// The distribution.
-    pub distribution: Distribution,
-    /// Index of the random number.
-    pub number: usize,
+pub enum SampledAxis {
+    /// From a distribution, by one random number. Axes with the same number move together.
+    Single {
+        /// The distribution.
+        distribution: Distribution,
+        /// Index of the random number.
+        number: usize,
+    },
+    /// As one of several jointly normal axes: mean + Σ factor · z, with a standard normal z for each random number.
+    Joint {
+        /// The mean.
+        mean: f64,
+        /// Random numbers by their index, and their factors.
+        factors: Vec<(usize, f64)>,
+        /// The jointly normal axes by their index, itself included, and the covariance with each.
+        covariances: Vec<(usize, f64)>,
+    },
+}
+
+impl SampledAxis {
+    /// The distribution of this axis alone.
+    pub fn marginal(&self) -> Distribution {
+        match self {
+            Self::Single { distribution, .. } => distribution.clone(),
+            Self::Joint { mean, factors, .. } => Distribution::Normal {
+                mean: *mean,
+                deviation: factors.iter().map(|(_, f)| f * f).sum::<f64>().sqrt(),
+            },
+        }
+    }
+
+    /// The greatest index of a random number that it takes.
+    fn last_number(&self) -> usize {
+        match self {
+            Self::Single { number, .. } => *number,
+            Self::Joint { factors, .. } => factors.iter().map(|(n, _)| *n).max().unwrap_or(0),
+        }
+    }
+
+    /// The value that the random numbers of a point give.
+    fn value(&self, random: impl Fn(usize) -> f64) -> f64 {
+        match self {
+            Self::Single {
+                distribution,
+                number,
+            } => distribution.quantile(random(*number)),
+            Self::Joint { mean, factors, .. } => {
+                let deviation =
+                    |(number, factor): &(usize, f64)| factor * standard_quantile(random(*number));
+                rounded(mean + factors.iter().map(deviation).sum::<f64>())
+            }
+        }
+    }
 }
 
 /// Points sampled from distributions.
@@ -78,7 +126,11 @@ impl Sample {
     /// `count` points, at most as many as the spread allows, over axes in the order of their
     /// parameters.
     pub fn new(axes: Vec<SampledAxis>, spread: Spread, count: usize, seed: u64) -> Self {
-        let numbers = axes.iter().map(|axis| axis.number + 1).max().unwrap_or(0);
+        let numbers = axes
+            .iter()
+            .map(|axis| axis.last_number() + 1)
+            .max()
+            .unwrap_or(0);
         let strata = match spread {
             Spread::LatinHypercube => (0..numbers).map(|n| shuffled(count, seed, n)).collect(),
             Spread::MonteCarlo | Spread::Sobol => Vec::new(),
@@ -114,7 +166,7 @@ impl Sample {
 
     /// Coordinates of the `index`-th point, from 0, one for each axis.
     pub fn coordinates(&self, index: usize) -> Vec<f64> {
-        let draw = |axis: &SampledAxis| axis.distribution.quantile(self.number(index, axis.number));
+        let draw = |axis: &SampledAxis| axis.value(|number| self.number(index, number));
         self.axes.iter().map(draw).collect()
     }
 
@@ -161,7 +213,7 @@ mod tests {
     use super::*;
 
     fn uniform(number: usize) -> SampledAxis {
-        SampledAxis {
+        SampledAxis::Single {
             distribution: Distribution::uniform(0.0, 1.0, false).unwrap(),
             number,
         }
@@ -218,6 +270,39 @@ mod tests {
             assert!(
                 (mean - 0.5).abs() < 5.0 * (1.0f64 / 12.0).sqrt() / 100.0,
                 "{mean}"
+            );
+        }
+    }
+
+    #[test]
+    fn jointly_normal_axes_have_their_means_and_covariances() {
+        let joint = |mean: f64, factors: &[(usize, f64)]| SampledAxis::Joint {
+            mean,
+            factors: factors.to_vec(),
+            covariances: Vec::new(),
+        };
+        // Variances 4 and 1, covariance −1.2.
+        let axes = vec![joint(10.0, &[(0, 2.0)]), joint(1.0, &[(0, -0.6), (1, 0.8)])];
+        let Distribution::Normal { deviation, .. } = axes[1].marginal() else {
+            panic!("a marginal is normal");
+        };
+        assert!((deviation - 1.0).abs() < 1e-15);
+        let count = 1 << 14;
+        let sample = Sample::new(axes, Spread::Sobol, count, 1);
+        let points: Vec<Vec<f64>> = (0..count).map(|index| sample.coordinates(index)).collect();
+        let mean = |of: &dyn Fn(&[f64]) -> f64| {
+            points.iter().map(|point| of(point)).sum::<f64>() / count as f64
+        };
+        for (measured, expected) in [
+            (mean(&|p| p[0]), 10.0),
+            (mean(&|p| p[1]), 1.0),
+            (mean(&|p| (p[0] - 10.0).powi(2)), 4.0),
+            (mean(&|p| (p[1] - 1.0).powi(2)), 1.0),
+            (mean(&|p| (p[0] - 10.0) * (p[1] - 1.0)), -1.2),
+        ] {
+            assert!(
+                (measured - expected).abs() < 0.01,
+                "{measured} is not {expected}"
             );
         }
     }

@@ -1,32 +1,60 @@
 //! How points are sampled: the table `[sample]` of a sweep file, and the axes of such a sweep.
 //!
-//! An axis says its distribution: `{ from, to }`, with `spacing = "log"` too, `{ mean, sd }`, with
-//! ends too, or a `column` of a `file`. Columns of one file take the values of one row, so that
-//! what belongs together stays together; so do axes with the same `zip`.
+//! An axis is a table that names its distribution, or has the keys of one: `{ from, to }`, with `spacing = "log"` too,
+//! `{ mean, sd }`, with ends too, or a `column` of a `file`. Columns of one file take the values of one row, so that
+//! what belongs together stays together; so do axes with the same `zip`. Jointly normal axes have a `mean` each and a
+//! covariance in `[[sample.covariance]]`.
 
 use std::path::Path;
 
 use crate::axis_input::{AxisEntry, is_logarithmic, only};
 use crate::distribution::Distribution;
 use crate::input_error::{InputError, Place};
+use crate::joint_normal::{self, JointNormal};
 use crate::library::{Library, Source};
 use crate::sample::{Sample, SampledAxis, Spread};
 use crate::section::LocatedValue;
 use crate::section::Section;
 
-pub(crate) const SAMPLE: [&str; 4] = ["design", "count", "seed", "stop_at_interval_width"];
-/// Keys of an axis.
-pub(crate) const FORM: [&str; 8] = [
-    "from", "to", "spacing", "mean", "sd", "file", "column", "zip",
+pub(crate) const SAMPLE: [&str; 5] = [
+    "design",
+    "count",
+    "seed",
+    "stop_at_interval_width",
+    "covariance",
 ];
+/// Keys of an axis.
+pub(crate) const FORM: [&str; 11] = [
+    "distribution",
+    "from",
+    "to",
+    "spacing",
+    "mean",
+    "sd",
+    "sigma",
+    "mode",
+    "file",
+    "column",
+    "zip",
+];
+/// Names of distributions, each with its keys.
+pub(crate) const DISTRIBUTIONS: [(&str, &[&str]); 5] = [
+    ("uniform", &["from", "to", "spacing"]),
+    ("normal", &["mean", "sd", "from", "to"]),
+    ("lognormal", &["mean", "sd"]),
+    ("rayleigh", &["sigma"]),
+    ("triangular", &["from", "mode", "to"]),
+];
+const AXIS: &str = "a table such as { from = …, to = … }, { mean = …, sd = … }, { distribution = …, … } or \
+                    { file = …, column = … }";
 /// Greatest seed that TOML and JSON keep exactly.
 const GREATEST_SEED: f64 = 9_007_199_254_740_992.0;
 
-/// What `[sample]` says.
+/// The content of `[sample]`.
 #[derive(Debug)]
 pub(crate) struct Sampled {
     pub(crate) sample: Sample,
-    /// Width of the intervals of probabilities at which enough is known.
+    /// Width of the intervals of probabilities at which the sweep stops.
     pub(crate) enough: Option<f64>,
 }
 
@@ -59,33 +87,75 @@ pub(crate) fn sampled(
             _ => return Err(found.complain("0 < value < 1")),
         },
     };
+    let joint = joint_normal::read(&section, entries)?;
+    let mut reader = Reader {
+        sweep,
+        library,
+        sources,
+    };
     let mut groups: Vec<Option<String>> = Vec::new();
-    let mut axes = Vec::with_capacity(entries.len());
-    for entry in entries {
-        let mut reader = Reader {
-            sweep,
-            library,
-            sources,
-        };
-        let (distribution, group) = reader.distribution(entry)?;
-        let known = groups
-            .iter()
-            .position(|known| group.is_some() && *known == group);
-        let number = known.unwrap_or_else(|| {
+    let mut numbers = Vec::with_capacity(entries.len());
+    let mut forms = Vec::with_capacity(entries.len());
+    for (axis, entry) in entries.iter().enumerate() {
+        let is_joint = joint.iter().any(|joint| joint.axes.contains(&axis));
+        let (form, group) = reader.axis(entry, is_joint)?;
+        let known = (groups.iter()).position(|known| group.is_some() && *known == group);
+        numbers.push(known.unwrap_or_else(|| {
             groups.push(group);
             groups.len() - 1
-        });
-        axes.push(SampledAxis {
-            distribution,
-            number,
-        });
+        }));
+        forms.push(form);
     }
     if groups.len() > spread.most_axes() {
         let most = spread.most_axes();
-        return Err(design.complain_that(&format!("allowed are at most {most} axes")));
+        return Err(design.complain_that(&format!("expected at most {most} axes with this design")));
     }
-    let sample = Sample::new(axes, spread, count, seed as u64);
+    let axes = forms
+        .into_iter()
+        .enumerate()
+        .map(|(axis, form)| match form {
+            AxisForm::Single(distribution) => SampledAxis::Single {
+                distribution,
+                number: numbers[axis],
+            },
+            AxisForm::Joint { mean } => joint_axis(&joint, axis, mean, &numbers),
+        });
+    let sample = Sample::new(axes.collect(), spread, count, seed as u64);
     Ok(Some(Sampled { sample, enough }))
+}
+
+/// How an axis is given.
+enum AxisForm {
+    Single(Distribution),
+    /// One of several jointly normal axes.
+    Joint {
+        mean: f64,
+    },
+}
+
+/// The draw of one of several jointly normal axes, each of which has a random number of its own.
+fn joint_axis(joint: &[JointNormal], axis: usize, mean: f64, numbers: &[usize]) -> SampledAxis {
+    let place = joint.iter().find_map(|joint| {
+        let place = joint.axes.iter().position(|other| *other == axis)?;
+        Some((joint, place))
+    });
+    let (factors, covariances) = match place {
+        Some((joint, place)) => {
+            let of_axes = |row: &[f64]| joint.axes.iter().copied().zip(row.to_vec()).collect();
+            let covariances: Vec<(usize, f64)> = of_axes(&joint.covariance[place]);
+            let factors: Vec<(usize, f64)> = of_axes(&joint.cholesky[place]);
+            (factors, covariances)
+        }
+        None => (Vec::new(), Vec::new()),
+    };
+    let factors = factors.into_iter().filter(|(_, factor)| *factor != 0.0);
+    SampledAxis::Joint {
+        mean,
+        factors: factors
+            .map(|(axis, factor)| (numbers[axis], factor))
+            .collect(),
+        covariances,
+    }
 }
 
 fn whole(section: &Section, key: &str, least: f64, most: f64) -> Result<usize, InputError> {
@@ -106,44 +176,35 @@ struct Reader<'r, 'l> {
 }
 
 impl Reader<'_, '_> {
-    /// The distribution of an axis, and the group with which it moves.
-    fn distribution(
+    /// The form of an axis, and the group with which it moves.
+    fn axis(
         &mut self,
         entry: &AxisEntry,
-    ) -> Result<(Distribution, Option<String>), InputError> {
-        let allowed = "{ from = …, to = … }, { mean = …, sd = … } or { file = …, column = … } \
-                       in a sample";
+        is_joint: bool,
+    ) -> Result<(AxisForm, Option<String>), InputError> {
         let Some(form) = entry.found.table(&FORM)? else {
-            return Err(entry.found.complain(allowed));
+            return Err(entry.found.complain(AXIS));
         };
         if !entry.parameter.words().is_empty() {
-            return Err(entry.found.complain_that("words cannot be sampled"));
+            return Err(entry
+                .found
+                .complain_that("a parameter with words cannot be sampled"));
         }
-        let group = form.optional("zip").map(|found| found.text()).transpose()?;
-        let group = group.map(|name| format!("zip {name}"));
+        if is_joint {
+            only(&form, &["mean"])?;
+            let mean = form.number("mean")?;
+            return Ok((AxisForm::Joint { mean }, None));
+        }
         if let Some(file) = form.optional("file") {
             only(&form, &["file", "column"])?;
             let column = form.value("column", "the name of a column of the file")?;
-            let group = Some(format!("file {}", file.text()?));
-            return Ok((self.column(&file, &column)?, group));
+            let distribution = self.column(&file, &column)?;
+            let group = format!("file {}", file.text()?);
+            return Ok((AxisForm::Single(distribution), Some(group)));
         }
-        let distribution = if form.optional("mean").is_some() || form.optional("sd").is_some() {
-            only(&form, &["mean", "sd", "from", "to", "zip"])?;
-            let ends = match (form.optional("from"), form.optional("to")) {
-                (None, None) => None,
-                _ => Some([form.number("from")?, form.number("to")?]),
-            };
-            Distribution::normal(form.number("mean")?, form.number("sd")?, ends)
-        } else {
-            only(&form, &["from", "to", "spacing", "zip"])?;
-            let is_logarithmic = is_logarithmic(&form)?;
-            Distribution::uniform(form.number("from")?, form.number("to")?, is_logarithmic)
-        };
-        let distribution = distribution.map_err(|(key, allowed)| match form.optional(key) {
-            Some(found) => found.complain(allowed),
-            None => form.missing(key, allowed),
-        });
-        Ok((distribution?, group))
+        let group = form.optional("zip").map(|zip| zip.text()).transpose()?;
+        let group = group.map(|name| format!("zip {name}"));
+        Ok((AxisForm::Single(distribution(&form)?), group))
     }
 
     fn column(
@@ -158,7 +219,7 @@ impl Reader<'_, '_> {
             .join(file.text()?);
         if let Some(refusal) = self.library.refusal(&path) {
             return Err(file.complain_that(&format!(
-                "{refusal}: allowed is the path of a table, relative to this file"
+                "{refusal}: expected the path of a table, relative to this file"
             )));
         }
         let text = self.library.text(&path)?;
@@ -168,6 +229,40 @@ impl Reader<'_, '_> {
         }
         Ok(Distribution::Column(values))
     }
+}
+
+/// The distribution that a table names, or whose keys it has.
+fn distribution(form: &Section) -> Result<Distribution, InputError> {
+    let name = match form.optional("distribution") {
+        Some(word) => word.text()?,
+        None if form.optional("mean").is_some() || form.optional("sd").is_some() => "normal",
+        None => "uniform",
+    };
+    let Some((name, keys)) = DISTRIBUTIONS.iter().find(|(known, _)| *known == name) else {
+        let names = DISTRIBUTIONS.map(|(name, _)| format!("{name:?}"));
+        return Err(form
+            .value("distribution", AXIS)?
+            .complain(&names.join(", ")));
+    };
+    only(form, &[keys, &["distribution", "zip"][..]].concat())?;
+    let number = |key| form.number(key);
+    let distribution = match *name {
+        "normal" => {
+            let ends = match (form.optional("from"), form.optional("to")) {
+                (None, None) => None,
+                _ => Some([number("from")?, number("to")?]),
+            };
+            Distribution::normal(number("mean")?, number("sd")?, ends)
+        }
+        "lognormal" => Distribution::lognormal(number("mean")?, number("sd")?),
+        "rayleigh" => Distribution::rayleigh(number("sigma")?),
+        "triangular" => Distribution::triangular(number("from")?, number("mode")?, number("to")?),
+        _ => Distribution::uniform(number("from")?, number("to")?, is_logarithmic(form)?),
+    };
+    distribution.map_err(|(key, allowed)| match form.optional(key) {
+        Some(value) => value.complain(allowed),
+        None => form.missing(key, allowed),
+    })
 }
 
 /// The numbers of a column of a table.
@@ -206,7 +301,7 @@ fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, I
         }
     }
     if values.is_empty() {
-        return Err(InputError::other("has no rows: required is at least one").at(place));
+        return Err(InputError::other("has no rows: expected at least one row").at(place));
     }
     Ok(values)
 }

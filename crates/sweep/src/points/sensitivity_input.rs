@@ -1,4 +1,4 @@
-//! Which sensitivities a sweep asks for: the table `[sensitivity]`, or the names that override it.
+//! Parameters of sensitivities: the table `[sensitivity]`, or the names that replace it.
 
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
@@ -8,7 +8,7 @@ use crate::section::Section;
 pub(crate) const SENSITIVITY: [&str; 1] = ["parameters"];
 const ALLOWED: &str = "a list of dotted names, such as \"vehicle.strut.compression_damping\"";
 
-/// Reads `[sensitivity]`; nothing is asked for without it.
+/// Reads `[sensitivity]`; no parameters without it.
 pub(crate) fn parameters(root: &Section, legs: usize) -> Result<Vec<Parameter>, InputError> {
     let Some(section) = root.optional_section("sensitivity", &SENSITIVITY)? else {
         return Ok(Vec::new());
@@ -42,15 +42,15 @@ fn add(parameters: &mut Vec<Parameter>, name: &str, legs: usize) -> Result<(), S
         return Err(Parameter::unknown(name, legs));
     };
     if parameter.name() == HORIZONTAL_VELOCITY {
-        return Err("is what the search varies: allowed are other conditions".to_owned());
+        return Err("the search varies it: expected another parameter".to_owned());
     }
     if parameter.home() == Home::Sweep {
-        let complaint = "is no property of the lander or the landing: allowed are keys of the scene \
+        let complaint = "not a property of the vehicle or the touchdown: expected keys of the scene \
                          and dotted keys of the vehicle";
         return Err(complaint.to_owned());
     }
     if parameters.contains(&parameter) {
-        return Err("is there twice: allowed is once".to_owned());
+        return Err("listed twice: expected once".to_owned());
     }
     parameters.push(parameter);
     Ok(())

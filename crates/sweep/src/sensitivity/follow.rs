@@ -103,17 +103,17 @@ mod tests {
             landings.set(landings.get() + 1);
             Ok::<_, Infallible>(land(speed))
         };
-        let Ok(found) = block_on(near.follow(&sample));
-        (found, landings.get())
+        let Ok(speed) = block_on(near.follow(&sample));
+        (speed, landings.get())
     }
 
     #[test]
     fn a_transition_is_found_on_either_side_of_where_it_is_expected() {
         for around in [10.45, 11.0, 11.39, 11.4, 11.5, 12.3] {
-            let (found, landings) = follow(around, 0.01, Class::Unstable);
+            let (speed, landings) = follow(around, 0.01, Class::Unstable);
             assert!(
-                (found.unwrap() - 11.4).abs() <= 0.5e-4,
-                "{around}: {found:?}"
+                (speed.unwrap() - 11.4).abs() <= 0.5e-4,
+                "{around}: {speed:?}"
             );
             assert!(landings < 20, "{landings} landings around {around}");
         }

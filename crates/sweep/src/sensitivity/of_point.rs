@@ -18,9 +18,9 @@ use crate::trial::{Sample, Trial};
 const FINER: f64 = 0.1;
 /// Longest step, in scales of the parameter.
 const LONGEST_STEP: f64 = 0.1;
-/// Steepest transition that is followed: by so many times V_H over a scale. Beyond it is a jump.
+/// Steepest change of a transition that is followed, in V_H per scale. Beyond it is a jump.
 const STEEPEST: f64 = 4.0;
-/// How far away the transition of the first step is expected, in parts of the steepest change.
+/// Change of the transition expected in the first step, over the steepest change.
 const EXPECTED: f64 = 1.0 / 16.0;
 /// Scale of angles and of rates of turn, deg and deg/s.
 const ANGULAR_SCALE: f64 = 30.0;
@@ -33,7 +33,7 @@ pub(crate) async fn of_point<Stop>(
     boundary: &Boundary,
     land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sensitivity, Stop> {
-    let nowhere = |speed, dependence| {
+    let without_slopes = |speed, dependence| {
         let step = None;
         let slopes = vec![Slope { step, dependence }; sweep.sensitivity.len()];
         Sensitivity {
@@ -42,12 +42,13 @@ pub(crate) async fn of_point<Stop>(
             ..Sensitivity::default()
         }
     };
-    let bracketed = (boundary.transition).and_then(|found| Some((found, found.low?)));
+    let bracketed =
+        (boundary.transition).and_then(|transition| Some((transition, transition.low?)));
     let Some((transition, low)) = bracketed else {
-        return Ok(nowhere(None, Dependence::NoTransition));
+        return Ok(without_slopes(None, Dependence::NoTransition));
     };
     if let Certainty::Disputed(_) = transition.certainty {
-        return Ok(nowhere(None, Dependence::Disputed));
+        return Ok(without_slopes(None, Dependence::Disputed));
     }
     let [landings, evaluations] = [Cell::new(0), Cell::new(0)];
     let counted = async |case: &Case, speed, variation| {
@@ -64,20 +65,20 @@ pub(crate) async fn of_point<Stop>(
         to: transition.to,
         width,
     };
-    let found = match near
+    let sensitivity = match near
         .follow(&async |speed| Sample::at(speed, counted(case, speed, Variation::Unchanged)).await)
         .await?
     {
-        // Landing at its ends once more gave something else.
-        None => nowhere(None, Dependence::Disputed),
+        // Landings at the ends of the bracket came out differently this time.
+        None => without_slopes(None, Dependence::Disputed),
         Some(speed) => {
-            let known = Known {
+            let followed = FollowedTransition {
                 speed,
                 to: transition.to,
                 width,
                 resolution: width + case.settings.tolerance() * speed,
             };
-            let slope = |parameter| known.slope(sweep, point, search, parameter, &counted);
+            let slope = |parameter| followed.slope(sweep, point, search, parameter, &counted);
             let slopes = join_all(sweep.sensitivity.iter().map(slope)).await?;
             Sensitivity {
                 speed: Some(speed),
@@ -89,23 +90,23 @@ pub(crate) async fn of_point<Stop>(
     Ok(Sensitivity {
         landings: landings.get(),
         evaluations: evaluations.get(),
-        ..found
+        ..sensitivity
     })
 }
 
 /// The transition of a point.
-struct Known {
+struct FollowedTransition {
     /// Where it is, ft/s.
     speed: f64,
     /// What begins there.
     to: Class,
     /// Width of brackets, ft/s.
     width: f64,
-    /// How well transitions are known, ft/s.
+    /// Error of transitions, ft/s.
     resolution: f64,
 }
 
-impl Known {
+impl FollowedTransition {
     /// How the transition depends on a parameter.
     async fn slope<Stop>(
         &self,
@@ -125,13 +126,13 @@ impl Known {
         let part = libm::cbrt(self.resolution / self.speed).min(LONGEST_STEP);
         let step = part * scale;
         let reach = STEEPEST * part * self.speed;
-        let found = |dependence| Slope {
+        let with_step = |dependence| Slope {
             step: Some(step),
             dependence,
         };
         let mut speeds = [self.speed; 5];
         let mut within = EXPECTED * reach;
-        // As far from one that is known as that is from another, on the other side.
+        // Each transition is expected on the straight line through two that have been computed.
         let places = [
             (3, 0.5, [2, 2]),
             (1, -0.5, [2, 3]),
@@ -140,7 +141,7 @@ impl Known {
         ];
         for (place, steps, [near, other]) in places {
             let Ok(case) = sweep.case_with(point, parameter, value + steps * step) else {
-                return Ok(found(Dependence::NotAllowed));
+                return Ok(with_step(Dependence::NotAllowed));
             };
             let near = Near {
                 around: 2.0 * speeds[near] - speeds[other],
@@ -156,15 +157,15 @@ impl Known {
                 .await?
             {
                 Some(speed) => speeds[place] = speed,
-                None => return gone(&case, search, land).await.map(found),
+                None => return jumps_or_vanishes(&case, search, land).await.map(with_step),
             }
             within = 0.25 * (speeds[3] - speeds[2]).abs();
         }
-        Ok(found(difference::judged(speeds, step, self.resolution)))
+        Ok(with_step(difference::judged(speeds, step, self.resolution)))
     }
 }
 
-/// Scale over which a parameter makes a difference, in its unit; `None` for 0.
+/// Scale over which V_H changes with a parameter, in its unit; `None` for 0.
 fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
     if parameter.is_angular() {
         return Some(ANGULAR_SCALE);
@@ -172,8 +173,8 @@ fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
     (value != 0.0).then(|| value.abs())
 }
 
-/// What became of a transition that is no longer near: an ordinary search tells.
-async fn gone<Stop>(
+/// Whether a transition that is not where it is expected jumps or vanishes, by an ordinary search.
+async fn jumps_or_vanishes<Stop>(
     case: &Case,
     search: &Search,
     land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,

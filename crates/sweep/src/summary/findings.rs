@@ -1,4 +1,4 @@
-//! What a point came to, as the bytes of a journal's record.
+//! The result of a point, and its form in a journal.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::landing::Landing;
@@ -8,23 +8,23 @@ use crate::boundary::Boundary;
 use crate::landing_table::{self, Cell};
 use crate::sensitivity::Sensitivity;
 
-/// What a point came to.
+/// The result of a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Finding {
-    /// Where landings cease to be stable.
+    /// The search for the boundary of stable landings.
     Boundary(Boundary),
-    /// How one landing ended.
+    /// One landing.
     Landing {
         /// Its outcome.
         outcome: Outcome,
-        /// All that is told of it, as [`crate::landing_table`] orders it.
+        /// Its results in the order of [`crate::landing_table`].
         cells: Vec<Cell>,
     },
-    /// Where landings cease to be stable, and what that depends on.
+    /// The search for the boundary, and sensitivities of the transition.
     Sensitive {
-        /// Where.
+        /// The search.
         boundary: Boundary,
-        /// What on.
+        /// The sensitivities.
         sensitivity: Sensitivity,
     },
 }
@@ -39,7 +39,7 @@ impl Finding {
         }
     }
 
-    /// Where landings cease to be stable, if that was asked.
+    /// The search for the boundary, if that is what the sweep computes.
     pub fn boundary(&self) -> Option<&Boundary> {
         match self {
             Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => Some(boundary),
@@ -78,13 +78,13 @@ impl Finding {
         }
     }
 
-    /// Its bytes; numbers keep every bit.
+    /// The bytes of a record; numbers keep every bit.
     pub fn encode(&self) -> Vec<u8> {
-        // Into memory, and of types that have a form: neither can fail.
+        // Neither memory nor these types can fail.
         postcard::to_stdvec(self).unwrap_or_default()
     }
 
-    /// What bytes say; `None` if they say nothing.
+    /// The result in the bytes of a record; `None` if they hold none.
     pub fn decode(bytes: &[u8]) -> Option<Self> {
         match postcard::take_from_bytes(bytes) {
             Ok((finding, [])) => Some(finding),

@@ -1,4 +1,4 @@
-//! How likely landings are to topple or to bottom a strut, from a sample of them.
+//! Probabilities of how landings end, from a sample of them.
 //!
 //! Intervals are Wilson's score intervals at 95 %. They hold for independent landings; those of a
 //! Latin hypercube or a Sobol sequence are at least as certain.
@@ -12,11 +12,11 @@ use crate::sweep_file::Sweep;
 
 /// Normal quantile of 97.5 %.
 const Z: f64 = 1.959_963_984_540_054;
-/// Bins of an axis that has no few values of its own.
+/// Bins of an axis with many values.
 const BINS: usize = 10;
-/// Most values of an axis that each have a bin.
+/// Most values of an axis with a bin for each.
 const MOST_VALUES: usize = 20;
-/// Landings between two questions whether enough is known.
+/// Landings between two checks whether the intervals are narrow enough.
 const PACE: u64 = 100;
 
 /// Columns of the table of probabilities: of each class of landings, and last of all that were not stable, their number,
@@ -81,7 +81,7 @@ impl Count {
         self.landings - self.toppled - self.bottomed - self.undecided - self.failed
     }
 
-    /// Whether after so many landings both probabilities are known to intervals of a width.
+    /// Whether the intervals of the probabilities of toppling and bottoming are no wider than `width`.
     pub fn is_enough(&self, width: f64) -> bool {
         let narrow = |hits| {
             let [low, high] = wilson(hits, self.landings);
@@ -114,7 +114,7 @@ impl Count {
     }
 }
 
-/// Wilson's score interval at 95 % of a probability of which `hits` of `trials` are known.
+/// Wilson's score interval at 95 % of the probability of `hits` in `trials`.
 pub fn wilson(hits: u64, trials: u64) -> [f64; 2] {
     if trials == 0 {
         return [0.0, 1.0];
@@ -148,22 +148,22 @@ pub struct Probabilities {
 /// Counts over bins of one axis.
 #[derive(Debug, Clone, PartialEq)]
 struct Bins {
-    /// Lower and upper ends as a table says them.
+    /// Lower and upper ends as a table writes them.
     ends: Vec<[String; 2]>,
-    /// From which value on the next bin counts.
+    /// Lower ends of all bins but the first.
     edges: Vec<f64>,
     counts: Vec<Count>,
 }
 
 impl Probabilities {
-    /// No landings yet of a sweep.
+    /// Empty counts for the bins of a sweep.
     pub fn none(sweep: &Sweep) -> Self {
         let bins = |(index, axis): (usize, &crate::parameter::Parameter)| {
             let written = |value: f64| axis.written(value);
             match &sweep.design {
                 Design::Grid(grid) => Bins::of_levels(&grid.axes()[index], written),
                 Design::Sample(sample) => {
-                    Bins::of_distribution(&sample.axes()[index].distribution, written)
+                    Bins::of_distribution(&sample.axes()[index].marginal(), written)
                 }
             }
         };
@@ -224,7 +224,11 @@ impl Bins {
         let outer = match *distribution {
             Distribution::Uniform { from, to }
             | Distribution::LogUniform { from, to }
-            | Distribution::Truncated { from, to, .. } => [written(from), written(to)],
+            | Distribution::Truncated { from, to, .. }
+            | Distribution::Triangular { from, to, .. } => [written(from), written(to)],
+            Distribution::Lognormal { .. } | Distribution::Rayleigh { .. } => {
+                [written(0.0), String::new()]
+            }
             Distribution::Normal { .. } | Distribution::Column(_) => [String::new(), String::new()],
         };
         Self::by_edges(edges.collect(), outer, written)
@@ -267,8 +271,8 @@ mod tests {
             (0, 20, [0.0, 0.1611]),
             (1, 29, [0.0061, 0.1718]),
         ] {
-            for (found, expected) in wilson(hits, trials).iter().zip(expected) {
-                assert!((found - expected).abs() < 5e-5, "{hits}/{trials}: {found}");
+            for (end, expected) in wilson(hits, trials).iter().zip(expected) {
+                assert!((end - expected).abs() < 5e-5, "{hits}/{trials}: {end}");
             }
         }
         assert_eq!(wilson(20, 20)[1], 1.0);

@@ -1,15 +1,17 @@
-//! A sweep in numbers, added up point by point.
+//! Counts over the points of a sweep.
 
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Boundary, Transition};
 use crate::certainty::Certainty;
+use crate::design::Design;
 use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::probabilities::Probabilities;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::skipped::Skipped;
 use crate::sweep_file::{Job, Sweep};
+use crate::transition_statistics::TransitionStatistics;
 
 /// Counts over the points of a sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -20,17 +22,17 @@ pub struct SweepCounts {
     pub landings: u64,
     /// Evaluations of the equations of motion.
     pub evaluations: u64,
-    /// Bands found.
+    /// Bands.
     pub bands: usize,
-    /// Intervals looked into for hidden bands.
+    /// Checks for hidden bands.
     pub checks: HiddenBandChecks,
-    /// What skips left out.
+    /// Landings saved by shortcuts of the search.
     pub skipped: Skipped,
-    /// Landings that put transitions to the test.
+    /// Landings that tested transitions.
     pub tests: u64,
     /// Landings for sensitivities.
     pub sensitivity_landings: u64,
-    /// Sensitivities asked for, over all points, and how many of them are smooth.
+    /// Sensitivities computed at all points, and those of them with a derivative.
     pub slopes: [usize; 2],
     /// The lowest first transition, and its point.
     pub lowest: Option<(usize, Transition)>,
@@ -38,17 +40,19 @@ pub struct SweepCounts {
     pub at_or_below: usize,
     /// Points whose first transition is disputed.
     pub disputed: usize,
-    /// Points at which some landings could not be computed, or were undecided at the time limit, as far as
-    /// transitions and bands tell.
+    /// Points with a transition or a band of landings that could not be computed, or that were undecided at the time
+    /// limit.
     pub with_failures: usize,
     /// See `with_failures`.
     pub with_undecided: usize,
-    /// Outcomes, where they are asked.
+    /// Probabilities, of a sweep of single landings.
     pub probabilities: Option<Probabilities>,
+    /// Transition velocities, where points are sampled.
+    pub transitions: Option<TransitionStatistics>,
     kinds: [usize; 5],
 }
 
-/// First transitions that are told apart, in the order in which they are told.
+/// Kinds of first transitions, in the order in which they are listed.
 const KINDS: [Option<Class>; 5] = [
     Some(Class::Unstable),
     Some(Class::Bottomed),
@@ -64,16 +68,26 @@ impl SweepCounts {
             Job::Boundary(_) => None,
             Job::Outcome { .. } => Some(Probabilities::none(sweep)),
         };
+        // Open ends can be sorted only where all points are searched over the same range.
+        let varies = (sweep.axes.iter())
+            .any(|axis| ["search.from_fps", "search.to_fps"].contains(&axis.name()));
+        let transitions = match (&sweep.job, &sweep.design) {
+            (Job::Boundary(search), Design::Sample(_)) if !varies => {
+                Some(TransitionStatistics::none(search))
+            }
+            _ => None,
+        };
         Self {
             probabilities,
+            transitions,
             ..Self::default()
         }
     }
 
     /// Adds a point; points come in order.
-    pub fn add(&mut self, sweep: &Sweep, point: usize, found: &Finding) {
+    pub fn add(&mut self, sweep: &Sweep, point: usize, finding: &Finding) {
         self.points += 1;
-        match found {
+        match finding {
             Finding::Boundary(boundary) => self.add_boundary(point, boundary),
             Finding::Sensitive {
                 boundary,
@@ -84,7 +98,7 @@ impl SweepCounts {
             }
             Finding::Landing { outcome, .. } => {
                 self.landings += 1;
-                self.evaluations += found.evaluations();
+                self.evaluations += finding.evaluations();
                 if let Some(probabilities) = &mut self.probabilities {
                     probabilities.add(&sweep.design.coordinates(point), outcome.class());
                 }
@@ -92,7 +106,7 @@ impl SweepCounts {
         }
     }
 
-    /// Whether the points so far tell enough, so that those after them do not count.
+    /// Whether the points so far are enough, so that the rest is left out.
     pub fn is_enough(&self, sweep: &Sweep) -> bool {
         match (sweep.job, &self.probabilities) {
             (
@@ -112,6 +126,9 @@ impl SweepCounts {
         self.checks += boundary.checks;
         self.skipped += boundary.skipped;
         self.tests += boundary.tests;
+        if let Some(transitions) = &mut self.transitions {
+            transitions.add(boundary);
+        }
         let kind = boundary.transition.map(|transition| transition.to);
         if let Some(index) = KINDS.iter().position(|known| *known == kind) {
             self.kinds[index] += 1;
@@ -136,13 +153,13 @@ impl SweepCounts {
         }
     }
 
-    fn add_sensitivity(&mut self, found: &Sensitivity) {
-        self.sensitivity_landings += found.landings;
-        self.landings += found.landings;
-        self.evaluations += found.evaluations;
+    fn add_sensitivity(&mut self, finding: &Sensitivity) {
+        self.sensitivity_landings += finding.landings;
+        self.landings += finding.landings;
+        self.evaluations += finding.evaluations;
         let is_smooth = |slope: &&Slope| matches!(slope.dependence, Dependence::Smooth { .. });
-        self.slopes[0] += found.slopes.len();
-        self.slopes[1] += found.slopes.iter().filter(is_smooth).count();
+        self.slopes[0] += finding.slopes.len();
+        self.slopes[1] += finding.slopes.iter().filter(is_smooth).count();
     }
 
     /// Number of points for each kind of first transition that occurs, `none` last.

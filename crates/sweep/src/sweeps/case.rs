@@ -18,14 +18,14 @@ use crate::sweep::{Job, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input, vehicle_file};
 
-/// What is landed at one point, how, and where its transition is searched.
+/// Input of one point.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// The vehicle.
     pub vehicle: Arc<Vehicle>,
     /// The scene; where the speed is searched, at the lowest of the search.
     pub scene: Scene,
-    /// What is asked.
+    /// What is computed.
     pub job: Job,
     /// How landings are computed.
     pub settings: Settings,
@@ -48,24 +48,24 @@ pub enum CaseFault {
 impl fmt::Display for CaseFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Scene(fault) => write!(f, "{}: allowed is {}", fault.name, fault.allowed),
+            Self::Scene(fault) => write!(f, "{}: expected {}", fault.name, fault.allowed),
             Self::Input { error, .. } => error.fmt(f),
         }
     }
 }
 
 impl Sweep {
-    /// Whether the sensitivities that are asked for can be.
+    /// Checks that the sensitivities can be computed.
     pub(crate) fn check_sensitivity(&self) -> Result<(), InputError> {
         let refuse =
             |complaint: String| Err(InputError::other(complaint).at(self.document.place()));
         if !self.sensitivity.is_empty() && self.search().is_none() {
-            return refuse("sensitivity: says nothing where job = \"outcome\"".to_owned());
+            return refuse("sensitivity: not used with job = \"outcome\"".to_owned());
         }
         let valueless = |parameter: &&Parameter| self.value(0, parameter).is_none();
         match self.sensitivity.iter().find(valueless) {
             Some(parameter) => refuse(format!(
-                "sensitivity to {}: it has no value here: allowed are numbers that the sweep or the \
+                "sensitivity to {}: the parameter has no value: expected a number that the sweep file or the \
                  vehicle file gives",
                 parameter.name()
             )),

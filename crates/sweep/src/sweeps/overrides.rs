@@ -1,10 +1,12 @@
-//! What holds instead of what a sweep file says, for one study more than it tells.
+//! Values from the command line that replace those of a sweep file.
 
+use crate::assignment::{self, Assignment};
 use crate::case;
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::parameter::Home;
+use crate::scene_input::HORIZONTAL_VELOCITY;
 use crate::section::Section;
 use crate::sensitivity_input;
 use crate::sweep::{Job, OverrideNames, SWEEP, Sweep};
@@ -12,22 +14,25 @@ use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
 
-/// What holds instead of a sweep file's own.
+/// What replaces a sweep file's own.
 #[derive(Debug, Clone, Default)]
 pub struct Overrides {
     /// The vehicle.
     pub vehicle: Option<VehicleFile>,
     /// Words of `[search]` and `[solver]`, by their dotted keys.
     pub words: Vec<(String, String)>,
-    /// Parameters on which the transition's dependence is asked; the file's where there are none.
+    /// Values of parameters that do not vary.
+    pub set: Vec<Assignment>,
+    /// Parameters of sensitivities; those of the file if empty.
     pub sensitivity: Vec<String>,
 }
 
 impl Sweep {
-    /// The sweep with something instead of what its file says.
+    /// The sweep with some of its input replaced.
     ///
     /// # Errors
-    /// When what varies would be replaced, says nothing in this sweep, or does not fit the vehicle.
+    /// When what varies would be replaced, when the sweep does not use it, or when a point of the sweep is no longer
+    /// valid.
     pub fn with(mut self, overrides: &Overrides) -> Result<Self, InputError> {
         for (name, word) in &overrides.words {
             let refuse = |complaint: &str| {
@@ -35,15 +40,16 @@ impl Sweep {
                 InputError::other(complaint).at(self.document.place())
             };
             if self.axes.iter().any(|axis| axis.name() == name) {
-                return Err(refuse("varies in this sweep"));
+                return Err(refuse("this parameter varies in the sweep"));
             }
             if name.starts_with("search.") && self.search().is_none() {
-                return Err(refuse("says nothing where job = \"outcome\""));
+                return Err(refuse("not used with job = \"outcome\""));
             }
             if let Some(path) = KeyPath::parse(name) {
                 self.document.write(&path, Value::Text(word.clone()));
             }
         }
+        self.set(&overrides.set)?;
         let first = self.design.coordinates(0);
         let document = case::written(&self.document, &self.axes, Home::Sweep, &first);
         let root = Section::root(&document, &SWEEP)?;
@@ -53,8 +59,13 @@ impl Sweep {
         self.settings = settings_input::settings(&root)?;
         if let Some(vehicle) = &overrides.vehicle {
             self.vehicle = vehicle.clone();
-            self.check_points()?;
             self.sources.push(vehicle.document.source());
+        }
+        self.vehicle = assignment::set_vehicle(&self.vehicle, &overrides.set)?;
+        if overrides.vehicle.is_some() || !overrides.set.is_empty() {
+            // It was made on what the sweep file describes.
+            self.statement = None;
+            self.check_points()?;
         }
         if !overrides.sensitivity.is_empty() {
             self.sensitivity = sensitivity_input::named(&overrides.sensitivity, LEGS)?;
@@ -64,15 +75,43 @@ impl Sweep {
         self.overrides = OverrideNames {
             vehicle: overrides.vehicle.as_ref().map(path),
             words: overrides.words.clone(),
+            set: (overrides.set.iter())
+                .map(|one| (one.parameter().name().to_owned(), one.text().to_owned()))
+                .collect(),
             sensitivity: overrides.sensitivity.clone(),
         };
         Ok(self)
     }
 
+    /// Sets conditions of the scene and numbers of the sweep file; those of the vehicle are only checked.
+    fn set(&mut self, set: &[Assignment]) -> Result<(), InputError> {
+        assignment::check_once(set)?;
+        for one in set {
+            let name = one.parameter().name();
+            if self.axes.contains(one.parameter()) {
+                return Err(one.refuse("this parameter varies in the sweep"));
+            }
+            let searches = self.search().is_some();
+            if searches && name == HORIZONTAL_VELOCITY {
+                return Err(one.refuse("the sweep searches the horizontal velocity"));
+            }
+            if !searches && name.starts_with("search.") {
+                return Err(one.refuse("not used with job = \"outcome\""));
+            }
+            if one.parameter().home() == Home::Sweep {
+                self.document.write(one.path(), one.value());
+            }
+        }
+        let names: Vec<&str> = set.iter().map(|one| one.parameter().name()).collect();
+        self.fixed.make_room_for(&names);
+        assignment::set_conditions(&mut self.fixed, set);
+        Ok(())
+    }
+
     fn check_points(&self) -> Result<(), InputError> {
         for coordinates in self.design.probes() {
             self.case_at(&coordinates).map_err(|fault| {
-                let complaint = format!("with another vehicle: {fault}");
+                let complaint = format!("with the values of the command line: {fault}");
                 InputError::other(complaint).at(self.document.place())
             })?;
         }
@@ -95,6 +134,7 @@ mod tests {
         let word = |key: &str, word: &str| (key.to_owned(), word.to_owned());
         let mut overrides = Overrides {
             vehicle: None,
+            set: Vec::new(),
             sensitivity: Vec::new(),
             words: vec![
                 word("solver.crush_rule", "section"),
@@ -107,7 +147,10 @@ mod tests {
         assert_eq!(settings.crush_rule(), CrushRule::Section);
         changed.axes[0] = crate::parameter::Parameter::named("solver.crush_rule", 3).unwrap();
         let complaint = changed.clone().with(&overrides).unwrap_err().to_string();
-        assert!(complaint.contains("varies in this sweep"), "{complaint}");
+        assert!(
+            complaint.contains("this parameter varies in the sweep"),
+            "{complaint}"
+        );
         overrides.words = vec![word("search.bands", "both")];
         let complaint = changed.with(&overrides).unwrap_err().to_string();
         assert!(complaint.contains("search.bands = \"both\""), "{complaint}");

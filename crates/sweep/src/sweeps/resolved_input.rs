@@ -9,11 +9,12 @@ use crate::document::{Entry, Value as Read};
 use crate::levels::Levels;
 use crate::method_input::method_name;
 use crate::parameter::Parameter;
+use crate::sample::SampledAxis;
 use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
 use crate::settings_input::{crush_rule_name, friction_profile_name};
 use crate::sweep_file::{Job, Sweep};
 
-/// Longest axis whose values are told one by one.
+/// Longest axis whose values are listed one by one.
 const MOST_VALUES: usize = 1000;
 
 impl Sweep {
@@ -71,11 +72,26 @@ impl Sweep {
         let value = |(index, axis): (usize, &Parameter)| {
             let value = match &self.design {
                 Design::Grid(grid) => levels_of(axis, &grid.axes()[index]),
-                Design::Sample(sample) => distribution_of(&sample.axes()[index].distribution),
+                Design::Sample(sample) => self.sampled_axis(&sample.axes()[index]),
             };
             (axis.name().to_owned(), value)
         };
         self.axes.iter().enumerate().map(value).collect()
+    }
+
+    fn sampled_axis(&self, axis: &SampledAxis) -> Value {
+        match axis {
+            SampledAxis::Single { distribution, .. } => distribution_of(distribution),
+            SampledAxis::Joint {
+                mean, covariances, ..
+            } => {
+                let covariances = covariances
+                    .iter()
+                    .map(|(other, value)| (self.axes[*other].name().to_owned(), json!(value)));
+                let covariances: Map<String, Value> = covariances.collect();
+                json!({"jointly-normal": {"mean": mean, "covariance": covariances}})
+            }
+        }
     }
 
     /// Names of axes that move together, group by group.
@@ -85,7 +101,9 @@ impl Sweep {
             Design::Sample(sample) => {
                 let mut groups = vec![Vec::new(); sample.axes().len()];
                 for (index, axis) in sample.axes().iter().enumerate() {
-                    groups[axis.number].push(index);
+                    if let SampledAxis::Single { number, .. } = axis {
+                        groups[*number].push(index);
+                    }
                 }
                 groups
             }
@@ -112,6 +130,13 @@ fn distribution_of(distribution: &Distribution) -> Value {
             from,
             to,
         } => json!({"normal": {"mean": mean, "sd": deviation, "from": from, "to": to}}),
+        Distribution::Lognormal { mean, deviation } => {
+            json!({"lognormal": {"mean": mean, "sd": deviation}})
+        }
+        Distribution::Rayleigh { sigma } => json!({"rayleigh": {"sigma": sigma}}),
+        Distribution::Triangular { from, mode, to } => {
+            json!({"triangular": {"from": from, "mode": mode, "to": to}})
+        }
         Distribution::Column(values) => json!({"column": values}),
     }
 }

@@ -1,5 +1,5 @@
-//! Scene files: a touchdown, and stacked behind it cases that tell only what differs from the one
-//! before, as the report's decks did.
+//! Scene files: a touchdown, and cases that list only what differs from the case before, as the
+//! report's stacked decks did.
 //!
 //! A case may change any touchdown condition, `vehicle.…` and `solver.…` by dotted keys, and the
 //! vehicle file. Giving the attitude in its other form replaces all of it.
@@ -25,7 +25,7 @@ pub(crate) const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver",
 pub(crate) const CASE: [&str; 2] = ["name", "vehicle"];
 const VEHICLE: &str = "the path of a vehicle file, relative to this file";
 const CASES: &str = "tables [[case]]";
-const NAME: &str = "letters, digits, - and _ in quotes, other than those of the cases before";
+const NAME: &str = "letters, digits, - and _ in quotes, not the name of a case before";
 
 /// One landing of a scene file.
 #[derive(Debug, Clone)]
@@ -124,7 +124,7 @@ impl<'d> Changes<'d> {
         Ok(changes)
     }
 
-    /// Where the case says the first of what belongs to a part of the input, if it says any.
+    /// The first value of the case that belongs to a part of the input, if there is one.
     fn first_of(&self, part: Home) -> Option<&LocatedValue<'d>> {
         let vehicle = self.vehicle.as_ref().filter(|_| part == Home::Vehicle);
         let own = || self.parameters.iter().find(|(p, _)| p.home() == part);
@@ -164,12 +164,12 @@ fn unknown(name: &str, legs: usize) -> String {
         names => format!("did you mean {}? ", names.join(" or ")),
     };
     format!(
-        "no such key of a case; {guess}allowed are name, keys of the scene, a vehicle file, and \
-         dotted keys of the vehicle and the solver, such as vehicle.strut.compression_damping"
+        "unknown key of a case; {guess}expected name, vehicle, a key of the scene, or a dotted key of the vehicle or \
+         the solver, such as vehicle.strut.compression_damping"
     )
 }
 
-/// The input as it stands at a case.
+/// The input after the changes of all cases so far.
 struct Stack {
     path: PathBuf,
     /// The scene file, of which the solver is read.
@@ -190,7 +190,7 @@ impl Stack {
         for (name, found) in scene.all_values() {
             conditions.set(name, found.number()?);
         }
-        // What is wrong in these files themselves is told of them, and not of the first case.
+        // Errors in these files are reported for the files, not for the first case.
         settings_input::settings_of_landing(root)?;
         VehicleFile::from_document(vehicle.clone())?;
         Ok(Self {

@@ -1,4 +1,4 @@
-//! A sweep: what lands, what varies, and what is asked at every point.
+//! A sweep: the vehicle, what varies, and what is computed at every point.
 
 use std::path::PathBuf;
 
@@ -27,14 +27,14 @@ pub(crate) const SWEEP: [&str; 10] = [
     "solver",
 ];
 
-/// What a sweep asks at every point.
+/// What a sweep computes at every point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Job {
-    /// From which horizontal velocity on landings are no longer stable.
+    /// The horizontal velocity from which landings are no longer stable.
     Boundary(Search),
     /// How one landing ends.
     Outcome {
-        /// Width of the intervals of the probabilities at which enough is known.
+        /// Width of the intervals of the probabilities at which the sweep stops.
         enough: Option<f64>,
     },
 }
@@ -44,23 +44,23 @@ pub enum Job {
 pub struct Sweep {
     /// The sweep file.
     pub path: PathBuf,
-    /// What the sweep is about, in the words of its file.
+    /// Title, as in its file.
     pub title: String,
-    /// What was said before of what the sweep shows, for its picture to stand against.
+    /// An earlier statement, which pictures show for comparison.
     pub statement: Option<String>,
     /// The vehicle; what varies of it has its first value.
     pub vehicle: VehicleFile,
     /// Conditions that do not vary.
     pub fixed: NamedConditions,
-    /// What varies, one parameter for each axis.
+    /// The parameters that vary, one for each axis.
     pub axes: Vec<Parameter>,
-    /// The values over which it varies.
+    /// Their values.
     pub design: Design,
-    /// What is asked at every point; what varies of it has its first value.
+    /// What is computed at every point; what varies of it has its first value.
     pub job: Job,
     /// How landings are computed; what varies of it has its first value.
     pub settings: Settings,
-    /// Parameters on which the first transition's dependence is asked.
+    /// Parameters whose effect on the first transition is computed.
     pub sensitivity: Vec<Parameter>,
     /// Set where results are those of some of the points: they are named and marked as such.
     pub part: Option<Part>,
@@ -84,6 +84,8 @@ pub struct Part {
 pub(crate) struct OverrideNames {
     pub(crate) vehicle: Option<PathBuf>,
     pub(crate) words: Vec<(String, String)>,
+    #[serde(default)]
+    pub(crate) set: Vec<(String, String)>,
     #[serde(default)]
     pub(crate) sensitivity: Vec<String>,
 }
@@ -113,7 +115,7 @@ impl Sweep {
         self
     }
 
-    /// Where to search, if that is what the sweep asks.
+    /// Where to search, if the sweep searches.
     pub fn search(&self) -> Option<&Search> {
         match &self.job {
             Job::Boundary(search) => Some(search),
@@ -134,7 +136,7 @@ impl Sweep {
         varied.map(|(axis, value)| axis.written(value)).collect()
     }
 
-    /// The coordinates of a point in words.
+    /// The coordinates of a point as text.
     pub fn place(&self, point: usize) -> String {
         let written = self.coordinates_written(point);
         let varied = self.axes.iter().zip(written);

@@ -137,7 +137,7 @@ pub(crate) fn named_vehicle(
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
     if let Some(refusal) = library.refusal(&file) {
         return Err(found.complain_that(&format!(
-            "{refusal}: allowed is the path of a vehicle file, relative to this file"
+            "{refusal}: expected the path of a vehicle file, relative to this file"
         )));
     }
     library.document(&file)
@@ -176,11 +176,11 @@ fn check_names(
             return Err(found.complain_that(SEARCHED));
         }
     } else if let Some(found) = root.optional("search") {
-        return Err(found.complain_that("says nothing where job = \"outcome\""));
+        return Err(found.complain_that("not used with job = \"outcome\""));
     }
     for (name, _) in scene.all_values() {
         if let Some(entry) = varied(name) {
-            let both = "also fixed in [scene]: allowed is either of the two";
+            let both = "also in [scene]: expected only one of the two";
             return Err(entry.found.complain_that(both));
         }
     }
@@ -188,9 +188,9 @@ fn check_names(
         .iter()
         .find(|entry| entry.parameter.name().starts_with("search."));
     match searched {
-        Some(entry) if asked == JobWord::Outcome => Err(entry
-            .found
-            .complain_that("says nothing where job = \"outcome\"")),
+        Some(entry) if asked == JobWord::Outcome => {
+            Err(entry.found.complain_that("not used with job = \"outcome\""))
+        }
         _ => Ok(()),
     }
 }
@@ -205,12 +205,14 @@ fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
         .collect::<Result<_, _>>()?;
     Grid::new(axes).map_err(|fault| match fault {
         GridFault::Uneven([first, other]) => entries[other].found.complain_that(&format!(
-            "moves together with {} but has not as many values: allowed is the same number of \
-             values along one zip",
+            "moves together with {} but has another number of values: expected the same number of \
+             values in one zip group",
             entries[first].parameter.name()
         )),
         GridFault::Empty | GridFault::Uncountable => match root.optional("axes") {
-            Some(found) => found.complain_that("the grid has more points than can be counted"),
+            Some(found) => {
+                found.complain_that("the grid has more points than can be counted: expected fewer")
+            }
             None => root.missing("axes", "a table [axes]"),
         },
     })
@@ -263,7 +265,7 @@ pub(crate) fn locate_condition(
         .find(|entry| entry.parameter.name() == fault.name);
     match (entry, fault.value) {
         (Some(entry), Some(value)) => entry.found.complain_that(&format!(
-            "{} is among them: allowed is {}",
+            "includes {}: expected {}",
             short(value.to_string()),
             fault.allowed
         )),

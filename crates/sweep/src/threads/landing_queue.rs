@@ -1,8 +1,8 @@
-//! Where searches ask for landings, and threads find them.
+//! The queue between searches, which request landings, and threads, which compute them.
 //!
-//! A search has to know some landings before it asks for the next, while lanes want many landings at a time. So
-//! many searches go on at a time, all of them on one thread, as next to nothing of the time is theirs; what
-//! they ask for waits here for the threads that land side by side.
+//! A search needs the results of some landings before it can request the next, while the lanes of a batch need many
+//! landings at the same time. So many searches run concurrently. They all run on one thread, because they take almost no
+//! time; their requests wait here for the threads that compute batches.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -16,12 +16,12 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-/// Landings that were asked for and nobody has begun with.
+/// Landings that were requested and not yet started.
 pub(crate) struct LandingQueue {
     threads: usize,
     queue: Mutex<Queue>,
     changed: Condvar,
-    /// How many are in the queue: threads look here before every step.
+    /// Length of the queue: threads read it before every step, without the lock.
     waiting: AtomicUsize,
 }
 
@@ -32,22 +32,22 @@ struct PendingLanding {
 }
 
 struct Queue {
-    /// By the number of the search, and in what order they were asked for: what was begun with is to be ended first.
-    asked: BTreeMap<(usize, usize), PendingLanding>,
-    /// How many were ever asked for.
+    /// By search, then in the order of the requests, so that searches end in about their order.
+    requests: BTreeMap<(usize, usize), PendingLanding>,
+    /// Requests so far, which gives each a key.
     count: usize,
-    /// Landings that threads have begun with.
+    /// Landings that threads have started and not finished.
     under_way: usize,
     is_closed: bool,
 }
 
 impl LandingQueue {
-    /// An landing_queue for so many threads that land.
+    /// An empty queue for a number of threads.
     pub(crate) fn new(threads: usize) -> Self {
         Self {
             threads,
             queue: Mutex::new(Queue {
-                asked: BTreeMap::new(),
+                requests: BTreeMap::new(),
                 count: 0,
                 under_way: 0,
                 is_closed: false,
@@ -61,7 +61,7 @@ impl LandingQueue {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Asks for a landing of the `search`-th search and waits for it; `None` when the landing_queue was closed.
+    /// Requests a landing for search number `search` and waits for it; `None` when the queue is closed.
     pub(crate) async fn landing(
         &self,
         search: usize,
@@ -70,11 +70,11 @@ impl LandingQueue {
         settings: Settings,
     ) -> Option<Landing> {
         let (sender, landing) = oneshot::channel();
-        self.ask(search, vehicle, scene, settings, sender);
+        self.request(search, vehicle, scene, settings, sender);
         landing.await.ok()
     }
 
-    fn ask(
+    fn request(
         &self,
         search: usize,
         vehicle: Arc<Vehicle>,
@@ -91,58 +91,58 @@ impl LandingQueue {
                 scene,
                 settings,
             };
-            let asked = PendingLanding {
+            let pending = PendingLanding {
                 request,
                 search: sender,
             };
-            queue.asked.insert((search, key), asked);
+            queue.requests.insert((search, key), pending);
             queue.count += 1;
             self.waiting.fetch_add(1, Ordering::Relaxed);
             self.changed.notify_one();
         }
     }
 
-    /// Lets all threads go once they have ended what they have begun with.
+    /// Drops all requests. Threads return when they have finished what they have started.
     pub(crate) fn close(&self) {
         let mut queue = self.queue();
         queue.is_closed = true;
-        queue.asked.clear();
+        queue.requests.clear();
         self.waiting.store(0, Ordering::Relaxed);
         self.changed.notify_all();
     }
 
-    /// Waits until a landing is asked for; false when none will be.
+    /// Waits for a request; false when the queue is closed.
     fn wait(&self) -> bool {
-        let is_idle = |queue: &mut Queue| !queue.is_closed && queue.asked.is_empty();
+        let is_idle = |queue: &mut Queue| !queue.is_closed && queue.requests.is_empty();
         let queue = (self.changed)
             .wait_while(self.queue(), is_idle)
             .unwrap_or_else(PoisonError::into_inner);
         !queue.is_closed
     }
 
-    /// The next landing for a thread that has so many under way. It gets no more than its share, so that none has
-    /// many while another has few.
+    /// The next landing for a thread that has `under_way` of them. A thread gets at most an equal share of all, so that
+    /// no thread waits while another has many.
     fn take(&self, under_way: usize) -> Option<PendingLanding> {
         if self.waiting.load(Ordering::Relaxed) == 0 {
             return None;
         }
         let mut queue = self.queue();
-        let all = queue.asked.len() + queue.under_way;
+        let all = queue.requests.len() + queue.under_way;
         if under_way >= all.div_ceil(self.threads) {
             return None;
         }
-        let (_, request) = queue.asked.pop_first()?;
+        let (_, request) = queue.requests.pop_first()?;
         queue.under_way += 1;
         self.waiting.fetch_sub(1, Ordering::Relaxed);
         Some(request)
     }
 
-    /// Lands what is asked for until the landing_queue is closed.
+    /// Computes requested landings until the queue is closed.
     pub(crate) fn land(&self) {
         self.land_with(land_many);
     }
 
-    /// The same with another way to land.
+    /// The same with another function for batches.
     fn land_with(
         &self,
         land_many: impl Fn(
@@ -150,8 +150,8 @@ impl LandingQueue {
             &mut dyn FnMut(usize, Landing),
         ) -> Occupancy,
     ) {
-        // Should a landing panic, no other thread waits for more.
-        let _rest = CloseOnDrop(self);
+        // If a landing panics, the other threads must not wait for ever.
+        let _close = CloseOnDrop(self);
         let under_way = RefCell::new(HashMap::new());
         while self.wait() {
             let mut next = || {
@@ -163,7 +163,7 @@ impl LandingQueue {
             land_many(&mut next, &mut |key, landing| {
                 self.queue().under_way -= 1;
                 if let Some(search) = under_way.borrow_mut().remove(&key) {
-                    // Nobody waits for the landings of a search that was given up.
+                    // The search may have been dropped.
                     let _ = search.send(landing);
                 }
             });
@@ -171,8 +171,8 @@ impl LandingQueue {
     }
 }
 
-/// CloseOnDrop an landing_queue in the end, come what may.
-pub(crate) struct CloseOnDrop<'e>(pub(crate) &'e LandingQueue);
+/// Closes a queue when dropped, also in a panic.
+pub(crate) struct CloseOnDrop<'q>(pub(crate) &'q LandingQueue);
 
 impl Drop for CloseOnDrop<'_> {
     fn drop(&mut self) {
@@ -190,8 +190,8 @@ mod tests {
     use crate::measured_scenes::near_boundary;
     use crate::vehicle_file::VehicleFile;
 
-    /// Asks for a landing that nobody waits for.
-    fn ask(landing_queue: &LandingQueue, search: usize) {
+    /// Requests a landing without waiting for it.
+    fn ask(queue: &LandingQueue, search: usize) {
         let file = concat!(
             env!("CARGO_MANIFEST_DIR"),
             "/../../sweeps/vehicles/surveyor-table-4-1.toml"
@@ -200,7 +200,7 @@ mod tests {
         let scene = near_boundary(false).unwrap()[0];
         let settings = Settings::new(3e-4, 0.05, CrushRule::default()).unwrap();
         let (sender, _) = oneshot::channel();
-        landing_queue.ask(search, Arc::new(vehicle), scene, settings, sender);
+        queue.request(search, Arc::new(vehicle), scene, settings, sender);
     }
 
     /// A landing that panics.
@@ -213,29 +213,29 @@ mod tests {
     }
 
     #[test]
-    fn a_thread_that_panics_lets_the_others_go() {
-        let landing_queue = LandingQueue::new(2);
-        ask(&landing_queue, 0);
+    fn a_panic_in_one_thread_ends_the_others() {
+        let queue = LandingQueue::new(2);
+        ask(&queue, 0);
         let panicked = std::thread::scope(|scope| {
-            let threads = [(), ()].map(|()| scope.spawn(|| landing_queue.land_with(broken)));
+            let threads = [(), ()].map(|()| scope.spawn(|| queue.land_with(broken)));
             threads.map(|thread| thread.join().is_err())
         });
         assert_eq!(panicked.iter().filter(|panicked| **panicked).count(), 1);
     }
 
     #[test]
-    fn threads_get_the_first_searches_first_and_no_more_than_their_share() {
-        let landing_queue = LandingQueue::new(2);
-        assert!(landing_queue.take(0).is_none());
+    fn threads_take_the_first_searches_first_and_at_most_an_equal_share() {
+        let queue = LandingQueue::new(2);
+        assert!(queue.take(0).is_none());
         for search in [2, 1, 1] {
-            ask(&landing_queue, search);
+            ask(&queue, search);
         }
-        let take = |under_way| landing_queue.take(under_way).map(|asked| asked.request.key);
+        let take = |under_way| queue.take(under_way).map(|pending| pending.request.key);
         assert_eq!([take(0), take(1), take(2)], [Some(1), Some(2), None]);
         assert_eq!([take(0), take(1)], [Some(0), None]);
-        ask(&landing_queue, 3);
-        landing_queue.close();
-        ask(&landing_queue, 3);
-        assert_eq!((take(0), landing_queue.wait()), (None, false));
+        ask(&queue, 3);
+        queue.close();
+        ask(&queue, 3);
+        assert_eq!((take(0), queue.wait()), (None, false));
     }
 }

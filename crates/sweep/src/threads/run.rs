@@ -87,7 +87,7 @@ impl fmt::Display for RunError {
             Self::Journal(error) => error.fmt(f),
             Self::TooManyThreads { asked, most } => write!(
                 f,
-                "threads = {asked}: allowed are 1 to {most} on this machine; results do not depend on them"
+                "threads = {asked}: expected 1 to {most} on this machine; results do not depend on them"
             ),
             Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
         }

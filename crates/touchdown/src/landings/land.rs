@@ -1,5 +1,4 @@
-//! `touchdown land`: one landing, with `--cases` one for each row of a table, or those of a scene
-//! file.
+//! `touchdown land`: one landing, with `--cases` one for each row of a table, or the cases of a scene file.
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -9,8 +8,10 @@ use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::parameter::Home;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -39,16 +40,16 @@ Examples:
       --vertical-velocity 14.24567 --horizontal-velocity 9.27685 --cross-slope 180 \\
       --slope 15 --pitch 5 --friction 0.8
 
-  One landing for each row of a table with the columns vertical_velocity_fps,
-  horizontal_velocity_fps, cross_slope_deg, slope_deg and friction, and if wanted others such as
-  case (a name), pitch_deg, yaw_deg, roll_deg or vehicle.strut.preload_lb:
+  One landing for each row of a table. Required columns are vertical_velocity_fps,
+  horizontal_velocity_fps, cross_slope_deg, slope_deg and friction; others, such as roll_deg or
+  vehicle.strut.preload_lb, replace defaults and numbers of the vehicle file:
     touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \\
       --cases cases.csv --out outcomes.csv
 
-  The touchdown of a scene file, and stacked behind it cases that tell only what differs from the
-  one before, each with its history:
+  The cases of a scene file, each with its history. A case lists only what differs from the case
+  before:
     touchdown land scene.toml --out landings
-  where scene.toml says
+  with scene.toml:
     vehicle = \"vehicles/surveyor-table-4-1.toml\"    # relative to this file
     [scene]                                          # and [solver], as in a sweep file
     vertical_velocity_fps = 14
@@ -68,18 +69,22 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, override_usage = USAGE)]
 pub struct Options {
-    /// Scene file (TOML): a touchdown, and `[[case]]` tables that tell only what differs from the case
+    /// Scene file (TOML): a touchdown, and `[[case]]` tables that list only what differs from the case
     /// before
     #[arg(
         value_name = "SCENE.toml",
         requires = "out",
-        group = "told",
+        group = "history_output",
         conflicts_with_all = ["TouchdownOptions", "SolverOptions", "vehicle", "cases", "json"]
     )]
     scene: Option<PathBuf>,
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE", required_unless_present = "scene")]
     vehicle: Option<PathBuf>,
+    /// Set one value of the vehicle or the touchdown by its dotted name, e.g. vehicle.strut.preload_lb=200; may be
+    /// repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse, conflicts_with = "scene")]
+    set: Vec<Assignment>,
     #[command(flatten)]
     touchdown: TouchdownOptions,
     #[command(flatten)]
@@ -89,18 +94,18 @@ pub struct Options {
         long,
         value_name = "FILE",
         conflicts_with = "cases",
-        group = "told",
+        group = "history_output",
         help_heading = "Output"
     )]
     history: Option<PathBuf>,
     /// Time between the rows of a history, s
-    #[arg(long, value_name = "S", default_value_t = 0.01, requires = "told",
+    #[arg(long, value_name = "S", default_value_t = 0.01, requires = "history_output",
           value_parser = finite, allow_hyphen_values = true, help_heading = "Output")]
     interval: f64,
     /// Print the result as JSON
     #[arg(long, conflicts_with = "cases", help_heading = "Output")]
     json: bool,
-    /// Land once for each row of this CSV table instead
+    /// Compute one landing for each row of this CSV table
     #[arg(
         long,
         value_name = "FILE",
@@ -109,11 +114,10 @@ pub struct Options {
         help_heading = "Many landings"
     )]
     pub cases: Option<PathBuf>,
-    /// Write the results of --cases to this CSV file; of a scene file, results and histories to this
-    /// folder
+    /// CSV file for the results of --cases; folder for the results and histories of a scene file
     #[arg(long, value_name = "PATH", help_heading = "Many landings")]
     pub out: Option<PathBuf>,
-    /// Replace files that are no earlier results of this command
+    /// Also replace existing files that are not earlier results of this command
     #[arg(long, help_heading = "Output")]
     overwrite: bool,
     /// Threads for --cases [default: one for each core]
@@ -138,7 +142,23 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let Some(vehicle_path) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());
     };
-    let vehicle = VehicleFile::read(vehicle_path)?;
+    assignment::check_once(&options.set)?;
+    let vehicle = assignment::set_vehicle(&VehicleFile::read(vehicle_path)?, &options.set)?;
+    for one in &options.set {
+        match one.parameter().home() {
+            Home::Vehicle => {}
+            Home::Scene if options.cases.is_none() => {}
+            Home::Scene => {
+                return Err(one
+                    .refuse("with --cases the table gives the touchdown")
+                    .into());
+            }
+            Home::Sweep => {
+                let complaint = "expected a key of the vehicle or the touchdown; options such as --tolerance set the solver";
+                return Err(one.refuse(complaint).into());
+            }
+        }
+    }
     let inputs: Vec<&Path> = (std::iter::once(vehicle_path).chain(&options.cases))
         .map(PathBuf::as_path)
         .collect();
@@ -153,7 +173,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             cases::run(&workers, options.quiet, &vehicle, &settings, cases, out)
         }
         (None, Some(_)) => {
-            let complaint = "--out is used with --cases or a scene file only";
+            let complaint = "--out requires --cases or a scene file";
             Err(InputError::other(complaint).into())
         }
         _ => {
@@ -166,7 +186,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 }
 
 fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> Result<(), Failure> {
-    let scene = options.touchdown.scene()?;
+    let conditions = options.touchdown.with(&options.set)?;
+    let scene = options.touchdown.scene(&conditions, &options.set)?;
     // No observations are needed without a history.
     let interval = match options.history {
         Some(_) => interval(options.interval, settings.time_limit())?,
@@ -189,14 +210,27 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
         let table = history.table().map_err(Failure::running)?;
         folder.write_files(&[(name, table)])?;
     }
-    let conditions = options.touchdown.named();
     print(&if options.json {
         format!(
             "{:#}\n",
-            report::json(vehicle, &conditions, settings, &landing, &integration)
+            report::json(
+                vehicle,
+                &options.set,
+                &conditions,
+                settings,
+                &landing,
+                &integration
+            )
         )
     } else {
-        report::text(vehicle, &conditions, settings, &landing, &integration)
+        report::text(
+            vehicle,
+            &options.set,
+            &conditions,
+            settings,
+            &landing,
+            &integration,
+        )
     })?;
     if let Some(warning) = report::warning(&landing) {
         eprintln!("touchdown: warning: {warning}");

@@ -14,7 +14,7 @@ pub fn interval(seconds: f64, time_limit: f64) -> Result<f64, InputError> {
     if seconds >= least && seconds > 0.0 {
         Ok(seconds)
     } else {
-        let allowed = format!("a time from {least:e} s, a ten-millionth of the time limit, up");
+        let allowed = format!("at least {least:e} s, a ten-millionth of the time limit");
         Err(InputError::value("--interval", seconds, &allowed))
     }
 }

@@ -1,19 +1,22 @@
-//! One landing, told to a reader or to a program.
+//! The report of one landing, as text and as JSON.
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::fingerprint::fingerprint;
 use touchdown_sweep::landing_table;
 use touchdown_sweep::method_input::{method_name, method_words};
+use touchdown_sweep::parameter::Home;
 use touchdown_sweep::results;
 use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
+use crate::summary::number;
 
 /// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
 pub fn degrees(angle: f64, decimals: u8) -> String {
@@ -22,9 +25,10 @@ pub fn degrees(angle: f64, decimals: u8) -> String {
     format!("{rounded:.*}", usize::from(decimals))
 }
 
-/// A landing for a reader.
+/// The report as text.
 pub fn text(
     vehicle: &VehicleFile,
+    set: &[Assignment],
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing,
@@ -37,7 +41,12 @@ pub fn text(
         .collect();
     let energies = &landing.energies;
     let work = |of: fn(&LegWork) -> f64| energies.legs.iter().map(of).sum::<f64>();
-    let mut lines = Lines(format!("{}\n{}\n\n", vehicle.name, wrapped(&given)));
+    let changes: String = (set.iter())
+        .filter(|one| one.parameter().home() == Home::Vehicle)
+        .map(|one| format!("with {} = {}\n", one.parameter().name(), one.text()))
+        .collect();
+    let name = &vehicle.name;
+    let mut lines = Lines(format!("{name}\n{changes}{}\n\n", wrapped(&given)));
     lines.add(
         "outcome",
         format!("{} at {:.6} s", landing.outcome, landing.end_time),
@@ -85,8 +94,10 @@ pub fn text(
     lines.add(
         "computation",
         format!(
-            "{} steps, {} events, {} derivative evaluations",
-            landing.steps, landing.events, landing.evaluations,
+            "{}, {}, {}",
+            number(landing.steps, "step"),
+            number(landing.events, "event"),
+            number(landing.evaluations, "derivative evaluation"),
         ),
     );
     lines.add(
@@ -147,12 +158,14 @@ fn wrapped(parts: &[String]) -> String {
 
 fn why(outcome: &Outcome) -> String {
     match outcome {
-        Outcome::StableRockback => "it rocked up and came back onto other feet".to_owned(),
-        Outcome::StableSubsided => "its motion subsided near the ground".to_owned(),
-        Outcome::UnstablePitch => "its CG passed outboard of the critical feet".to_owned(),
-        Outcome::UnstableYaw => "all feet came to one side of the plane of motion".to_owned(),
-        Outcome::Bottomed { leg } => format!("strut {} reached its least length", leg + 1),
-        Outcome::TimeExpired => "nothing of this before the time limit".to_owned(),
+        Outcome::StableRockback => "it tipped up, stopped and fell back".to_owned(),
+        Outcome::StableSubsided => "its motion died out near the ground".to_owned(),
+        Outcome::UnstablePitch => {
+            "its CG passed over the line through the critical feet".to_owned()
+        }
+        Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
+        Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
+        Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),
         Outcome::Failure(reason) => reason.to_string(),
         Outcome::Sliding => {
             "it slides steadily down a slope on which friction cannot stop it".to_owned()
@@ -161,9 +174,10 @@ fn why(outcome: &Outcome) -> String {
     }
 }
 
-/// A landing for a program.
+/// The report as JSON.
 pub fn json(
     vehicle: &VehicleFile,
+    set: &[Assignment],
     conditions: &NamedConditions,
     settings: &Settings,
     landing: &Landing,
@@ -193,6 +207,9 @@ pub fn json(
         "commit": results::COMMIT,
         "vehicle_file": vehicle.document.path().display().to_string(),
         "vehicle_fingerprint": fingerprint(&vehicle.document.source().text),
+        "set": (set.iter())
+            .map(|one| (one.parameter().name().to_owned(), json!(one.text())))
+            .collect::<Map<String, Value>>(),
         "scene": scene,
         "solver": {
             "tolerance": settings.tolerance(),

@@ -1,9 +1,10 @@
-//! Options of `sweep` that hold instead of what sweep files say, for one study more than they tell.
+//! Options of `sweep` that replace what sweep files say.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::scene::CrushRule;
+use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::settings_input::crush_rule_name;
@@ -12,27 +13,30 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::solver_options::rule;
 
-/// What holds instead of the sweep files.
+/// What replaces the values of the sweep files.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Overrides of what the sweep files say")]
+#[command(next_help_heading = "Replacing values of the sweep files")]
 pub struct OverrideOptions {
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE")]
     vehicle: Option<PathBuf>,
-    /// When an element may crush further: "pivot-rate" or "section"
+    /// Set one value by its dotted name, e.g. vehicle.strut.preload_lb=200 or slope_deg=10; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse)]
+    set: Vec<Assignment>,
+    /// Crush rule: "pivot-rate" or "section"
     #[arg(long, value_name = "RULE", value_parser = rule)]
     crush_rule: Option<CrushRule>,
-    /// Search up to the first transition, or all of them
+    /// Find the first transition, or every band of the range
     #[arg(long, value_name = "BANDS")]
     bands: Option<Bands>,
-    /// Scan every step, or skip those between quiet landings
+    /// Land at every step of the scan, or skip steps between quiet landings
     #[arg(long, value_name = "SCAN")]
     scan: Option<ScanName>,
-    /// Narrow brackets by interpolating margins, or by halving
+    /// Narrow brackets by interpolating margins or by halving
     #[arg(long, value_name = "HOW")]
     refinement: Option<RefinementName>,
-    /// Parameters by their dotted names (commas between them) on which the dependence of the first
-    /// transition is told: dV_H/dp at every point, and a tornado chart
+    /// Parameters, by their dotted names and separated by commas, for which dV_H/dp is computed at every
+    /// point; with a tornado chart
     #[arg(long, value_name = "PARAMETERS", value_delimiter = ',')]
     sensitivity: Vec<String>,
 }
@@ -51,7 +55,7 @@ enum Bands {
 enum ScanName {
     /// Every step
     Full,
-    /// Every step but between quiet landings
+    /// Without the steps between quiet landings
     Skipping,
 }
 
@@ -81,6 +85,7 @@ impl OverrideOptions {
         let given = |(key, word): (&str, Option<String>)| Some((key.to_owned(), word?));
         let overrides = Overrides {
             vehicle,
+            set: self.set.clone(),
             words: words.into_iter().filter_map(given).collect(),
             sensitivity: self.sensitivity.clone(),
         };

@@ -14,15 +14,15 @@ use crate::touchdown_options::finite;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Solver")]
 pub struct SolverOptions {
-    /// When an element may crush further: "pivot-rate", only while its pivot moves into the
-    /// ground, as in the 1966 program, or "section", at its maximum penetration
+    /// When an element may crush further: "pivot-rate" (as in the program of 1966), only while its pivot
+    /// moves into the ground; "section", whenever it goes deeper than before
     #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule)]
     crush_rule: CrushRule,
     /// How friction sets in near rest (4.1.5 of the report): A, B or C, as in the 1966 program
     #[arg(long, value_name = "PROFILE", default_value = "C", value_parser = profile)]
     friction_profile: FrictionProfile,
-    /// How the motion is integrated: "located" finds every change of a law in time; the others are
-    /// of 1966: the report's own step doubling, and those it was compared with
+    /// Integration method. "located" finds every change of a law in time; the others are those of 1966:
+    /// "report" is the report's own step doubling, the rest are the methods it was compared with
     #[arg(long, value_name = "METHOD", default_value = "located", value_parser = METHODS)]
     method: String,
     /// Relative error tolerance per step of "located", from 1e-12 to 1e-2 [default: 1e-6]
@@ -34,24 +34,24 @@ pub struct SolverOptions {
     /// First interval of "report" and "milne", s [default: 0.0005]
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     first_interval: Option<f64>,
-    /// Interval that "report" and "milne" do not cut further, s [default: 1e-6]
+    /// Shortest interval of "report" and "milne", s [default: 1e-6]
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     least_interval: Option<f64>,
     /// Interval of "rk4" and "trapezoidal", s [default: 0.002]
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     fixed_interval: Option<f64>,
-    /// Time at which a landing without an outcome is given up, s [default: 40]
+    /// Time at which a landing without an outcome ends as time-expired, s [default: 40]
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     time_limit: Option<f64>,
 }
 
 /// The crush rule of a name.
 pub fn rule(name: &str) -> Result<CrushRule, String> {
-    crush_rule(name).ok_or_else(|| "allowed is pivot-rate or section".to_owned())
+    crush_rule(name).ok_or_else(|| "expected pivot-rate or section".to_owned())
 }
 
 fn profile(name: &str) -> Result<FrictionProfile, String> {
-    friction_profile(name).ok_or_else(|| "allowed is A, B or C".to_owned())
+    friction_profile(name).ok_or_else(|| "expected A, B or C".to_owned())
 }
 
 impl SolverOptions {

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use touchdown_dynamics::scene::Scene;
+use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::scene_input::{NamedConditions, SceneFault};
 
@@ -30,13 +31,13 @@ pub struct TouchdownOptions {
     /// Pitch angle, about the horizontal axis across the slope [default: 0]
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     pitch: Option<f64>,
-    /// Yaw angle, about the vehicle's once turned y axis [default: 0]
+    /// Yaw angle, about the vehicle's y axis after pitch [default: 0]
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     yaw: Option<f64>,
     /// Roll angle, about the vehicle's centreline [default: 0]
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     roll: Option<f64>,
-    /// Angle between centreline and vertical; the tip form, instead of pitch, yaw and roll
+    /// Angle between centreline and vertical; replaces --pitch, --yaw and --roll
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     tip: Option<f64>,
     /// Azimuth of the axis about which the vehicle is tipped, with --tip
@@ -83,14 +84,37 @@ impl TouchdownOptions {
         conditions
     }
 
-    /// The scene, with complaints in the words of the command line.
-    pub fn scene(&self) -> Result<Scene, InputError> {
-        self.named().scene().map_err(
+    /// The conditions by name, with those that `--set` gives.
+    pub fn with(&self, set: &[Assignment]) -> Result<NamedConditions, InputError> {
+        let mut conditions = self.named();
+        for one in set {
+            let name = one.parameter().name();
+            if conditions.get(name).is_some() {
+                return Err(one.refuse(&format!(
+                    "{} is given too: expected one of them",
+                    option_of(name)
+                )));
+            }
+        }
+        assignment::set_conditions(&mut conditions, set);
+        Ok(conditions)
+    }
+
+    /// The scene of the conditions, with complaints in the words of the command line.
+    pub fn scene(
+        &self,
+        conditions: &NamedConditions,
+        set: &[Assignment],
+    ) -> Result<Scene, InputError> {
+        conditions.scene().map_err(
             |SceneFault {
                  name,
                  value,
                  allowed,
              }| {
+                if let Some(one) = set.iter().find(|one| one.parameter().name() == name) {
+                    return one.refuse(&format!("expected {allowed}"));
+                }
                 let option = option_of(name);
                 match value {
                     Some(value) => InputError::value(&option, value, &in_options(&allowed)),
@@ -126,7 +150,7 @@ fn in_options(allowed: &str) -> String {
 pub fn finite(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
-        _ => Err("allowed is a finite number".to_owned()),
+        _ => Err("expected a finite number".to_owned()),
     }
 }
 
@@ -136,10 +160,10 @@ pub fn triple(text: &str) -> Result<[f64; 3], String> {
         .split(',')
         .map(|part| finite(part.trim()))
         .collect::<Result<_, _>>()
-        .map_err(|_| "allowed are three finite numbers x,y,z".to_owned())?;
+        .map_err(|_| "expected three finite numbers x,y,z".to_owned())?;
     numbers
         .try_into()
-        .map_err(|_| "allowed are three finite numbers x,y,z".to_owned())
+        .map_err(|_| "expected three finite numbers x,y,z".to_owned())
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What wild landings came to, and which of them are worth landing again.
+//! The account of wild landings: how they ended, and which of them to keep as cases.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -8,22 +8,23 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::landing_table::Cell;
 
 use super::case_table::Reasons;
-use super::checks::Sense;
+use super::checks::LandingChecks;
+use crate::summary::number as number_of;
 
-/// Landings kept of every kind of failure, and of those that make no sense.
+/// Landings kept of every kind of failure, and of those with invalid results.
 const KEPT: usize = 10_000;
 /// Landings kept where the model has no law, as examples.
 const EXAMPLES: usize = 10;
-/// Complaints that are told one by one.
-const TOLD: usize = 20;
+/// Complaints that are listed one by one.
+const LISTED: usize = 20;
 /// Landings of which one may end without a result, and how many may in a run however short.
-const FAILS_ONE_OF: u64 = 100;
-const FAIL_AT_LEAST: u64 = 3;
+const ONE_FAILURE_PER: u64 = 100;
+const LEAST_FAILURES_ALLOWED: u64 = 3;
 
 /// Wild landings, added up one by one.
 #[derive(Debug)]
 pub struct Account {
-    sense: Sense,
+    checks: LandingChecks,
     landings: u64,
     evaluations: u64,
     kinds: BTreeMap<String, Kind>,
@@ -31,12 +32,12 @@ pub struct Account {
     open: Option<(f64, usize)>,
     /// Most steps, and their landing.
     steps: Option<(u64, usize)>,
-    senseless: u64,
-    /// The first landings that make no sense, and what is wrong with them.
+    invalid: u64,
+    /// The first landings with invalid results, and what is wrong with them.
     complaints: Vec<(usize, String)>,
 }
 
-/// Landings that ended alike.
+/// Landings with the same kind of end.
 #[derive(Debug, Default)]
 struct Kind {
     count: u64,
@@ -60,13 +61,13 @@ impl Account {
     /// Of no landings yet, computed with these settings.
     pub fn of(settings: &Settings) -> Self {
         Self {
-            sense: Sense::of(settings),
+            checks: LandingChecks::of(settings),
             landings: 0,
             evaluations: 0,
             kinds: BTreeMap::new(),
             open: None,
             steps: None,
-            senseless: 0,
+            invalid: 0,
             complaints: Vec::new(),
         }
     }
@@ -74,7 +75,7 @@ impl Account {
     /// Adds a landing by its number.
     pub fn add(&mut self, number: usize, outcome: &Outcome, cells: &[Cell]) {
         self.landings += 1;
-        self.evaluations += self.sense.count(cells, "derivative_evaluations");
+        self.evaluations += self.checks.count(cells, "derivative_evaluations");
         let (end, name) = kind(outcome);
         let kind = self.kinds.entry(name).or_default();
         kind.count += 1;
@@ -87,17 +88,17 @@ impl Account {
         if kind.first.len() < kept {
             kind.first.push(number);
         }
-        let steps = self.sense.count(cells, "steps");
+        let steps = self.checks.count(cells, "steps");
         if self.steps.is_none_or(|(most, _)| steps > most) {
             self.steps = Some((steps, number));
         }
-        if let Some(open) = self.sense.open(outcome, cells)
+        if let Some(open) = self.checks.open(outcome, cells)
             && self.open.is_none_or(|(most, _)| open > most)
         {
             self.open = Some((open, number));
         }
-        if let Some(complaint) = self.sense.complaint(outcome, cells) {
-            self.senseless += 1;
+        if let Some(complaint) = self.checks.complaint(outcome, cells) {
+            self.invalid += 1;
             if self.complaints.len() < KEPT {
                 self.complaints.push((number, complaint));
             }
@@ -107,13 +108,16 @@ impl Account {
     /// What is wrong with them all, if anything is.
     pub fn verdict(&self) -> Option<String> {
         let failed = self.failed();
-        let most = FAIL_AT_LEAST.max(self.landings / FAILS_ONE_OF);
-        match self.senseless {
+        let most = LEAST_FAILURES_ALLOWED.max(self.landings / ONE_FAILURE_PER);
+        match self.invalid {
             0 if failed <= most => None,
             0 => Some(format!(
-                "{failed} wild landings ended without a result, allowed are {most}"
+                "{failed} wild landings ended without a result; at most {most} may"
             )),
-            count => Some(format!("{count} wild landings make no sense")),
+            count => Some(format!(
+                "the results of {} are invalid",
+                number_of(count, "wild landing")
+            )),
         }
     }
 
@@ -122,8 +126,8 @@ impl Account {
         failed.map(|kind| kind.count).sum()
     }
 
-    /// All of it in words.
-    pub fn told(&self) -> String {
+    /// The account as text.
+    pub fn summary(&self) -> String {
         let landings = self.landings.max(1) as f64;
         let mut text = String::new();
         let mut kinds: Vec<(&String, &Kind)> = self.kinds.iter().collect();
@@ -136,7 +140,7 @@ impl Account {
         if let Some((open, number)) = self.open {
             let _ = writeln!(
                 text,
-                "  account of energy open by at most {open:.1e} of the energy in play (landing {number})"
+                "  energy account open by at most {open:.1e} of the energy involved (landing {number})"
             );
         }
         if let Some((steps, number)) = self.steps {
@@ -147,11 +151,11 @@ impl Account {
             text,
             "  {mean:.0} evaluations of the equations of motion on average"
         );
-        match self.senseless {
-            0 => text += "  every number is one, every account of energy closes\n",
+        match self.invalid {
+            0 => text += "  every value is a number, every energy account closes\n",
             count => {
-                let _ = writeln!(text, "  {count} make no sense:");
-                for (number, complaint) in self.complaints.iter().take(TOLD) {
+                let _ = writeln!(text, "  invalid results: {count}");
+                for (number, complaint) in self.complaints.iter().take(LISTED) {
                     let _ = writeln!(text, "    landing {number}: {complaint}");
                 }
             }
@@ -159,7 +163,7 @@ impl Account {
         text
     }
 
-    /// The landings worth landing again: those that make no sense or failed, some beyond the model, and
+    /// The landings worth landing again: those that are invalid or failed, some beyond the model, and
     /// the extremes.
     pub fn reasons(&self) -> Reasons {
         let mut reasons = Reasons::new();

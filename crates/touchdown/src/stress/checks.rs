@@ -1,26 +1,26 @@
-//! Whether what a landing came to makes sense.
+//! Checks of the results of a landing.
 
 use touchdown_dynamics::outcome::{Failure, Outcome};
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::landing_table::{self, Cell};
 use touchdown_sweep::vehicle_file::LEGS;
 
-/// Largest part of the energy in play by which its account may stay open, in units of the tolerance, for
+/// Largest part of the energy involved by which its account may stay open, in units of the tolerance, for
 /// each so many seconds begun.
 const OPEN: f64 = 4.0;
 const OPEN_IN: f64 = 3.0;
-/// Added to the energy in play, ft·lb: what is left of it where hardly anything moves.
+/// Added to the energy involved, ft·lb: what is left of it where hardly anything moves.
 const LITTLE_ENERGY: f64 = 1.0;
 
 /// What landings are held against.
 #[derive(Debug)]
-pub struct Sense {
+pub struct LandingChecks {
     names: Vec<String>,
     time_limit: f64,
     tolerance: f64,
 }
 
-impl Sense {
+impl LandingChecks {
     /// Of landings computed with these settings.
     pub fn of(settings: &Settings) -> Self {
         Self {
@@ -30,13 +30,13 @@ impl Sense {
         }
     }
 
-    /// The part of the energy in play by which its account stays open; none of landings that ended
+    /// The part of the energy involved by which its account stays open; none of landings that ended
     /// without a result, as what broke them may show in the last step.
     pub fn open(&self, outcome: &Outcome, cells: &[Cell]) -> Option<f64> {
-        let in_play = self.number(cells, "initial_kinetic_energy_ftlb")
+        let involved = self.number(cells, "initial_kinetic_energy_ftlb")
             + self.number(cells, "potential_energy_change_ftlb").abs()
             + LITTLE_ENERGY;
-        let open = self.number(cells, "energy_closure_ftlb").abs() / in_play;
+        let open = self.number(cells, "energy_closure_ftlb").abs() / involved;
         (!matches!(outcome, Outcome::Failure(_))).then_some(open)
     }
 
@@ -48,7 +48,7 @@ impl Sense {
         }
     }
 
-    /// What makes no sense, if anything does.
+    /// The first check that fails, if any does.
     pub fn complaint(&self, outcome: &Outcome, cells: &[Cell]) -> Option<String> {
         if *outcome == Outcome::Failure(Failure::NonFinite) {
             return Some(Failure::NonFinite.to_string());
@@ -113,10 +113,10 @@ pub mod tests {
 
     #[test]
     fn only_what_makes_no_sense_is_complained_of() {
-        let sense = Sense::of(&settings());
+        let checks = LandingChecks::of(&settings());
         let complaint = |name, number| {
             let cells = landed(&[(name, Cell::Number(number))]);
-            sense.complaint(&Outcome::UnstablePitch, &cells)
+            checks.complaint(&Outcome::UnstablePitch, &cells)
         };
         // Energy in play is 100 ft·lb, of which 4 × 3e-5 may be missing.
         assert_eq!(complaint("energy_closure_ftlb", -0.011), None);
@@ -124,7 +124,10 @@ pub mod tests {
         assert_eq!(open, "1.3e-4 of the energy is not accounted for");
         let long = [("energy_closure_ftlb", 0.023), ("end_time_s", 3.5)];
         let long = long.map(|(name, number)| (name, Cell::Number(number)));
-        assert_eq!(sense.complaint(&Outcome::TimeExpired, &landed(&long)), None);
+        assert_eq!(
+            checks.complaint(&Outcome::TimeExpired, &landed(&long)),
+            None
+        );
         for (name, number) in [
             ("pad_contact_2_s", 2.5),
             ("block_contact_1_s", -0.5),
@@ -140,11 +143,11 @@ pub mod tests {
 
     #[test]
     fn energy_is_not_asked_of_landings_without_a_result() {
-        let sense = Sense::of(&settings());
+        let checks = LandingChecks::of(&settings());
         let cells = landed(&[("energy_closure_ftlb", Cell::Number(50.0))]);
         let chattering = Outcome::Failure(Failure::Chattering);
-        assert_eq!(sense.complaint(&chattering, &cells), None);
+        assert_eq!(checks.complaint(&chattering, &cells), None);
         let broken = Outcome::Failure(Failure::NonFinite);
-        assert!(sense.complaint(&broken, &cells).is_some());
+        assert!(checks.complaint(&broken, &cells).is_some());
     }
 }

@@ -1,4 +1,4 @@
-//! A sweep in a process of its own, to be watched and killed, and what it leaves behind.
+//! A sweep in a child process that is watched and killed, and the files that it leaves.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
@@ -14,10 +14,10 @@ use touchdown_sweep::journal::{Access, InOrder, JournalError, Records};
 
 use crate::failure::Failure;
 
-/// How often a run is looked at.
+/// Time between two looks at a run.
 const GLANCE: Duration = Duration::from_micros(200);
 /// Longest time for a run, most of which it may wait for processors.
-const FOREVER: Duration = Duration::from_secs(600);
+const LONGEST_RUN: Duration = Duration::from_secs(600);
 
 /// A sweep that runs.
 pub struct KilledRun<'r> {
@@ -28,7 +28,7 @@ pub struct KilledRun<'r> {
     before: BTreeSet<OsString>,
 }
 
-/// Why watching came to an end.
+/// Why watching ended.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Seen {
     /// The run has ended.
@@ -74,10 +74,10 @@ impl<'r> KilledRun<'r> {
             let age = self.start.elapsed();
             let given_up = if cancel.load(Ordering::Relaxed) {
                 Failure::Interrupted("kills begin anew".to_owned())
-            } else if age > FOREVER {
+            } else if age > LONGEST_RUN {
                 Failure::running(format!(
                     "a run has not ended within {} s",
-                    FOREVER.as_secs()
+                    LONGEST_RUN.as_secs()
                 ))
             } else {
                 let fresh = names(self.out).difference(&self.before).count();
@@ -114,7 +114,7 @@ impl<'r> KilledRun<'r> {
     }
 }
 
-/// Results by name, but for the record, which tells times too.
+/// Results by name, without the record.
 pub fn results(stem: &str, folder: &Path) -> Result<BTreeMap<String, Vec<u8>>, Failure> {
     let mut results = BTreeMap::new();
     for name in names(folder) {
@@ -142,7 +142,7 @@ pub fn journaled(journal: &Path, points: usize) -> Result<usize, Failure> {
     Ok(points - found.missing())
 }
 
-/// What stands in a folder but journals; nothing if it is not there.
+/// Files of a folder other than journals; none if the folder does not exist.
 fn names(folder: &Path) -> BTreeSet<OsString> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let paths = entries.map(|entry| entry.path());

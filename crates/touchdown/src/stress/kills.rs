@@ -18,10 +18,10 @@ use crate::failure::Failure;
 const SWEEP: &str = include_str!("../../../../sweeps/stress/killed.toml");
 /// Name of the sweep, and of its results.
 const STEM: &str = "killed";
-/// Threads of the run in peace, and most of the others.
-const PEACE_THREADS: u32 = 2;
+/// Threads of the undisturbed run, and of most others.
+const UNDISTURBED_THREADS: u32 = 2;
 const MOST_THREADS: u32 = 3;
-/// Longest time from start to kill, in times that a run in peace takes.
+/// Longest time from start to kill, over the time of the undisturbed run.
 const LONGEST: f64 = 0.6;
 /// Every so-manieth run is killed when its results begin to appear, so long after that at most.
 const LATE: u32 = 4;
@@ -51,8 +51,8 @@ fn kill_in(home: &Path, bench: &Bench) -> Result<String, Failure> {
         fs::write(path, text).map_err(Failure::running)?;
     }
     let sweep = Sweep::read(&file)?;
-    let [peace, killed] = ["peace", "killed"].map(|name| home.join(name));
-    let mut run = KilledRun::start(&file, &peace, PEACE_THREADS)?;
+    let [undisturbed, killed] = ["undisturbed", "killed"].map(|name| home.join(name));
+    let mut run = KilledRun::start(&file, &undisturbed, UNDISTURBED_THREADS)?;
     run.watch(bench.cancel, |_, _| false)?;
     let whole = run.end()?;
     let mut trial = Trial {
@@ -60,7 +60,7 @@ fn kill_in(home: &Path, bench: &Bench) -> Result<String, Failure> {
         sweep: &file,
         points: sweep.design.count(),
         whole,
-        expected: results(STEM, &peace)?,
+        expected: results(STEM, &undisturbed)?,
         out: &killed,
         chance: Pcg64::seed_from_u64(bench.options.seed.into()),
         kills: 0,
@@ -69,23 +69,26 @@ fn kill_in(home: &Path, bench: &Bench) -> Result<String, Failure> {
         compared: 0,
     };
     let start = Instant::now();
-    let mut told = start;
+    let mut reported = start;
     while trial.kills < bench.options.kills {
         trial.round()?;
-        if !bench.options.quiet && told.elapsed() > LINES {
-            told = Instant::now();
+        if !bench.options.quiet && reported.elapsed() > LINES {
+            reported = Instant::now();
             let left = bench.options.kills - trial.kills;
             let pace = start.elapsed().as_secs_f64() / f64::from(trial.kills.max(1));
             eprintln!(
                 "{}; about {:.0} s left",
-                trial.told(),
+                trial.summary(),
                 pace * f64::from(left)
             );
         }
     }
-    // What the last of them left behind comes to the same in the end.
+    // The run after the last kill must come to the same results.
     trial.finish()?;
-    Ok(format!("{}: nothing lost, no difference\n", trial.told()))
+    Ok(format!(
+        "{}: nothing lost, no differences\n",
+        trial.summary()
+    ))
 }
 
 /// Runs that are killed.
@@ -93,7 +96,7 @@ struct Trial<'t> {
     bench: &'t Bench<'t>,
     sweep: &'t Path,
     points: usize,
-    /// How long a run in peace takes, and its results by name.
+    /// Duration of the undisturbed run, and its results by name.
     whole: Duration,
     expected: BTreeMap<String, Vec<u8>>,
     out: &'t Path,
@@ -133,7 +136,7 @@ impl Trial<'_> {
         }
         let results_stand = self.out.join(format!("{STEM}.csv")).exists();
         if !journal.exists() && (before > 0 || results_stand) {
-            // The journal goes when all results stand, and not before.
+            // The journal is removed only when all results are in place.
             return self.compare();
         }
         let after = journaled(&journal, self.points)?;
@@ -146,18 +149,18 @@ impl Trial<'_> {
 
     /// Lets a run go to its end, and compares.
     fn finish(&mut self) -> Result<(), Failure> {
-        let mut run = KilledRun::start(self.sweep, self.out, PEACE_THREADS)?;
+        let mut run = KilledRun::start(self.sweep, self.out, UNDISTURBED_THREADS)?;
         run.watch(self.bench.cancel, |_, _| false)?;
         run.end()?;
         self.compare()
     }
 
-    /// Compares results with those of the run in peace, and clears them away.
+    /// Compares results with those of the undisturbed run, and removes them.
     fn compare(&mut self) -> Result<(), Failure> {
         let found = results(STEM, self.out)?;
         for (name, expected) in &self.expected {
             if found.get(name) != Some(expected) {
-                let complaint = format!("{name} is not what it is in peace");
+                let complaint = format!("{name} differs from that of the undisturbed run");
                 return Err(Failure::running(complaint));
             }
         }
@@ -166,7 +169,7 @@ impl Trial<'_> {
         Ok(())
     }
 
-    fn told(&self) -> String {
+    fn summary(&self) -> String {
         let Self {
             kills,
             late,

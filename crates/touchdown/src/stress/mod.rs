@@ -1,4 +1,4 @@
-//! `touchdown stress`: what this program takes before it breaks, in numbers.
+//! `touchdown stress`: sweeps killed at random moments, and random extreme landings.
 
 mod account;
 mod case_table;
@@ -25,48 +25,49 @@ use crate::touchdown_options::finite;
 
 const EXAMPLES: &str = "\
 Examples:
-  touchdown stress                                  # all of it, some hours
-  touchdown stress --kills 20 --landings 1000       # a taste, a minute
+  touchdown stress                                  # everything: some hours
+  touchdown stress --kills 20 --landings 1000       # a short run: one minute
   touchdown stress --kills 0 --seed 2               # a million other landings
   touchdown stress --kills 0 --tolerance 1e-6       # at the tolerance of single landings
 
-Kills: a sweep of all bands is killed (SIGKILL) at random moments, from the first write to the
-last rename, and started again with another number of threads. No kill may cost a point that is in
-the journal, and whenever a run gets to its end its results are compared, byte for byte, with those
-of a run in peace. Where something is wrong the folder is kept, and named.
+Kills: a sweep for all bands is killed (SIGKILL) at random moments, from the first write to the
+last rename, and started again with another number of threads. No kill may lose a point that is in
+the journal. The results of every completed run are compared byte for byte with those of an
+undisturbed run. If something is wrong, the folder is kept and its name printed.
 
-Wild landings: vehicles and touchdowns drawn at random, see sweeps/stress/wild.toml: heavy and
-light, stiff and soft, slippery, steep, spinning, tilted up to lying on the side. No landing may
-panic, take forever, give a number that is none, or leave its account of energy open: by more than
-four times the tolerance, of the energy in play, for every three seconds begun. At most 1 % may end
-without a result where the model has a law (it has none for a loaded footpad inclined more than
+Wild landings: vehicles and touchdowns drawn at random (sweeps/stress/wild.toml): heavy and light,
+stiff and soft, slippery, steep, spinning, tilted up to lying on the side. No landing may panic, run
+without end, give a value that is not a number, or leave its energy account open by more than four
+times the tolerance, relative to the energy involved, for every three seconds begun. At most 1 % may
+end without a result where the model has a law (it has none for a loaded footpad inclined more than
 65 deg).
 
-Their journal is in the output folder: after an interruption run again to go on. Afterwards
-stress-cases.csv holds all that went wrong, and the extremes, with the reason in the column `note`.
-They land again, bit for bit at the same tolerance, with
+The journal of the wild landings is in the output folder: run the same command again to continue
+after an interruption. stress-cases.csv then lists everything that went wrong and the extreme
+landings, with the reason in the column `note`. To compute them again, bit for bit at the same
+tolerance:
   touchdown land --vehicle stress/stress-vehicle.toml --cases stress/stress-cases.csv \\
     --tolerance 3e-5 --out again.csv
 
-Exit code 0 when all is well, 1 when anything of the above is not.";
+Exit code 0 if all checks pass, 1 if not.";
 
 /// Options of `stress`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Options {
-    /// How often a sweep is killed
+    /// Number of times a sweep is killed
     #[arg(long, value_name = "N", default_value_t = 200)]
     kills: u32,
-    /// How many wild landings are computed, at most 10^12
+    /// Number of wild landings, at most 10^12
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     landings: u64,
-    /// Seed of the random numbers: the same seed, the same landings
+    /// Seed of the random numbers; the same seed gives the same landings
     #[arg(long, value_name = "N", default_value_t = 1966)]
     seed: u32,
     /// Relative error tolerance of the wild landings, from 1e-12 to 1e-2 [default: 3e-5, that of sweeps]
     #[arg(long, value_name = "TOL", value_parser = finite, allow_hyphen_values = true)]
     tolerance: Option<f64>,
-    /// Folder for journals and for the cases of landings that went wrong, made if it is not there
+    /// Folder for journals and cases, created if missing
     #[arg(long, value_name = "DIR", default_value = "stress")]
     out: PathBuf,
     /// Threads for the wild landings [default: one for each core]
@@ -113,7 +114,7 @@ fn settings(options: &Options) -> Result<Settings, InputError> {
     .map_err(|wrong| InputError::value("--tolerance", wrong.value, &wrong.allowed))
 }
 
-/// What all stress is done with.
+/// What both tests need.
 struct Bench<'b> {
     options: &'b Options,
     folder: &'b Folder,
@@ -121,6 +122,6 @@ struct Bench<'b> {
     cancel: &'b AtomicBool,
 }
 
-/// The vehicle of both sweeps, and where it stands from theirs.
+/// The vehicle of both sweeps, and its path relative to them.
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SURVEYOR_FILE: &str = "vehicles/surveyor-table-4-1.toml";

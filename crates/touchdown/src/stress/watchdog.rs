@@ -12,7 +12,7 @@ use touchdown_sweep::run::Observer;
 /// How often it is seen whether a landing takes forever.
 const GLANCE: Duration = Duration::from_secs(1);
 
-/// An observer that stands before another and knows what is under way.
+/// An observer that records the landings under way and passes everything on to another.
 pub struct Watchdog<'o, O> {
     observer: &'o O,
     underway: Mutex<HashMap<usize, Instant>>,

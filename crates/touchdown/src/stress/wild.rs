@@ -28,8 +28,8 @@ const SWEEP: &str = include_str!("../../../../sweeps/stress/wild.toml");
 const JOURNAL: &str = "stress-wild.journal";
 const CASES: &str = "stress-cases.csv";
 const VEHICLE: &str = "stress-vehicle.toml";
-/// Longest time for a landing: several times what it needs, with all steps that it may take and others beside it.
-const FOREVER: Duration = Duration::from_secs(300);
+/// Longest time for a landing: several times what it needs with the most steps and in a full batch.
+const LONGEST_RUN: Duration = Duration::from_secs(300);
 
 /// The sweep that comes with the program, with another count, seed and tolerance.
 pub fn sweep(count: u64, seed: u32, settings: Settings) -> Result<Sweep, InputError> {
@@ -53,7 +53,7 @@ pub fn sweep(count: u64, seed: u32, settings: Settings) -> Result<Sweep, InputEr
     Sweep::read_from(file, Library::Copies(&sources))
 }
 
-/// Lands, and tells how it went.
+/// Computes the landings and prints the account.
 pub fn run(bench: &Bench, sweep: &Sweep) -> Result<(), Failure> {
     let options = bench.options;
     let count = sweep.design.count();
@@ -85,12 +85,12 @@ pub fn run(bench: &Bench, sweep: &Sweep) -> Result<(), Failure> {
     let now = count - earlier;
     let rate = now as f64 / wall_time.max(1e-9);
     print(&format!(
-        "{count} wild landings, seed {}, tolerance {:e}, model version {MODEL_VERSION}; {now} of them now, on {} threads, \
+        "{count} wild landings, seed {}, tolerance {:e}, model version {MODEL_VERSION}; {now} of them in this run on {}, \
          in {wall_time:.0} s: {rate:.0} landings/s\n{}  {files}",
         options.seed,
         sweep.settings.tolerance(),
-        bench.workers.threads(),
-        account.told(),
+        summary::number(bench.workers.threads(), "thread"),
+        account.summary(),
     ))?;
     match account.verdict() {
         None => Ok(()),
@@ -109,17 +109,17 @@ fn land(bench: &Bench, sweep: &Sweep, opened: &mut Opened) -> Result<Duration, F
             .map(|number| (*number, vec![why.to_owned()]));
         let place = match write(bench, sweep, &reasons.collect()) {
             Ok(_) => kept(bench),
-            Err(error) => format!("their cases could not be written: {error}"),
+            Err(error) => format!("the table of cases could not be written: {error}"),
         };
         format!("landings {landings:?}: {why}; {place}")
     };
     let despair = |landings: &[usize]| {
-        let why = format!("no end within {} s", FOREVER.as_secs());
+        let why = format!("not finished within {} s", LONGEST_RUN.as_secs());
         eprintln!("touchdown: {}", give_up(landings, &why));
         // No thread can be made to leave a landing.
         std::process::exit(1);
     };
-    let ran = guard.over(FOREVER, despair, || {
+    let ran = guard.over(LONGEST_RUN, despair, || {
         let workers = bench.workers;
         workers.sweep(sweep, Shard::WHOLE, opened, &guard, bench.cancel)
     });
@@ -127,13 +127,13 @@ fn land(bench: &Bench, sweep: &Sweep, opened: &mut Opened) -> Result<Duration, F
     match ran {
         Ok(Ok(())) => Ok(wall_time),
         Ok(Err(RunError::Cancelled)) => Err(Failure::Interrupted(format!(
-            "what is finished is kept in {}: run again to go on",
+            "finished landings are kept in {}: run the command again to continue",
             bench.folder.path(JOURNAL).display()
         ))),
         Ok(Err(other)) => Err(other.into()),
         Err(beside) => Err(Failure::running(give_up(
             &beside,
-            "panicked, or one beside it did",
+            "panicked, or another one of the same batch did",
         ))),
     }
 }
@@ -150,5 +150,5 @@ fn write(bench: &Bench, sweep: &Sweep, reasons: &Reasons) -> Result<String, Fail
 
 /// Where the cases are.
 fn kept(bench: &Bench) -> String {
-    format!("to land again from {}", bench.folder.path(CASES).display())
+    format!("listed in {}", bench.folder.path(CASES).display())
 }

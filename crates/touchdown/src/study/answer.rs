@@ -43,7 +43,9 @@ pub struct Answer {
 
 /// A transition as a number, or the word for none.
 pub fn speed(transition: Option<Transition>) -> String {
-    transition.map_or("none".to_owned(), |found| format!("{:.2}", found.speed))
+    transition.map_or("none".to_owned(), |transition| {
+        format!("{:.2}", transition.speed)
+    })
 }
 
 /// A number with a true minus sign.

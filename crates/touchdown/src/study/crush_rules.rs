@@ -67,8 +67,8 @@ changes where one rule has no transition or one of another kind.
                 _ => changes.push(format!(
                     "{} ({} → {})",
                     signed(place[0]),
-                    told(here),
-                    told(there)
+                    in_words(here),
+                    in_words(there)
                 )),
             }
         }
@@ -89,9 +89,9 @@ changes where one rule has no transition or one of another kind.
     Ok(text)
 }
 
-fn told(first: Option<Transition>) -> String {
+fn in_words(first: Option<Transition>) -> String {
     match first {
-        Some(found) => format!("{} {}", found.kind.name(), speed(first)),
+        Some(transition) => format!("{} {}", transition.kind.name(), speed(first)),
         None => "none".to_owned(),
     }
 }

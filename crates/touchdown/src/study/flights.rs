@@ -199,7 +199,7 @@ the cross-slope angle that they make, deg.
 /// # Errors
 /// When a result is missing or a landing cannot be computed.
 pub fn azimuths(results: &Results, vehicle: &Vehicle) -> Result<String, Failure> {
-    let found = results.transitions("figure-4-23")?;
+    let transitions = results.transitions("figure-4-23")?;
     let mut text = "\
 ## Tip azimuth 90 against 112.5 deg
 
@@ -228,7 +228,7 @@ of inertia alone tell apart, it differs by a third.
             "| {} | {outcome} | {pitch} | {} | {} | {:.2} to {:.2} | {:.1} | {:.1} | {:.1} | {:.1} |",
             signed(azimuth),
             flown.landing.outcome,
-            speed(found.at(&[azimuth])?),
+            speed(transitions.at(&[azimuth])?),
             start.time,
             end.time,
             start.pitch,

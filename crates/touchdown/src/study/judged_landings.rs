@@ -30,7 +30,7 @@ pub fn azimuth_90(vehicle: &Vehicle) -> Result<Answer, Failure> {
     let flown = flights::tipped(vehicle, 90.0)?;
     Ok(Answer {
         source: "landing at 11 ft/s",
-        number: told(&flown),
+        number: in_words(&flown),
         verdict: Verdict::of(&[flown.landing.outcome.class() == Class::Stable]),
         why: "",
     })
@@ -42,7 +42,11 @@ pub fn azimuth_112(vehicle: &Vehicle) -> Result<Answer, Failure> {
     let minus = flights::tipped(vehicle, -112.5)?;
     Ok(Answer {
         source: "landings at 11 ft/s",
-        number: format!("{}; at azimuth −112.5 {}", told(&plus), told(&minus)),
+        number: format!(
+            "{}; at azimuth −112.5 {}",
+            in_words(&plus),
+            in_words(&minus)
+        ),
         verdict: Verdict::of(&[plus.landing.outcome.class() == Class::Unstable]),
         why: "at +112.5 it topples from 11.1 ft/s only; the printed pitch lies between those of \
               +112.5 and −112.5, and the report's tolerance calls 1 in 5 such runs unstable \
@@ -50,7 +54,7 @@ pub fn azimuth_112(vehicle: &Vehicle) -> Result<Answer, Failure> {
     })
 }
 
-fn told(flown: &Flown) -> String {
+fn in_words(flown: &Flown) -> String {
     let pitch = match flown.longest_flight() {
         Some(flight) => format!(
             ", pitch at the end of free flight {:.1} deg",

@@ -21,22 +21,22 @@ const FIGURES: [(&str, f64); 10] = [
 
 /// C05: the baseline.
 pub fn baseline(results: &Results) -> Result<Answer, InputError> {
-    let found = results.transitions("figure-4-09")?.at(&[0.0])?;
+    let transitions = results.transitions("figure-4-09")?.at(&[0.0])?;
     Ok(Answer {
         source: "figure-4-09",
-        number: speed(found),
-        verdict: Verdict::of(&[found.is_some_and(|t| (11.0..=11.5).contains(&t.speed))]),
+        number: speed(transitions),
+        verdict: Verdict::of(&[transitions.is_some_and(|t| (11.0..=11.5).contains(&t.speed))]),
         why: "",
     })
 }
 
 /// C06: the transition rises with the roll angle.
 pub fn rises_with_roll(results: &Results) -> Result<Answer, InputError> {
-    let found = results.transitions("figure-4-09")?;
+    let transitions = results.transitions("figure-4-09")?;
     let side = |sign: f64| -> Result<Vec<f64>, InputError> {
         let mut speeds = Vec::new();
         for step in 0..=12 {
-            match found.at(&[sign * 5.0 * f64::from(step) + 0.0])? {
+            match transitions.at(&[sign * 5.0 * f64::from(step) + 0.0])? {
                 Some(first) => speeds.push(first.speed),
                 None => break,
             }
@@ -45,13 +45,13 @@ pub fn rises_with_roll(results: &Results) -> Result<Answer, InputError> {
     };
     let rises = |speeds: &[f64]| speeds.windows(2).all(|pair| pair[0] < pair[1]);
     let sides = [side(1.0)?, side(-1.0)?];
-    let (place, lowest) = found.lowest()?;
+    let (place, lowest) = transitions.lowest()?;
     let number = format!(
         "lowest {lowest:.2} at roll {}, {} at 0, {} and {} at ±20; no transition from ±40",
         signed(place[0]),
-        speed(found.at(&[0.0])?),
-        speed(found.at(&[-20.0])?),
-        speed(found.at(&[20.0])?),
+        speed(transitions.at(&[0.0])?),
+        speed(transitions.at(&[-20.0])?),
+        speed(transitions.at(&[20.0])?),
     );
     let outward = sides.iter().all(|speeds| rises(&speeds[1..]));
     let everywhere = sides.iter().all(|speeds| rises(speeds));
@@ -68,8 +68,8 @@ pub fn rises_with_roll(results: &Results) -> Result<Answer, InputError> {
 pub fn valley(results: &Results) -> Result<Answer, InputError> {
     let mut minima = Vec::new();
     for (stem, cross_slope) in FIGURES {
-        let found = results.transitions(stem)?;
-        let (place, lowest) = found.lowest()?;
+        let transitions = results.transitions(stem)?;
+        let (place, lowest) = transitions.lowest()?;
         minima.push((cross_slope, lowest, place[0]));
     }
     let rising = minima.windows(2).all(|pair| pair[0].1 < pair[1].1);
@@ -90,19 +90,19 @@ pub fn valley(results: &Results) -> Result<Answer, InputError> {
 
 /// C08: nothing at a cross-slope of 80 deg.
 pub fn across(results: &Results) -> Result<Answer, InputError> {
-    let found = results.transitions("figure-4-19")?;
-    let none: Vec<f64> = found
+    let transitions = results.transitions("figure-4-19")?;
+    let none: Vec<f64> = transitions
         .points()
         .filter(|(_, first)| first.is_none())
         .map(|(place, _)| place[0])
         .collect();
-    let (place, lowest) = found.lowest()?;
+    let (place, lowest) = transitions.lowest()?;
     let least = none.iter().copied().fold(f64::INFINITY, f64::min);
     let most = none.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let number = format!(
         "none for {} of {} rolls, between {} and {}; elsewhere from {lowest:.2} at roll {} up",
         none.len(),
-        found.points().count(),
+        transitions.points().count(),
         signed(least),
         signed(most),
         signed(place[0])
@@ -110,7 +110,7 @@ pub fn across(results: &Results) -> Result<Answer, InputError> {
     Ok(Answer {
         source: "figure-4-19",
         number,
-        verdict: Verdict::of(&[!none.is_empty(), none.len() == found.points().count()]),
+        verdict: Verdict::of(&[!none.is_empty(), none.len() == transitions.points().count()]),
         why: "how high and at which rolls 1966 searched is lost; toppling begins at speeds well \
               above all other transitions",
     })

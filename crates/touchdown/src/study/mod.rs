@@ -29,7 +29,7 @@ use crate::print::print;
 use results::Results;
 
 const EXAMPLE: &str = "\
-The study phase-2 needs, made before:
+Study phase-2 reads the results of these commands:
   touchdown sweep sweeps
   touchdown sweep sweeps/figure-*.toml --bands first --crush-rule section --out results/section-rule
   touchdown sweep sweeps/figure-4-09.toml sweeps/figure-4-23.toml sweeps/figure-4-24.toml \\
@@ -59,7 +59,7 @@ pub struct Options {
         default_value = "sweeps/vehicles/surveyor-sample-deck.toml"
     )]
     sample_vehicle: PathBuf,
-    /// Threads of the study of scatter [default: one for each core]
+    /// Threads of the study scatter [default: one for each core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
 }
@@ -67,15 +67,15 @@ pub struct Options {
 /// Studies by name.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum Name {
-    /// Section 4.2 of the report: every claim with our figure and number, phase-2.md, and all
-    /// pictures, README.md
+    /// Section 4.2 of the report: phase-2.md with every claim beside our figure and number, and README.md
+    /// with all pictures
     #[value(name = "phase-2")]
     PhaseTwo,
-    /// Section 4.1 of the report: integration methods, error limits, friction profiles,
-    /// special-studies.md with its pictures
+    /// Section 4.1 of the report: special-studies.md on integration methods, error limits and friction
+    /// profiles, with its pictures
     Special,
-    /// The transition velocities of Figures 4-9, 4-23 and 4-24 with the report's integrator, its
-    /// first interval varied: scatter.csv, which phase-2 needs; some ten thousand landings
+    /// Transition velocities of Figures 4-9, 4-23 and 4-24 by the report's integrator with various first
+    /// intervals: scatter.csv, which phase-2 reads; about ten thousand landings
     Scatter,
 }
 

@@ -9,12 +9,12 @@ use super::results::{Results, with_kind};
 /// C01: uphill nothing topples, bottoming is the limit.
 pub fn uphill(results: &Results) -> Result<Answer, InputError> {
     let bands = results.bands("figure-4-05")?;
-    let found = results.transitions("figure-4-05")?;
+    let transitions = results.transitions("figure-4-05")?;
     let topples = with_kind(&bands, Kind::Unstable).len();
-    let bottoms = found
+    let bottoms = transitions
         .points()
         .all(|(_, first)| first.is_some_and(|t| t.kind == Kind::Bottomed));
-    let (place, lowest) = found.lowest()?;
+    let (place, lowest) = transitions.lowest()?;
     let number = format!(
         "a strut bottoms first at every roll, lowest {lowest:.2} at roll {}; {topples} of {} rolls \
          topple at any speed up to 25 ft/s",
@@ -32,13 +32,13 @@ pub fn uphill(results: &Results) -> Result<Answer, InputError> {
 /// C02: around the compass at roll 0.
 pub fn around(results: &Results) -> Result<Answer, InputError> {
     let bands = results.bands("figure-4-06")?;
-    let found = results.transitions("figure-4-06")?;
+    let transitions = results.transitions("figure-4-06")?;
     let topples = with_kind(&bands, Kind::Unstable);
     let least = topples
         .iter()
         .map(|place| place[0])
         .fold(f64::INFINITY, f64::min);
-    let first: Vec<String> = found
+    let first: Vec<String> = transitions
         .points()
         .filter(|(_, first)| first.is_some_and(|t| t.kind == Kind::Unstable))
         .map(|(place, first)| format!("{}: {}", signed(place[0]), speed(first)))
@@ -64,21 +64,21 @@ pub fn around(results: &Results) -> Result<Answer, InputError> {
 
 /// C03: downhill over the vertical velocity.
 pub fn downhill(results: &Results) -> Result<Answer, InputError> {
-    let found = results.transitions("figure-4-07")?;
-    let none: Vec<f64> = found
+    let transitions = results.transitions("figure-4-07")?;
+    let none: Vec<f64> = transitions
         .points()
         .filter(|(_, first)| first.is_none())
         .map(|(place, _)| place[0])
         .collect();
     let highest_none = none.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let at_14 = found.at(&[14.0])?;
+    let at_14 = transitions.at(&[14.0])?;
     let here = at_14.map_or(f64::NAN, |t| t.speed);
-    let lower: Vec<String> = found
+    let lower: Vec<String> = transitions
         .points()
         .filter(|(_, first)| first.is_some_and(|t| t.speed < here))
         .map(|(place, first)| format!("{} ({})", signed(place[0]), speed(first)))
         .collect();
-    let toppling = found
+    let toppling = transitions
         .points()
         .all(|(_, first)| first.is_none_or(|t| t.kind == Kind::Unstable));
     let number = format!(
@@ -98,9 +98,9 @@ pub fn downhill(results: &Results) -> Result<Answer, InputError> {
 /// C04: downhill with a roll of 60 deg.
 pub fn downhill_rolled(results: &Results) -> Result<Answer, InputError> {
     let bands = results.bands("figure-4-08")?;
-    let found = results.transitions("figure-4-08")?;
+    let transitions = results.transitions("figure-4-08")?;
     let topples = with_kind(&bands, Kind::Unstable);
-    let bottoms: Vec<String> = found
+    let bottoms: Vec<String> = transitions
         .points()
         .filter_map(|(place, first)| Some((place, first?)))
         .map(|(place, first)| format!("{} ({:.2})", signed(place[0]), first.speed))
@@ -112,7 +112,7 @@ pub fn downhill_rolled(results: &Results) -> Result<Answer, InputError> {
         topples.len(),
         bands.points.len()
     );
-    let kinds = found
+    let kinds = transitions
         .points()
         .all(|(_, first)| first.is_none_or(|t| t.kind == Kind::Bottomed));
     Ok(Answer {

@@ -55,7 +55,7 @@ fn read<T>(file: &Path, parse: impl Fn(&str) -> Result<T, FigureError>) -> Resul
     let refuse = |complaint: String| InputError::other(complaint).at(Place::file(file));
     let text = fs::read_to_string(file).map_err(|error| {
         refuse(format!(
-            "cannot be read: {error}; allowed are results of the sweeps that `touchdown study \
+            "cannot be read: {error}; expected results of the sweeps that `touchdown study \
              --help` names"
         ))
     })?;

@@ -66,25 +66,26 @@ fn points(results: &Results) -> Result<Vec<Point>, Failure> {
     let mut points = Vec::new();
     let figure = "figure-4-09";
     for (place, transition) in results.transitions(figure)?.points() {
-        let Some(found) = transition.filter(|found| found.kind == Kind::Unstable) else {
+        let Some(transition) = transition.filter(|transition| transition.kind == Kind::Unstable)
+        else {
             continue;
         };
         points.push(Point {
             figure,
             condition: "roll_deg",
             value: place[0],
-            converged: found.speed,
+            converged: transition.speed,
             scene: scene(&[("roll_deg", place[0])])?,
         });
     }
     for (figure, tip) in TIPPED {
         for azimuth in [-AZIMUTH, AZIMUTH] {
-            if let Some(found) = results.transitions(figure)?.at(&[azimuth])? {
+            if let Some(transition) = results.transitions(figure)?.at(&[azimuth])? {
                 points.push(Point {
                     figure,
                     condition: "tip_azimuth_deg",
                     value: azimuth,
-                    converged: found.speed,
+                    converged: transition.speed,
                     scene: scene(&[("tip_deg", tip), ("tip_azimuth_deg", azimuth)])?,
                 });
             }
@@ -157,7 +158,7 @@ fn read(results: &Results) -> Result<Vec<Row>, InputError> {
     let refuse = |complaint: String| InputError::other(complaint).at(Place::file(&file));
     let text = std::fs::read_to_string(&file).map_err(|error| {
         refuse(format!(
-            "cannot be read: {error}; allowed is what `touchdown study scatter` writes"
+            "cannot be read: {error}; expected what `touchdown study scatter` writes"
         ))
     })?;
     let mut rows = Vec::new();

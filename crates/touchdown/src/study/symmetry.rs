@@ -56,8 +56,8 @@ fn table(results: &Results, stem: &str, axis: &str, values: &[f64]) -> Result<St
     Ok(text)
 }
 
-fn pair(found: &Transitions, value: f64) -> Result<String, InputError> {
-    let [plus, minus] = [found.at(&[value])?, found.at(&[-value])?];
+fn pair(transitions: &Transitions, value: f64) -> Result<String, InputError> {
+    let [plus, minus] = [transitions.at(&[value])?, transitions.at(&[-value])?];
     let difference = match (plus, minus) {
         (Some(plus), Some(minus)) => format!("{:+.3}", plus.speed - minus.speed),
         _ => String::new(),
@@ -67,11 +67,11 @@ fn pair(found: &Transitions, value: f64) -> Result<String, InputError> {
 }
 
 /// Greatest difference between a point and its mirror image, ft/s, where both have a transition.
-fn greatest_difference(found: &Transitions) -> f64 {
-    found
+fn greatest_difference(transitions: &Transitions) -> f64 {
+    transitions
         .points()
         .filter_map(|(place, first)| {
-            let mirrored = found.at(&[-place[0] + 0.0]).ok()??;
+            let mirrored = transitions.at(&[-place[0] + 0.0]).ok()??;
             Some((first?.speed - mirrored.speed).abs())
         })
         .fold(0.0, f64::max)

@@ -7,11 +7,11 @@ use super::results::Results;
 
 /// C12: the lowest transitions of all, on both sides.
 pub fn most_critical(results: &Results) -> Result<Answer, InputError> {
-    let found = results.transitions("figure-4-23")?;
+    let transitions = results.transitions("figure-4-23")?;
     let mut pairs = Vec::new();
     let (mut about, mut alike) = (Vec::new(), true);
     for azimuth in [112.5, 135.0, 157.5] {
-        let [plus, minus] = [found.at(&[azimuth])?, found.at(&[-azimuth])?];
+        let [plus, minus] = [transitions.at(&[azimuth])?, transitions.at(&[-azimuth])?];
         pairs.push(format!("±{azimuth}: {} and {}", speed(plus), speed(minus)));
         let speeds = [plus, minus].map(|first| first.map_or(f64::NAN, |first| first.speed));
         about.extend(speeds.map(|speed| (10.25..=10.75).contains(&speed)));
@@ -71,9 +71,9 @@ pub fn pure_pitch(results: &Results) -> Result<Answer, InputError> {
     let mut cells = Vec::new();
     let mut within = Vec::new();
     for (stem, tip) in [("figure-4-23", 9), ("figure-4-24", 5)] {
-        let found = results.transitions(stem)?;
+        let transitions = results.transitions(stem)?;
         for azimuth in [0.0, 180.0] {
-            let first = found.at(&[azimuth])?;
+            let first = transitions.at(&[azimuth])?;
             cells.push(format!("tip {tip}, azimuth {azimuth}: {}", speed(first)));
             within.push(first.is_some_and(|first| (11.0..=12.0).contains(&first.speed)));
         }
@@ -88,14 +88,14 @@ pub fn pure_pitch(results: &Results) -> Result<Answer, InputError> {
 
 /// C17: the tipped vehicle at a cross-slope of 150 deg.
 pub fn across(results: &Results) -> Result<Answer, InputError> {
-    let found = results.transitions("figure-4-25")?;
-    let (place, lowest) = found.lowest()?;
-    let below: Vec<f64> = found
+    let transitions = results.transitions("figure-4-25")?;
+    let (place, lowest) = transitions.lowest()?;
+    let below: Vec<f64> = transitions
         .points()
         .filter(|(_, first)| first.is_some_and(|first| first.speed < 11.5))
         .map(|(place, _)| place[0])
         .collect();
-    let highest = found
+    let highest = transitions
         .points()
         .filter_map(|(_, first)| Some(first?.speed))
         .fold(f64::NEG_INFINITY, f64::max);
@@ -105,7 +105,7 @@ pub fn across(results: &Results) -> Result<Answer, InputError> {
             "{lowest:.2} at azimuth {} to {highest:.2}; {} of {} azimuths below 11.5",
             signed(place[0]),
             below.len(),
-            found.points().count()
+            transitions.points().count()
         ),
         verdict: Verdict::of(&[below.is_empty()]),
         why: "lower by up to half a foot per second at positive azimuths; that the transitions lie \

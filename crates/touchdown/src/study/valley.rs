@@ -38,7 +38,7 @@ it, and so does its end B at (90, 30), but as a turn of (90, −90): the straigh
             0 => None,
             _ => critical(&surface, -cross_slope),
         };
-        let cells = [here, mirrored].map(|found| match found {
+        let cells = [here, mirrored].map(|transition| match transition {
             Some((roll, speed)) => format!("{} | {speed:.2}", signed(roll)),
             None => " | ".to_owned(),
         });

@@ -58,7 +58,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         .map_err(|error| refuse(format!("cannot be read: {error}")))?;
     if journals.is_empty() {
         return Err(refuse(
-            "has no journals: required is at least one file *.journal".to_owned(),
+            "has no journals: expected at least one file *.journal".to_owned(),
         ));
     }
     let access = match options.partial {
@@ -118,6 +118,7 @@ fn merge(shards: Shards, folder: &Folder, options: &Options) -> Result<String, F
         &written.counts,
         circumstances,
         &written.files,
+        written.remark.as_deref(),
     ))
 }
 

@@ -1,4 +1,4 @@
-//! Several sweeps in short: one line for each.
+//! A table with one line for each of several sweeps.
 
 use std::path::Path;
 use std::time::Duration;
@@ -15,11 +15,11 @@ const HEADING: [&str; 7] = [
     "first transition to",
     "lowest V_H, ft/s, at",
     "landings",
-    "looks",
+    "checks",
     "s",
 ];
 
-/// What the overview says of a sweep.
+/// The line of a sweep.
 pub struct Line {
     cells: [String; HEADING.len()],
     landings: u64,
@@ -79,8 +79,8 @@ pub fn table(lines: &[Line], wall_time: Duration, out: &Path) -> String {
     let seconds = wall_time.as_secs_f64();
     let rate = landings as f64 / seconds.max(1e-9);
     text += &format!(
-        "{landings} landings in {seconds:.1} s: {rate:.0} landings/s. HiddenBandChecks for hidden bands are \
-         given as found/looks. Results are in {}.\n",
+        "{landings} landings in {seconds:.1} s: {rate:.0} landings/s. The column checks has the hidden bands found and the \
+         checks made. Results are in {}.\n",
         out.display()
     );
     text

@@ -35,7 +35,7 @@ Example:
     cross_slope_deg = 180                              # 180 is straight downhill, 0 uphill
     slope_deg = 15
     friction = 1.0
-    [axes]                                             # what varies, the first slowest
+    [axes]                                             # what varies; the first varies slowest
     roll_deg = { from = -60, to = 60, step = 5 }       # or a list: [0, 15, 30]
     [search]                                           # of the horizontal velocity
     from_fps = 0
@@ -43,7 +43,7 @@ Example:
     scan_step_fps = 0.25                               # upward scan to the first change,
     tolerance_fps = 0.001                              # then halving to this width
     bands = \"first\"                                    # or \"all\": every change up to to_fps
-    [sensitivity]                                      # if wanted: dV_H/dp, and a tornado chart
+    [sensitivity]                                      # optional: dV_H/dp and a tornado chart
     parameters = [\"friction\", \"vehicle.strut.preload_lb\"]
     [solver]
     tolerance = 3e-5
@@ -56,27 +56,27 @@ pub struct Options {
     /// Sweep files (TOML), or folders of them
     #[arg(required = true, value_name = "FILE|DIR")]
     files: Vec<PathBuf>,
-    /// Folder for the results, made if it is not there
+    /// Folder for the results, created if missing
     #[arg(long, value_name = "DIR", default_value = "results")]
     out: PathBuf,
     /// Threads; results do not depend on their number [default: one for each core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Check the input of every sweep and tell what it will take, from a few points computed as a
-    /// sample; nothing is written
+    /// Check the input of every sweep and estimate its time and size from a few sample points; write
+    /// nothing
     #[arg(long)]
     dry_run: bool,
-    /// Go on with an interrupted run, and do not begin one (running again goes on too)
+    /// Continue an interrupted run, but do not start one (without this option a run does either)
     #[arg(long)]
     resume: bool,
-    /// Compute every COUNT-th point only, into a journal for `touchdown merge`: 3/16 is the third
-    /// of sixteen parts
+    /// Compute one of COUNT parts into a journal for `touchdown merge`: 3/16 is the third of sixteen
+    /// parts
     #[arg(long, value_name = "NUMBER/COUNT")]
     shard: Option<Shard>,
     /// Form of the tables
     #[arg(long, value_name = "FORMAT", default_value = "csv")]
     format: Format,
-    /// Replace files that are no earlier results of a sweep
+    /// Also replace existing files that are not earlier results of a sweep
     #[arg(long)]
     overwrite: bool,
     /// Print nothing but errors
@@ -126,6 +126,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
                     &results.counts,
                     results.circumstances,
                     &results.files,
+                    results.remark.as_deref(),
                 );
                 lines.push(overview::Line::of(
                     sweep,

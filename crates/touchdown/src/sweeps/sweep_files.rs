@@ -15,7 +15,7 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<Sweep>, InputError> {
         let sweep = Sweep::read(&file)?;
         if let Some(other) = sweeps.iter().find(|other| other.stem() == sweep.stem()) {
             let complaint = format!(
-                "has the same name as {}: allowed are names that differ, as results are named \
+                "has the same name as {}: expected names that differ, as results are named \
                  after them",
                 other.path.display()
             );
@@ -52,7 +52,7 @@ fn sweep_files_in(folder: &Path) -> Result<Vec<PathBuf>, InputError> {
     }
     if found.is_empty() {
         return Err(refuse(
-            "has no sweep files: required is at least one file *.toml".to_owned(),
+            "has no sweep files: expected at least one file *.toml".to_owned(),
         ));
     }
     found.sort();

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use touchdown_figures::picture;
+use touchdown_figures::figure_error::FigureError;
+use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_sweep::design::Design;
 use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::input_error::InputError;
@@ -19,8 +20,10 @@ use crate::failure::Failure;
 use crate::output_guard::OutputGuard;
 use crate::plot;
 
-/// Longest table that is drawn, bytes: beyond it nothing could be made out.
+/// Longest table that is drawn, bytes: beyond it nothing could be made out. Of a table over more axes than
+/// pictures can show, the worst case over the others is drawn, so that it may be longer.
 const LONGEST_DRAWN: u64 = 4 << 20;
+const LONGEST_REDUCED: u64 = 64 << 20;
 /// Axes that pictures can show.
 const MOST_DRAWN_AXES: usize = 2;
 
@@ -29,7 +32,7 @@ const MOST_DRAWN_AXES: usize = 2;
 pub enum Format {
     /// Comma-separated values
     Csv,
-    /// Parquet, beside the CSV files: with units and the whole input in the files' metadata
+    /// Parquet beside the CSV files, with units and the whole input in the metadata
     Parquet,
 }
 
@@ -41,22 +44,28 @@ pub struct Written {
     pub circumstances: Circumstances<'static>,
     /// The files.
     pub files: Vec<PathBuf>,
+    /// Which pictures there are not, and how they can be drawn.
+    pub remark: Option<String>,
 }
 
 /// What follows the name of a sweep in the names of its tables, and a column that each of them has.
-const TABLES: [(&str, &str); 4] = [
+const TABLES: [(&str, &str); 6] = [
     ("", "first_transition_to"),
     ("-bands", "bracket_width_fps"),
     ("-probabilities", "topple_probability"),
     ("-sensitivity", "dvh_dp_fps_per_unit"),
+    ("-quantiles", "low_95_fps"),
+    ("-distribution", "cumulative_share"),
 ];
 /// What follows it in the names of pictures.
-const PICTURES: [&str; 5] = [
+const PICTURES: [&str; 7] = [
     "",
     "-contours",
     "-contours-negative",
     "-perspective",
     "-sensitivity",
+    "-probabilities",
+    "-distribution",
 ];
 
 /// Whether a file that begins with this line is a table of a sweep: the one of its points is one of landings too.
@@ -116,16 +125,22 @@ pub fn write(
     let record = results::record(sweep, &tables.counts, circumstances.version);
     let record = format!("{record:#}\n");
 
-    let mut files = pictures(sweep, &tables, &record)?;
-    files.extend(tornado_chart(sweep, &tables, &record)?);
+    let (mut files, remark) = pictures(sweep, &tables, &record, folder)?;
+    files.extend(charts(sweep, &tables, &record)?);
     files.push((format!("{}.json", sweep.stem()), record.into_bytes()));
     let mut drafts = files
         .iter()
         .map(|(name, bytes)| folder.draft_of(name, bytes))
         .collect::<Result<Vec<_>, _>>()?;
     drafts.extend(tables.parquet);
-    drafts.extend(tables.beside);
-    drafts.extend(tables.sensitivity);
+    let beside = [
+        tables.bands,
+        tables.probabilities,
+        tables.quantiles,
+        tables.distribution,
+        tables.sensitivity,
+    ];
+    drafts.extend(beside.into_iter().flatten());
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
@@ -137,55 +152,102 @@ pub fn write(
         counts: tables.counts,
         circumstances,
         files: Draft::put_in_place(drafts)?,
+        remark,
     })
 }
 
-/// What transitions depend on, where anything has a derivative.
-fn tornado_chart(
-    sweep: &Sweep,
-    tables: &Tables,
-    record: &str,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+/// Charts of the tables beside that of the points: the tornado chart where anything has a derivative, probabilities by
+/// bin, the distribution of transition velocities.
+fn charts(sweep: &Sweep, tables: &Tables, record: &str) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let [_, smooth] = tables.counts.slopes;
-    let text = match &tables.sensitivity {
-        Some(table) if smooth > 0 => table.text(LONGEST_DRAWN)?,
-        _ => None,
-    };
-    let Some(text) = text else {
-        return Ok(Vec::new());
-    };
-    let pictures = picture::draw(&text, None, Some(record)).map_err(Failure::running)?;
-    plot::both(&format!("{}-sensitivity", sweep.stem()), &pictures)
+    let sensitivity = tables.sensitivity.as_ref().filter(|_| smooth > 0);
+    let mut files = Vec::new();
+    for (end, table) in [
+        ("-sensitivity", sensitivity),
+        ("-probabilities", tables.probabilities.as_ref()),
+        ("-distribution", tables.distribution.as_ref()),
+    ] {
+        let text = table.map(|table| table.text(LONGEST_DRAWN)).transpose()?;
+        if let Some(text) = text.flatten() {
+            let source = Source {
+                table: &text,
+                record: Some(record),
+                ..Source::default()
+            };
+            let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
+            files.extend(plot::both(&format!("{}{end}", sweep.stem()), &pictures)?);
+        }
+    }
+    Ok(files)
 }
 
+/// Files by name.
+type NamedFiles = Vec<(String, Vec<u8>)>;
+
+/// The pictures of a boundary over a grid, and what is to be said of those that there are not.
 fn pictures(
     sweep: &Sweep,
     tables: &Tables,
     record: &str,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let has_words = sweep.axes.iter().any(|axis| !axis.words().is_empty());
+    folder: &Folder,
+) -> Result<(NamedFiles, Option<String>), Failure> {
+    // Samples have a picture of their distribution.
     let is_drawn = matches!(
         (&sweep.job, &sweep.design),
         (Job::Boundary(_), Design::Grid(_))
     );
-    if !is_drawn || has_words || sweep.axes.len() > MOST_DRAWN_AXES {
-        return Ok(Vec::new());
+    if !is_drawn {
+        return Ok((Vec::new(), None));
     }
-    let Some(points) = tables.points.text(LONGEST_DRAWN)? else {
-        return Ok(Vec::new());
+    let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
+    let is_reduced = sweep.axes.len() > MOST_DRAWN_AXES;
+    let longest = if is_reduced {
+        LONGEST_REDUCED
+    } else {
+        LONGEST_DRAWN
     };
-    let bands = match &tables.beside {
+    let stem = sweep.stem();
+    let table = folder.path(&format!("{stem}.csv"));
+    let Some(points) = tables.points.text(longest)? else {
+        let table = table.display();
+        return none(&format!(
+            "the table has more than {} MB: `touchdown plot {table}` draws it",
+            longest >> 20
+        ));
+    };
+    let bands = match &tables.bands {
         Some(bands) => bands.text(LONGEST_DRAWN)?,
         None => None,
     };
     let points = drawable(sweep, points);
     if points.lines().nth(1).is_none() {
-        return Ok(Vec::new());
+        return none("no row is complete");
     }
     let bands = bands.filter(|_| sweep.part.is_none() || sweep.axes.len() == 1);
-    let pictures =
-        picture::draw(&points, bands.as_deref(), Some(record)).map_err(Failure::running)?;
-    plot::both(&sweep.stem(), &pictures)
+    let source = Source {
+        name: &stem,
+        table: &points,
+        bands: bands.as_deref(),
+        record: Some(record),
+    };
+    let pictures = match picture::draw(&source, &Choices::default()) {
+        Ok(pictures) => pictures,
+        Err(FigureError::NoPicture(reason)) => return none(&reason),
+        Err(error) => return Err(Failure::running(error)),
+    };
+    let remark = is_reduced.then(|| {
+        let [.., slow, fast] = sweep.axes.as_slice() else {
+            return String::new();
+        };
+        format!(
+            "pictures show V_H at worst over all axes but two: `touchdown plot {} --worst-by {},{}` \
+             and the like draw others",
+            table.display(),
+            slow.name(),
+            fast.name()
+        )
+    });
+    Ok((plot::both(&stem, &pictures)?, remark))
 }
 
 /// The part of a table of points that pictures can show: of a sweep in part over two axes, the values of the first axis

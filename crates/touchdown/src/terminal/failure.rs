@@ -1,4 +1,4 @@
-//! Why the program ends without having done what was asked, and with which exit code.
+//! Why a command failed, and its exit code.
 
 use std::fmt;
 use std::process::ExitCode;

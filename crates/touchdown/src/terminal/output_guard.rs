@@ -52,7 +52,7 @@ impl OutputGuard<'_> {
         });
         match is_input {
             true => Err(InputError::other(
-                "is read by this command and cannot be written too: allowed is another file",
+                "is read by this command and cannot be written too: expected another file",
             )
             .at(Place::file(file))),
             false => Ok(()),
@@ -62,13 +62,13 @@ impl OutputGuard<'_> {
     fn refuse(&self, file: &Path, is_own: impl FnOnce() -> bool) -> Result<(), InputError> {
         let refused = |complaint| Err(InputError::other(complaint).at(Place::file(file)));
         if file.is_dir() {
-            return refused("is a folder: allowed is the name of a file");
+            return refused("is a folder: expected the name of a file");
         }
         if self.overwrite || !file.exists() || is_own() {
             return Ok(());
         }
         refused(
-            "exists and is no earlier result of this command: allowed is another file, or --overwrite",
+            "exists and is no earlier result of this command: expected another file, or --overwrite",
         )
     }
 }

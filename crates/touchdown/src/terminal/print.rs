@@ -1,4 +1,4 @@
-//! Printing to whoever reads, who may have gone.
+//! Printing to standard output, whose reader may have closed it.
 
 use std::io::{ErrorKind, Write, stdout};
 

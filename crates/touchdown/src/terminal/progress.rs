@@ -32,7 +32,7 @@ enum Show {
 }
 
 impl Progress {
-    /// Starts to watch a run over `count` points (or whatever `unit` says).
+    /// Starts to show a run over `count` points, or other units.
     pub fn start(unit: &'static str, count: usize, quiet: bool) -> Self {
         let landings = Arc::new(AtomicU64::new(0));
         let show = match (quiet, stderr().is_terminal()) {

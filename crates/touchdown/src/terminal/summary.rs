@@ -1,5 +1,6 @@
-//! A run in short: what came out, what it cost, and where the results are.
+//! The summary of a run: results, cost, and the files written.
 
+use std::fmt::Display;
 use std::path::PathBuf;
 
 use touchdown_sweep::boundary::{Extent, Transition};
@@ -11,8 +12,9 @@ use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::skipped::Skipped;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::transition_statistics::{Rank, TransitionStatistics};
 
-/// A table of cases in short; without a time where it was not one run.
+/// Summary of a table of cases; without a time where it was not one run.
 pub fn cases(
     findings: &[Finding],
     seconds: Option<f64>,
@@ -41,12 +43,13 @@ pub fn cases(
     )
 }
 
-/// A sweep in short.
+/// Summary of a sweep.
 pub fn sweep(
     sweep: &Sweep,
     counts: &SweepCounts,
     circumstances: Circumstances,
     files: &[PathBuf],
+    remark: Option<&str>,
 ) -> String {
     let mut text = format!("{}\n", sweep.title);
     match &counts.probabilities {
@@ -55,10 +58,13 @@ pub fn sweep(
             let points = number(counts.points, "point");
             text += &format!("  {points}, first transition to: {kinds}\n");
         }
-        Some(known) => text += &outcomes(known.overall, sweep.design.count()),
+        Some(probabilities) => text += &outcomes(probabilities.overall, sweep.design.count()),
     }
     if let Some((point, transition)) = &counts.lowest {
         text += &lowest(transition, &sweep.place(*point));
+    }
+    if let Some(transitions) = &counts.transitions {
+        text += &quantiles(transitions);
     }
     text += &warnings(sweep, counts);
     let Circumstances {
@@ -80,6 +86,9 @@ pub fn sweep(
         cost(counts.landings, counts.evaluations, wall_time, threads)
     );
     text += &format!("  {}", written(files));
+    if let Some(remark) = remark {
+        text += &format!("  {remark}\n");
+    }
     text
 }
 
@@ -97,8 +106,30 @@ fn lowest(transition: &Transition, place: &str) -> String {
     }
 }
 
-/// What numbers of a sweep do not tell by themselves: landings without a result, transitions that are no more than
-/// bounds, or that the smallest changes move.
+/// Some quantiles of the transition velocities of a sample, with their intervals.
+fn quantiles(transitions: &TransitionStatistics) -> String {
+    let in_words = |rank: Rank| match rank {
+        Rank::AtOrBelow(speed) => format!("{speed} or less"),
+        Rank::Speed(speed) => format!("{speed:.4}"),
+        Rank::Above(speed) => format!("more than {speed}"),
+    };
+    let quantiles = transitions.quantiles(&[0.05, 0.5, 0.95]);
+    let parts = quantiles.into_iter().map(|quantile| {
+        let interval = match quantile.interval.map(|end| end.map(in_words)) {
+            [Some(low), Some(high)] => format!("{low} to {high}"),
+            [Some(low), None] => format!("from {low}"),
+            [None, Some(high)] => format!("up to {high}"),
+            [None, None] => "unknown".to_owned(),
+        };
+        let (percent, speed) = (100.0 * quantile.share, in_words(quantile.speed));
+        format!("{percent} % {speed} (95 % interval {interval})")
+    });
+    let parts: Vec<String> = parts.collect();
+    format!("  V_H quantiles, ft/s: {}\n", parts.join(", "))
+}
+
+/// Warnings about results that are less than they seem: landings without a result, transitions that are only bounds, or
+/// that the smallest changes move.
 fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
     let mut text = String::new();
     let mut warn = |points: usize, what: &str| {
@@ -121,29 +152,30 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
     );
     warn(
         counts.disputed,
-        "the first transition is disputed: the smallest changes move it by more than its bracket",
+        "the first transition is disputed: small changes of the input move it by more than its bracket",
     );
-    if let Some(known) = &counts.probabilities {
-        let undecided = known.overall.undecided;
+    if let Some(probabilities) = &counts.probabilities {
+        let undecided = probabilities.overall.undecided;
         if undecided > 0 {
             text += &format!(
                 "  warning: {} undecided: still moving at time_limit_s = {limit}, counted as not stable\n",
-                number(undecided as usize, "landing")
+                number(undecided, "landing")
             );
         }
     }
     text
 }
 
-/// A number of things in words.
-pub fn number(count: usize, thing: &str) -> String {
-    match count {
-        1 => format!("1 {thing}"),
+/// A number of things, with the plural where it is needed.
+pub fn number(count: impl Display, thing: &str) -> String {
+    let count = count.to_string();
+    match count.as_str() {
+        "1" => format!("1 {thing}"),
         _ => format!("{count} {thing}s"),
     }
 }
 
-/// Bands, and looks for hidden ones by what led to them.
+/// Number of bands, and of the searches for hidden ones by their reason.
 fn bands(counts: &SweepCounts) -> String {
     let HiddenBandChecks {
         toppling,
@@ -153,13 +185,15 @@ fn bands(counts: &SweepCounts) -> String {
     } = counts.checks;
     let all = counts.checks.all();
     format!(
-        "  {} bands; {} looks for hidden ones found {}: {toppling} near toppling, {righting} near \
+        "  {}; {} for hidden bands, {} found: {toppling} near toppling, {righting} near \
          staying upright, {stroke} near a strut's stop, {gaps} at irregular changes\n",
-        counts.bands, all.checks, all.finds
+        number(counts.bands, "band"),
+        number(all.checks, "check"),
+        all.finds
     )
 }
 
-/// What each skip came to that did anything.
+/// Landings that each shortcut of the search saved or cost, where it was used.
 fn skipped(skipped: &Skipped) -> String {
     let Skipped {
         left_out,
@@ -170,25 +204,30 @@ fn skipped(skipped: &Skipped) -> String {
     } = *skipped;
     let mut parts = Vec::new();
     if left_out != 0 {
-        parts.push(format!("{left_out} landings left out of scans"));
+        parts.push(format!("{} left out of scans", number(left_out, "landing")));
     }
     if loose > 0 {
         parts.push(format!(
-            "{loose} at a looser tolerance, for {replaced} more"
+            "{} at a looser tolerance, {replaced} more to confirm changes",
+            number(loose, "landing")
         ));
     }
     if interpolated != 0 {
-        parts.push(format!("{interpolated} fewer than by halving"));
+        parts.push(format!(
+            "{} fewer than by bisection",
+            number(interpolated, "landing")
+        ));
     }
     if untested > 0 {
         let least = untested * LEAST_LANDINGS;
         parts.push(format!(
-            "{untested} transitions not tested, as margins tell that they are certain ({least} landings or more)"
+            "{} not tested, as their margins run through zero (at least {least} landings)",
+            number(untested, "transition")
         ));
     }
     match parts.as_slice() {
         [] => String::new(),
-        parts => format!("  skipped: {}\n", parts.join("; ")),
+        parts => format!("  shortcuts: {}\n", parts.join("; ")),
     }
 }
 
@@ -197,23 +236,20 @@ fn outcomes(count: Count, asked: usize) -> String {
     let share = |name: &str, hits: u64| {
         let [low, high] = wilson(hits, count.landings).map(|share| 100.0 * share);
         let percent = 100.0 * hits as f64 / count.landings.max(1) as f64;
-        format!("  {name} {hits}: {percent:.2} %, at 95 % between {low:.2} and {high:.2} %\n")
+        format!("  {name} {hits}: {percent:.2} % (95 % interval {low:.2} to {high:.2} %)\n")
     };
     let early = match count.landings < asked as u64 {
-        true => format!(" of {asked}, which are enough"),
+        true => format!(" of {asked}, enough for the interval width asked for"),
         false => String::new(),
     };
     format!(
-        "  {} landings{early}\n{}{}{}{}{}",
-        count.landings,
+        "  {}{early}\n{}{}{}{}{}",
+        number(count.landings, "landing"),
         share("toppled", count.toppled),
         share("bottomed a strut", count.bottomed),
         share("undecided", count.undecided),
         share("not computed", count.failed),
-        share(
-            "not stable, all of these together",
-            count.landings - count.stable()
-        ),
+        share("not stable (all of these)", count.landings - count.stable()),
     )
 }
 
@@ -227,15 +263,16 @@ pub fn counted(kinds: &[(String, usize)]) -> String {
 }
 
 fn cost(landings: u64, evaluations: u64, seconds: Option<f64>, threads: Option<usize>) -> String {
-    let work = format!("{landings} landings, {evaluations} derivative evaluations");
+    let work = format!(
+        "{}, {}",
+        number(landings, "landing"),
+        number(evaluations, "derivative evaluation")
+    );
     let (Some(seconds), Some(threads)) = (seconds, threads) else {
         return format!("{work}\n");
     };
     let rate = landings as f64 / seconds.max(1e-9);
-    let threads = match threads {
-        1 => "one thread".to_owned(),
-        many => format!("{many} threads"),
-    };
+    let threads = number(threads, "thread");
     format!("{work}, {seconds:.2} s on {threads}: {rate:.0} landings/s\n")
 }
 

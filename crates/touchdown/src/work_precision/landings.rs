@@ -125,12 +125,12 @@ impl<'v> Landings<'v> {
             let counts = [landing.steps, landing.evaluations, landing.events];
             sums.iter_mut().zip(counts).for_each(|(sum, n)| *sum += n);
         }
-        let found: Vec<Seen> = self
+        let computed: Vec<Seen> = self
             .scenes
             .par_iter()
             .map(|scene| seen(self.vehicle, scene, tolerance))
             .collect::<Result<_, _>>()?;
-        let pairs = || found.iter().zip(&self.converged);
+        let pairs = || computed.iter().zip(&self.converged);
         let at = |time: usize, error: fn(&Instant, &Instant) -> f64| {
             let errors = pairs().filter_map(|(one, other)| {
                 Some(error(

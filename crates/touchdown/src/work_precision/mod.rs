@@ -1,4 +1,4 @@
-//! `touchdown work-precision`: what a tolerance costs and what it buys.
+//! `touchdown work-precision`: error and run time against the tolerance.
 
 mod landings;
 mod report;
@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use touchdown_dynamics::scene::{CrushRule, Settings};
-use touchdown_figures::picture;
+use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::measured_scenes::{level_grid, near_boundary};
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -25,22 +25,24 @@ const TOLERANCES: [f64; 8] = [1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-6, 1e-7, 1e-8];
 const QUICK_TOLERANCES: [f64; 3] = [1e-3, 1e-4, 1e-6];
 
 const MORE: &str = "\
-Level landings of one vehicle on a slope of 15 deg at 14 ft/s are computed at one tolerance after
-another and compared with themselves at 1e-11:
-  forty landings around the toppling boundary: time and evaluations on one thread, error of
-  position, pitch and least stability angle; times are the least of five, taken in turns;
+Computes level landings of one vehicle on a slope of 15 deg at 14 ft/s at several tolerances and compares
+them with the same landings at 1e-11:
+  forty landings around the toppling boundary: time and evaluations on one thread, errors of
+  position, pitch and least stability angle; times are the least of five, measured in turns;
   first transitions of the level grid (cross-slope 80 to 180 deg, roll -60 to 60 deg): error of V_H.
 
-Writes work-precision.csv, .svg and .png. Takes minutes; with --quick, half a minute.";
+Writes work-precision.csv, a picture of errors against run time (work-precision.svg and .png) and one
+against evaluations (work-precision-evaluations.svg and .png). Takes minutes; with --quick, half a
+minute.";
 
 /// Options of `work-precision`.
 #[derive(Debug, Args)]
 #[command(after_help = MORE)]
 pub struct Options {
-    /// Fewer tolerances, landings and transitions
+    /// Use fewer tolerances, landings and transitions
     #[arg(long)]
     quick: bool,
-    /// Folder for the table and the picture
+    /// Folder for the table and the pictures
     #[arg(long, value_name = "DIR", default_value = "results")]
     out: PathBuf,
     /// Vehicle file (TOML)
@@ -61,12 +63,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     } else {
         &TOLERANCES
     };
-    eprintln!("converged landings and transitions");
+    eprintln!("computing converged landings and transitions");
     let landings = near_boundary(options.quick).map_err(Failure::running)?;
     let landings = Landings::converged(&vehicle, landings)?;
     let transitions = level_grid(options.quick).map_err(Failure::running)?;
     let transitions = Transitions::converged(&vehicle, transitions)?;
-    eprintln!("times of landings, all tolerances in turns");
+    eprintln!("measuring times of landings, all tolerances in turns");
     let times = landings.times(tolerances)?;
     let mut rows = Vec::new();
     for (index, (&tolerance, times)) in tolerances.iter().zip(&times).enumerate() {
@@ -83,7 +85,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     print(&report::text(&rows))?;
     let table = report::csv(&rows);
-    let pictures = picture::draw(&table, None, None).map_err(Failure::running)?;
+    let source = Source {
+        table: &table,
+        ..Source::default()
+    };
+    let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
     let mut files = plot::both("work-precision", &pictures)?;
     files.push(("work-precision.csv".to_owned(), table.into_bytes()));
     for file in folder.write_files(&files)? {

@@ -41,8 +41,8 @@ impl<'v> Transitions<'v> {
                     }
                 }
                 let near = scan.halve(speed - STEP, speed)?;
-                let found = Landings::new(vehicle, scene, CONVERGED)?.transition(near)?;
-                Ok(found.map(|speed| (scene, speed)))
+                let transition = Landings::new(vehicle, scene, CONVERGED)?.transition(near)?;
+                Ok(transition.map(|speed| (scene, speed)))
             })
             .collect::<Result<_, Failure>>()?;
         Ok(Self {
@@ -58,8 +58,9 @@ impl<'v> Transitions<'v> {
             .converged
             .par_iter()
             .map(|&(scene, speed)| {
-                let found = Landings::new(self.vehicle, scene, tolerance)?.transition(speed)?;
-                Ok(found.map_or(STEP, |found| (found - speed).abs()))
+                let transition =
+                    Landings::new(self.vehicle, scene, tolerance)?.transition(speed)?;
+                Ok(transition.map_or(STEP, |transition| (transition - speed).abs()))
             })
             .collect::<Result<_, Failure>>()?;
         Ok((errors.len(), median_and_worst(errors)))

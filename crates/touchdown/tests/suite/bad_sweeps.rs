@@ -16,14 +16,14 @@ const SWEEPS: [(&str, &str, &[&str]); 33] = [
     ("[search]", "[serach]", &["sweep.toml:10: serach", "did you mean search?"]),
     ("tolerance_fps = 0.1", "", &["sweep.toml:10: search.tolerance_fps is missing"]),
     ("friction = 1.0", "horizontal_velocity_fps = 3", &["scene.horizontal_velocity_fps = 3", "[search]"]),
-    ("friction = 1.0", "friction = 1.0\nroll_deg = 0", &["axes.roll_deg", "also fixed in [scene]"]),
+    ("friction = 1.0", "friction = 1.0\nroll_deg = 0", &["axes.roll_deg", "also in [scene]"]),
     ("roll_deg", "rol_deg", &["sweep.toml:9: axes.rol_deg", "did you mean roll_deg?"]),
     // Wrong types and numbers that are none.
     ("slope_deg = 15", "slope_deg = \"15\"", &["sweep.toml:6: scene.slope_deg = \"15\"", "a number"]),
     ("slope_deg = 15", "slope_deg = nan", &["sweep.toml:6: scene.slope_deg = nan", "finite"]),
     ("to_fps = 12.5", "to_fps = inf", &["sweep.toml:12: search.to_fps = inf", "finite"]),
     ("slope_deg = 15", "slope_deg = ", &["sweep.toml:6: not TOML"]),
-    ("vehicle = \"surveyor.toml\"", "vehicle = 3", &["sweep.toml:2: vehicle = 3", "a text"]),
+    ("vehicle = \"surveyor.toml\"", "vehicle = 3", &["sweep.toml:2: vehicle = 3", "text in quotes"]),
     ("vehicle = \"surveyor.toml\"", "vehicle = \"x.toml\"", &["sweep.toml:2: vehicle = \"x.toml\"", "no file"]),
     // Values out of range.
     ("friction = 1.0", "friction = -0.1", &["sweep.toml:7: scene.friction = -0.1", "0 ≤ value"]),
@@ -36,14 +36,14 @@ const SWEEPS: [(&str, &str, &[&str]); 33] = [
     ("from_fps = 10", "from_fps = 12.5", &["sweep.toml:11: search.from_fps = 12.5", "below to_fps"]),
     ("scan_step_fps = 1.25", "scan_step_fps = 0", &["sweep.toml:13: search.scan_step_fps = 0", "> 0"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\nbands = \"both\"", &["sweep.toml:15: search.bands = \"both\"", "\"first\" or \"all\""]),
-    ("tolerance_fps = 0.1", "tolerance_fps = 0.1\nbands = 2", &["sweep.toml:15: search.bands = 2", "a text"]),
+    ("tolerance_fps = 0.1", "tolerance_fps = 0.1\nbands = 2", &["sweep.toml:15: search.bands = 2", "text in quotes"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 2", &["sweep.toml:14: search.tolerance_fps = 2", "≤ scan_step_fps"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\ntolerance = 1", &["sweep.toml:16: solver.tolerance = 1", "1e-12 ≤ value ≤ 1e-2"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\ncrush_rule = \"soft\"", &["sweep.toml:16: solver.crush_rule = \"soft\"", "\"section\""]),
     // What would be ignored, and what is wrong in an axis.
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\n[solver.error_per_second]\nvelocity_fps = 1", &["sweep.toml:16: solver.error_per_second", "method located does not use it"]),
     (", step = 10 }\n[search]", " }\n[sample]\ndesign = \"sobol\"\ncount = 4\nseed = 1\nstop_at_interval_width = 0.1\n[search]", &["sweep.toml:14: sample.stop_at_interval_width = 0.1", "job = \"outcome\" only"]),
-    ("[axes]", "[solver]\nmethod = \"rk4\"\n[axes]\nsolver.interval_s = [5, 0.01]", &["sweep.toml:11: axes.solver.interval_s = [5, 0.01]: at solver.interval_s = 5: solver.interval_s = 5: allowed is 1e-6"]),
+    ("[axes]", "[solver]\nmethod = \"rk4\"\n[axes]\nsolver.interval_s = [5, 0.01]", &["sweep.toml:11: axes.solver.interval_s = [5, 0.01]: at solver.interval_s = 5: solver.interval_s = 5: expected 1e-6"]),
     ("vehicle = \"surveyor.toml\"", "vehicle = \".\"", &["sweep.toml:2: vehicle = \".\": . is a folder"]),
 ];
 
@@ -119,6 +119,6 @@ fn an_output_folder_that_cannot_be_written_is_refused() {
         .run(&["sweep", "sweep.toml", "--out", "file/results"])
         .refused(&[
             "file/results: output folder cannot be written",
-            "allowed is a folder in which files can be written",
+            "expected a writable folder",
         ]);
 }

@@ -5,11 +5,11 @@
 //! * `toml sweep NAME`, `toml scene NAME`, `toml vehicle NAME`, `csv NAME`: a file that commands of the page
 //!   read. A sweep that none of them runs is checked with `--dry-run`;
 //! * `sh run`: commands that run here and must succeed;
-//! * `sh`: commands that take too long or read files that are not here. Their options must parse;
-//! * `sh other`: commands of other programs, and commands that write outside of the folder. Those of
-//!   `touchdown` must parse.
+//! * `sh`: commands that take too long. Their options must parse;
+//! * `sh other`: commands of other programs, and commands whose output goes outside of the folder. Those of
+//!   `touchdown` only print, and are run.
 //!
-//! The blocks of a page share a folder, which has the vehicles and sweeps of the repository in `sweeps/`.
+//! The blocks of a page share a folder, which has `sweeps/` and the other files of the repository that they read.
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
@@ -77,7 +77,11 @@ fn commands(text: &str) -> Vec<Vec<String>> {
         let rest = line
             .strip_prefix("cargo run --release -- ")
             .or_else(|| line.strip_prefix("touchdown "))?;
-        Some(rest.split_whitespace().map(str::to_owned).collect())
+        Some(
+            rest.split_whitespace()
+                .map(|word| word.trim_matches('"').to_owned())
+                .collect(),
+        )
     };
     joined.lines().filter_map(of_program).collect()
 }
@@ -119,10 +123,10 @@ fn check(folder: &Path, block: &Block, page: &[Block]) -> Result<(), String> {
                 false => Err(format!("nothing reads {name}")),
             }
         }
-        ["sh", "run"] => commands(&block.text)
+        ["sh", "run" | "other"] => commands(&block.text)
             .iter()
             .try_for_each(|command| run(folder, command).map(drop)),
-        ["sh"] | ["sh", "other"] => {
+        ["sh"] => {
             for mut command in commands(&block.text) {
                 command.push("--help".to_owned());
                 run(folder, &command)?;
@@ -136,7 +140,9 @@ fn check(folder: &Path, block: &Block, page: &[Block]) -> Result<(), String> {
 
 fn check_page(page: &str) {
     let folder = TempDir::new().unwrap();
-    copy_tree(&root().join("sweeps"), &folder.path().join("sweeps"));
+    for tree in ["sweeps", "results/trade", "crates/sweep/src/input/deck"] {
+        copy_tree(&root().join(tree), &folder.path().join(tree));
+    }
     let blocks = blocks(page);
     assert!(blocks.len() > 5, "{page} has {} examples", blocks.len());
     for block in &blocks {
@@ -156,13 +162,24 @@ fn examples_of_the_guide_work() {
     check_page("docs/guide.md");
 }
 
-/// All pages of `docs/`, and the README.
+/// All pages of the root, `docs/` and `results/`.
 fn pages() -> Vec<PathBuf> {
-    let docs = fs::read_dir(root().join("docs")).unwrap();
-    let notes = fs::read_dir(root().join("docs/notes")).unwrap();
-    let pages = docs.chain(notes).map(|entry| entry.unwrap().path());
-    let pages = pages.filter(|path| path.extension().is_some_and(|kind| kind == "md"));
-    pages.chain([root().join("README.md")]).collect()
+    let folders = [
+        "",
+        "docs",
+        "docs/notes",
+        "results",
+        "results/trade",
+        "results/sensitivity",
+    ];
+    let files = |folder: &str| fs::read_dir(root().join(folder)).unwrap();
+    let pages = folders
+        .into_iter()
+        .flat_map(files)
+        .map(|entry| entry.unwrap().path());
+    pages
+        .filter(|path| path.extension().is_some_and(|kind| kind == "md"))
+        .collect()
 }
 
 #[test]

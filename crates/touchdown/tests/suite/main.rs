@@ -16,6 +16,7 @@ mod runs;
 mod samples;
 mod scene_files;
 mod sensitivities;
+mod set_values;
 mod starting_files;
 mod stress;
 mod study;

@@ -50,6 +50,26 @@ count = 4
 seed = 1
 "#;
 
+/// A small sample of transitions.
+const DISPERSED: &str = r#"title = "Three transitions"
+vehicle = "vehicle.toml"
+[scene]
+vertical_velocity_fps = 14
+cross_slope_deg = 180
+slope_deg = 15
+[axes]
+friction = { from = 0.9, to = 1.1 }
+[sample]
+design = "sobol"
+count = 3
+seed = 1
+[search]
+from_fps = 10
+to_fps = 14
+scan_step_fps = 1
+tolerance_fps = 0.5
+"#;
+
 const CASES: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,\
                      friction,pitch_deg,yaw_deg,roll_deg\n1,14,3,180,15,1,0,0,0\n";
 
@@ -134,13 +154,23 @@ fn columns_of_sweeps_are_described() {
     let bench = Bench::new();
     fs::write(bench.path("two.toml"), BOUNDARY).unwrap();
     fs::write(bench.path("four.toml"), OUTCOME).unwrap();
-    bench.run(&["sweep", "two.toml", "four.toml", "--out", "out"]);
+    fs::write(bench.path("three.toml"), DISPERSED).unwrap();
+    bench.run(&[
+        "sweep",
+        "two.toml",
+        "four.toml",
+        "three.toml",
+        "--out",
+        "out",
+    ]);
     for (file, before, name) in [
         ("out/two.csv", 1, "transitions"),
         ("out/two-bands.csv", 1, "bands"),
         ("out/two-sensitivity.csv", 1, "sensitivities"),
         ("out/four.csv", 1, "landings"),
         ("out/four-probabilities.csv", 0, "probabilities"),
+        ("out/three-quantiles.csv", 0, "quantiles"),
+        ("out/three-distribution.csv", 0, "distribution"),
     ] {
         assert_eq!(
             bench.heading(file, before),
@@ -183,6 +213,22 @@ fn columns_of_landings_are_described() {
     let landing: Value = serde_json::from_str(&printed).unwrap();
     for key in landing.as_object().unwrap().keys() {
         assert!(PAGE.contains(&format!("`{key}`")), "{key} is not described");
+    }
+}
+
+/// The page of the model says what each column of a history is.
+#[test]
+fn columns_of_histories_are_in_the_model() {
+    let model = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/model.md"));
+    let (_, history) = PAGE.split_once("<!-- columns: history -->").unwrap();
+    let rows = history
+        .lines()
+        .skip(3)
+        .take_while(|row| row.starts_with('|'));
+    let names: Vec<&str> = rows.map(|row| row.split('`').nth(1).unwrap()).collect();
+    assert!(names.len() > 30, "{names:?}");
+    for name in names {
+        assert!(model.contains(&format!("`{name}`")), "{name}");
     }
 }
 

@@ -37,7 +37,11 @@ fn whole(threads: &str) -> [String; 2] {
     let bench = bench();
     let done = bench.run(&["sweep", "sweep.toml", "--threads", threads]);
     assert_eq!(done.code, Some(0), "{}", done.err);
-    assert!(done.out.contains("which are enough"), "{}", done.out);
+    assert!(
+        done.out.contains("enough for the interval width"),
+        "{}",
+        done.out
+    );
     assert!(done.out.contains("toppled"), "{}", done.out);
     RESULTS.map(|name| bench.read(name))
 }
@@ -99,4 +103,162 @@ fn shards_of_a_sample_merge_to_the_same_results() {
     let merged = bench.run(&["merge", "results"]);
     assert_eq!(merged.code, Some(0), "{}", merged.err);
     assert_eq!(RESULTS.map(|name| bench.read(name)), expected);
+}
+
+/// Transitions of dispersed touchdowns, with every kind of distribution.
+const TRANSITIONS: &str = r#"title = "Dispersed transitions"
+vehicle = "surveyor.toml"
+[scene]
+cross_slope_deg = 180
+slope_deg = 15
+[axes]
+vertical_velocity_fps = { mean = 14 }
+pitch_deg = { mean = 0 }
+friction = { distribution = "triangular", from = 0.8, mode = 1, to = 1.1 }
+vehicle.footpad.crush_pressure_psf = { distribution = "lognormal", mean = 1440, sd = 50 }
+angular_velocity_x_dps = { distribution = "rayleigh", sigma = 0.5 }
+roll_deg = { distribution = "normal", mean = 0, sd = 5, from = -10, to = 10 }
+[sample]
+design = "latin-hypercube"
+count = 40
+seed = 3
+[[sample.covariance]]
+axes = ["vertical_velocity_fps", "pitch_deg"]
+matrix = [[0.09, 0.1], [0.1, 1]]
+[search]
+from_fps = 10.5
+to_fps = 12.5
+scan_step_fps = 1
+tolerance_fps = 0.25
+[solver]
+tolerance = 1e-3
+"#;
+
+#[test]
+fn sampled_transitions_have_quantiles_and_a_distribution() {
+    let bench = Bench::new();
+    bench.write("sweep.toml", TRANSITIONS);
+    let done = bench.run(&["sweep", "sweep.toml", "--format", "parquet"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert!(
+        done.out.contains("V_H quantiles, ft/s: 5 %"),
+        "{}",
+        done.out
+    );
+    let files = bench.list("results");
+    for file in [
+        "sweep-distribution.csv",
+        "sweep-distribution.parquet",
+        "sweep-distribution.png",
+        "sweep-distribution.svg",
+        "sweep-quantiles.csv",
+        "sweep-quantiles.parquet",
+    ] {
+        assert!(files.iter().any(|name| name == file), "{file}: {files:?}");
+    }
+    let column = |file: &str, name: &str| -> Vec<String> {
+        let text = bench.read(&format!("results/{file}.csv"));
+        let mut rows = csv::Reader::from_reader(text.as_bytes());
+        let index = rows
+            .headers()
+            .unwrap()
+            .iter()
+            .position(|known| known == name)
+            .unwrap();
+        rows.records()
+            .map(|row| row.unwrap()[index].to_owned())
+            .collect()
+    };
+    // The median counted by hand: points with an open end below come first, those above last.
+    let ranks = column("sweep", "certainty")
+        .into_iter()
+        .zip(column("sweep", "first_transition_fps"));
+    let mut speeds: Vec<f64> = ranks
+        .map(|(certainty, speed)| match certainty.as_str() {
+            "at-or-below" => f64::NEG_INFINITY,
+            "above" => f64::INFINITY,
+            _ => speed.parse().unwrap(),
+        })
+        .collect();
+    speeds.sort_by(f64::total_cmp);
+    assert!(
+        speeds.iter().filter(|speed| speed.is_finite()).count() > 20,
+        "{speeds:?}"
+    );
+    let shares = column("sweep-quantiles", "share");
+    let median = shares.iter().position(|share| share == "0.5").unwrap();
+    let quantiles = column("sweep-quantiles", "transition_fps");
+    assert_eq!(quantiles[median], speeds[19].to_string());
+    let points = column("sweep-distribution", "points");
+    let points: usize = points
+        .iter()
+        .map(|count| count.parse::<usize>().unwrap())
+        .sum();
+    assert_eq!(points, 40);
+
+    // Computed in parts it comes to the same.
+    for shard in ["1/2", "2/2"] {
+        let done = bench.run(&["sweep", "sweep.toml", "--out", "parts", "--shard", shard]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    let merged = bench.run(&["merge", "parts"]);
+    assert_eq!(merged.code, Some(0), "{}", merged.err);
+    for file in [
+        "sweep-quantiles.csv",
+        "sweep-distribution.csv",
+        "sweep-distribution.svg",
+    ] {
+        let [whole, parts] =
+            ["results", "parts"].map(|folder| bench.read(&format!("{folder}/{file}")));
+        assert_eq!(whole, parts, "{file}");
+    }
+    // `plot` draws the same picture.
+    let drawn = bench.run(&["plot", "parts/sweep-distribution.csv", "--out", "again.svg"]);
+    assert_eq!(drawn.code, Some(0), "{}", drawn.err);
+    assert_eq!(
+        bench.read("again.svg"),
+        bench.read("parts/sweep-distribution.svg")
+    );
+}
+
+/// The rules of crushing are words, and so are the ends of their bins.
+#[test]
+fn probabilities_over_words_are_tabulated_and_drawn() {
+    let bench = Bench::new();
+    let grid = SAMPLE.split("[axes]").next().unwrap().to_owned()
+        + "friction = 1\n[axes]\nhorizontal_velocity_fps = [8, 14]\n\
+           solver.crush_rule = [\"pivot-rate\", \"section\"]\n[solver]\ntolerance = 1e-4\n";
+    bench.write("sweep.toml", &grid);
+    let done = bench.run(&["sweep", "sweep.toml", "--format", "parquet"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let table = bench.read("results/sweep-probabilities.csv");
+    assert!(
+        table.contains("solver.crush_rule,section,section,2,1,0.5"),
+        "{table}"
+    );
+    let picture = bench.read("results/sweep-probabilities.svg");
+    assert!(picture.contains("pivot-rate") && picture.contains("Horizontal velocity"));
+}
+
+#[test]
+#[rustfmt::skip]
+fn wrong_distributions_are_refused() {
+    for (good, wrong, fragments) in [
+        ("sigma = 0.5", "sigma = 0", &["angular_velocity_x_dps.sigma = 0", "> 0"][..]),
+        ("\"rayleigh\"", "\"weibull\"", &["distribution = \"weibull\"", "\"triangular\""]),
+        ("mode = 1,", "mode = 2,", &["friction.mode = 2", "between from and to"]),
+        ("mean = 1440", "median = 1440", &["median = 1440", "unknown key"]),
+        ("pitch_deg = { mean = 0 }", "pitch_deg = { mean = 0, sd = 1 }", &["pitch_deg.sd = 1"]),
+        ("\"pitch_deg\"]", "\"yaw_deg\"]", &["yaw_deg", "one of the axes"]),
+        ("\"pitch_deg\"]", "\"vertical_velocity_fps\"]", &["one covariance only"]),
+        ("[0.1, 1]]", "[0.2, 1]]", &["sample.covariance[1].matrix", "symmetric"]),
+        ("[[0.09, 0.1], [0.1, 1]]", "[[0.09, 0.4], [0.4, 1]]", &["positive definite"]),
+        ("[[0.09, 0.1], [0.1, 1]]", "[[0.09, 0.1]]", &["2 rows"]),
+    ] {
+        let bench = Bench::new();
+        let text = TRANSITIONS.replace(good, wrong);
+        assert_ne!(text, TRANSITIONS, "{good}");
+        bench.write("sweep.toml", &text);
+        bench.run(&["sweep", "sweep.toml"]).refused(fragments);
+    }
 }

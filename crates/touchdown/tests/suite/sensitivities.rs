@@ -71,10 +71,10 @@ fn what_no_transition_can_depend_on_is_refused() {
     let bench = Bench::new();
     let ask = |names: &str| bench.run(&["sweep", "sweep.toml", "--sensitivity", names]);
     ask("frction").refused(&["--sensitivity frction", "did you mean friction?"]);
-    ask("horizontal_velocity_fps").refused(&["is what the search varies"]);
-    ask("solver.crush_rule").refused(&["solver.crush_rule", "allowed are keys of the scene"]);
-    ask("friction,scene.friction").refused(&["scene.friction", "is there twice"]);
-    ask("tip_deg").refused(&["sweep.toml", "tip_deg", "has no value here"]);
+    ask("horizontal_velocity_fps").refused(&["the search varies it"]);
+    ask("solver.crush_rule").refused(&["solver.crush_rule", "expected keys of the scene"]);
+    ask("friction,scene.friction").refused(&["scene.friction", "listed twice"]);
+    ask("tip_deg").refused(&["sweep.toml", "tip_deg", "has no value"]);
     let wrong = |right: &str, wrong: &str, fragments: &[&str]| {
         bench.write("sweep.toml", &asked().replace(right, wrong));
         bench.run(&["sweep", "sweep.toml"]).refused(fragments);
@@ -82,7 +82,10 @@ fn what_no_transition_can_depend_on_is_refused() {
     wrong(
         "\"friction\"",
         "3",
-        &["sweep.toml:16: sensitivity.parameters[1] = 3", "a text"],
+        &[
+            "sweep.toml:16: sensitivity.parameters[1] = 3",
+            "text in quotes",
+        ],
     );
     wrong(
         "parameters",

@@ -16,7 +16,7 @@ fn new_files_are_valid_as_written_and_never_replace_another() {
         let written = bench.read(file);
         bench
             .run(&["new", kind, file])
-            .refused(&[file, "exists already"]);
+            .refused(&[file, "exists: expected"]);
         assert_eq!(bench.read(file), written);
     }
     let counted = bench.run(&["sweep", "trade.toml", "--out", "results", "--dry-run"]);
@@ -72,7 +72,7 @@ fn more_threads_than_a_machine_bears_are_refused() {
         "--threads",
         "5000",
     ];
-    bench.run(&sweep).refused(&["5000", "allowed are 1 to"]);
+    bench.run(&sweep).refused(&["5000", "expected 1 to"]);
     assert_eq!(bench.list("results"), Vec::<String>::new());
     let cases = [
         "land",
@@ -85,7 +85,7 @@ fn more_threads_than_a_machine_bears_are_refused() {
         "--threads",
         "5000",
     ];
-    bench.run(&cases).refused(&["5000", "allowed are 1 to"]);
+    bench.run(&cases).refused(&["5000", "expected 1 to"]);
     // However few cores there are, some more threads than cores do no harm.
     let done = bench.run(&[
         "sweep",

@@ -41,8 +41,8 @@ fn kills_and_wild_landings_are_told_and_land_again_as_they_did() {
         "nothing lost, no difference",
         "60 wild landings, seed 1966, tolerance 3e-5",
         "%  unstable-pitch",
-        "of the energy in play",
-        "every number is one, every account of energy closes",
+        "of the energy involved",
+        "every value is a number, every energy account closes",
     ] {
         assert!(done.out.contains(fragment), "{fragment}: {}", done.out);
     }

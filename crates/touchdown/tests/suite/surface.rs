@@ -102,11 +102,11 @@ fn what_cannot_be_is_refused() {
     let bench = Bench::new();
     let velocity = ["--velocity", "0,3,12", "--impact-times"];
     surface(&bench, &[&velocity[..], &["0,-0.1,0.2"]].concat())
-        .refused(&["--impact-times = -0.1: allowed is 0 ≤ value ≤ 100"]);
+        .refused(&["--impact-times = -0.1: expected 0 ≤ value ≤ 100"]);
     let upward = ["--velocity", "0,3,-12", "--impact-times", "0,0.1,0.2"];
     surface(&bench, &upward).refused(&["--velocity = -12"]);
     let sigma = [&velocity[..], &["0,0.1,0.2", "--timing-sigma", "0"]].concat();
-    surface(&bench, &sigma).refused(&["--timing-sigma = 0: allowed is 0 < value ≤ 100"]);
+    surface(&bench, &sigma).refused(&["--timing-sigma = 0: expected 0 < value ≤ 100"]);
 }
 
 /// Impact times so uncertain that most samples have no surface, and take as long as any may.

@@ -60,7 +60,7 @@ pub fn parse(place: &Place, text: &str) -> Result<Deck, InputError> {
         runs.push(run(&place.line(last), &present)?);
     }
     if runs.is_empty() {
-        let complaint = "has no cards of input constants behind its tables and a blank card";
+        let complaint = "has no cards of input constants after its tables and a blank card";
         return Err(InputError::other(complaint).at(place.clone()));
     }
     Ok(Deck { tables, runs })

@@ -120,10 +120,10 @@ An undamped ball falls 1 ft onto a springy surface (contact lasts 0.05 s of its 
     );
     let gained = |interval: f64| {
         let setting = format!("{interval} s");
-        let found = outcomes
+        let outcome = outcomes
             .iter()
             .find(|o| o.method == "trapezoidal" && o.setting == setting);
-        found.map_or(f64::NAN, |o| 100.0 * o.gain)
+        outcome.map_or(f64::NAN, |o| 100.0 * o.gain)
     };
     let longest = |method: &str| {
         let of_method = outcomes.iter().filter(|o| o.method == method);

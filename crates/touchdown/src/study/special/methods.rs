@@ -132,15 +132,15 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
             curves,
         )],
     );
-    let found = |method: &str, setting: &str| {
-        let found = runs.iter().find(|(m, s, _)| *m == method && s == setting);
-        found.map_or((0, f64::NAN), |(.., run)| {
+    let run_of = |method: &str, setting: &str| {
+        let run_of = runs.iter().find(|(m, s, _)| *m == method && s == setting);
+        run_of.map_or((0, f64::NAN), |(.., run)| {
             (run.landing.evaluations, error(run, &exact))
         })
     };
-    let (default_evaluations, default_error) = found("located", "tolerance 1e-6");
-    let (report_evaluations, report_error) = found("report", "limits × 0.1");
-    let (tight_evaluations, tight_error) = found("report", "limits × 0.001");
+    let (default_evaluations, default_error) = run_of("located", "tolerance 1e-6");
+    let (report_evaluations, report_error) = run_of("report", "limits × 0.1");
+    let (tight_evaluations, tight_error) = run_of("report", "limits × 0.001");
     let text = format!(
         "\
 ## 4.1.2 Comparison of integration methods

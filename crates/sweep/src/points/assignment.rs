@@ -1,0 +1,146 @@
+//! Values set on the command line: `vehicle.strut.preload_lb=200`, by the names that axes have.
+
+use crate::document::Value;
+use crate::input_error::InputError;
+use crate::key_path::KeyPath;
+use crate::parameter::{Home, Parameter};
+use crate::scene_input::NamedConditions;
+use crate::vehicle_file::{LEGS, VehicleFile};
+
+/// A parameter and the value that replaces the one of the input files.
+#[derive(Debug, Clone)]
+pub struct Assignment {
+    parameter: Parameter,
+    text: String,
+    value: Value,
+}
+
+impl Assignment {
+    /// Reads `KEY=VALUE`.
+    ///
+    /// # Errors
+    /// Names an unknown key with those most like it, or a value that is neither a finite number nor one of the
+    /// parameter's words.
+    pub fn parse(text: &str) -> Result<Self, InputError> {
+        let Some((name, value)) = text.split_once('=') else {
+            return Err(InputError::other("expected KEY=VALUE"));
+        };
+        Self::new(name.trim(), value.trim())
+    }
+
+    /// Sets the parameter `name` to the value in `text`.
+    ///
+    /// # Errors
+    /// As [`Assignment::parse`].
+    pub fn new(name: &str, text: &str) -> Result<Self, InputError> {
+        let Some(parameter) = Parameter::named(name, LEGS) else {
+            let complaint = Parameter::unknown(name, LEGS);
+            return Err(InputError::other(format!("{name} = {text}: {complaint}")));
+        };
+        let value = parameter.value(text)?;
+        Ok(Self {
+            parameter,
+            text: text.to_owned(),
+            value,
+        })
+    }
+
+    /// What is set.
+    pub fn parameter(&self) -> &Parameter {
+        &self.parameter
+    }
+
+    /// The value as it was typed.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The complaint that this assignment is not possible.
+    pub fn refuse(&self, complaint: &str) -> InputError {
+        let name = self.parameter.name();
+        InputError::other(format!("--set {name}={}: {complaint}", self.text))
+    }
+
+    pub(crate) fn path(&self) -> &KeyPath {
+        self.parameter.path()
+    }
+
+    pub(crate) fn value(&self) -> Value {
+        self.value.clone()
+    }
+}
+
+/// Checks that no parameter is set twice.
+///
+/// # Errors
+/// Names the second assignment.
+pub fn check_once(set: &[Assignment]) -> Result<(), InputError> {
+    for (index, one) in set.iter().enumerate() {
+        let before = &set[..index];
+        if before.iter().any(|other| other.parameter == one.parameter) {
+            return Err(one.refuse("set twice: expected once"));
+        }
+    }
+    Ok(())
+}
+
+/// Sets conditions of a touchdown.
+pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
+    for one in set {
+        if let (Home::Scene, Value::Number(number)) = (one.parameter.home(), &one.value) {
+            conditions.set(one.parameter.name(), *number);
+        }
+    }
+}
+
+/// The vehicle with the set values in place of those of its file.
+///
+/// # Errors
+/// When that is no vehicle.
+pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile, InputError> {
+    let of_vehicle = || (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
+    let mut document = file.document.clone();
+    for one in of_vehicle() {
+        document.write(one.path(), one.value());
+    }
+    let said = || {
+        let said = of_vehicle().map(|one| format!("{}={}", one.parameter.name(), one.text));
+        said.collect::<Vec<_>>().join(" --set ")
+    };
+    VehicleFile::from_document(document)
+        .map_err(|error| InputError::other(format!("--set {}: {error}", said())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_words_are_set_by_the_names_of_axes() {
+        let preload = Assignment::parse("vehicle.strut.preload_lb=200").unwrap();
+        assert_eq!(preload.parameter().name(), "vehicle.strut.preload_lb");
+        assert!(matches!(preload.value(), Value::Number(200.0)));
+        let slope = Assignment::parse("scene.slope_deg = -5").unwrap();
+        assert_eq!(slope.parameter().name(), "slope_deg");
+        let rule = Assignment::parse("solver.crush_rule=section").unwrap();
+        assert!(matches!(rule.value(), Value::Text(word) if word == "section"));
+    }
+
+    #[test]
+    fn what_cannot_be_set_is_named() {
+        for (text, fragment) in [
+            ("slope_deg", "KEY=VALUE"),
+            ("slop_deg=5", "did you mean slope_deg?"),
+            ("vehicle.strut.preload=5", "vehicle.strut.preload_lb"),
+            (
+                "slope_deg=steep",
+                "slope_deg = steep: expected a finite number",
+            ),
+            ("slope_deg=nan", "a finite number"),
+            ("solver.crush_rule=soft", "pivot-rate or section"),
+        ] {
+            let complaint = Assignment::parse(text).unwrap_err().to_string();
+            assert!(complaint.contains(fragment), "{complaint}");
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! The transition velocities of a sample: their quantiles, and how they are distributed.
+//!
+//! A point whose first transition lies at or below the lowest speed searched, or above the highest, counts as below or
+//! above all others. Intervals hold at 95 % for independent points, those of a Latin hypercube or a Sobol sequence are at
+//! least as certain: quantiles lie between two points of the sorted sample, whatever the distribution is; cumulative
+//! shares have Wilson's interval.
+
+use statrs::distribution::{Binomial, DiscreteCDF};
+
+use crate::boundary::Boundary;
+use crate::probabilities::wilson;
+use crate::search_range::Search;
+
+/// Shares of the points of which quantiles are listed.
+pub const SHARES: [f64; 11] = [
+    0.005, 0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 0.995,
+];
+
+/// Columns of the table of quantiles.
+pub const QUANTILE_COLUMNS: [&str; 5] = [
+    "share",
+    "transition_fps",
+    "certainty",
+    "low_95_fps",
+    "high_95_fps",
+];
+
+/// Columns of the table of the distribution.
+pub const DISTRIBUTION_COLUMNS: [&str; 7] = [
+    "from_fps",
+    "to_fps",
+    "points",
+    "share",
+    "cumulative_share",
+    "cumulative_low_95",
+    "cumulative_high_95",
+];
+
+/// Word for a transition at or below the lowest speed searched.
+pub const AT_OR_BELOW: &str = "at-or-below";
+/// Word where there is no transition up to the highest speed searched.
+pub const ABOVE: &str = "above";
+
+/// Probability that a quantile lies below its interval, and that it lies above.
+const TAIL: f64 = 0.025;
+/// About how many bins a distribution has.
+const BINS: f64 = 20.0;
+
+/// First transitions of the points of a sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TransitionStatistics {
+    from: f64,
+    to: f64,
+    at_or_below: usize,
+    above: usize,
+    /// Transition velocities in between, ft/s.
+    speeds: Vec<f64>,
+}
+
+/// A quantile of the transition velocity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantile {
+    /// Share of the points with a transition at or below it.
+    pub share: f64,
+    /// The velocity.
+    pub speed: Rank,
+    /// Ends of its interval at 95 %; `None` where the sample has too few points for an end.
+    pub interval: [Option<Rank>; 2],
+}
+
+/// The velocity of one point of the sorted sample, ft/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rank {
+    /// At or below the lowest speed searched.
+    AtOrBelow(f64),
+    /// A transition.
+    Speed(f64),
+    /// Above the highest speed searched.
+    Above(f64),
+}
+
+impl TransitionStatistics {
+    /// No points yet.
+    pub fn none(search: &Search) -> Self {
+        Self {
+            from: search.from,
+            to: search.to,
+            at_or_below: 0,
+            above: 0,
+            speeds: Vec::new(),
+        }
+    }
+
+    /// Adds a point.
+    pub fn add(&mut self, boundary: &Boundary) {
+        match boundary.transition {
+            None => self.above += 1,
+            Some(transition) if transition.low.is_none() => self.at_or_below += 1,
+            Some(transition) => self.speeds.push(transition.speed()),
+        }
+    }
+
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        self.at_or_below + self.speeds.len() + self.above
+    }
+
+    fn sorted(&self) -> Vec<f64> {
+        let mut sorted = self.speeds.clone();
+        sorted.sort_by(f64::total_cmp);
+        sorted
+    }
+
+    /// Quantiles at shares of the points between 0 and 1; none without points.
+    pub fn quantiles(&self, shares: &[f64]) -> Vec<Quantile> {
+        let points = self.points();
+        if points == 0 {
+            return Vec::new();
+        }
+        let sorted = self.sorted();
+        let rank = |index: usize| match index.checked_sub(self.at_or_below) {
+            None => Rank::AtOrBelow(self.from),
+            Some(index) => sorted
+                .get(index)
+                .map_or(Rank::Above(self.to), |speed| Rank::Speed(*speed)),
+        };
+        let quantile = |share: &f64| {
+            let [low, high] = interval_of(*share, points);
+            // A billionth forgives the rounding of products such as 0.07 · 100.
+            let place = (share * points as f64 - 1e-9).ceil().max(1.0) as usize;
+            Quantile {
+                share: *share,
+                speed: rank(place - 1),
+                interval: [low.map(rank), high.map(rank)],
+            }
+        };
+        shares.iter().map(quantile).collect()
+    }
+
+    /// Rows of the table of quantiles.
+    pub fn quantile_rows(&self) -> Vec<Vec<String>> {
+        let row = |quantile: Quantile| {
+            let (speed, bound) = match quantile.speed {
+                Rank::AtOrBelow(speed) => (speed, AT_OR_BELOW),
+                Rank::Speed(speed) => (speed, ""),
+                Rank::Above(speed) => (speed, ABOVE),
+            };
+            let end = |rank: Option<Rank>| match rank {
+                Some(Rank::Speed(speed)) => speed.to_string(),
+                _ => String::new(),
+            };
+            let [low, high] = quantile.interval.map(end);
+            vec![
+                quantile.share.to_string(),
+                speed.to_string(),
+                bound.to_owned(),
+                low,
+                high,
+            ]
+        };
+        self.quantiles(&SHARES).into_iter().map(row).collect()
+    }
+
+    /// Rows of the table of the distribution: points at or below the lowest speed searched, bins of equal width that hold
+    /// speeds above their lower end up to their upper end, points above the highest speed searched.
+    pub fn distribution_rows(&self) -> Vec<Vec<String>> {
+        let points = self.points();
+        let mut below = 0;
+        let mut row = |from: String, to: String, count: usize| {
+            below += count;
+            let [low, high] = wilson(below as u64, points as u64);
+            let share = |count: usize| (count as f64 / points as f64).to_string();
+            let cells = [
+                count.to_string(),
+                share(count),
+                share(below),
+                low.to_string(),
+                high.to_string(),
+            ];
+            [from, to].into_iter().chain(cells).collect()
+        };
+        let mut rows = Vec::new();
+        if self.at_or_below > 0 {
+            rows.push(row(String::new(), self.from.to_string(), self.at_or_below));
+        }
+        let sorted = self.sorted();
+        let mut counted = 0;
+        let edges = edges(&sorted);
+        for pair in edges.windows(2) {
+            let is_last = Some(&pair[1]) == edges.last();
+            let upto = match is_last {
+                true => sorted.len(),
+                false => sorted.partition_point(|speed| *speed <= pair[1]),
+            };
+            rows.push(row(
+                pair[0].to_string(),
+                pair[1].to_string(),
+                upto - counted,
+            ));
+            counted = upto;
+        }
+        if self.above > 0 {
+            rows.push(row(self.to.to_string(), String::new(), self.above));
+        }
+        rows
+    }
+}
+
+/// Indices, from 0, of the sorted points between which the quantile at a share lies with a probability of 95 %.
+fn interval_of(share: f64, points: usize) -> [Option<usize>; 2] {
+    let Ok(below) = Binomial::new(share, points as u64) else {
+        return [None, None];
+    };
+    // The quantile is below point k (from 1) where fewer than k points are below it.
+    let low = (below.inverse_cdf(TAIL) as usize).checked_sub(1);
+    let high = below.inverse_cdf(1.0 - TAIL) as usize;
+    [low, (high < points).then_some(high)]
+}
+
+/// Edges of bins of a round width around sorted speeds.
+fn edges(sorted: &[f64]) -> Vec<f64> {
+    let (Some(first), Some(last)) = (sorted.first(), sorted.last()) else {
+        return Vec::new();
+    };
+    let rough = ((last - first) / BINS).max(1e-6);
+    let power = libm::exp10(libm::log10(rough).floor());
+    let width = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
+    let width = width
+        .into_iter()
+        .find(|width| *width >= rough)
+        .unwrap_or(10.0 * power);
+    // Speeds lie above the lower edge of their bin.
+    let from = (first / width).ceil() as i64 - 1;
+    let to = (last / width).ceil() as i64;
+    (from..=to)
+        .map(|edge| crate::levels::rounded(edge as f64 * width))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::Transition;
+    use crate::certainty::Certainty;
+    use touchdown_dynamics::outcome::Class;
+
+    fn statistics(speeds: impl Iterator<Item = f64>) -> TransitionStatistics {
+        TransitionStatistics {
+            from: 5.0,
+            to: 20.0,
+            at_or_below: 0,
+            above: 0,
+            speeds: speeds.collect(),
+        }
+    }
+
+    /// Conover, Practical Nonparametric Statistics: the interval of a median of ten is that between the second and the
+    /// ninth.
+    #[test]
+    fn intervals_of_quantiles_are_those_of_the_books() {
+        assert_eq!(interval_of(0.5, 10), [Some(1), Some(8)]);
+        assert_eq!(interval_of(0.5, 5), [None, None]);
+        // 59 points are the fewest whose least is below the 5 % quantile with 95 %, one-sided; two-sided it takes 72.
+        assert_eq!(interval_of(0.05, 71)[0], None);
+        assert_eq!(interval_of(0.05, 72)[0], Some(0));
+    }
+
+    /// Of many samples from a known distribution the intervals hold its quantile in 95 % or more.
+    #[test]
+    fn intervals_hold_what_they_promise() {
+        let (count, samples) = (100, 400);
+        for share in [0.1, 0.5, 0.9] {
+            let mut held = 0;
+            for sample in 0..samples {
+                let random = |index: usize| {
+                    let mixed =
+                        ((sample * count + index) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                    let mixed = (mixed ^ (mixed >> 31)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+                    (mixed >> 11) as f64 / (1u64 << 53) as f64
+                };
+                let speeds = statistics((0..count).map(random));
+                let [low, high] = speeds.quantiles(&[share])[0].interval;
+                let (Some(Rank::Speed(low)), Some(Rank::Speed(high))) = (low, high) else {
+                    panic!("the interval has both ends");
+                };
+                held += usize::from(low <= share && share <= high);
+            }
+            // Three standard deviations of the count below 95 %.
+            let least = 0.95 - 3.0 * (0.95f64 * 0.05 / samples as f64).sqrt();
+            assert!(
+                held as f64 >= least * samples as f64,
+                "{share}: {held} of {samples}"
+            );
+        }
+    }
+
+    #[test]
+    fn points_beyond_the_search_count_below_and_above() {
+        let mut all = statistics((1..=96).map(f64::from));
+        let open = Boundary {
+            transition: Some(Transition {
+                to: Class::Bottomed,
+                low: None,
+                high: 5.0,
+                certainty: Certainty::Untested,
+            }),
+            ..Boundary::default()
+        };
+        for _ in 0..2 {
+            all.add(&open);
+            all.add(&Boundary::default());
+        }
+        let speeds: Vec<Rank> = all
+            .quantiles(&[0.02, 0.03, 0.5, 0.98, 0.99])
+            .iter()
+            .map(|q| q.speed)
+            .collect();
+        let expected = [
+            Rank::AtOrBelow(5.0),
+            Rank::Speed(1.0),
+            Rank::Speed(48.0),
+            Rank::Speed(96.0),
+            Rank::Above(20.0),
+        ];
+        assert_eq!(speeds, expected);
+        let rows = all.distribution_rows();
+        assert_eq!(rows[0][..5], ["", "5", "2", "0.02", "0.02"]);
+        let last = &rows[rows.len() - 1];
+        assert_eq!(last[..5], ["20", "", "2", "0.02", "1"]);
+        let counted: usize = rows
+            .iter()
+            .map(|row| row[2].parse::<usize>().unwrap())
+            .sum();
+        assert_eq!(counted, 100);
+    }
+
+    #[test]
+    fn bins_have_round_edges_around_all_speeds() {
+        assert_eq!(edges(&[10.0, 11.3, 14.0])[..3], [9.8, 10.0, 10.2]);
+        assert_eq!(edges(&[10.0, 11.3, 14.0]).last(), Some(&14.0));
+        assert_eq!(edges(&[2.0]).len(), 2);
+        assert!(edges(&[]).is_empty());
+    }
+}

@@ -1,0 +1,138 @@
+//! `--set KEY=VALUE` of `land` and `sweep`: the same as changing the input file, and strict.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+#[allow(dead_code, reason = "every test file uses its own part")]
+use crate::common::{BASELINE, Bench, SURVEYOR, SWEEP};
+
+/// A vehicle file with another preload.
+fn other_preload() -> String {
+    let changed = SURVEYOR.replace("preload_lb = 185", "preload_lb = 200");
+    assert_ne!(changed, SURVEYOR);
+    changed
+}
+
+#[test]
+fn a_landing_with_a_set_value_is_that_of_a_changed_vehicle_file() {
+    let bench = Bench::new();
+    bench.write("other.toml", &other_preload());
+    let changed: Vec<&str> = (BASELINE.iter())
+        .map(|word| {
+            if *word == "surveyor.toml" {
+                "other.toml"
+            } else {
+                word
+            }
+        })
+        .collect();
+    let expected = bench.run(&[&changed[..], &["--history", "a.csv"]].concat());
+    assert_eq!(expected.code, Some(0), "{}", expected.err);
+    let set = [
+        "--set",
+        "vehicle.strut.preload_lb=200",
+        "--history",
+        "b.csv",
+    ];
+    let done = bench.run(&[&BASELINE[..], &set].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.read("a.csv"), bench.read("b.csv"));
+    let change = "with vehicle.strut.preload_lb = 200\n";
+    assert_eq!(done.out.replace(change, ""), expected.out);
+    assert_ne!(done.out, expected.out);
+
+    // A condition of the touchdown, instead of its option.
+    let expected = bench.run(&[&BASELINE[..], &["--roll", "20"]].concat());
+    let done = bench.run(&[&BASELINE[..], &["--set", "roll_deg=20"]].concat());
+    assert_eq!((done.code, done.out), (Some(0), expected.out));
+}
+
+#[test]
+fn a_table_of_cases_starts_from_the_set_values() {
+    let bench = Bench::new();
+    bench.write("other.toml", &other_preload());
+    let cases = "vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction,\
+                 vehicle.strut.preload_lb\n14,11,180,15,1,\n14,11,180,15,1,150\n";
+    bench.write("cases.csv", cases);
+    for (vehicle, out, set) in [
+        ("other.toml", "a.csv", &[][..]),
+        (
+            "surveyor.toml",
+            "b.csv",
+            &["--set", "vehicle.strut.preload_lb=200"],
+        ),
+    ] {
+        let run = [
+            "land",
+            "--vehicle",
+            vehicle,
+            "--cases",
+            "cases.csv",
+            "--out",
+            out,
+        ];
+        let done = bench.run(&[&run[..], set].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    assert_eq!(bench.read("a.csv"), bench.read("b.csv"));
+}
+
+#[test]
+fn a_sweep_with_set_values_is_that_of_changed_files_also_when_merged() {
+    let changed = SWEEP
+        .replace("friction = 1.0", "friction = 0.9")
+        .replace("to_fps = 12.5", "to_fps = 15");
+    let files = Bench::new();
+    files.write("surveyor.toml", &other_preload());
+    files.write("sweep.toml", &changed);
+    let done = files.run(&["sweep", "sweep.toml"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let expected = files.read("results/sweep.csv");
+
+    let bench = Bench::new();
+    let set = [
+        "--set",
+        "vehicle.strut.preload_lb=200",
+        "--set",
+        "friction=0.9",
+        "--set",
+        "search.to_fps=15",
+    ];
+    let done = bench.run(&[&["sweep", "sweep.toml", "--out", "set"][..], &set].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.read("set/sweep.csv"), expected);
+    for shard in ["1/2", "2/2"] {
+        let run = ["sweep", "sweep.toml", "--out", "parts", "--shard", shard];
+        let done = bench.run(&[&run[..], &set].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    let done = bench.run(&["merge", "parts"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.read("parts/sweep.csv"), expected);
+    assert_eq!(bench.read("parts/sweep.json"), bench.read("set/sweep.json"));
+}
+
+#[test]
+#[rustfmt::skip]
+fn what_cannot_be_set_is_refused() {
+    let bench = Bench::new();
+    for (set, fragments) in [
+        (&["--set", "vehicle.strut.preloed_lb=200"][..], &["did you mean vehicle.strut.preload_lb"][..]),
+        (&["--set", "slope_deg=95"], &["--slope", "slope_deg=95"]),
+        (&["--set", "vehicle.mass_slug=-1"], &["--set vehicle.mass_slug=-1", "mass_slug = -1"]),
+        (&["--set", "roll_deg=1", "--set", "roll_deg=2"], &["roll_deg=2", "twice"]),
+        (&["--set", "solver.tolerance=1e-5"], &["solver.tolerance=1e-5", "--tolerance"]),
+        (&["--set", "tip_deg=9", "--set", "tip_azimuth_deg=0", "--pitch", "3"], &["not both"]),
+    ] {
+        bench.run(&[&BASELINE[..], set].concat()).refused(fragments);
+    }
+    for (set, fragment) in [
+        ("roll_deg=1", "varies"),
+        ("horizontal_velocity_fps=1", "searches"),
+        ("vehicle.mass_slug=0", "mass_slug = 0"),
+        ("slope_deg=95", "slope_deg"),
+        ("search.to_fps=1", "to_fps = 1"),
+    ] {
+        bench.run(&["sweep", "sweep.toml", "--set", set]).refused(&[fragment]);
+    }
+    assert_eq!(bench.list("."), ["surveyor.toml", "sweep.toml"]);
+}
