@@ -82,7 +82,10 @@ fn what_no_transition_can_depend_on_is_refused() {
     wrong(
         "\"friction\"",
         "3",
-        &["sweep.toml:16: sensitivity.parameters[1] = 3", "text in quotes"],
+        &[
+            "sweep.toml:16: sensitivity.parameters[1] = 3",
+            "text in quotes",
+        ],
     );
     wrong(
         "parameters",
