@@ -69,8 +69,8 @@ impl NamedConditions {
         self.values[Self::position(name)?]
     }
 
-    /// Forgets the attitude if it is about to be given in its other form, by one of `names`.
-    pub fn make_room_for(&mut self, names: &[&str]) {
+    /// Removes the attitude if `names` give it in its other form.
+    pub fn replace_attitude_form(&mut self, names: &[&str]) {
         for (form, other) in [(EULER, TIP), (TIP, EULER)] {
             if form.iter().any(|name| names.contains(name)) {
                 for index in other.into_iter().filter_map(Self::position) {

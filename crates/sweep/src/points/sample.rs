@@ -10,9 +10,9 @@ use rand_chacha::ChaCha8Rng;
 use crate::distribution::{Distribution, standard_quantile};
 use crate::levels::rounded;
 
-/// How points are spread.
+/// How the points of a sample are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Spread {
+pub enum SampleDesign {
     /// Each independent of the others.
     MonteCarlo,
     /// As many strata of equal probability as points along every axis, one point in each.
@@ -21,7 +21,7 @@ pub enum Spread {
     Sobol,
 }
 
-impl Spread {
+impl SampleDesign {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::MonteCarlo, Self::LatinHypercube, Self::Sobol];
 
@@ -34,7 +34,7 @@ impl Spread {
         }
     }
 
-    /// Most points that it can spread.
+    /// Most points that it has.
     pub fn most_points(self) -> usize {
         match self {
             Self::MonteCarlo => 1_000_000_000_000,
@@ -45,7 +45,7 @@ impl Spread {
         }
     }
 
-    /// Most axes that it can spread points over.
+    /// Most axes that it has.
     pub fn most_axes(self) -> usize {
         match self {
             Self::Sobol => sobol_burley::NUM_DIMENSIONS as usize,
@@ -115,7 +115,7 @@ impl SampledAxis {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
     axes: Vec<SampledAxis>,
-    spread: Spread,
+    design: SampleDesign,
     count: usize,
     seed: u64,
     /// For each random number the stratum of each point, where there are strata.
@@ -123,21 +123,23 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// `count` points, at most as many as the spread allows, over axes in the order of their
+    /// `count` points, at most as many as the design allows, over axes in the order of their
     /// parameters.
-    pub fn new(axes: Vec<SampledAxis>, spread: Spread, count: usize, seed: u64) -> Self {
+    pub fn new(axes: Vec<SampledAxis>, design: SampleDesign, count: usize, seed: u64) -> Self {
         let numbers = axes
             .iter()
             .map(|axis| axis.last_number() + 1)
             .max()
             .unwrap_or(0);
-        let strata = match spread {
-            Spread::LatinHypercube => (0..numbers).map(|n| shuffled(count, seed, n)).collect(),
-            Spread::MonteCarlo | Spread::Sobol => Vec::new(),
+        let strata = match design {
+            SampleDesign::LatinHypercube => {
+                (0..numbers).map(|n| shuffled(count, seed, n)).collect()
+            }
+            SampleDesign::MonteCarlo | SampleDesign::Sobol => Vec::new(),
         };
         Self {
             axes,
-            spread,
+            design,
             count,
             seed,
             strata,
@@ -149,9 +151,9 @@ impl Sample {
         &self.axes
     }
 
-    /// How points are spread.
-    pub fn spread(&self) -> Spread {
-        self.spread
+    /// How the points are drawn.
+    pub fn design(&self) -> SampleDesign {
+        self.design
     }
 
     /// Number of points.
@@ -172,13 +174,13 @@ impl Sample {
 
     /// Random number `number` of a point, above 0 and below 1.
     fn number(&self, index: usize, number: usize) -> f64 {
-        match self.spread {
-            Spread::MonteCarlo => random(self.seed, number, index),
-            Spread::LatinHypercube => {
+        match self.design {
+            SampleDesign::MonteCarlo => random(self.seed, number, index),
+            SampleDesign::LatinHypercube => {
                 let stratum = f64::from(self.strata[number][index]);
                 (stratum + random(self.seed, number, index)) / self.count as f64
             }
-            Spread::Sobol => {
+            SampleDesign::Sobol => {
                 let seed = (self.seed ^ (self.seed >> 32)) as u32;
                 let x = f64::from(sobol_burley::sample(index as u32, number as u32, seed));
                 // In the middle of the 2^-24 that the sequence resolves.
@@ -219,10 +221,10 @@ mod tests {
         }
     }
 
-    fn sample(spread: Spread, count: usize, seed: u64) -> Vec<Vec<f64>> {
+    fn sample(design: SampleDesign, count: usize, seed: u64) -> Vec<Vec<f64>> {
         let sample = Sample::new(
             vec![uniform(0), uniform(1), uniform(0)],
-            spread,
+            design,
             count,
             seed,
         );
@@ -231,10 +233,10 @@ mod tests {
 
     #[test]
     fn points_follow_from_index_and_seed() {
-        for spread in Spread::ALL {
-            let points = sample(spread, 64, 7);
-            assert_eq!(points, sample(spread, 64, 7), "{spread:?}");
-            assert_ne!(points, sample(spread, 64, 8), "{spread:?}");
+        for design in SampleDesign::ALL {
+            let points = sample(design, 64, 7);
+            assert_eq!(points, sample(design, 64, 7), "{design:?}");
+            assert_ne!(points, sample(design, 64, 8), "{design:?}");
             assert!(points.iter().all(|p| p[0] == p[2] && p[0] != p[1]));
             assert!(points.iter().flatten().all(|x| 0.0 < *x && *x < 1.0));
         }
@@ -242,7 +244,7 @@ mod tests {
 
     #[test]
     fn every_stratum_of_a_latin_hypercube_holds_one_point() {
-        let points = sample(Spread::LatinHypercube, 100, 1);
+        let points = sample(SampleDesign::LatinHypercube, 100, 1);
         for axis in [0, 1] {
             let mut strata: Vec<usize> =
                 points.iter().map(|p| (p[axis] * 100.0) as usize).collect();
@@ -253,7 +255,7 @@ mod tests {
 
     #[test]
     fn sobol_points_fill_every_box_of_a_fine_division() {
-        let points = sample(Spread::Sobol, 256, 3);
+        let points = sample(SampleDesign::Sobol, 256, 3);
         let mut boxes = [0; 256];
         for point in points {
             boxes[(point[0] * 16.0) as usize * 16 + (point[1] * 16.0) as usize] += 1;
@@ -263,7 +265,7 @@ mod tests {
 
     #[test]
     fn monte_carlo_means_are_within_their_error() {
-        let points = sample(Spread::MonteCarlo, 10_000, 5);
+        let points = sample(SampleDesign::MonteCarlo, 10_000, 5);
         for axis in [0, 1] {
             let mean = points.iter().map(|p| p[axis]).sum::<f64>() / 1e4;
             // Five standard errors.
@@ -288,7 +290,7 @@ mod tests {
         };
         assert!((deviation - 1.0).abs() < 1e-15);
         let count = 1 << 14;
-        let sample = Sample::new(axes, Spread::Sobol, count, 1);
+        let sample = Sample::new(axes, SampleDesign::Sobol, count, 1);
         let points: Vec<Vec<f64>> = (0..count).map(|index| sample.coordinates(index)).collect();
         let mean = |of: &dyn Fn(&[f64]) -> f64| {
             points.iter().map(|point| of(point)).sum::<f64>() / count as f64

@@ -12,7 +12,7 @@ use crate::distribution::Distribution;
 use crate::input_error::{InputError, Place};
 use crate::joint_normal::{self, JointNormal};
 use crate::library::{Library, Source};
-use crate::sample::{Sample, SampledAxis, Spread};
+use crate::sample::{Sample, SampleDesign, SampledAxis};
 use crate::section::LocatedValue;
 use crate::section::Section;
 
@@ -75,10 +75,12 @@ pub(crate) fn sampled(
         "\"monte-carlo\", \"latin-hypercube\" or \"sobol\"",
     )?;
     let word = design.text()?;
-    let spread = Spread::ALL.into_iter().find(|spread| spread.name() == word);
-    let names = Spread::ALL.map(|spread| format!("{:?}", spread.name()));
-    let spread = spread.ok_or_else(|| design.complain(&names.join(", ")))?;
-    let count = whole(&section, "count", 1.0, spread.most_points() as f64)?;
+    let kind = SampleDesign::ALL
+        .into_iter()
+        .find(|kind| kind.name() == word);
+    let names = SampleDesign::ALL.map(|kind| format!("{:?}", kind.name()));
+    let kind = kind.ok_or_else(|| design.complain(&names.join(", ")))?;
+    let count = whole(&section, "count", 1.0, kind.most_points() as f64)?;
     let seed = whole(&section, "seed", 0.0, GREATEST_SEED)?;
     let enough = match section.optional("stop_at_interval_width") {
         None => None,
@@ -106,8 +108,8 @@ pub(crate) fn sampled(
         }));
         forms.push(form);
     }
-    if groups.len() > spread.most_axes() {
-        let most = spread.most_axes();
+    if groups.len() > kind.most_axes() {
+        let most = kind.most_axes();
         return Err(design.complain_that(&format!("expected at most {most} axes with this design")));
     }
     let axes = forms
@@ -120,7 +122,7 @@ pub(crate) fn sampled(
             },
             AxisForm::Joint { mean } => joint_axis(&joint, axis, mean, &numbers),
         });
-    let sample = Sample::new(axes.collect(), spread, count, seed as u64);
+    let sample = Sample::new(axes.collect(), kind, count, seed as u64);
     Ok(Some(Sampled { sample, enough }))
 }
 

@@ -103,7 +103,7 @@ impl Sweep {
             }
         }
         let names: Vec<&str> = set.iter().map(|one| one.parameter().name()).collect();
-        self.fixed.make_room_for(&names);
+        self.fixed.replace_attitude_form(&names);
         assignment::set_conditions(&mut self.fixed, set);
         Ok(())
     }

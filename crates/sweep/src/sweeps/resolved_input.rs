@@ -60,7 +60,7 @@ impl Sweep {
         }
         if let Design::Sample(sample) = &self.design {
             input["sample"] = json!({
-                "design": sample.spread().name(),
+                "design": sample.design().name(),
                 "count": sample.count(),
                 "seed": sample.seed(),
             });

@@ -210,7 +210,7 @@ impl Stack {
             .iter()
             .filter(|(p, _)| p.home() == Home::Scene);
         let names: Vec<&str> = scene.map(|(parameter, _)| parameter.name()).collect();
-        self.conditions.make_room_for(&names);
+        self.conditions.replace_attitude_form(&names);
         for (parameter, found) in &changes.parameters {
             let value = match parameter.words() {
                 [] => Value::Number(found.number()?),

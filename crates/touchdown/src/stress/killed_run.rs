@@ -14,8 +14,8 @@ use touchdown_sweep::journal::{Access, InOrder, JournalError, Records};
 
 use crate::failure::Failure;
 
-/// Time between two looks at a run.
-const GLANCE: Duration = Duration::from_micros(200);
+/// Time between two checks of a run.
+const POLL_INTERVAL: Duration = Duration::from_micros(200);
 /// Longest time for a run, most of which it may wait for processors.
 const LONGEST_RUN: Duration = Duration::from_secs(600);
 
@@ -30,7 +30,7 @@ pub struct KilledRun<'r> {
 
 /// Why watching ended.
 #[derive(Debug, PartialEq, Eq)]
-pub enum Seen {
+pub enum RunState {
     /// The run has ended.
     Ended,
     /// It is time to kill it.
@@ -66,10 +66,10 @@ impl<'r> KilledRun<'r> {
         &mut self,
         cancel: &AtomicBool,
         is_due: impl Fn(usize, Duration) -> bool,
-    ) -> Result<Seen, Failure> {
+    ) -> Result<RunState, Failure> {
         loop {
             if self.child.try_wait().map_err(Failure::running)?.is_some() {
-                return Ok(Seen::Ended);
+                return Ok(RunState::Ended);
             }
             let age = self.start.elapsed();
             let given_up = if cancel.load(Ordering::Relaxed) {
@@ -82,9 +82,9 @@ impl<'r> KilledRun<'r> {
             } else {
                 let fresh = names(self.out).difference(&self.before).count();
                 if is_due(fresh, age) {
-                    return Ok(Seen::Due);
+                    return Ok(RunState::Due);
                 }
-                thread::sleep(GLANCE);
+                thread::sleep(POLL_INTERVAL);
                 continue;
             };
             self.child.kill().map_err(Failure::running)?;

@@ -11,7 +11,7 @@ use rand_pcg::Pcg64;
 use tempfile::TempDir;
 use touchdown_sweep::sweep_file::Sweep;
 
-use super::killed_run::{KilledRun, Seen, journaled, results};
+use super::killed_run::{KilledRun, RunState, journaled, results};
 use super::{Bench, SURVEYOR, SURVEYOR_FILE};
 use crate::failure::Failure;
 
@@ -117,16 +117,16 @@ impl Trial<'_> {
         let threads = self.chance.random_range(1..=MOST_THREADS);
         let mut run = KilledRun::start(self.sweep, self.out, threads)?;
         let is_late = self.kills % LATE == LATE - 1;
-        let seen = if is_late {
+        let state = if is_late {
             let within = LATE_WITHIN.mul_f64(self.chance.random());
-            let seen = run.watch(self.bench.cancel, |fresh, _| fresh >= RESULTS)?;
+            let state = run.watch(self.bench.cancel, |fresh, _| fresh >= RESULTS)?;
             thread::sleep(within);
-            seen
+            state
         } else {
             let until = self.whole.mul_f64(LONGEST * self.chance.random::<f64>());
             run.watch(self.bench.cancel, |_, age| age >= until)?
         };
-        if seen == Seen::Ended {
+        if state == RunState::Ended {
             run.end()?;
             return self.compare();
         }

@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 
 use touchdown_sweep::run::Observer;
 
-/// How often it is seen whether a landing takes forever.
-const GLANCE: Duration = Duration::from_secs(1);
+/// Time between two checks for landings that take too long.
+const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// An observer that records the landings under way and passes everything on to another.
 pub struct Watchdog<'o, O> {
@@ -19,7 +19,7 @@ pub struct Watchdog<'o, O> {
 }
 
 impl<'o, O: Observer> Watchdog<'o, O> {
-    /// Stands before an observer.
+    /// A watchdog in front of an observer.
     pub fn before(observer: &'o O) -> Self {
         Self {
             observer,
@@ -27,24 +27,26 @@ impl<'o, O: Observer> Watchdog<'o, O> {
         }
     }
 
-    /// Does work that this guard observes; `despair` is called with the landings that have not ended
-    /// within `patience`.
+    /// Runs work and observes its landings; `on_timeout` is called with those that have not ended within
+    /// `patience`.
     ///
     /// # Errors
     /// The landings under way when one panicked.
     pub fn over<T>(
         &self,
         patience: Duration,
-        despair: impl Fn(&[usize]) + Send,
+        on_timeout: impl Fn(&[usize]) + Send,
         work: impl FnOnce() -> T,
     ) -> Result<T, Vec<usize>> {
         let (end, ended) = channel::<()>();
         thread::scope(|scope| {
             scope.spawn(move || {
-                while ended.recv_timeout(GLANCE.min(patience)) == Err(RecvTimeoutError::Timeout) {
+                while ended.recv_timeout(POLL_INTERVAL.min(patience))
+                    == Err(RecvTimeoutError::Timeout)
+                {
                     let old = self.older_than(patience);
                     if !old.is_empty() {
-                        despair(&old);
+                        on_timeout(&old);
                     }
                 }
             });
@@ -108,16 +110,16 @@ mod tests {
     #[test]
     fn landings_that_take_forever_are_known() {
         let guard = Watchdog::before(&());
-        let (despair, despaired) = channel();
+        let (on_timeout, timed_out) = channel();
         let work = || {
             guard.begin(7);
             // Forever: until somebody has despaired of it.
-            let old = despaired.recv();
+            let old = timed_out.recv();
             guard.point(7);
             old
         };
-        let despair = |old: &[usize]| despair.send(old.to_vec()).unwrap();
-        let done = guard.over(Duration::from_millis(1), despair, work);
+        let on_timeout = |old: &[usize]| on_timeout.send(old.to_vec()).unwrap();
+        let done = guard.over(Duration::from_millis(1), on_timeout, work);
         assert_eq!(done, Ok(Ok(vec![7])));
     }
 }

@@ -113,13 +113,13 @@ fn land(bench: &Bench, sweep: &Sweep, opened: &mut Opened) -> Result<Duration, F
         };
         format!("landings {landings:?}: {why}; {place}")
     };
-    let despair = |landings: &[usize]| {
+    let on_timeout = |landings: &[usize]| {
         let why = format!("not finished within {} s", LONGEST_RUN.as_secs());
         eprintln!("touchdown: {}", give_up(landings, &why));
         // No thread can be made to leave a landing.
         std::process::exit(1);
     };
-    let ran = guard.over(LONGEST_RUN, despair, || {
+    let ran = guard.over(LONGEST_RUN, on_timeout, || {
         let workers = bench.workers;
         workers.sweep(sweep, Shard::WHOLE, opened, &guard, bench.cancel)
     });

@@ -26,8 +26,8 @@ const COMMON: [(&str, f64); 3] = [
     ("friction", 1.0),
 ];
 
-/// A landing with what is looked at of its history.
-pub struct Flown {
+/// A landing with the instants of its history that are compared.
+pub struct LandingRun {
     pub landing: Landing,
     pub moments: Vec<Moment>,
 }
@@ -53,7 +53,7 @@ pub struct FreeFlight {
     pub end: Moment,
 }
 
-impl Flown {
+impl LandingRun {
     /// The longest stretch in which nothing touches the surface.
     pub fn longest_flight(&self) -> Option<FreeFlight> {
         self.moments
@@ -73,7 +73,7 @@ impl Flown {
     }
 }
 
-fn fly(vehicle: &Vehicle, conditions: &[(&str, f64)]) -> Result<Flown, Failure> {
+fn compute(vehicle: &Vehicle, conditions: &[(&str, f64)]) -> Result<LandingRun, Failure> {
     let mut named = NamedConditions::default();
     for (name, value) in COMMON.iter().chain(conditions) {
         named.set(name, *value);
@@ -90,7 +90,7 @@ fn fly(vehicle: &Vehicle, conditions: &[(&str, f64)]) -> Result<Flown, Failure> 
     let mut moments = Vec::new();
     let mut observe = |instant: &Instant| moments.push(moment(instant));
     let landing = land_observed(vehicle, &scene, &settings, INTERVAL, &mut observe);
-    Ok(Flown { landing, moments })
+    Ok(LandingRun { landing, moments })
 }
 
 fn moment(instant: &Instant) -> Moment {
@@ -108,14 +108,14 @@ fn moment(instant: &Instant) -> Moment {
 }
 
 /// The vehicle tipped by 9 deg, straight downhill at [`AZIMUTH_SPEED`].
-pub fn tipped(vehicle: &Vehicle, azimuth: f64) -> Result<Flown, Failure> {
+pub fn tipped(vehicle: &Vehicle, azimuth: f64) -> Result<LandingRun, Failure> {
     let conditions = [
         ("horizontal_velocity_fps", AZIMUTH_SPEED),
         ("cross_slope_deg", 180.0),
         ("tip_deg", 9.0),
         ("tip_azimuth_deg", azimuth),
     ];
-    fly(vehicle, &conditions)
+    compute(vehicle, &conditions)
 }
 
 /// What Table 4-3 prints: time, s, and velocities across and up the slope, ft/s.
@@ -132,10 +132,10 @@ pub(super) fn printed() -> Result<Vec<(f64, [f64; 2])>, Failure> {
 /// A row of Table 4-3: time, and the printed and computed velocities across and along.
 type Row = (f64, [f64; 2], [f64; 2]);
 
-fn rows(flown: &Flown) -> Result<Vec<Row>, Failure> {
+fn rows(run: &LandingRun) -> Result<Vec<Row>, Failure> {
     let mut rows = Vec::new();
     for (time, print) in printed()? {
-        let moment = flown.at(time).ok_or_else(|| {
+        let moment = run.at(time).ok_or_else(|| {
             Failure::running(format!("the landing of Table 4-3 ends before {time} s"))
         })?;
         rows.push((time, print, moment.velocity));
@@ -143,23 +143,23 @@ fn rows(flown: &Flown) -> Result<Vec<Row>, Failure> {
     Ok(rows)
 }
 
-pub(super) fn table_4_3_landing(vehicle: &Vehicle) -> Result<Flown, Failure> {
+pub(super) fn table_4_3_landing(vehicle: &Vehicle) -> Result<LandingRun, Failure> {
     let conditions = [
         ("horizontal_velocity_fps", 12.0),
         ("cross_slope_deg", 170.0),
         ("roll_deg", -10.0),
     ];
-    fly(vehicle, &conditions)
+    compute(vehicle, &conditions)
 }
 
 /// The landing of Table 4-3, and its greatest difference from a printed velocity, ft/s.
-pub fn against_table_4_3(vehicle: &Vehicle) -> Result<(Flown, f64), Failure> {
-    let flown = table_4_3_landing(vehicle)?;
-    let apart = rows(&flown)?
+pub fn against_table_4_3(vehicle: &Vehicle) -> Result<(LandingRun, f64), Failure> {
+    let run = table_4_3_landing(vehicle)?;
+    let apart = rows(&run)?
         .into_iter()
         .flat_map(|(_, print, ours)| [print[0] - ours[0], print[1] - ours[1]])
         .fold(0.0, |greatest: f64, apart| greatest.max(apart.abs()));
-    Ok((flown, apart))
+    Ok((run, apart))
 }
 
 /// Table 4-3 side by side.
@@ -167,7 +167,7 @@ pub fn against_table_4_3(vehicle: &Vehicle) -> Result<(Flown, f64), Failure> {
 /// # Errors
 /// When the landing cannot be computed.
 pub fn table_4_3(vehicle: &Vehicle) -> Result<String, Failure> {
-    let flown = table_4_3_landing(vehicle)?;
+    let run = table_4_3_landing(vehicle)?;
     let mut text = "\
 ## Table 4-3 side by side
 
@@ -178,7 +178,7 @@ the cross-slope angle that they make, deg.
 |---:|---:|---:|---:|---:|---:|
 "
     .to_owned();
-    for (time, print, [x, y]) in rows(&flown)? {
+    for (time, print, [x, y]) in rows(&run)? {
         let cross_slope = (-x).atan2(y).to_degrees().rem_euclid(360.0);
         let cross_slope = if cross_slope > 180.0 {
             360.0 - cross_slope
@@ -220,14 +220,14 @@ of inertia alone tell apart, it differs by a third.
         (-112.5, "\"the same\"", ""),
     ];
     for (azimuth, outcome, pitch) in printed {
-        let flown = tipped(vehicle, azimuth)?;
-        let Some(FreeFlight { start, end }) = flown.longest_flight() else {
+        let run = tipped(vehicle, azimuth)?;
+        let Some(FreeFlight { start, end }) = run.longest_flight() else {
             continue;
         };
         let row = format!(
             "| {} | {outcome} | {pitch} | {} | {} | {:.2} to {:.2} | {:.1} | {:.1} | {:.1} | {:.1} |",
             signed(azimuth),
-            flown.landing.outcome,
+            run.landing.outcome,
             speed(transitions.at(&[azimuth])?),
             start.time,
             end.time,

@@ -70,10 +70,10 @@ fn conditions(given: Value) -> Value {
 }
 
 fn table_4_3(vehicle: &Vehicle) -> Result<String, Failure> {
-    let flown = flights::table_4_3_landing(vehicle)?;
+    let run = flights::table_4_3_landing(vehicle)?;
     let printed = flights::printed()?;
     let mut text = "t_s,x_rate_fps,x_rate_1966_fps,y_rate_fps,y_rate_1966_fps,touches\n".to_owned();
-    for moment in flown.moments {
+    for moment in run.moments {
         let Moment {
             time,
             velocity: [x, y],

@@ -4,20 +4,20 @@ use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use super::answer::{Answer, Verdict};
-use super::flights::{self, AZIMUTH_SPEED, Flown};
+use super::flights::{self, AZIMUTH_SPEED, LandingRun};
 use crate::failure::Failure;
 
 /// C11: the landing of Table 4-3.
 pub fn table_4_3(vehicle: &Vehicle) -> Result<Answer, Failure> {
-    let (flown, greatest) = flights::against_table_4_3(vehicle)?;
+    let (run, greatest) = flights::against_table_4_3(vehicle)?;
     Ok(Answer {
         source: "landing (170, −10) at 12 ft/s",
         number: format!(
             "{}; velocities within {greatest:.3} ft/s of all printed ones (below)",
-            flown.landing.outcome
+            run.landing.outcome
         ),
         verdict: Verdict::of(&[
-            flown.landing.outcome.class() == Class::Unstable,
+            run.landing.outcome.class() == Class::Unstable,
             // The print has two to three digits, and the report's integration its own error.
             greatest <= 0.012,
         ]),
@@ -27,11 +27,11 @@ pub fn table_4_3(vehicle: &Vehicle) -> Result<Answer, Failure> {
 
 /// C13: tipped toward 90 deg.
 pub fn azimuth_90(vehicle: &Vehicle) -> Result<Answer, Failure> {
-    let flown = flights::tipped(vehicle, 90.0)?;
+    let run = flights::tipped(vehicle, 90.0)?;
     Ok(Answer {
         source: "landing at 11 ft/s",
-        number: in_words(&flown),
-        verdict: Verdict::of(&[flown.landing.outcome.class() == Class::Stable]),
+        number: in_words(&run),
+        verdict: Verdict::of(&[run.landing.outcome.class() == Class::Stable]),
         why: "",
     })
 }
@@ -54,13 +54,13 @@ pub fn azimuth_112(vehicle: &Vehicle) -> Result<Answer, Failure> {
     })
 }
 
-fn in_words(flown: &Flown) -> String {
-    let pitch = match flown.longest_flight() {
+fn in_words(run: &LandingRun) -> String {
+    let pitch = match run.longest_flight() {
         Some(flight) => format!(
             ", pitch at the end of free flight {:.1} deg",
             flight.end.pitch
         ),
         None => String::new(),
     };
-    format!("{} at {AZIMUTH_SPEED} ft/s{pitch}", flown.landing.outcome).replace(" -", " \u{2212}")
+    format!("{} at {AZIMUTH_SPEED} ft/s{pitch}", run.landing.outcome).replace(" -", " \u{2212}")
 }

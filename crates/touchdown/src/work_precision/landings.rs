@@ -26,11 +26,11 @@ const ROUNDS: usize = 5;
 pub struct Landings<'v> {
     vehicle: &'v Vehicle,
     scenes: Vec<Scene>,
-    converged: Vec<Seen>,
+    converged: Vec<LandingResult>,
 }
 
 /// What is compared of a landing.
-struct Seen {
+struct LandingResult {
     /// At the compared times, where the landing lasts that long.
     instants: [Option<Instant>; 2],
     /// Least stability angle, deg.
@@ -85,7 +85,7 @@ impl<'v> Landings<'v> {
     pub fn converged(vehicle: &'v Vehicle, scenes: Vec<Scene>) -> Result<Self, Failure> {
         let converged = scenes
             .par_iter()
-            .map(|scene| seen(vehicle, scene, CONVERGED))
+            .map(|scene| result_of(vehicle, scene, CONVERGED))
             .collect::<Result<_, _>>()?;
         Ok(Self {
             vehicle,
@@ -125,10 +125,10 @@ impl<'v> Landings<'v> {
             let counts = [landing.steps, landing.evaluations, landing.events];
             sums.iter_mut().zip(counts).for_each(|(sum, n)| *sum += n);
         }
-        let computed: Vec<Seen> = self
+        let computed: Vec<LandingResult> = self
             .scenes
             .par_iter()
-            .map(|scene| seen(self.vehicle, scene, tolerance))
+            .map(|scene| result_of(self.vehicle, scene, tolerance))
             .collect::<Result<_, _>>()?;
         let pairs = || computed.iter().zip(&self.converged);
         let at = |time: usize, error: fn(&Instant, &Instant) -> f64| {
@@ -194,7 +194,7 @@ impl Landings<'_> {
     }
 }
 
-fn seen(vehicle: &Vehicle, scene: &Scene, tolerance: f64) -> Result<Seen, Failure> {
+fn result_of(vehicle: &Vehicle, scene: &Scene, tolerance: f64) -> Result<LandingResult, Failure> {
     let mut instants = [None, None];
     let mut count = 0;
     let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
@@ -207,7 +207,7 @@ fn seen(vehicle: &Vehicle, scene: &Scene, tolerance: f64) -> Result<Seen, Failur
         count += 1;
     };
     let landing = land_observed(vehicle, scene, &settings, INTERVAL, &mut observe);
-    Ok(Seen {
+    Ok(LandingResult {
         instants,
         least_angle: landing.min_stability_angle.to_degrees(),
     })
