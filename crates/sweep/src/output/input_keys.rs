@@ -3,8 +3,8 @@
 use crate::sensitivity_input::SENSITIVITY;
 use crate::sweep::SWEEP;
 use crate::{
-    axis_input, cases, method_input, sample_input, scene_file, scene_input, search_input,
-    settings_input, vehicle_file,
+    axis_input, cases, map_input, method_input, sample_input, scene_file, scene_input,
+    search_input, settings_input, vehicle_file,
 };
 
 /// A table of an input file and the keys that it may have.
@@ -49,6 +49,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("axis", &axis_input::FORM),
         table("sample", &sample_input::SAMPLE),
         table("sampled axis", &sample_input::FORM),
+        table("map", &map_input::MAP),
         table("search", &search_input::SEARCH),
         table("sensitivity", &SENSITIVITY),
         table("solver", &solver),

@@ -23,10 +23,11 @@ use crate::unit::unit;
 /// Rows of a group: what is in memory at once.
 const GROUP: usize = 1 << 16;
 /// Columns of words and of counts; all others hold numbers.
-const WORDS: [&str; 9] = [
+const WORDS: [&str; 10] = [
     "first_transition_to",
     "outcome",
     "kind",
+    "edge_kind",
     "failure",
     "axis",
     "certainty",
@@ -34,7 +35,7 @@ const WORDS: [&str; 9] = [
     "unit",
     "dependence",
 ];
-const COUNTS: [&str; 7] = [
+const COUNTS: [&str; 10] = [
     "landings",
     "derivative_evaluations",
     "band",
@@ -42,6 +43,9 @@ const COUNTS: [&str; 7] = [
     "toppled",
     "bottomed",
     "looks",
+    "level",
+    "edge",
+    "triangle",
 ];
 /// A table under way.
 pub(crate) struct ParquetTable {

@@ -9,10 +9,11 @@ use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::parquet_table::ParquetTable;
+use crate::rounds::Rounds;
 use crate::sensitivity_table;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::Sweep;
-use crate::{bands_table, probabilities, results};
+use crate::{bands_table, map_tables, probabilities, results};
 
 /// Tables that are written but not yet in their places.
 #[derive(Debug)]
@@ -23,6 +24,8 @@ pub struct Tables {
     pub beside: Option<Draft>,
     /// What transitions depend on, where that was asked.
     pub sensitivity: Option<Draft>,
+    /// Edges, regular table and triangles of a map.
+    pub of_map: Vec<Draft>,
     /// The same as Parquet files, where they were asked for.
     pub parquet: Vec<Draft>,
     /// Their points in numbers.
@@ -97,10 +100,18 @@ impl Tables {
             true => None,
         };
         let mut counts = SweepCounts::of(sweep);
-        for point in 0..sweep.design.count() {
-            let bytes = results.result(point)?;
-            let finding = bytes.as_deref().and_then(Finding::decode);
-            let finding = finding.ok_or(TablesError::Point(point))?;
+        let rounds = rounds(sweep, results)?;
+        if let Some((_, missing)) = &rounds
+            && let Some(point) = missing.first()
+        {
+            return Err(TablesError::Point(*point));
+        }
+        let all: Box<dyn Iterator<Item = usize>> = match &rounds {
+            Some((rounds, _)) => Box::new(rounds.points().into_iter()),
+            None => Box::new(0..sweep.design.count()),
+        };
+        for point in all {
+            let finding = finding(results, point)?.ok_or(TablesError::Point(point))?;
             points.add(&results::row(sweep, point, &finding))?;
             if let (Some(bands), Some(boundary)) = (&mut bands, finding.boundary()) {
                 for row in bands_table::rows(sweep, point, boundary) {
@@ -145,14 +156,58 @@ impl Tables {
             Ok(Some(csv))
         };
         let (beside, sensitivity) = (end(beside)?, end(sensitivities)?);
+        let mut of_map = Vec::new();
+        if let Some((rounds, _)) = &rounds {
+            for (name, heading, rows) in map_tables::all(sweep, rounds) {
+                let mut table = begin(name, &heading)?;
+                for row in rows {
+                    table.add(&row)?;
+                }
+                of_map.extend(end(Some(table))?);
+            }
+        }
         Ok(Self {
             points,
             beside,
             sensitivity,
+            of_map,
             parquet,
             counts,
         })
     }
+}
+
+/// How many points have no result, and the first of them, `most` at most. What a map misses is told as far as the
+/// results that are there call for it.
+///
+/// # Errors
+/// When a journal cannot be read.
+pub fn missing(
+    sweep: &Sweep,
+    results: &mut InOrder,
+    most: usize,
+) -> Result<(usize, Vec<usize>), JournalError> {
+    if let Some((_, mut missing)) = rounds(sweep, results)? {
+        let count = missing.len();
+        missing.truncate(most);
+        return Ok((count, missing));
+    }
+    let first = results.first_missing(most).map_err(JournalError::index)?;
+    Ok((results.missing(), first))
+}
+
+/// The points of a map, and those that have no result; `None` for other sweeps.
+fn rounds<'s>(
+    sweep: &'s Sweep,
+    results: &mut InOrder,
+) -> Result<Option<(Rounds<'s>, Vec<usize>)>, JournalError> {
+    let of_results = |map| Rounds::of_results(map, |point| finding(results, point));
+    sweep.map().map(of_results).transpose()
+}
+
+fn finding(results: &mut InOrder, point: usize) -> Result<Option<Finding>, JournalError> {
+    let bytes = results.result(point)?;
+    Ok(bytes.as_deref().and_then(Finding::decode))
 }
 
 /// A table under way.

@@ -4,7 +4,9 @@ use std::time::{Duration, Instant};
 
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal;
+use touchdown_sweep::refined_grid::{MapRules, RefinedGrid};
 use touchdown_sweep::results;
+use touchdown_sweep::rounds::Rounds;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::Sweep;
@@ -20,10 +22,19 @@ const MOST_CHECKED: usize = 10_000;
 
 /// What a sweep, or a shard of it, will take; in words.
 pub fn tell(sweep: &Sweep, shard: Shard, workers: &Workers) -> Result<String, Failure> {
-    let points = shard.len(sweep.design.count());
+    // Of a map, the points that are wanted first; those of a shard that its cells share with others are its own too.
+    let first_round = sweep.map().map(|map| Rounds::new(map, shard).next_round());
+    let points = match &first_round {
+        Some(first) => first.len(),
+        None => shard.len(sweep.design.count()),
+    };
+    let point_of = |index: usize| match &first_round {
+        Some(first) => first[index],
+        None => shard.point(index),
+    };
     let checked = spread(points, MOST_CHECKED);
     for &index in &checked {
-        let point = shard.point(index);
+        let point = point_of(index);
         sweep.case(point).map_err(|fault| {
             Failure::running(format!("the point {}: {fault}", sweep.place(point)))
         })?;
@@ -36,7 +47,7 @@ pub fn tell(sweep: &Sweep, shard: Shard, workers: &Workers) -> Result<String, Fa
         // Points in between those that are done, as far as that is possible.
         let more: Vec<usize> = spread(points, size)
             .into_iter()
-            .map(|index| shard.point(index))
+            .map(point_of)
             .filter(|point| !sample.contains(point))
             .collect();
         findings.extend(workers.points(sweep, &more)?);
@@ -57,6 +68,9 @@ pub fn tell(sweep: &Sweep, shard: Shard, workers: &Workers) -> Result<String, Fa
     let table: usize = rows
         .map(|(point, found)| results::row(sweep, *point, found).join(",").len() + 1)
         .sum();
+    let of_map = sweep
+        .map()
+        .map(|map| refinement(map, each * landings as f64, each * seconds));
     Ok(format!(
         "{}\n  {points} points over {}; the input of {} was checked\n  from {} points that were \
          computed: about {:.0} landings, {} on {} threads, {} of journal, {} of table\n",
@@ -69,7 +83,27 @@ pub fn tell(sweep: &Sweep, shard: Shard, workers: &Workers) -> Result<String, Fa
         workers.threads(),
         bytes(journal as f64 * each),
         bytes(table as f64 * each),
-    ))
+    ) + &of_map.unwrap_or_default())
+}
+
+/// What is known beforehand of the refinement of a map whose first level takes so many landings and seconds.
+fn refinement(map: &RefinedGrid, landings: f64, seconds: f64) -> String {
+    let MapRules { error, budget, .. } = map.rules;
+    let until = match budget {
+        Some(budget) => {
+            let all = seconds * budget as f64 / landings.max(1.0);
+            format!(
+                "until {budget} landings are spent, in about {}",
+                duration(all)
+            )
+        }
+        None => format!("until errors are below {error} ft/s, however many points that takes"),
+    };
+    let error = match (error, budget) {
+        (error, Some(_)) if error > 0.0 => format!(", or until errors are below {error} ft/s"),
+        _ => String::new(),
+    };
+    format!("  that is the first level of the map; it is refined {until}{error}\n")
 }
 
 fn axes(sweep: &Sweep) -> String {

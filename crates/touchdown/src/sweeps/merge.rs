@@ -9,6 +9,7 @@ use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::merge::{Shards, by_sweep};
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::tables;
 
 use crate::failure::Failure;
 use crate::print::print;
@@ -76,8 +77,8 @@ fn merge(shards: Shards, folder: &Folder, format: Format) -> Result<String, Fail
     let sweep: Sweep = header.sweep()?;
     let points = header.points;
     let mut results = InOrder::new(journals, points, &folder.path("."))?;
-    if results.missing() > 0 {
-        let first = results.first_missing(SHOWN).map_err(Failure::running)?;
+    let (missing, first) = tables::missing(&sweep, &mut results, SHOWN)?;
+    if missing > 0 {
         let places: Vec<String> = first
             .iter()
             .map(|point| format!("point {point} ({})", sweep.place(*point)))
@@ -86,10 +87,14 @@ fn merge(shards: Shards, folder: &Folder, format: Format) -> Result<String, Fail
             [] => String::new(),
             absent => format!("there is no journal of shards {}, ", listed(absent, SHOWN)),
         };
+        let of_all = match sweep.map() {
+            // More may follow from them.
+            Some(_) => " or more".to_owned(),
+            None => format!(" of {points}"),
+        };
         return Err(Failure::running(format!(
-            "{}: {shards}{} of {points} points are missing, the first:\n  {}",
+            "{}: {shards}{missing}{of_all} points are missing, the first:\n  {}",
             sweep.stem(),
-            results.missing(),
             places.join("\n  ")
         )));
     }

@@ -94,6 +94,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let cancel = interrupt::flag()?;
     let workers = Workers::start(options.threads)?;
     let shard = options.shard.unwrap_or(Shard::WHOLE);
+    check_budgets(&sweeps, shard)?;
     if options.dry_run {
         for sweep in &sweeps {
             print(&dry_run::tell(sweep, shard, &workers)?)?;
@@ -105,7 +106,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         sweep_results::check_places(sweep, &folder, options.overwrite)?;
     }
 
-    let points = sweeps.iter().map(|sweep| shard.len(sweep.design.count()));
+    // How many points a map has is found out round by round.
+    let known_before = sweeps.iter().filter(|sweep| sweep.map().is_none());
+    let points = known_before.map(|sweep| shard.len(sweep.design.count()));
     let progress = Progress::start("points", points.sum(), options.quiet);
     let night = Night {
         options,
@@ -148,6 +151,19 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
 }
 
+/// Checks that no shard has to know what others have spent.
+fn check_budgets(sweeps: &[Sweep], shard: Shard) -> Result<(), InputError> {
+    let has_budget = |sweep: &&Sweep| sweep.map().is_some_and(|map| map.rules.budget.is_some());
+    match sweeps.iter().find(has_budget) {
+        Some(sweep) if shard != Shard::WHOLE => Err(InputError::other(
+            "map.budget_landings: a budget is shared out over the whole map, so that no shard of it can be computed \
+             alone: allowed with --shard is map.error_fps without a budget",
+        )
+        .at(Place::file(&sweep.path))),
+        _ => Ok(()),
+    }
+}
+
 /// What every sweep of a run is run with.
 struct Night<'n> {
     options: &'n Options,
@@ -182,7 +198,11 @@ impl Night<'_> {
         let earlier = opened.done.len();
         self.progress.skip(earlier);
         if earlier > 0 && !self.options.quiet {
-            eprintln!("{earlier} of {points} points are in {}", path.display());
+            let of_all = match sweep.map() {
+                Some(_) => String::new(),
+                None => format!(" of {points}"),
+            };
+            eprintln!("{earlier}{of_all} points are in {}", path.display());
         }
         let ran = self
             .workers
@@ -195,6 +215,10 @@ impl Night<'_> {
             other => other.into(),
         })?;
         if shard != Shard::WHOLE {
+            let points = match sweep.map() {
+                Some(_) => "all its".to_owned(),
+                None => points.to_string(),
+            };
             return Ok(Done::Shard(format!(
                 "{}\n  shard {shard}: {points} points, kept in {}; `touchdown merge` makes results \
                  of all shards\n",

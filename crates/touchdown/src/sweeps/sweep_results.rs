@@ -43,11 +43,14 @@ pub struct Written {
 }
 
 /// What follows the name of a sweep in the names of its tables, and a column that each of them has.
-const TABLES: [(&str, &str); 4] = [
+const TABLES: [(&str, &str); 7] = [
     ("", "first_transition_to"),
     ("-bands", "bracket_width_fps"),
     ("-probabilities", "topple_probability"),
     ("-sensitivity", "dvh_dp_fps_per_unit"),
+    ("-edges", "edge_kind"),
+    ("-grid", "estimated_error_fps"),
+    ("-surface", "triangle"),
 ];
 /// What follows it in the names of pictures.
 const PICTURES: [&str; 5] = [
@@ -124,6 +127,7 @@ pub fn write(
     drafts.extend(tables.parquet);
     drafts.extend(tables.beside);
     drafts.extend(tables.sensitivity);
+    drafts.extend(tables.of_map);
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
