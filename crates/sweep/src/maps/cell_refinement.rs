@@ -84,7 +84,8 @@ impl Refinement<'_> {
             return;
         };
         let share = self.share(cell);
-        let urgency = |error: f64| error * share;
+        // Errors count between their part of the length and of the area, unlocated ends their part of the length.
+        let urgency = |error: f64| error * share * share.sqrt();
         // A smooth surface would be four times closer to the planes of quarters.
         let expected = parent.map_or(END, |error| 0.5 * error);
         let Some(centre) = self.ask(&[cell.centre()], urgency(expected)) else {
@@ -101,7 +102,7 @@ impl Refinement<'_> {
         }
         let urgency = match is_alike {
             true => urgency(error),
-            false => urgency(END),
+            false => END * share,
         };
         let Some(ring) = self.ring(cell, &corners, is_alike, urgency) else {
             return self.leaf(cell, Some(error), None);
@@ -122,7 +123,7 @@ impl Refinement<'_> {
         }
     }
 
-    /// How much a cell counts: between its part of the area and its part of the length.
+    /// A cell's part of the length of a first-level cell.
     fn share(&self, cell: Cell) -> f64 {
         let part = |axis: usize| cell.size[axis] as f64 / self.whole.size[axis] as f64;
         (part(0) * part(1)).sqrt()

@@ -54,16 +54,27 @@ fn second_difference(low: Height, middle: Height, high: Height) -> f64 {
     }
 }
 
-/// Where edges pass between neighbours on a ring of places around a cell: the index of the place before each.
+/// Where edges pass between neighbours on a ring of places around a cell: the index of the place before each. Where
+/// transitions end between some, nothing else counts.
 pub(crate) fn edges(ring: &[(Place, Height)], jump: f64) -> Vec<usize> {
     let count = ring.len();
+    let is_end = |index: &usize| {
+        let (here, next) = (ring[*index].1, ring[(index + 1) % count].1);
+        !here.is_like(next)
+    };
+    let ends: Vec<usize> = (0..count).filter(is_end).collect();
+    match ends.is_empty() {
+        true => jumps(ring, jump),
+        false => ends,
+    }
+}
+
+fn jumps(ring: &[(Place, Height)], jump: f64) -> Vec<usize> {
+    let count = ring.len();
     let pair = |index: usize| [ring[index % count], ring[(index + 1) % count]];
-    let is_edge = |index: &usize| {
+    let is_jump = |index: &usize| {
         let [a, b] = pair(*index);
         let leap = a.1.leap(b.1);
-        if leap == f64::INFINITY {
-            return true;
-        }
         if leap < jump || steps(a.0, b.0) > BRACKET {
             return false;
         }
@@ -77,7 +88,7 @@ pub(crate) fn edges(ring: &[(Place, Height)], jump: f64) -> Vec<usize> {
             .peekable();
         beside.peek().is_some() && beside.all(|other| slope([a, b]) > STEEPER * other)
     };
-    (0..count).filter(is_edge).collect()
+    (0..count).filter(is_jump).collect()
 }
 
 /// How many times steeper than its surroundings a jump is at least.

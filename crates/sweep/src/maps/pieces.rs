@@ -1,4 +1,4 @@
-//! The surface over a cell: one piece without edges, two on either side of an edge, more where edges meet.
+//! The surface over a cell: one piece without edges, two on either side of an edge, more where several pass.
 //!
 //! A piece is a ring of corners around an apex; over each triangle of the apex and two neighbours on the ring the
 //! surface is a plane. Cells side by side share the places on their common side, so that pieces fit each other.
@@ -92,25 +92,47 @@ impl Around<'_> {
     /// The pieces of the surface over the cell, and the edges between them.
     pub(crate) fn pieces(&self, jump: f64) -> (Vec<Piece>, Vec<Cut>) {
         let count = self.ring.len();
-        let pair = |index: usize| [self.ring[index], self.ring[(index + 1) % count]];
-        let cuts = edges(self.ring, jump);
-        match *cuts.as_slice() {
-            [] | [_] => (self.whole().into_iter().collect(), Vec::new()),
+        let pair = |index: usize| [self.ring[index % count], self.ring[(index + 1) % count]];
+        let found = edges(self.ring, jump);
+        match *found.as_slice() {
+            [] | [_] => (self.whole(), Vec::new()),
             [one, other] => {
                 let mut crossings = vec![pair(one)];
-                crossings.extend(self.bend);
+                crossings.extend(self.bend.map(|bend| turned(bend, pair(one))));
                 let [a, b] = pair(other);
                 crossings.push([b, a]);
                 self.parted(one, other, crossings)
             }
-            ref many => self.meeting(many),
+            // Several jumps come from cells beside this one, in which the surface was found to be smooth.
+            _ if self
+                .ring
+                .iter()
+                .all(|known| known.1.is_like(self.ring[0].1)) =>
+            {
+                (self.whole(), Vec::new())
+            }
+            ref many => {
+                let Some((one, other)) = nearest_together(self.ring, many) else {
+                    return (self.whole(), Vec::new());
+                };
+                let [a, b] = pair(other);
+                let (mut pieces, mut cuts) = cut_off(self.arc(one + 1, other), [pair(one), [b, a]]);
+                let rest = Around {
+                    ring: &self.arc(other + 1, one + count),
+                    ..*self
+                };
+                let (more, others) = rest.pieces(jump);
+                pieces.extend(more);
+                cuts.extend(others);
+                (pieces, cuts)
+            }
         }
     }
 
-    fn whole(&self) -> Option<Piece> {
-        let ring = corners(self.ring)?;
+    fn whole(&self) -> Vec<Piece> {
         let centre = self.centre.and_then(corner);
-        Some(Piece::new(ring, centre))
+        let ring = corners(self.ring).into_iter();
+        ring.map(|ring| Piece::new(ring, centre)).collect()
     }
 
     /// The two pieces on either side of an edge.
@@ -144,56 +166,52 @@ impl Around<'_> {
         (pieces, vec![Cut { crossings }])
     }
 
-    /// The pieces between three edges or more, which meet in the middle of the cell.
-    fn meeting(&self, cuts: &[usize]) -> (Vec<Piece>, Vec<Cut>) {
-        let count = self.ring.len();
-        let crossing = |index: usize| [self.ring[index % count], self.ring[(index + 1) % count]];
-        let share = 1.0 / count as f64;
-        let sum = |axis: usize| -> f64 {
-            let all = self.ring.iter();
-            all.map(|(place, _)| place[axis] as f64 * share).sum()
-        };
-        let meeting = match self.centre {
-            Some((place, _)) => position(place),
-            None => [sum(0), sum(1)],
-        };
-        let mut pieces = Vec::new();
-        for (index, cut) in cuts.iter().enumerate() {
-            let next = match cuts.get(index + 1) {
-                Some(next) => *next,
-                None => cuts[0] + count,
-            };
-            let Some(mut ring) = corners(&self.arc(cut + 1, next)) else {
-                continue;
-            };
-            let mean = ring.iter().map(|corner| corner.speed).sum::<f64>() / ring.len() as f64;
-            let at = |crossing: Crossing| middle(position(crossing[0].0), position(crossing[1].0));
-            let [first, last] = [ring[0].speed, ring[ring.len() - 1].speed];
-            ring.push(Corner {
-                at: at(crossing(next)),
-                speed: last,
-            });
-            ring.push(Corner {
-                at: meeting,
-                speed: mean,
-            });
-            ring.push(Corner {
-                at: at(crossing(*cut)),
-                speed: first,
-            });
-            pieces.push(Piece::new(ring, None));
-        }
-        let cuts = cuts.iter().map(|cut| Cut {
-            crossings: vec![crossing(*cut)],
-        });
-        (pieces, cuts.collect())
-    }
-
     /// The places of the ring from one index to another, which may lie a turn further on.
     fn arc(&self, from: usize, to: usize) -> Vec<Known> {
         let count = self.ring.len();
         (from..=to).map(|index| self.ring[index % count]).collect()
     }
+}
+
+/// The piece between two edges close to each other, and the one edge that both make.
+fn cut_off(arc: Vec<Known>, [from, to]: [Crossing; 2]) -> (Vec<Piece>, Vec<Cut>) {
+    let corner = |[outer, inner]: Crossing| {
+        let at = middle(position(outer.0), position(inner.0));
+        let speed = inner.1.speed?;
+        Some(Corner { at, speed })
+    };
+    let piece = corners(&arc).and_then(|mut ring| {
+        ring.extend([corner(to)?, corner(from)?]);
+        Some(Piece::new(ring, None))
+    });
+    let crossings = vec![from, to];
+    (piece.into_iter().collect(), vec![Cut { crossings }])
+}
+
+/// Of the edges around a ring, the two that follow each other and are the least apart.
+fn nearest_together(ring: &[Known], edges: &[usize]) -> Option<(usize, usize)> {
+    let count = ring.len();
+    let at = |index: usize| {
+        let [a, b] = [ring[index % count], ring[(index + 1) % count]];
+        middle(position(a.0), position(b.0))
+    };
+    let next = edges.iter().skip(1).copied();
+    let next = next.chain(edges.first().map(|first| first + count));
+    let apart = |one: usize, other: usize| {
+        let (p, q) = (at(one), at(other));
+        (p[0] - q[0]).hypot(p[1] - q[1])
+    };
+    let pairs = edges.iter().copied().zip(next);
+    pairs.min_by(|a, b| apart(a.0, a.1).total_cmp(&apart(b.0, b.1)))
+}
+
+/// The crossing whose first place is like the first of another.
+fn turned(crossing: Crossing, like: Crossing) -> Crossing {
+    let [a, b] = crossing;
+    let apart = |one: Known, other: Known| one.1.leap(other.1);
+    let straight = apart(a, like[0]).max(apart(b, like[1]));
+    let crossed = apart(b, like[0]).max(apart(a, like[1]));
+    if straight <= crossed { [a, b] } else { [b, a] }
 }
 
 fn corner((place, height): Known) -> Option<Corner> {
