@@ -2,6 +2,7 @@
 
 pub mod boundary_profile;
 pub mod history_chart;
+pub mod history_page;
 pub mod line_chart;
 pub mod shading;
 pub mod tornado_chart;

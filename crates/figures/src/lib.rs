@@ -11,10 +11,12 @@ mod tables;
 mod words;
 
 pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, work_precision};
-use charts::{shading, tornado_words};
-use maps::{colour_bar, isolines, levels, view_point};
-pub use maps::{contour_map, leading_feet, map_view, perspective, surface};
-use page::{axis_range, ink, legend, mesh, sheet};
+use charts::{history_page, shading, tornado_words};
+use maps::{colour_bar, isolines, map_legend, view_point};
+pub use maps::{contour_map, leading_feet, levels, map_view, perspective, surface};
+pub use page::legend;
+use page::{canvas, frame, ink, sheet, thinning, ticks};
 pub use tables::{bands_table, boundary_table, history_table, sensitivity_table};
 use tables::{stations, table};
+use words::unit;
 pub use words::{axis_title, caption, figure_error, number, parameter_words};

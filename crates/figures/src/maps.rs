@@ -5,6 +5,7 @@ pub mod contour_map;
 pub mod isolines;
 pub mod leading_feet;
 pub mod levels;
+pub mod map_legend;
 pub mod map_view;
 pub mod perspective;
 pub mod surface;

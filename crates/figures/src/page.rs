@@ -1,7 +1,9 @@
-//! The page that pictures are drawn on: ink, grid, axes and legends.
+//! What all pictures are drawn with: the canvas, colours, axes, legends, and the sheet with its captions.
 
-pub mod axis_range;
+pub mod canvas;
+pub mod frame;
 pub mod ink;
 pub mod legend;
-pub mod mesh;
 pub mod sheet;
+pub mod thinning;
+pub mod ticks;

@@ -2,18 +2,19 @@
 
 use crate::bands_table::BandsTable;
 use crate::boundary_profile;
-use crate::boundary_table::BoundaryTable;
+use crate::boundary_table::{Axis, BoundaryTable};
 use crate::caption::Caption;
 use crate::contour_map;
 use crate::figure_error::FigureError;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
+use crate::levels::Levels;
 use crate::map_view::View;
 use crate::perspective;
 use crate::sensitivity_table::{self, SensitivityTable};
 use crate::surface::Surface;
 use crate::tornado_chart;
-use crate::work_precision;
+use crate::work_precision::{self, Cost};
 
 /// A picture and what is appended to the table's name to name it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,70 +25,183 @@ pub struct Picture {
     pub svg: String,
 }
 
-/// Draws all pictures of a result table: a profile for one axis, a contour map and a perspective
-/// view for a grid of two, none for anything else; for a table of histories, one of these, for one of
-/// sensitivities a tornado chart.
+/// What pictures are drawn from.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Source<'s> {
+    /// Name of the table.
+    pub name: &'s str,
+    /// The table (CSV).
+    pub table: &'s str,
+    /// The table of bands beside it.
+    pub bands: Option<&'s str>,
+    /// The record beside it.
+    pub record: Option<&'s str>,
+}
+
+/// What is drawn of a table, where it does not follow from the table.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Choices {
+    /// Levels of maps.
+    pub levels: Option<Levels>,
+    /// Axes of a sweep over which the lowest transition is drawn.
+    pub worst_by: Vec<String>,
+    /// Columns of a history.
+    pub columns: Vec<String>,
+}
+
+impl Choices {
+    /// Checks that a table of some kind has a use for what was chosen.
+    fn check(&self, kind: &str, has_axes: bool, has_columns: bool) -> Result<(), FigureError> {
+        let given = [
+            ("levels", self.levels.is_some() && !has_axes),
+            ("axes", !self.worst_by.is_empty() && !has_axes),
+            ("columns", !self.columns.is_empty() && !has_columns),
+        ];
+        match given.iter().find(|(_, is_useless)| *is_useless) {
+            Some((name, _)) => Err(FigureError::Table(format!(
+                "{name} cannot be chosen for {kind}"
+            ))),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Draws all pictures of a table: for the transitions of a sweep over one axis a profile, over two axes
+/// a contour map and a perspective, over more the same of the lowest transitions over the others; for
+/// histories a chart, for sensitivities a tornado chart.
 ///
 /// # Errors
-/// When a table is not one that a sweep writes, or a record is not JSON.
-pub fn draw(
-    table: &str,
-    bands: Option<&str>,
-    record: Option<&str>,
-) -> Result<Vec<Picture>, FigureError> {
+/// When a table is not one that the program writes, a record is not JSON, a table has no picture, or
+/// something was chosen that the table does not have.
+pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureError> {
+    let only = |svg: String| vec![Picture { suffix: "", svg }];
+    let table = source.table;
     if work_precision::is_one(table) {
-        return Ok(vec![Picture {
-            suffix: "",
-            svg: work_precision::draw(table)?,
-        }]);
+        choices.check("work and precision", false, false)?;
+        let mut pictures = only(work_precision::draw(table, Cost::Time)?);
+        pictures.push(Picture {
+            suffix: "-evaluations",
+            svg: work_precision::draw(table, Cost::Evaluations)?,
+        });
+        return Ok(pictures);
     }
-    let caption = match record {
-        Some(record) => Caption::from_record(record)?,
-        None => Caption::default(),
-    };
-    if history_table::is_history(table) {
-        return Ok(vec![Picture {
-            suffix: "",
-            svg: history_chart::draw(&HistoryTable::parse(table)?, &caption)?,
-        }]);
+    if is_history(table) {
+        return overlay(std::slice::from_ref(source), choices).map(only);
     }
+    let caption = caption(source)?;
     if sensitivity_table::is_one(table) {
-        return Ok(vec![Picture {
-            suffix: "",
-            svg: tornado_chart::draw(&SensitivityTable::parse(table)?, &caption)?,
-        }]);
+        choices.check("sensitivities", false, false)?;
+        let table = SensitivityTable::parse(table)?;
+        return tornado_chart::draw(&table, &caption).map(only);
     }
-    let table = BoundaryTable::parse(table)?;
-    let bands = bands.map(BandsTable::parse).transpose()?;
-    if let Some(bands) = &bands {
-        bands.check_against(&table)?;
+    choices.check("a sweep", true, false)?;
+    let all: Vec<String> = (BoundaryTable::axes(table)?.into_iter())
+        .map(|axis| axis.name)
+        .collect();
+    let axes = match choices.worst_by.as_slice() {
+        [] => drawn_axes(table)?,
+        axes => axes.to_vec(),
+    };
+    let table = BoundaryTable::worst_by(table, &axes)?;
+    let caption = caption.worst_over(&table.others);
+    match axes.len() {
+        1 => {
+            let bands = source.bands.filter(|_| axes == all);
+            let bands = bands.map(BandsTable::parse).transpose()?;
+            if let Some(bands) = &bands {
+                bands.check_against(&table)?;
+            }
+            boundary_profile::draw(&table, bands.as_ref(), &caption).map(only)
+        }
+        2 => over_two_axes(&table, choices.levels.as_ref(), &caption),
+        count => Err(FigureError::NoPicture(format!(
+            "{count} axes cannot be drawn: allowed are one or two of {}",
+            all.join(", ")
+        ))),
     }
-    match table.axes.len() {
-        1 => Ok(vec![Picture {
-            suffix: "",
-            svg: boundary_profile::draw(&table, bands.as_ref(), &caption)?,
-        }]),
-        2 => over_two_axes(&table, &caption),
-        _ => Ok(Vec::new()),
+}
+
+/// Whether a table is one of histories.
+pub fn is_history(table: &str) -> bool {
+    history_table::is_history(table)
+}
+
+/// Draws histories over each other.
+///
+/// # Errors
+/// When a table is not one of histories, or has none of the columns that were chosen.
+pub fn overlay(sources: &[Source], choices: &Choices) -> Result<String, FigureError> {
+    choices.check("histories", false, true)?;
+    let named = |source: &Source| Ok((source.name.to_owned(), HistoryTable::parse(source.table)?));
+    let tables = sources.iter().map(named);
+    let tables = tables.collect::<Result<Vec<_>, FigureError>>()?;
+    let caption = match sources {
+        [source] => caption(source)?,
+        _ => Caption {
+            title: "Histories of landings".to_owned(),
+            ..Caption::default()
+        },
+    };
+    history_chart::draw(&tables, &choices.columns, &caption)
+}
+
+fn caption(source: &Source) -> Result<Caption, FigureError> {
+    match source.record {
+        Some(record) => Caption::from_record(record),
+        None => Ok(Caption {
+            title: source.name.to_owned(),
+            ..Caption::default()
+        }),
+    }
+}
+
+/// The axes over which a sweep is drawn: all, where there are no more than two, or the two with the
+/// most values. Axes of words, and of a single value beside others, are not drawn over.
+fn drawn_axes(table: &str) -> Result<Vec<String>, FigureError> {
+    let mut axes = BoundaryTable::axes(table)?;
+    if axes.len() > 1 {
+        let drawable = |axis: &Axis| axis.is_numeric && axis.values > 1;
+        axes.retain(drawable);
+    }
+    while axes.len() > 2 {
+        let values = axes.iter().map(|axis| axis.values);
+        let least = values.min().unwrap_or(0);
+        if let Some(last) = axes.iter().rposition(|axis| axis.values == least) {
+            axes.remove(last);
+        }
+    }
+    match axes.as_slice() {
+        [] => Err(FigureError::NoPicture(
+            "no axis has numbers to draw over".to_owned(),
+        )),
+        axes => Ok(axes.iter().map(|axis| axis.name.clone()).collect()),
     }
 }
 
 /// A map and a view; where cross-slopes of both signs were swept, another map of the negative ones
 /// with both scales reversed, which symmetry would make equal to the first.
-fn over_two_axes(table: &BoundaryTable, caption: &Caption) -> Result<Vec<Picture>, FigureError> {
+fn over_two_axes(
+    table: &BoundaryTable,
+    levels: Option<&Levels>,
+    caption: &Caption,
+) -> Result<Vec<Picture>, FigureError> {
     let is_cross_slope = table.axes[0] == "cross_slope_deg";
     let Some(surface) = Surface::of(table, |slow| !is_cross_slope || slow >= 0.0) else {
-        return Ok(Vec::new());
+        return Err(FigureError::NoPicture(format!(
+            "its points over {} do not fill a grid of at least 2 by 2",
+            table.axes.join(" and ")
+        )));
     };
+    let levels = levels.map_or_else(|| Levels::of(&surface), Levels::clone);
     let view = View::of(&surface);
     let mut pictures = vec![
         Picture {
             suffix: "-contours",
-            svg: contour_map::draw(&surface, &view, caption)?,
+            svg: contour_map::draw(&surface, &view, &levels, caption),
         },
         Picture {
             suffix: "-perspective",
-            svg: perspective::draw(&surface, caption)?,
+            svg: perspective::draw(&surface, &levels, caption),
         },
     ];
     let has_negative = table.points.iter().any(|point| point.coordinates[0] < 0.0);
@@ -101,7 +215,7 @@ fn over_two_axes(table: &BoundaryTable, caption: &Caption) -> Result<Vec<Picture
         };
         pictures.push(Picture {
             suffix: "-contours-negative",
-            svg: contour_map::draw(&surface, &view.mirrored(), &caption)?,
+            svg: contour_map::draw(&surface, &view.mirrored(), &levels, &caption),
         });
     }
     Ok(pictures)
@@ -125,9 +239,17 @@ mod tests {
     use super::*;
     use crate::surface::tests::TABLE;
 
+    fn pictures(table: &str) -> Result<Vec<Picture>, FigureError> {
+        let source = Source {
+            table,
+            ..Source::default()
+        };
+        draw(&source, &Choices::default())
+    }
+
     fn suffixes(table: &str) -> Vec<&'static str> {
-        let pictures = draw(table, None, None).unwrap();
-        pictures.into_iter().map(|picture| picture.suffix).collect()
+        let pictures = pictures(table).unwrap().into_iter();
+        pictures.map(|picture| picture.suffix).collect()
     }
 
     #[test]
@@ -144,16 +266,64 @@ mod tests {
     }
 
     #[test]
-    fn three_axes_and_single_rows_have_no_picture() {
-        let row: String = TABLE
-            .lines()
-            .take(5)
-            .map(|line| format!("{line}\n"))
-            .collect();
-        assert!(suffixes(&row).is_empty());
-        let three = row
-            .replace("cross", "slope_deg,cross")
-            .replace("\n80", "\n15,80");
-        assert!(suffixes(&three).is_empty());
+    fn single_rows_have_a_profile() {
+        let row: String = TABLE.split_inclusive('\n').take(5).collect();
+        let pictures = pictures(&row).unwrap();
+        assert_eq!((pictures.len(), pictures[0].suffix), (1, ""));
+        assert!(pictures[0].svg.contains("Roll angle") && !pictures[0].svg.contains("at worst"));
+    }
+
+    #[test]
+    fn more_axes_are_drawn_at_worst_over_all_but_two() {
+        let with = |value: &str, rows: &str| -> String {
+            let rows = rows.lines().skip(1);
+            rows.map(|row| format!("{value},{row}\n")).collect()
+        };
+        let heading = TABLE.lines().next().unwrap();
+        let lower = TABLE.replace("unstable,13,13,13", "bottomed,5,5,5");
+        let (first, second) = (with("15,soft", TABLE), with("20,stiff", &lower));
+        let table = format!("slope_deg,vehicle,{heading}\n{first}{second}");
+        assert_eq!(suffixes(&table), ["-contours", "-perspective"]);
+        let pictures = pictures(&table).unwrap();
+        let map = &pictures[0].svg;
+        assert!(map.contains("at worst over slope θ and vehicle"), "{map}");
+        assert!(map.contains("Cross-slope angle") && map.contains("Roll angle"));
+        // What is drawn is the lower of the two: the walls of the perspective begin below it.
+        assert!(pictures[1].svg.contains(">6</text>"));
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_and_useless_choices_are_refused() {
+        let complaint = |table: &str, choices: &Choices| {
+            let source = Source {
+                table,
+                ..Source::default()
+            };
+            draw(&source, choices).unwrap_err().to_string()
+        };
+        let by = |axes: &[&str]| Choices {
+            worst_by: axes.iter().map(|axis| (*axis).to_owned()).collect(),
+            ..Choices::default()
+        };
+        let cut = TABLE.rsplit_once("180,30").unwrap().0;
+        let said = complaint(cut, &Choices::default());
+        assert!(said.contains("do not fill a grid"), "{said}");
+        let said = complaint(TABLE, &by(&["friction"]));
+        assert!(said.contains("friction is no axis"), "{said}");
+        let history = "t_s,psi_deg\n0,1\n1,2\n";
+        let said = complaint(history, &by(&["psi_deg"]));
+        assert!(
+            said.contains("axes cannot be chosen for histories"),
+            "{said}"
+        );
+        let columns = Choices {
+            columns: vec!["psi_deg".to_owned()],
+            ..Choices::default()
+        };
+        let said = complaint(TABLE, &columns);
+        assert!(
+            said.contains("columns cannot be chosen for a sweep"),
+            "{said}"
+        );
     }
 }

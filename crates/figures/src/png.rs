@@ -6,7 +6,7 @@ use png::{AdaptiveFilterType, BitDepth, ColorType, Compression, Encoder};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 
-use crate::figure_error::{FigureError, drawing};
+use crate::figure_error::FigureError;
 
 /// DejaVu Sans, reduced to the letters that pictures use: system fonts differ between machines.
 const FONT: &[u8] = include_bytes!("../fonts/DejaVuSans-subset.ttf");
@@ -27,18 +27,19 @@ pub fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
         fontdb: Arc::new(fonts),
         ..Options::default()
     };
-    let tree = Tree::from_str(svg, &options).map_err(drawing)?;
+    let failed = |error: &dyn std::fmt::Display| FigureError::Rendering(error.to_string());
+    let tree = Tree::from_str(svg, &options).map_err(|error| failed(&error))?;
     let size = tree.size();
     let [width, height] = [size.width(), size.height()].map(|side| (side * SCALE).ceil() as u32);
     let mut pixels = Pixmap::new(width, height)
-        .ok_or_else(|| FigureError::Drawing(format!("{width} by {height} pixels are too many")))?;
+        .ok_or_else(|| failed(&format!("{width} by {height} pixels are too many")))?;
     pixels.fill(Color::WHITE);
     resvg::render(
         &tree,
         Transform::from_scale(SCALE, SCALE),
         &mut pixels.as_mut(),
     );
-    encode(&pixels).map_err(drawing)
+    encode(&pixels).map_err(|error| failed(&error))
 }
 
 /// Encodes opaque pixels: without their opacity and compressed well they take a quarter of the room.

@@ -5,3 +5,4 @@ pub mod caption;
 pub mod figure_error;
 pub mod number;
 pub mod parameter_words;
+pub mod unit;

@@ -22,7 +22,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use landings::{cases, integration_report, land, land_files, report, scene_cases};
 use options::{overrides, solver_options, touchdown_options};
-use pictures::{plot, worst_case};
+use pictures::plot;
 use sweeps::{dry_run, journal_files, merge, overview, sweep, sweep_files, sweep_results};
 use terminal::{failure, interrupt, output_guard, print, progress, summary};
 

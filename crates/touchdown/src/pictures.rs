@@ -1,4 +1,3 @@
 //! The command `plot`.
 
 pub mod plot;
-pub mod worst_case;

@@ -1,190 +1,330 @@
-//! Histories of landings: one panel for each quantity, over the same time.
-
-use plotters::prelude::*;
+//! Histories of landings: panels over the same time, several curves in each.
 
 use crate::axis_title::axis_title;
+use crate::canvas::{Canvas, Point, Style};
 use crate::caption::Caption;
-use crate::figure_error::{FigureError, drawing};
-use crate::history_table::{History, HistoryTable};
+use crate::figure_error::FigureError;
+use crate::frame::{Area, Frame, Scale};
+use crate::history_page::{self, Curve, Panel};
+use crate::history_table::{History, HistoryTable, Instant};
 use crate::ink;
-use crate::mesh::{self, Along};
+use crate::legend::{self, Entry, Mark};
 use crate::number::label;
-use crate::sheet::{self, Sheet};
+use crate::sheet::{self, Height, Sheet};
+use crate::ticks::round_values;
 
-/// Width of the picture, and height of its head and foot and of each panel, pixels.
-const WIDTH: u32 = 900;
-const AROUND: u32 = 130;
-const PANEL: u32 = 285;
-/// Length of the sample of a line in the legend, pixels.
-const SAMPLE: i32 = 34;
+/// Width of the picture, and height of its panels where there are few and where there are many, pixels.
+const WIDTH: f64 = 900.0;
+const PANEL: f64 = 285.0;
+const LOW_PANEL: f64 = 200.0;
+/// More panels than this are low.
+const FEW: usize = 3;
+/// Space at the top of a panel for a row of its legend, pixels.
+const LEGEND: f64 = 22.0;
+/// Widths of lines in contact and in free flight, pixels.
+const CONTACT: f64 = 1.8;
+const FREE: f64 = 4.0;
 
-/// Draws histories as SVG. Lines are thick in free flight, printed values are circles.
+/// Draws histories of one table or of several as SVG, each table with its name: the panels that a
+/// landing is judged by, or chosen columns. Lines are thick in free flight, printed values are
+/// circles.
 ///
 /// # Errors
-/// Only those of the drawing library.
-pub fn draw(table: &HistoryTable, caption: &Caption) -> Result<String, FigureError> {
-    let panels = table.quantities.len();
-    let size = (WIDTH, AROUND + PANEL * panels as u32);
-    let mut svg = String::new();
-    let sheet = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-    let (body, foot) = sheet::parts(&sheet, size, caption)?;
-    for (quantity, panel) in body.split_evenly((panels, 1)).iter().enumerate() {
-        draw_panel(panel, table, quantity)?;
-    }
-    draw_legend(&foot, table)?;
-    sheet.present().map_err(drawing)?;
-    drop((body, foot, sheet));
-    Ok(sheet::with_subscripts(&svg))
-}
-
-fn draw_panel(panel: &Sheet, table: &HistoryTable, quantity: usize) -> Result<(), FigureError> {
-    let [low, high] = table.range(quantity);
-    let margin = 0.06 * (high - low).max(1e-9);
-    let mut chart = ChartBuilder::on(panel)
-        .margin_right(28)
-        .margin_top(8)
-        .margin_left(14)
-        .x_label_area_size(46)
-        .y_label_area_size(62)
-        .build_cartesian_2d(0.0..table.end(), low - margin..high + margin)
-        .map_err(drawing)?;
-    mesh::draw(
-        &mut chart,
-        ink::GRID,
-        &Along {
-            title: "Time after first contact, s",
-            count: 13,
-            label: &|x| label(*x),
-        },
-        &Along {
-            title: &axis_title(&table.quantities[quantity]),
-            count: 8,
-            label: &|y| label(*y),
-        },
-    )?;
-    for (index, landing) in table.landings.iter().enumerate() {
-        for (points, is_free) in stretches(landing, quantity) {
-            let stroke = ink::series(index).stroke_width(if is_free { 4 } else { 2 });
-            match dashes(index) {
-                None => chart.draw_series(LineSeries::new(points, stroke)),
-                Some((dash, gap)) => {
-                    chart.draw_series(DashedLineSeries::new(points, dash, gap, stroke))
-                }
-            }
-            .map_err(drawing)?;
+/// When no table has a chosen column.
+pub fn draw(
+    tables: &[(String, HistoryTable)],
+    columns: &[String],
+    caption: &Caption,
+) -> Result<String, FigureError> {
+    let mut quantities: Vec<String> = Vec::new();
+    for name in tables.iter().flat_map(|(_, table)| &table.quantities) {
+        if !quantities.contains(name) {
+            quantities.push(name.clone());
         }
-        let printed = landing.instants.iter().filter_map(|instant| {
-            let place = (instant.time, instant.printed[quantity]?);
-            Some(Circle::new(
-                place,
-                ink::MARK - 1,
-                ink::STATEMENT.stroke_width(2),
-            ))
-        });
-        chart.draw_series(printed).map_err(drawing)?;
     }
-    Ok(())
-}
-
-/// Stretches of contact and of free flight of a landing; each begins where the last one ended.
-fn stretches(landing: &History, quantity: usize) -> Vec<(Vec<(f64, f64)>, bool)> {
-    let mut stretches: Vec<(Vec<(f64, f64)>, bool)> = Vec::new();
-    for run in landing.instants.chunk_by(|a, b| a.is_free == b.is_free) {
-        let last = stretches.last().and_then(|(points, _)| points.last());
-        let points = last.copied().into_iter().chain(
-            run.iter()
-                .map(|instant| (instant.time, instant.values[quantity])),
-        );
-        let points = points.collect();
-        stretches.push((points, run[0].is_free));
-    }
-    stretches
-}
-
-/// Dashes and gaps of a line, which tell lines apart in grey.
-fn dashes(index: usize) -> Option<(u32, u32)> {
-    [None, Some((9, 4)), Some((3, 3)), Some((14, 5))][index % 4]
-}
-
-/// Draws what tells the landings apart, and what thick lines and circles mean, in one centred line.
-fn draw_legend(foot: &Sheet, table: &HistoryTable) -> Result<(), FigureError> {
-    const GAP: i32 = 26;
-    const Y: i32 = 12;
-    let conditions = table
-        .landings
-        .iter()
-        .enumerate()
-        .filter_map(|(index, landing)| {
-            let title = axis_title(table.condition.as_deref()?);
-            let (name, unit) = title.split_once(", ").unwrap_or((&title, ""));
-            let symbol = name.rsplit(' ').next().unwrap_or(name);
-            let text = format!("{symbol} = {} {unit}", label(landing.condition?));
-            Some((Some(index), text.trim_end().to_owned()))
-        });
-    let mut entries: Vec<(Option<usize>, String)> = conditions.collect();
-    let mut instants = table.landings.iter().flat_map(|landing| &landing.instants);
-    if instants.clone().any(|instant| instant.is_free) {
-        entries.push((None, "thick: free flight".to_owned()));
-    }
-    if instants.any(|instant| instant.printed.iter().any(Option::is_some)) {
-        entries.push((None, "circles: printed in 1966".to_owned()));
-    }
-    let width = |(index, text): &(Option<usize>, String)| {
-        let sample = if index.is_some() { SAMPLE + 8 } else { 0 };
-        sample + (text.chars().count() as f64 * 6.6) as i32
+    let panels = match columns {
+        [] => history_page::panels(&quantities),
+        names => history_page::chosen(&quantities, names)?,
     };
-    let used: i32 = entries.iter().map(|entry| width(entry) + GAP).sum::<i32>() - GAP;
-    let mut x = (foot.dim_in_pixel().0 as i32 - used) / 2;
-    for entry in &entries {
-        let mut start = x;
-        if let Some(index) = entry.0 {
-            let stroke = ink::series(index).stroke_width(2);
-            let ends = [(x, Y), (x + SAMPLE, Y)];
-            match dashes(index) {
-                None => foot
-                    .draw(&PathElement::new(ends, stroke))
-                    .map_err(drawing)?,
-                Some((dash, gap)) => {
-                    let (dash, gap) = (dash as i32, gap as i32);
-                    for from in (x..x + SAMPLE).step_by((dash + gap) as usize) {
-                        let to = (from + dash).min(x + SAMPLE);
-                        foot.draw(&PathElement::new([(from, Y), (to, Y)], stroke))
-                            .map_err(drawing)?;
-                    }
+    let landings = landings(tables);
+    let chart = Chart {
+        // Colours tell curves apart where panels have several, and landings where they do not.
+        are_curves_coloured: panels.iter().any(|panel| panel.curves.len() > 1),
+        end: tables
+            .iter()
+            .map(|(_, table)| table.end())
+            .fold(0.0, f64::max),
+        landings,
+    };
+    let height = if panels.len() > FEW { LOW_PANEL } else { PANEL };
+    let height = Height::Body(height * panels.len() as f64);
+    let Sheet { mut canvas, body } = sheet::begin(WIDTH, height, caption, &chart.legend());
+    let ordinates: Vec<Scale> = panels.iter().map(|panel| chart.ordinate(panel)).collect();
+    let left = ordinates.iter().map(Scale::room).fold(0.0, f64::max);
+    let parts = body.rows(panels.len()).into_iter().zip(ordinates);
+    for (index, ((part, ordinate), panel)) in parts.zip(&panels).enumerate() {
+        let abscissa = chart.abscissa(index + 1 == panels.len());
+        chart.draw_panel(&mut canvas, part, panel, (left, abscissa, ordinate));
+    }
+    Ok(canvas.into_svg())
+}
+
+/// A landing, with the table that it is in and a name where there are several.
+struct Landing<'t> {
+    table: &'t HistoryTable,
+    history: &'t History,
+    name: Option<String>,
+}
+
+fn landings(tables: &[(String, HistoryTable)]) -> Vec<Landing<'_>> {
+    let are_many = tables.len() > 1;
+    let all = tables.iter().flat_map(|(name, table)| {
+        table.landings.iter().map(move |history| {
+            let condition = condition(table, history);
+            let name = match (are_many, condition) {
+                (false, condition) => condition,
+                (true, None) => Some(name.clone()),
+                (true, Some(condition)) => Some(format!("{name}, {condition}")),
+            };
+            Landing {
+                table,
+                history,
+                name,
+            }
+        })
+    });
+    all.collect()
+}
+
+/// The condition that tells a landing of a table from the others.
+fn condition(table: &HistoryTable, history: &History) -> Option<String> {
+    let title = axis_title(table.condition.as_deref()?);
+    let (name, unit) = title.split_once(", ").unwrap_or((&title, ""));
+    let symbol = name.rsplit(' ').next().unwrap_or(name);
+    let text = format!("{symbol} = {} {unit}", label(history.condition?));
+    Some(text.trim_end().to_owned())
+}
+
+/// Landings that are drawn over the same time.
+struct Chart<'t> {
+    landings: Vec<Landing<'t>>,
+    are_curves_coloured: bool,
+    /// Time of the last instant, s.
+    end: f64,
+}
+
+impl Chart<'_> {
+    fn style(&self, landing: usize, curve: usize, width: f64) -> Style {
+        let colour = if self.are_curves_coloured {
+            curve
+        } else {
+            landing
+        };
+        Style::stroke(ink::curve(colour), width).dashed(ink::dashes(landing))
+    }
+
+    /// What tells landings apart, and what thick lines and circles mean.
+    fn legend(&self) -> Vec<Entry> {
+        let named = self.landings.iter().enumerate();
+        let named = named.filter_map(|(index, landing)| Some((index, landing.name.clone()?)));
+        let sample = |index: usize| {
+            if self.are_curves_coloured {
+                Style::stroke(ink::TEXT, CONTACT).dashed(ink::dashes(index))
+            } else {
+                self.style(index, 0, CONTACT)
+            }
+        };
+        let mut entries: Vec<Entry> = named
+            .map(|(index, name)| (Mark::Line(sample(index)), name))
+            .collect();
+        let mut instants = self
+            .landings
+            .iter()
+            .flat_map(|landing| &landing.history.instants);
+        if instants.clone().any(|instant| instant.is_free) {
+            let thick = Style::stroke(ink::TEXT, FREE);
+            entries.push((Mark::Line(thick), "free flight".to_owned()));
+        }
+        if instants.any(|instant| instant.printed.iter().any(Option::is_some)) {
+            let words = "printed in 1966".to_owned();
+            entries.push((Mark::Ring(ink::STATEMENT), words));
+        }
+        entries
+    }
+
+    fn abscissa(&self, is_last: bool) -> Scale {
+        let title = if is_last {
+            "Time after first contact, s"
+        } else {
+            ""
+        };
+        scale(title, (0.0, self.end.max(f64::MIN_POSITIVE)), 12)
+    }
+
+    /// The vertical axis of a panel, from the least of its values to the greatest.
+    fn ordinate(&self, panel: &Panel) -> Scale {
+        let values = panel.curves.iter().flat_map(|curve| {
+            let drawn = self.landings.iter().flat_map(|landing| {
+                let value = landing.value(curve);
+                let instants = landing.history.instants.iter();
+                instants.filter_map(move |instant| value.as_ref().map(|value| value(instant)))
+            });
+            let printed = self
+                .landings
+                .iter()
+                .flat_map(|landing| landing.printed(curve));
+            drawn.chain(printed.map(|(_, value)| value))
+        });
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(value), high.max(value))
+        });
+        let (low, high) = if low > high { (0.0, 0.0) } else { (low, high) };
+        // Constants have an axis about them.
+        let margin = (0.06 * (high - low)).max(1e-6 * low.abs()).max(1e-9);
+        scale(&panel.title, (low - margin, high + margin), 6)
+    }
+
+    fn draw_panel(
+        &self,
+        canvas: &mut Canvas,
+        part: Area,
+        panel: &Panel,
+        (left, abscissa, ordinate): (f64, Scale, Scale),
+    ) {
+        let names: Vec<Entry> = match panel.curves.as_slice() {
+            [_] => Vec::new(),
+            curves => {
+                let curves = curves.iter().enumerate();
+                let line = |index| Mark::Line(Style::stroke(ink::curve(index), CONTACT));
+                let entries = curves.map(|(index, curve)| (line(index), curve.name.clone()));
+                entries.collect()
+            }
+        };
+        let rows = legend::rows(&names, part.width() - left);
+        let room = LEGEND * rows.len() as f64;
+        let part = Area {
+            top: part.top + room,
+            ..part
+        };
+        let frame = Frame::with_left(part, left, abscissa, ordinate);
+        let middle = 0.5 * (frame.area.left + frame.area.right);
+        legend::draw(canvas, &rows, middle, part.top - room + 0.7 * LEGEND);
+        frame.draw(canvas, Style::stroke(ink::GRID, 1.0));
+        for (index, landing) in self.landings.iter().enumerate() {
+            for (number, curve) in panel.curves.iter().enumerate() {
+                for (points, is_free) in landing.stretches(curve) {
+                    let width = if is_free { FREE } else { CONTACT };
+                    canvas.curve(&frame.places(points), self.style(index, number, width));
+                }
+                for point in landing.printed(curve) {
+                    let style = Style::stroke(ink::STATEMENT, 1.5);
+                    canvas.circle(frame.place(point), ink::MARK - 1.0, style);
                 }
             }
-            start += SAMPLE + 8;
         }
-        let text = Text::new(entry.1.clone(), (start, Y - 5), ink::text(12, ink::TEXT));
-        foot.draw(&text).map_err(drawing)?;
-        x += width(entry) + GAP;
     }
-    Ok(())
+}
+
+fn scale(title: &str, (from, to): (f64, f64), count: usize) -> Scale {
+    let ticks = round_values(from, to, count).into_iter();
+    Scale {
+        title: title.to_owned(),
+        ends: (from, to),
+        ticks: ticks.map(|value| (value, label(value))).collect(),
+    }
+}
+
+impl Landing<'_> {
+    /// Where the columns of a curve stand in the table, if it has them all.
+    fn columns(&self, curve: &Curve) -> Option<Vec<usize>> {
+        let quantities = &self.table.quantities;
+        let column = |name: &String| quantities.iter().position(|known| known == name);
+        curve.columns.iter().map(column).collect()
+    }
+
+    /// The value of a curve at an instant, if the table has its columns.
+    fn value(&self, curve: &Curve) -> Option<impl Fn(&Instant) -> f64 + use<>> {
+        let columns = self.columns(curve)?;
+        Some(move |instant: &Instant| columns.iter().map(|column| instant.values[*column]).sum())
+    }
+
+    /// Times and values that were printed of a curve.
+    fn printed(&self, curve: &Curve) -> Vec<Point> {
+        // Of sums nothing was printed.
+        let columns = self.columns(curve).unwrap_or_default();
+        let [column] = columns[..] else {
+            return Vec::new();
+        };
+        let instants = self.history.instants.iter();
+        instants
+            .filter_map(|instant| Some((instant.time, instant.printed[column]?)))
+            .collect()
+    }
+
+    /// Stretches of contact and of free flight of a curve; each begins where the last one ended.
+    fn stretches(&self, curve: &Curve) -> Vec<(Vec<Point>, bool)> {
+        let Some(value) = self.value(curve) else {
+            return Vec::new();
+        };
+        let mut stretches: Vec<(Vec<Point>, bool)> = Vec::new();
+        for run in self
+            .history
+            .instants
+            .chunk_by(|a, b| a.is_free == b.is_free)
+        {
+            let last = stretches.last().and_then(|(points, _)| points.last());
+            let points = run.iter().map(|instant| (instant.time, value(instant)));
+            let points = last.copied().into_iter().chain(points).collect();
+            stretches.push((points, run[0].is_free));
+        }
+        stretches
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn drawn(tables: &[(&str, &str)], columns: &[&str]) -> String {
+        let tables = tables.iter().map(|(name, text)| {
+            let table = HistoryTable::parse(text).unwrap();
+            ((*name).to_owned(), table)
+        });
+        let columns: Vec<String> = columns.iter().map(|name| (*name).to_owned()).collect();
+        draw(&tables.collect::<Vec<_>>(), &columns, &Caption::default()).unwrap()
+    }
+
     #[test]
     fn every_quantity_has_a_panel_and_free_flight_is_thick() {
         let text = "tip_azimuth_deg,t_s,psi_deg,omega_x_dps,touches\n\
                     90,0,1,-3,1\n90,0.5,2,-2,0\n90,1,2,-2,0\n-90,0,3,1,1\n-90,1,3,2,1\n";
-        let svg = draw(&HistoryTable::parse(text).unwrap(), &Caption::default()).unwrap();
-        assert!(svg.starts_with("<svg width=\"900\" height=\"700\""));
+        let svg = drawn(&[("", text)], &[]);
         assert!(svg.contains("Pitch angle") && svg.contains("Angular velocity about x"));
         assert!(svg.contains("Γ = 90 deg") && svg.contains("Γ = \u{2212}90 deg"));
-        let thick = svg
-            .lines()
-            .filter(|line| line.contains("stroke-width=\"4\""));
-        assert_eq!(thick.count(), 2);
+        // One stretch in each panel, and the legend's.
+        assert_eq!(svg.matches("stroke-width=\"4\"").count(), 3);
+        assert!(svg.contains("free flight"));
     }
 
     #[test]
     fn printed_values_are_circles() {
         let text = "t_s,y_rate_fps,y_rate_1966_fps\n0,1,1.1\n0.5,2,\n1,3,3\n";
-        let svg = draw(&HistoryTable::parse(text).unwrap(), &Caption::default()).unwrap();
-        assert_eq!(svg.matches("<circle").count(), 2);
+        let svg = drawn(&[("", text)], &[]);
+        // Two values, and the legend's.
+        assert_eq!(svg.matches("<circle").count(), 3);
         assert!(svg.contains("printed in 1966"));
+    }
+
+    #[test]
+    fn several_tables_lie_over_each_other_each_with_its_dashes() {
+        let one = "t_s,psi_deg,xi_deg\n0,1,2\n1,2,3\n";
+        let other = "t_s,psi_deg\n0,1\n2,4\n";
+        let svg = drawn(&[("one", one), ("other", other)], &["psi_deg", "xi_deg"]);
+        assert!(svg.contains(">one</text>") && svg.contains(">other</text>"));
+        assert!(svg.contains("Angle, deg") && svg.contains(">pitch angle Ψ</text>"));
+        // Pitch of the other landing, and the legend's sample.
+        assert_eq!(svg.matches("stroke-dasharray").count(), 2);
+        // Time goes on to the end of the longer.
+        assert!(svg.contains(">2</text>"));
     }
 }

@@ -2,22 +2,24 @@
 //! against cost.
 
 mod axis;
-mod legend;
 
-use plotters::prelude::*;
-
+use crate::canvas::{Canvas, Colour, Font, Point, Style};
 use crate::caption::Caption;
-use crate::figure_error::{FigureError, drawing};
+use crate::figure_error::FigureError;
+use crate::frame::{Frame, Scale};
 use crate::ink;
-use crate::mesh::{self, Along};
-use crate::sheet::{self, Sheet};
+use crate::legend::{Entry, Mark};
+use crate::sheet::{self, Height, Sheet};
 
 pub use axis::Axis;
 
-/// Width of the picture and height of its head, foot and panels, pixels.
-const WIDTH: u32 = 900;
-const FRAME: u32 = 130;
-const PANEL: u32 = 330;
+/// Width of the picture and height of a panel, pixels.
+const WIDTH: f64 = 900.0;
+const PANEL: f64 = 330.0;
+/// What a remark takes below its point, pixels.
+const ROOM: f64 = 22.0;
+/// Dashes and gaps of broken lines, pixels.
+const DASHES: (f64, f64) = (8.0, 5.0);
 
 /// Curves over a common abscissa.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +50,7 @@ pub struct Curve {
     pub stroke: Stroke,
     /// Its points.
     pub points: Vec<(f64, f64)>,
-    /// What is written beside each point, if anything.
+    /// What is written at each point, if anything.
     pub remarks: Vec<String>,
 }
 
@@ -66,99 +68,96 @@ pub enum Stroke {
 /// Draws a chart as SVG.
 ///
 /// # Errors
-/// When it has no panel, or drawing fails.
+/// When it has no panel.
 pub fn draw(chart: &LineChart) -> Result<String, FigureError> {
     if chart.panels.is_empty() {
         return Err(FigureError::Table("a chart has at least one panel".into()));
     }
-    let size = (WIDTH, FRAME + PANEL * chart.panels.len() as u32);
-    let mut svg = String::new();
-    let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-    draw_sheet(area, size, chart)?;
-    Ok(sheet::with_subscripts(&svg))
-}
-
-fn draw_sheet(area: Sheet, size: (u32, u32), chart: &LineChart) -> Result<(), FigureError> {
-    let (body, foot) = sheet::parts(&area, size, &chart.caption)?;
-    let names = legend::names(chart);
-    let points = |chart: &LineChart| -> Vec<(f64, f64)> {
-        let curves = chart.panels.iter().flat_map(|panel| &panel.curves);
-        curves.flat_map(|curve| curve.points.clone()).collect()
+    let names = names(chart);
+    let entries: Vec<Entry> = names
+        .iter()
+        .map(|name| entry(chart, &names, name))
+        .collect();
+    let height = PANEL * chart.panels.len() as f64;
+    let Sheet { mut canvas, body } =
+        sheet::begin(WIDTH, Height::Body(height), &chart.caption, &entries);
+    let values = |coordinate: fn(&Point) -> f64, curves: &mut dyn Iterator<Item = &Curve>| {
+        let points = curves.flat_map(|curve| &curve.points);
+        points.map(coordinate).collect::<Vec<f64>>()
     };
-    let across = chart.abscissa.extent(points(chart).iter().map(|p| p.0));
-    let parts = body.split_evenly((chart.panels.len(), 1));
-    for (index, (part, panel)) in parts.iter().zip(&chart.panels).enumerate() {
+    let abscissas = values(|point| point.0, &mut curves(chart));
+    let ordinates = chart.panels.iter().map(|panel| {
+        let values = values(|point| point.1, &mut panel.curves.iter());
+        panel.ordinate.scale(values.into_iter(), true)
+    });
+    let ordinates: Vec<Scale> = ordinates.collect();
+    let left = ordinates.iter().map(Scale::room).fold(0.0, f64::max);
+    let parts = body.rows(ordinates.len()).into_iter().zip(ordinates);
+    for (index, ((part, ordinate), panel)) in parts.zip(&chart.panels).enumerate() {
         let is_last = index + 1 == chart.panels.len();
-        draw_panel(part, &chart.abscissa, across, panel, &names, is_last)?;
+        let across = chart.abscissa.scale(abscissas.iter().copied(), is_last);
+        let frame = Frame::with_left(part, left, across, ordinate);
+        draw_panel(&mut canvas, &frame, &chart.abscissa, panel, &names);
     }
-    legend::draw(&foot, chart, &names)?;
-    area.present().map_err(drawing)
+    Ok(canvas.into_svg())
 }
 
-fn draw_panel(
-    part: &Sheet,
-    abscissa: &Axis,
-    (left, right): (f64, f64),
-    panel: &Panel,
-    names: &[&str],
-    is_last: bool,
-) -> Result<(), FigureError> {
-    let ordinate = &panel.ordinate;
-    let values = panel.curves.iter().flat_map(|curve| &curve.points);
-    let (low, high) = ordinate.extent(values.map(|point| point.1));
-    let mut chart = ChartBuilder::on(part)
-        .margin_right(28)
-        .margin_top(8)
-        .margin_left(14)
-        .x_label_area_size(if is_last { 52 } else { 26 })
-        .y_label_area_size(72)
-        .build_cartesian_2d(left..right, low..high)
-        .map_err(drawing)?;
-    mesh::draw(
-        &mut chart,
-        ink::GRID,
-        &Along {
-            title: if is_last { &abscissa.title } else { "" },
-            count: abscissa.divisions(left, right),
-            label: &|x| abscissa.label(*x),
-        },
-        &Along {
-            title: &ordinate.title,
-            count: ordinate.divisions(low, high),
-            label: &|y| ordinate.label(*y),
-        },
-    )?;
-    for curve in &panel.curves {
-        let colour = legend::colour(names, &curve.name);
-        let points: Vec<(f64, f64)> = curve
-            .points
-            .iter()
-            .map(|(x, y)| (abscissa.place(*x), ordinate.place(*y)))
-            .filter(|(x, y)| x.is_finite() && y.is_finite())
-            .collect();
-        match curve.stroke {
-            Stroke::Line | Stroke::Marks => {
-                let line = PathElement::new(points.clone(), colour.stroke_width(2));
-                chart.draw_series([line]).map_err(drawing)?;
-            }
-            Stroke::Dashes => {
-                let dashes = DashedLineSeries::new(points.clone(), 8, 5, colour.stroke_width(2));
-                chart.draw_series(dashes).map_err(drawing)?;
-            }
+fn curves(chart: &LineChart) -> impl Iterator<Item = &Curve> {
+    chart.panels.iter().flat_map(|panel| &panel.curves)
+}
+
+/// Names of the curves, each once.
+fn names(chart: &LineChart) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for curve in curves(chart) {
+        if !names.contains(&curve.name.as_str()) {
+            names.push(&curve.name);
         }
-        if curve.stroke == Stroke::Marks {
-            let marks = points
-                .iter()
-                .map(|point| Circle::new(*point, ink::SMALL_MARK, colour.filled()));
-            chart.draw_series(marks).map_err(drawing)?;
-        }
-        let remarks = points.iter().zip(&curve.remarks).map(|(point, remark)| {
-            EmptyElement::at(*point)
-                + Text::new(remark.clone(), (7, -14), ink::text(11, ink::PALE_TEXT))
-        });
-        chart.draw_series(remarks).map_err(drawing)?;
     }
-    Ok(())
+    names
+}
+
+/// Colour of the curves of a name.
+fn colour(names: &[&str], name: &str) -> Colour {
+    ink::curve(names.iter().position(|other| *other == name).unwrap_or(0))
+}
+
+/// The entry of a name in the legend.
+fn entry(chart: &LineChart, names: &[&str], name: &str) -> Entry {
+    let is_broken = curves(chart).any(|c| c.name == name && c.stroke == Stroke::Dashes);
+    let style = Style::stroke(colour(names, name), 2.0).dashed(is_broken.then_some(DASHES));
+    (Mark::Line(style), name.to_owned())
+}
+
+fn draw_panel(canvas: &mut Canvas, frame: &Frame, abscissa: &Axis, panel: &Panel, names: &[&str]) {
+    frame.draw(canvas, Style::stroke(ink::GRID, 1.0));
+    for curve in &panel.curves {
+        let colour = colour(names, &curve.name);
+        let place = |(x, y): &Point| (abscissa.place(*x), panel.ordinate.place(*y));
+        let places = curve.points.iter().map(place);
+        let points: Vec<Point> = places
+            .filter(|(x, y)| x.is_finite() && y.is_finite())
+            .map(|place| frame.place(place))
+            .collect();
+        let is_broken = curve.stroke == Stroke::Dashes;
+        let style = Style::stroke(colour, 2.0).dashed(is_broken.then_some(DASHES));
+        canvas.curve(&points, style);
+        if curve.stroke == Stroke::Marks {
+            for point in &points {
+                canvas.circle(*point, ink::SMALL_MARK, Style::fill(colour));
+            }
+        }
+        for ((x, y), remark) in points.iter().zip(&curve.remarks) {
+            let font = Font::new(11.0, ink::PALE_TEXT);
+            // Above the point where there is no room below it.
+            let down = if y + ROOM < frame.area.bottom {
+                13.0
+            } else {
+                -13.0
+            };
+            canvas.text(remark, (*x, y + down), font);
+        }
+    }
 }
 
 #[cfg(test)]
@@ -200,10 +199,13 @@ mod tests {
         for text in ["time, s", "pitch, deg", "error, ft", "Pitch", "other"] {
             assert!(svg.contains(text), "{text}");
         }
-        assert_eq!(svg.matches("\none\n").count(), 1, "{svg}");
+        assert_eq!(svg.matches(">one</text>").count(), 1, "{svg}");
         // Decades of the lower panel.
         for decade in ["1e\u{2212}7", "1e\u{2212}5", "0.01"] {
-            assert!(svg.contains(&format!("\n{decade}\n")), "{decade}: {svg}");
+            assert!(
+                svg.contains(&format!(">{decade}</text>")),
+                "{decade}: {svg}"
+            );
         }
     }
 
@@ -214,10 +216,10 @@ mod tests {
     }
 
     #[test]
-    fn remarks_stand_beside_their_points() {
+    fn remarks_stand_at_their_points() {
         let mut chart = chart();
         chart.panels[1].curves[0].remarks = vec!["first".to_owned(), "second".to_owned()];
         let svg = draw(&chart).unwrap();
-        assert!(svg.contains("\nfirst\n") && svg.contains("\nsecond\n"));
+        assert!(svg.contains(">first</text>") && svg.contains(">second</text>"));
     }
 }

@@ -1,8 +1,9 @@
 //! What a tornado chart says of its rows and its axis.
 
 use crate::number::label;
-use crate::parameter_words::{parameter_words, printed_unit};
+use crate::parameter_words::parameter_words;
 use crate::sensitivity_table::{Point, Slope};
+use crate::unit::{printed_unit, split_unit};
 
 /// Name, value and change of a parameter.
 pub fn name(slope: &Slope) -> String {
@@ -22,7 +23,7 @@ pub fn name(slope: &Slope) -> String {
 }
 
 /// Why a parameter has no bar.
-pub fn said(slope: &Slope) -> String {
+pub fn reason(slope: &Slope) -> String {
     let within = |words: &str| match slope.step {
         Some(step) => {
             let digits = 10f64.powf(2.0 - step.abs().log10().ceil());
@@ -45,17 +46,11 @@ pub fn said(slope: &Slope) -> String {
 pub fn title(lowest: &Point) -> String {
     let place = lowest.place.iter();
     let place = place.map(|(name, value)| {
-        let unit = ["_deg", "_fps", "_ft"]
-            .into_iter()
-            .find(|unit| name.ends_with(unit));
-        let unit = match unit {
-            Some("_deg") => " deg",
-            Some("_fps") => " ft/s",
-            Some(_) => " ft",
-            None => "",
-        };
+        let unit = split_unit(name).1;
         let value = value.replace('-', "\u{2212}");
-        format!("{} {value}{unit}", parameter_words(name))
+        format!("{} {value} {unit}", parameter_words(name))
+            .trim_end()
+            .to_owned()
     });
     let place = place.collect::<Vec<_>>().join(", ");
     let speed = lowest

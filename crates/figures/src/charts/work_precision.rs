@@ -5,7 +5,6 @@ use crate::figure_error::FigureError;
 use crate::line_chart::{self, Axis, Curve, LineChart, Panel, Stroke};
 use crate::table::Table;
 
-const COST: &str = "mean_us_per_landing";
 /// First column of the table.
 const TOLERANCE: &str = "tolerance";
 /// Errors drawn: column and words.
@@ -26,52 +25,79 @@ pub fn is_one(csv: &str) -> bool {
     csv.starts_with(&format!("{TOLERANCE},"))
 }
 
+/// What errors are drawn against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cost {
+    /// Run time of a landing.
+    Time,
+    /// Evaluations of the equations of motion in a landing, which no machine changes.
+    Evaluations,
+}
+
 /// Draws a table of `touchdown work-precision` as SVG.
 ///
 /// # Errors
 /// When a column is missing or a cell is not a number.
-pub fn draw(csv: &str) -> Result<String, FigureError> {
+pub fn draw(csv: &str, cost: Cost) -> Result<String, FigureError> {
+    let (title, remark, abscissa, column) = match cost {
+        Cost::Time => (
+            "run time",
+            "; one thread",
+            Axis::doublings("Time of a landing, mean, ms"),
+            "mean_us_per_landing",
+        ),
+        Cost::Evaluations => (
+            "evaluations",
+            "",
+            Axis::doublings("Evaluations of the equations of motion in a landing, mean, thousands"),
+            "mean_derivative_evaluations",
+        ),
+    };
     line_chart::draw(&LineChart {
         caption: Caption {
-            title: "Work and precision: worst error against run time".to_owned(),
-            conditions:
-                "level landings around the toppling boundary, slope 15 deg, V_V 14 ft/s; one \
-                         thread; numbers at points: tolerance"
-                    .to_owned(),
+            title: format!("Work and precision: worst error against {title}"),
+            conditions: format!(
+                "level landings around the toppling boundary, slope 15 deg, V_V 14 ft/s{remark}; \
+                 numbers at points: tolerance"
+            ),
             ..Caption::default()
         },
-        abscissa: Axis::doublings("Time of a landing, mean, ms"),
+        abscissa,
         panels: vec![Panel {
             ordinate: Axis::logarithmic("Worst error"),
-            curves: curves(csv)?,
+            curves: curves(csv, column)?,
         }],
     })
 }
 
-/// The errors against time, ms, the tolerances beside the first of them.
-fn curves(csv: &str) -> Result<Vec<Curve>, FigureError> {
+/// The errors against a thousandth of a column, the tolerances at the last of them, which mostly is the least.
+fn curves(csv: &str, cost: &str) -> Result<Vec<Curve>, FigureError> {
     let table = Table::parse(csv)?;
-    let cost = table.column(COST)?;
-    let mut remarks: Vec<String> = table
+    let cost = table.column(cost)?;
+    let tolerances = table
         .some_rows()?
-        .map(|row| row.text(0).to_owned())
-        .collect();
-    let curves = ERRORS.into_iter().map(|(name, words)| {
-        let column = table.column(name)?;
-        let points = table.rows().map(|row| {
-            let error = row.number(column)?;
-            if error < 0.0 {
-                return Err(row.complain(column, "a number that is not negative"));
-            }
-            Ok((1e-3 * row.number(cost)?, error.max(LEAST)))
+        .map(|row| row.text(0).replace('-', "\u{2212}"));
+    let tolerances: Vec<String> = tolerances.collect();
+    let curves = ERRORS
+        .into_iter()
+        .enumerate()
+        .map(|(index, (name, words))| {
+            let is_lowest = index + 1 == ERRORS.len();
+            let column = table.column(name)?;
+            let points = table.rows().map(|row| {
+                let error = row.number(column)?;
+                if error < 0.0 {
+                    return Err(row.complain(column, "a number that is not negative"));
+                }
+                Ok((1e-3 * row.number(cost)?, error.max(LEAST)))
+            });
+            Ok(Curve {
+                name: words.to_owned(),
+                stroke: Stroke::Marks,
+                points: points.collect::<Result<_, FigureError>>()?,
+                remarks: is_lowest.then(|| tolerances.clone()).unwrap_or_default(),
+            })
         });
-        Ok(Curve {
-            name: words.to_owned(),
-            stroke: Stroke::Marks,
-            points: points.collect::<Result<_, FigureError>>()?,
-            remarks: std::mem::take(&mut remarks),
-        })
-    });
     curves.collect()
 }
 
@@ -79,19 +105,27 @@ fn curves(csv: &str) -> Result<Vec<Curve>, FigureError> {
 mod tests {
     use super::*;
 
-    const TABLE: &str = "tolerance,mean_us_per_landing,worst_transition_error_fps,\
-        worst_least_angle_error_deg,worst_pitch_error_at_1s_deg,worst_position_error_at_1s_ft\n\
-        1e-4,2000,1e-4,1e-2,1e-3,1e-5\n1e-6,6000,0e0,1e-4,1e-5,1e-7\n";
+    const TABLE: &str = "tolerance,mean_us_per_landing,mean_derivative_evaluations,\
+        worst_transition_error_fps,worst_least_angle_error_deg,worst_pitch_error_at_1s_deg,\
+        worst_position_error_at_1s_ft\n\
+        1e-4,2000,5950,1e-4,1e-2,1e-3,1e-5\n1e-6,6000,12000,0e0,1e-4,1e-5,1e-7\n";
 
     #[test]
     fn every_error_of_every_tolerance_has_a_mark() {
         assert!(is_one(TABLE));
-        let svg = draw(TABLE).unwrap();
-        // Four curves of two points.
-        assert_eq!(svg.matches("<circle").count(), 8);
-        assert!(svg.contains("1e-4") && svg.contains("1e-6"));
-        let broken = draw(&TABLE.replace("1e-2", "NaN")).unwrap_err().to_string();
-        assert!(broken.contains("row 1: worst_least_angle_error_deg = NaN"));
-        assert!(draw(&TABLE.replace("worst_pitch", "pitch")).is_err());
+        for (cost, words) in [
+            (Cost::Time, "ms"),
+            (Cost::Evaluations, "equations of motion"),
+        ] {
+            let draw = |table: &str| draw(table, cost);
+            let svg = draw(TABLE).unwrap();
+            assert!(svg.contains(words));
+            // Four curves of two points.
+            assert_eq!(svg.matches("<circle").count(), 8);
+            assert!(svg.contains(">1e\u{2212}4</text>") && svg.contains(">1e\u{2212}6</text>"));
+            let broken = draw(&TABLE.replace("1e-2", "NaN")).unwrap_err().to_string();
+            assert!(broken.contains("row 1: worst_least_angle_error_deg = NaN"));
+            assert!(draw(&TABLE.replace("worst_pitch", "pitch")).is_err());
+        }
     }
 }

@@ -1,48 +1,41 @@
 //! The column that explains the colours of a map.
 
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-use crate::figure_error::{FigureError, drawing};
+use crate::canvas::{Anchor, Canvas, Font, Style};
+use crate::frame::Area;
 use crate::ink;
-use crate::levels::{self, LEVELS};
+use crate::levels::Levels;
 use crate::number;
-use crate::sheet::Sheet;
 use crate::surface::Surface;
 
-/// Place of the column in its area, pixels.
-const LEFT: i32 = 8;
-const WIDTH: i32 = 20;
-const TOP: i32 = 60;
-const STEP: i32 = 34;
+/// Width of the column with its numbers, pixels.
+pub const WIDTH: f64 = 92.0;
+/// Place and width of the colours in the column, and greatest height of one of them, pixels.
+const LEFT: f64 = 8.0;
+const COLOUR: f64 = 20.0;
+const TOP: f64 = 60.0;
+const STEP: f64 = 34.0;
+/// Space below the colours, pixels.
+const BELOW: f64 = 60.0;
 
-/// Draws the levels that a surface reaches, the highest on top.
-pub fn draw(area: &Sheet, surface: &Surface) -> Result<(), FigureError> {
+/// Draws the bands of colour that a surface reaches, the highest on top.
+pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels) {
     let Some((least, greatest)) = surface.range() else {
-        return Ok(());
+        return;
     };
-    let first = LEVELS.partition_point(|level| *level <= least);
-    let last = LEVELS.partition_point(|level| *level < greatest);
-    let title = ink::text(12, ink::TEXT);
-    for (text, y) in [("V_H,", TOP - 40), ("ft/s", TOP - 24)] {
-        area.draw(&Text::new(text, (LEFT, y), title.clone()))
-            .map_err(drawing)?;
+    let (left, top) = (area.left + LEFT, area.top + TOP);
+    let font = Font::new(12.0, ink::TEXT).anchor(Anchor::Start);
+    for (text, y) in [("V_H,", top - 34.0), ("ft/s", top - 18.0)] {
+        canvas.text(text, (left, y), font);
     }
-    let beside = Pos::new(HPos::Left, VPos::Center);
-    for (step, band) in (first..=last).rev().enumerate() {
-        let top = TOP + STEP * step as i32;
-        let low = if band == 0 { 0.0 } else { LEVELS[band - 1] };
-        let corners = [(LEFT, top), (LEFT + WIDTH, top + STEP)];
-        area.draw(&Rectangle::new(corners, levels::colour(low).filled()))
-            .map_err(drawing)?;
-        area.draw(&Rectangle::new(corners, ink::TEXT.stroke_width(1)))
-            .map_err(drawing)?;
-        if band > first {
-            let style = ink::text(12, ink::TEXT).pos(beside);
-            let place = (LEFT + WIDTH + 6, top + STEP);
-            area.draw(&Text::new(number::label(low), place, style))
-                .map_err(drawing)?;
+    let mut bands = levels.bands();
+    bands.retain(|[low, high]| least < *high && *low <= greatest);
+    let step = STEP.min((area.height() - TOP - BELOW) / bands.len() as f64);
+    for (index, [low, _]) in bands.iter().rev().enumerate() {
+        let y = top + step * index as f64;
+        let style = Style::fill(levels.colour(*low)).outlined(ink::TEXT, 1.0);
+        canvas.rectangle((left, y), (left + COLOUR, y + step), style);
+        if index + 1 < bands.len() {
+            canvas.text(&number::label(*low), (left + COLOUR + 6.0, y + step), font);
         }
     }
-    Ok(())
 }

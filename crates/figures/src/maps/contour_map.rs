@@ -1,249 +1,192 @@
 //! The contour map of a stability surface, in the manner of Figure 4-21.
 
-use plotters::coord::types::RangedCoordf64;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
 use crate::axis_title::axis_title;
+use crate::canvas::{Canvas, Font, Point, Style, WHITE, text_width};
 use crate::caption::Caption;
-use crate::figure_error::{FigureError, drawing};
+use crate::frame::{Area, Frame, Scale};
 use crate::isolines::{self, Place};
-use crate::legend::{Mark, draw_legend, draw_mark};
-use crate::levels::{self, LEVELS};
+use crate::legend::{Mark, draw_mark};
+use crate::levels::Levels;
+use crate::map_legend;
 use crate::map_view::View;
-use crate::mesh::{self, Along};
-use crate::number;
-use crate::sheet::{self, Sheet};
-use crate::surface::{Cell, JUMP, Surface};
-use crate::{colour_bar, ink, leading_feet};
+use crate::sheet::{self, Height, Sheet};
+use crate::surface::{Cell, Surface};
+use crate::{colour_bar, ink, leading_feet, number, ticks};
 
 /// Width and height of the picture, pixels.
-pub const SIZE: (u32, u32) = (900, 860);
-/// Width of the column for the colours, pixels.
-const BAR: u32 = 92;
+pub const SIZE: (f64, f64) = (900.0, 860.0);
 /// Shortest line that carries a label, and least distance between labels, pixels.
 const LABELLED: f64 = 70.0;
-const APART: i32 = 46;
-/// Width of a label, and distance of its middle from a disc that it must not cover, pixels.
-const LABEL_WIDTH: i32 = 28;
+const APART: f64 = 46.0;
+/// Distance of the middle of a label from a disc that it must not cover, pixels.
 const CLEAR: f64 = 18.0;
-
-type Frame = Cartesian2d<RangedCoordf64, RangedCoordf64>;
-type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Frame>;
+/// Points farther apart than this have marks of full size, pixels.
+const ROOMY: f64 = 24.0;
+/// Size of the labels, and height of the paper under them.
+const LABEL: f64 = 11.0;
+const PAPER: f64 = 15.0;
 
 /// Draws the map as SVG.
-///
-/// # Errors
-/// Only those of the drawing library.
-pub fn draw(surface: &Surface, view: &View, caption: &Caption) -> Result<String, FigureError> {
-    let mut svg = String::new();
-    let sheet = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-    let (body, foot) = sheet::parts(&sheet, SIZE, caption)?;
-    let (map, bar) = body.split_horizontally(SIZE.0 - BAR);
-    draw_map(&map, surface, view)?;
-    colour_bar::draw(&bar, surface)?;
-    draw_legend(&foot, &legend(surface, view))?;
-    sheet.present().map_err(drawing)?;
-    drop((map, bar, body, foot, sheet));
-    // Polygons side by side must not let the paper shine through between them.
-    Ok(sheet::with_subscripts(&svg)
-        .replace("<polygon ", "<polygon shape-rendering=\"crispEdges\" "))
-}
-
-fn draw_map(map: &Sheet, surface: &Surface, view: &View) -> Result<(), FigureError> {
-    let [across, up] = view.ranges(surface);
-    let mut chart = ChartBuilder::on(map)
-        .margin_right(16)
-        .margin_top(8)
-        .margin_left(14)
-        .x_label_area_size(52)
-        .y_label_area_size(62)
-        .build_cartesian_2d(across, up)
-        .map_err(drawing)?;
-    fill(&mut chart, surface, view)?;
-    mesh::draw(
-        &mut chart,
-        ink::TEXT.mix(0.12),
-        &Along {
-            title: &axis_title(&surface.axes[1]),
-            count: 13,
-            label: &|x| view.fast_label(*x),
+pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) -> String {
+    let entries = map_legend::of_map(surface, caption);
+    let (width, height) = SIZE;
+    let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
+    let border = body.right - colour_bar::WIDTH;
+    let [left, right] = [
+        Area {
+            right: border + 12.0,
+            ..body
         },
-        &Along {
-            title: &axis_title(&surface.axes[0]),
-            count: 11,
-            label: &|y| view.slow_label(*y),
+        Area {
+            left: border,
+            ..body
         },
-    )?;
-    draw_jumps(&mut chart, surface, view)?;
-    draw_isolines(map, &mut chart, surface, view)?;
-    draw_loci(&mut chart, surface, view)?;
-    draw_gaps(map, &chart, surface, view)
-}
-
-fn fill(chart: &mut Chart, surface: &Surface, view: &View) -> Result<(), FigureError> {
-    let mut polygon = |corners: Vec<Place>, colour: RGBColor| {
-        let corners: Vec<(f64, f64)> = corners.into_iter().map(|place| view.at(place)).collect();
-        let shape = Polygon::new(corners, colour.filled());
-        chart.draw_series([shape]).map(|_| ()).map_err(drawing)
+    ];
+    let map = Map {
+        frame: frame(left, surface, view),
+        surface,
+        view,
     };
-    for ([row, column], cell) in surface.cells() {
-        if cell == Cell::Torn {
-            let (s, f) = (&surface.slow, &surface.fast);
-            let corners = [
-                (row, column),
-                (row, column + 1),
-                (row + 1, column + 1),
-                (row + 1, column),
-            ];
-            polygon(corners.map(|(r, c)| [s[r], f[c]]).to_vec(), ink::TORN)?;
-        }
+    map.fill(&mut canvas, levels);
+    map.frame
+        .draw(&mut canvas, Style::stroke(ink::TEXT, 1.0).opacity(0.12));
+    map.draw_jumps(&mut canvas);
+    map.draw_isolines(&mut canvas, levels);
+    if map_legend::has_leading_feet(surface, caption) {
+        map.draw_leading_feet(&mut canvas);
     }
-    let ends = [[0.0, LEVELS[0]], [LEVELS[LEVELS.len() - 1], f64::MAX]];
-    let between = LEVELS.windows(2).map(|pair| [pair[0], pair[1]]);
-    for [low, high] in between.chain(ends) {
-        for corners in isolines::band(surface, low, high) {
-            polygon(corners, levels::colour(low))?;
-        }
-    }
-    Ok(())
+    map.draw_marks(&mut canvas);
+    colour_bar::draw(&mut canvas, right, surface, levels);
+    canvas.into_svg()
 }
 
-/// Draws a bar across every edge of the grid over which the boundary jumps.
-fn draw_jumps(chart: &mut Chart, surface: &Surface, view: &View) -> Result<(), FigureError> {
-    let bars = surface.jumps().into_iter().map(|ends| {
-        PathElement::new(
-            ends.map(|place| view.at(place)).to_vec(),
-            ink::JUMP.stroke_width(3),
-        )
-    });
-    chart.draw_series(bars).map_err(drawing)?;
-    Ok(())
-}
-
-fn draw_isolines(
-    map: &Sheet,
-    chart: &mut Chart,
-    surface: &Surface,
-    view: &View,
-) -> Result<(), FigureError> {
-    let mut labels: Vec<((i32, i32), f64)> = Vec::new();
-    let pixel = |place| on_sheet(map, chart, place);
-    let valley: Vec<(i32, i32)> = surface
-        .valley()
-        .into_iter()
-        .map(|place| pixel(view.at(place)))
-        .collect();
+fn frame(area: Area, surface: &Surface, view: &View) -> Frame {
     let [across, up] = view.ranges(surface);
-    let (left, right) = (
-        pixel((across.start, up.start)).0,
-        pixel((across.end, up.start)).0,
-    );
-    for level in LEVELS {
-        for line in isolines::lines(surface, level) {
-            let places: Vec<(f64, f64)> = line.into_iter().map(|place| view.at(place)).collect();
-            let pixels: Vec<(i32, i32)> = places
-                .iter()
-                .map(|place| on_sheet(map, chart, *place))
-                .collect();
-            let length: f64 = pixels
-                .windows(2)
-                .map(|pair| distance(pair[0], pair[1]))
-                .sum();
-            let width = if level.fract() == 0.0 { 2 } else { 1 };
-            let element = PathElement::new(places, ink::TEXT.stroke_width(width));
-            chart.draw_series([element]).map_err(drawing)?;
-            // The middle, or else what is nearest to it and free.
-            let mut order: Vec<usize> = (0..pixels.len()).collect();
-            order.sort_by_key(|index| index.abs_diff(pixels.len() / 2));
-            let free = order.into_iter().map(|index| pixels[index]).find(|place| {
-                let is_apart =
-                    |(other, _): &((i32, i32), f64)| distance(*place, *other) > f64::from(APART);
-                let is_clear = |disc: &(i32, i32)| distance(*place, *disc) > CLEAR;
-                labels.iter().all(is_apart)
-                    && valley.iter().all(is_clear)
-                    && place.0 - left > LABEL_WIDTH / 2
-                    && right - place.0 > LABEL_WIDTH / 2
-            });
-            if let Some(place) = free
-                && length > LABELLED
-            {
-                labels.push((place, level));
+    let [slow, fast] = &surface.axes;
+    let scale = |axis: &str, ends: (f64, f64), count, label: &dyn Fn(f64) -> String| Scale {
+        title: axis_title(axis),
+        ends,
+        ticks: ticks::of_condition(axis, ends.0, ends.1, count)
+            .into_iter()
+            .map(|value| (value, label(value)))
+            .collect(),
+    };
+    Frame::new(
+        area,
+        scale(fast, across, 13, &|x| view.fast_label(x)),
+        scale(slow, up, 11, &|y| view.slow_label(y)),
+    )
+}
+
+/// A surface and where it is drawn.
+struct Map<'m> {
+    frame: Frame,
+    surface: &'m Surface,
+    view: &'m View,
+}
+
+impl Map<'_> {
+    fn place(&self, place: Place) -> Point {
+        self.frame.place(self.view.at(place))
+    }
+
+    fn places(&self, places: impl IntoIterator<Item = Place>) -> Vec<Point> {
+        places.into_iter().map(|place| self.place(place)).collect()
+    }
+
+    fn fill(&self, canvas: &mut Canvas, levels: &Levels) {
+        let (s, f) = (&self.surface.slow, &self.surface.fast);
+        let torn = self.surface.cells().filter(|(_, cell)| *cell == Cell::Torn);
+        let torn: Vec<Vec<Point>> = torn
+            .map(|([row, column], _)| {
+                let corners = [(0, 0), (0, 1), (1, 1), (1, 0)];
+                self.places(corners.map(|(r, c)| [s[row + r], f[column + c]]))
+            })
+            .collect();
+        canvas.mosaic(&torn, ink::TORN);
+        for [low, high] in levels.bands() {
+            let polygons = isolines::band(self.surface, low, high).into_iter();
+            let polygons: Vec<Vec<Point>> = polygons.map(|polygon| self.places(polygon)).collect();
+            canvas.mosaic(&polygons, levels.colour(low));
+        }
+    }
+
+    /// Draws a bar across every edge of the grid over which the boundary jumps.
+    fn draw_jumps(&self, canvas: &mut Canvas) {
+        for ends in self.surface.jumps() {
+            let style = Style::stroke(ink::JUMP, ink::JUMP_WIDTH);
+            canvas.curve(&self.places(ends), style);
+        }
+    }
+
+    fn draw_isolines(&self, canvas: &mut Canvas, levels: &Levels) {
+        let discs = self.places(self.surface.valley());
+        let mut labels: Vec<(Point, String)> = Vec::new();
+        for level in levels.borders() {
+            let label = number::label(*level);
+            let room = 0.5 * text_width(&label, LABEL) + 4.0;
+            for line in isolines::lines(self.surface, *level) {
+                let line = self.places(line);
+                canvas.curve(&line, Style::stroke(ink::TEXT, 1.3));
+                let lengths = line.windows(2).map(|ends| distance(ends[0], ends[1]));
+                if lengths.sum::<f64>() < LABELLED {
+                    continue;
+                }
+                // The middle, or else what is nearest to it and free.
+                let mut order: Vec<usize> = (0..line.len()).collect();
+                order.sort_by_key(|index| index.abs_diff(line.len() / 2));
+                let is_free = |place: &Point| {
+                    let area = &self.frame.area;
+                    labels
+                        .iter()
+                        .all(|(other, _)| distance(*place, *other) > APART)
+                        && discs.iter().all(|disc| distance(*place, *disc) > CLEAR)
+                        && (area.left + room..area.right - room).contains(&place.0)
+                        && (area.top + PAPER..area.bottom - PAPER).contains(&place.1)
+                };
+                let places = order.into_iter().map(|index| line[index]);
+                if let Some(place) = places.into_iter().find(is_free) {
+                    labels.push((place, label.clone()));
+                }
             }
         }
-    }
-    let centred = Pos::new(HPos::Center, VPos::Center);
-    for ((x, y), level) in labels {
-        let paper = Rectangle::new(
-            [(x - LABEL_WIDTH / 2, y - 8), (x + LABEL_WIDTH / 2, y + 7)],
-            WHITE.mix(0.85).filled(),
-        );
-        map.draw(&paper).map_err(drawing)?;
-        let style = ink::text(11, ink::TEXT).pos(centred);
-        map.draw(&Text::new(number::label(level), (x, y), style))
-            .map_err(drawing)?;
-    }
-    Ok(())
-}
-
-fn draw_loci(chart: &mut Chart, surface: &Surface, view: &View) -> Result<(), FigureError> {
-    if view.has_leading_feet(surface) {
-        for line in leading_feet::lines(&surface.slow, &surface.fast) {
-            let places = line.into_iter().map(|place| view.at(place));
-            let dashes = DashedLineSeries::new(places, 9, 6, ink::BISECTOR.stroke_width(2));
-            chart.draw_series(dashes).map_err(drawing)?;
+        for ((x, y), label) in labels {
+            let [half, up] = [0.5 * text_width(&label, LABEL) + 3.0, 0.5 * PAPER];
+            let paper = Style::fill(WHITE).opacity(0.85);
+            canvas.rectangle((x - half, y - up), (x + half, y + up), paper);
+            canvas.text(&label, (x, y), Font::new(LABEL, ink::TEXT));
         }
     }
-    let valley: Vec<(f64, f64)> = surface
-        .valley()
-        .into_iter()
-        .map(|place| view.at(place))
-        .collect();
-    let circles = valley
-        .iter()
-        .map(|place| Circle::new(*place, 4, ink::VALLEY.filled()));
-    chart.draw_series(circles).map_err(drawing)?;
-    Ok(())
-}
 
-fn draw_gaps(
-    map: &Sheet,
-    chart: &Chart,
-    surface: &Surface,
-    view: &View,
-) -> Result<(), FigureError> {
-    for (slow, row) in surface.slow.iter().zip(&surface.speeds) {
-        for (fast, speed) in surface.fast.iter().zip(row) {
-            if speed.is_none() {
-                let place = on_sheet(map, chart, view.at([*slow, *fast]));
-                draw_mark(map, Mark::NoTransition, place, ink::SMALL_MARK)?;
-            }
+    fn draw_leading_feet(&self, canvas: &mut Canvas) {
+        for line in leading_feet::lines(&self.surface.slow, &self.surface.fast) {
+            canvas.curve(&self.places(line), map_legend::bisector());
         }
     }
-    Ok(())
-}
 
-fn on_sheet(map: &Sheet, chart: &Chart, place: (f64, f64)) -> (i32, i32) {
-    let (across, down) = chart.backend_coord(&place);
-    let (left, top) = map.get_base_pixel();
-    (across - left, down - top)
-}
-
-fn distance(a: (i32, i32), b: (i32, i32)) -> f64 {
-    f64::from(a.0 - b.0).hypot(f64::from(a.1 - b.1))
-}
-
-fn legend(surface: &Surface, view: &View) -> Vec<(Mark, String)> {
-    let mut entries = vec![(
-        Mark::Valley,
-        format!("least of each {}", view.slow_word(surface)),
-    )];
-    if view.has_leading_feet(surface) {
-        entries.push((Mark::Bisector, "AB: V_H bisects leading feet".to_owned()));
+    fn draw_marks(&self, canvas: &mut Canvas) {
+        for place in self.surface.valley() {
+            draw_mark(canvas, Mark::Valley, self.place(place), ink::MARK);
+        }
+        let (rows, columns) = (self.surface.slow.len(), self.surface.fast.len());
+        let area = &self.frame.area;
+        let room = (area.width() / columns as f64).min(area.height() / rows as f64);
+        let side = if room > ROOMY {
+            ink::MARK
+        } else {
+            ink::SMALL_MARK
+        };
+        for place in self.surface.gaps() {
+            draw_mark(canvas, Mark::NoTransition, self.place(place), side);
+        }
+        for (place, mark) in &self.surface.doubtful {
+            draw_mark(canvas, *mark, self.place(*place), ink::MARK);
+        }
     }
-    entries.push((Mark::Jump, format!("jumps by more than {JUMP} ft/s")));
-    entries.push((Mark::NoTransition, "no transition".to_owned()));
-    entries
+}
+
+fn distance(a: Point, b: Point) -> f64 {
+    (a.0 - b.0).hypot(a.1 - b.1)
 }
 
 #[cfg(test)]

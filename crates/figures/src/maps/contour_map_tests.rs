@@ -3,7 +3,8 @@ use crate::surface::tests::example;
 
 fn map() -> String {
     let surface = example();
-    draw(&surface, &View::of(&surface), &Caption::default()).unwrap()
+    let levels = Levels::listed(&[12.0, 12.5, 13.0]).unwrap();
+    draw(&surface, &View::of(&surface), &levels, &Caption::default())
 }
 
 #[test]
@@ -11,7 +12,7 @@ fn lines_carry_their_level_and_gaps_their_marks() {
     let svg = map();
     assert!(svg.starts_with("<svg width=\"900\" height=\"860\""));
     for level in ["12", "12.5", "13"] {
-        assert!(svg.contains(&format!("\n{level}\n")), "{level}");
+        assert!(svg.contains(&format!(">{level}</text>")), "{level}");
     }
     // One point without a transition, and the legend's mark: white triangles.
     let triangles = svg
@@ -40,7 +41,8 @@ fn the_valley_is_marked_where_the_table_has_it() {
             .unwrap_or(f64::NAN)
     };
     // Rolls run from 30 on the left to -30 on the right: 80 deg at -30 lies far right and on top.
-    let [first, last] = [discs[0], discs[2]];
+    // The legend's comes first.
+    let [first, last] = [discs[1], discs[3]];
     assert!(number(first, "cx=\"") > number(last, "cx=\"") + 300.0);
     assert!(number(first, "cy=\"") < number(last, "cy=\"") - 300.0);
 }

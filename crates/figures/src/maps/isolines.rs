@@ -12,33 +12,23 @@ pub type Place = [f64; 2];
 /// A corner of a triangle: place and height, ft/s.
 type Corner = (Place, f64);
 
-/// The triangles of all whole cells.
-fn triangles(surface: &Surface) -> impl Iterator<Item = [Corner; 3]> {
-    surface.cells().flat_map(|([row, column], cell)| {
-        let Cell::Whole(heights) = cell else {
-            return Vec::new();
+/// The four corners of a whole cell, and the place and mean height of its middle.
+fn corners(surface: &Surface) -> impl Iterator<Item = ([Corner; 4], Corner)> {
+    surface.cells().filter_map(|([row, column], cell)| {
+        let Cell::Whole([a, b, c, d]) = cell else {
+            return None;
         };
         let (s, f) = (&surface.slow, &surface.fast);
-        let places = [
-            [s[row], f[column]],
-            [s[row], f[column + 1]],
-            [s[row + 1], f[column + 1]],
-            [s[row + 1], f[column]],
-        ];
-        let middle = (
-            [
-                0.5 * (s[row] + s[row + 1]),
-                0.5 * (f[column] + f[column + 1]),
-            ],
-            0.25 * heights.iter().sum::<f64>(),
-        );
-        (0..4)
-            .map(|i| {
-                let j = (i + 1) % 4;
-                [(places[i], heights[i]), (places[j], heights[j]), middle]
-            })
-            .collect()
+        let ([s0, s1], [f0, f1]) = ([s[row], s[row + 1]], [f[column], f[column + 1]]);
+        let middle = ([0.5 * (s0 + s1), 0.5 * (f0 + f1)], 0.25 * (a + b + c + d));
+        let corners = [([s0, f0], a), ([s0, f1], b), ([s1, f1], c), ([s1, f0], d)];
+        Some((corners, middle))
     })
+}
+
+/// The four triangles of a cell about its middle.
+fn triangles(corners: [Corner; 4], middle: Corner) -> [[Corner; 3]; 4] {
+    [0, 1, 2, 3].map(|i| [corners[i], corners[(i + 1) % 4], middle])
 }
 
 /// Where the height between two corners is `level`.
@@ -49,10 +39,20 @@ fn crossing((p, a): Corner, (q, b): Corner, level: f64) -> Place {
 
 /// Polygons that cover where the height is from `low` up to `high`.
 pub fn band(surface: &Surface, low: f64, high: f64) -> Vec<Vec<Place>> {
-    triangles(surface)
-        .map(|triangle| clip(&clip(&triangle, low, 1.0), high, -1.0))
-        .filter(|polygon| polygon.len() > 2)
-        .map(|polygon| polygon.into_iter().map(|(place, _)| place).collect())
+    let places = |polygon: &[Corner]| polygon.iter().map(|(place, _)| *place).collect();
+    let cut = |triangle: [Corner; 3]| clip(&clip(&triangle, low, 1.0), high, -1.0);
+    corners(surface)
+        .flat_map(|(corners, middle)| {
+            if corners
+                .iter()
+                .all(|(_, height)| (low..high).contains(height))
+            {
+                return vec![places(&corners)];
+            }
+            let parts = triangles(corners, middle).map(cut);
+            let parts = parts.iter().filter(|polygon| polygon.len() > 2);
+            parts.map(|polygon| places(polygon)).collect()
+        })
         .collect()
 }
 
@@ -74,7 +74,8 @@ fn clip(polygon: &[Corner], level: f64, side: f64) -> Vec<Corner> {
 
 /// The lines at a level, each from end to end.
 pub fn lines(surface: &Surface, level: f64) -> Vec<Vec<Place>> {
-    let mut pieces: Vec<[Place; 2]> = triangles(surface)
+    let mut pieces: Vec<[Place; 2]> = corners(surface)
+        .flat_map(|(corners, middle)| triangles(corners, middle))
         .filter_map(|triangle| {
             let ends: Vec<Place> = (0..3)
                 .map(|i| (triangle[i], triangle[(i + 1) % 3]))

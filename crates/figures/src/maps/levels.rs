@@ -1,52 +1,181 @@
-//! Levels of transition velocity and their colours: dark where the vehicle topples soonest.
+//! Levels of a map and the colours between them.
 
-use plotters::prelude::*;
+use crate::canvas::Colour;
+use crate::surface::Surface;
+use crate::ticks::round_step;
 
-/// Borders of the bands of colour, ft/s: close where most of the surface lies.
-pub const LEVELS: [f64; 13] = [
-    11.0, 11.5, 12.0, 12.5, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0, 20.0, 22.0, 25.0,
-];
+/// Borders between bands of colour, rising, ft/s. There are at most [`Levels::MOST`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Levels(Vec<f64>);
+
+/// Into about so many intervals the range of a surface is divided at first.
+const INTERVALS: f64 = 10.0;
+/// An interval that holds more than this part of a surface's points, and more than so many of them, is
+/// halved, if its halves are round.
+const CROWDED: f64 = 0.125;
+const FEW: f64 = 8.0;
 
 /// Dark blue to pale yellow, even in lightness, so that grey prints and all eyes keep the order
 /// (after the colour map cividis).
 const ENDS: [(f64, [f64; 3]); 4] = [
-    (0.0, [28.0, 52.0, 98.0]),
-    (0.35, [92.0, 100.0, 118.0]),
-    (0.7, [166.0, 156.0, 120.0]),
+    (0.0, [32.0, 52.0, 96.0]),
+    (0.35, [92.0, 99.0, 116.0]),
+    (0.7, [164.0, 155.0, 119.0]),
     (1.0, [250.0, 232.0, 140.0]),
 ];
 
-/// Colour of a velocity, ft/s: that of the band it lies in.
-pub fn colour(speed: f64) -> RGBColor {
-    let above = LEVELS.partition_point(|level| *level <= speed);
-    let part = above as f64 / LEVELS.len() as f64;
-    let upper = ENDS
-        .partition_point(|(end, _)| *end < part)
-        .clamp(1, ENDS.len() - 1);
-    let ((a, low), (b, high)) = (ENDS[upper - 1], ENDS[upper]);
-    let weight = (part - a) / (b - a);
-    let [r, g, b] = [0, 1, 2].map(|i| (low[i] + weight * (high[i] - low[i])).round() as u8);
-    RGBColor(r, g, b)
+impl Levels {
+    /// Greatest number of levels.
+    pub const MOST: usize = 30;
+
+    /// Round levels between the lowest and the highest transition of a surface, closer where more of
+    /// its points lie.
+    pub fn of(surface: &Surface) -> Self {
+        let heights: Vec<f64> = surface.heights().collect();
+        let Some((least, greatest)) = surface.range() else {
+            return Self(Vec::new());
+        };
+        let step = round_step((greatest - least) / INTERVALS);
+        let first = (least / step).floor();
+        let count = ((greatest / step).ceil() - first).clamp(1.0, 2.0 * INTERVALS) as usize;
+        let mut levels = Vec::new();
+        for index in 0..count {
+            let low = first + index as f64;
+            levels.extend((index > 0).then_some(low * step));
+            halve(low * step, step, &heights, &mut levels);
+        }
+        levels.retain(|level| least < *level && *level < greatest);
+        if levels.is_empty() {
+            levels.push(first * step + step);
+        }
+        Self(levels)
+    }
+
+    /// These levels, ft/s.
+    ///
+    /// # Errors
+    /// When there are none or too many, or when they do not rise from one to the next.
+    pub fn listed(levels: &[f64]) -> Result<Self, String> {
+        let rise = levels.windows(2).all(|pair| pair[0] < pair[1]);
+        let are_finite = levels.iter().all(|level| level.is_finite());
+        if rise && are_finite && (1..=Self::MOST).contains(&levels.len()) {
+            return Ok(Self(levels.to_vec()));
+        }
+        Err(format!(
+            "allowed are 1 to {} velocities in ft/s, each greater than the one before",
+            Self::MOST
+        ))
+    }
+
+    /// The levels, rising, ft/s.
+    pub fn borders(&self) -> &[f64] {
+        &self.0
+    }
+
+    /// Lower and upper end of every band of colour, ft/s.
+    pub fn bands(&self) -> Vec<[f64; 2]> {
+        let ends = || self.0.iter().copied();
+        let lows = std::iter::once(f64::NEG_INFINITY).chain(ends());
+        let highs = ends().chain([f64::INFINITY]);
+        lows.zip(highs).map(|(low, high)| [low, high]).collect()
+    }
+
+    /// Colour of a velocity, ft/s: that of the band it lies in.
+    pub fn colour(&self, speed: f64) -> Colour {
+        let below = self.0.partition_point(|level| *level <= speed);
+        let part = below as f64 / self.0.len().max(1) as f64;
+        let upper = ENDS
+            .partition_point(|(end, _)| *end < part)
+            .clamp(1, ENDS.len() - 1);
+        let ((a, low), (b, high)) = (ENDS[upper - 1], ENDS[upper]);
+        let weight = (part - a) / (b - a);
+        let [r, g, b] = [0, 1, 2].map(|i| (low[i] + weight * (high[i] - low[i])).round() as u8);
+        Colour(r, g, b)
+    }
+}
+
+/// Adds levels within an interval for as long as its parts are crowded and their width is round.
+fn halve(low: f64, width: f64, heights: &[f64], levels: &mut Vec<f64>) {
+    let inside = |height: &&f64| (low..low + width).contains(*height);
+    let count = heights.iter().filter(inside).count() as f64;
+    let is_crowded = count > FEW.max(CROWDED * heights.len() as f64);
+    if is_crowded && is_round(0.5 * width) {
+        let middle = low + 0.5 * width;
+        halve(low, 0.5 * width, heights, levels);
+        levels.push(middle);
+        halve(middle, 0.5 * width, heights, levels);
+    }
+}
+
+/// Whether a width is 1, 2, 2.5 or 5 times a power of ten.
+fn is_round(width: f64) -> bool {
+    let digits = width / 10f64.powf(width.log10().floor());
+    [1.0, 2.0, 2.5, 5.0, 10.0]
+        .iter()
+        .any(|round| (digits - round).abs() < 1e-6)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::tests::{example, grid};
+
+    #[test]
+    fn levels_are_round_lie_between_the_ends_and_are_closer_where_the_points_are() {
+        assert_eq!(
+            Levels::of(&example()).borders(),
+            [12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0, 19.0, 20.0]
+        );
+        // A map of other vehicles, and one of small differences.
+        let spread = |low: f64, high: f64| {
+            let at = |index: usize| low + (high - low) * index as f64 / 35.0;
+            Levels::of(&grid(6, |row, column| Some(at(6 * row + column))))
+        };
+        assert_eq!(
+            spread(6.9, 11.3).borders(),
+            [7.0, 7.5, 8.0, 8.5, 9.0, 9.5, 10.0, 10.5, 11.0]
+        );
+        let crowded = grid(10, |row, column| {
+            let index = (10 * row + column) as f64;
+            Some(if row < 8 {
+                10.0 + index / 80.0
+            } else {
+                index / 4.0
+            })
+        });
+        assert_eq!(
+            Levels::of(&crowded).borders(),
+            [
+                10.25, 10.5, 10.75, 11.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 24.0
+            ]
+        );
+        assert!((5..=12).contains(&spread(3.01, 3.02).borders().len()));
+        assert_eq!(spread(12.0, 12.0).borders().len(), 1);
+    }
+
+    #[test]
+    fn levels_are_few_whatever_the_points_are() {
+        for outlier in [13.0, 50.0, 1e3, 1e9, 1e300] {
+            let height = |row, column| {
+                let speed = 11.0 + 0.1 * (row + column) as f64;
+                Some(if row + column == 0 { outlier } else { speed })
+            };
+            let levels = Levels::of(&grid(8, height));
+            assert!((1..=Levels::MOST).contains(&levels.borders().len()));
+        }
+    }
 
     #[test]
     fn lightness_rises_with_speed() {
+        let levels = Levels::listed(&[1.0, 2.0, 3.0, 5.0]).unwrap();
         let light = |speed: f64| {
-            let RGBColor(r, g, b) = colour(speed);
+            let Colour(r, g, b) = levels.colour(speed);
             0.3 * f64::from(r) + 0.59 * f64::from(g) + 0.11 * f64::from(b)
         };
-        let speeds: Vec<f64> = LEVELS
-            .windows(2)
-            .map(|pair| 0.5 * (pair[0] + pair[1]))
-            .collect();
-        assert!(
-            speeds
-                .windows(2)
-                .all(|pair| light(pair[0]) < light(pair[1]))
-        );
+        let lights = [0.5, 1.5, 2.5, 4.0, 6.0].map(light);
+        assert!(lights.windows(2).all(|pair| pair[0] < pair[1]));
+        for refused in [&[][..], &[2.0, 1.0], &[1.0, 1.0], &[f64::NAN], &[0.5; 31]] {
+            assert!(Levels::listed(refused).unwrap_err().contains("1 to 30"));
+        }
     }
 }

@@ -1,7 +1,5 @@
 //! Which way the axes of a map run, and what is written at them.
 
-use std::ops::Range;
-
 use crate::isolines::Place;
 use crate::number;
 use crate::surface::Surface;
@@ -40,12 +38,12 @@ impl View {
         (self.signs[1] * fast, self.signs[0] * slow)
     }
 
-    /// Extent of the chart across and up, with a margin of half a mark.
-    pub fn ranges(&self, surface: &Surface) -> [Range<f64>; 2] {
+    /// Ends of the chart across and up, with a margin of half a mark.
+    pub fn ranges(&self, surface: &Surface) -> [(f64, f64); 2] {
         let range = |values: &[f64], sign: f64| {
             let ends = [sign * values[0], sign * values[values.len() - 1]];
             let margin = 0.012 * (ends[1] - ends[0]).abs();
-            ends[0].min(ends[1]) - margin..ends[0].max(ends[1]) + margin
+            (ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin)
         };
         [
             range(&surface.fast, self.signs[1]),
@@ -65,20 +63,6 @@ impl View {
             return number::label(value);
         }
         number::label(self.written * value)
-    }
-
-    /// Whether the line AB belongs on the map.
-    pub fn has_leading_feet(&self, surface: &Surface) -> bool {
-        surface.axes == ["cross_slope_deg", "roll_deg"]
-    }
-
-    /// The slow axis in a word.
-    pub fn slow_word(&self, surface: &Surface) -> String {
-        surface.axes[0]
-            .trim_end_matches("_deg")
-            .trim_end_matches("_fps")
-            .replace("cross_slope", "cross-slope")
-            .replace('_', " ")
     }
 }
 

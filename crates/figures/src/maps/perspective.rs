@@ -1,61 +1,53 @@
 //! The stability surface in perspective, in the manner of Figure 4-20.
 
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
 use crate::axis_title::axis_title;
+use crate::canvas::{Anchor, Canvas, Font, Point, Style};
 use crate::caption::Caption;
-use crate::figure_error::{FigureError, drawing};
-use crate::legend::{Mark, draw_legend, draw_mark};
-use crate::number;
-use crate::sheet::{self, Sheet};
-use crate::surface::{Cell, JUMP, Surface};
+use crate::frame::Area;
+use crate::legend::{Mark, draw_mark};
+use crate::levels::Levels;
+use crate::sheet::{self, Height, Sheet};
+use crate::surface::{Cell, Surface};
+use crate::ticks::{multiples, round_step, round_values};
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, ink, levels};
+use crate::{colour_bar, ink, map_legend, number};
 
 /// Width and height of the picture, pixels.
-pub const SIZE: (u32, u32) = (900, 700);
-/// Width of the column for the colours, pixels.
-const BAR: u32 = 92;
-/// Distance between lines of equal height on the walls, ft/s.
-const RUNG: f64 = 2.0;
+pub const SIZE: (f64, f64) = (900.0, 700.0);
+/// About so many lines of equal height run along the walls, and along floor and walls to either side.
+const RUNGS: f64 = 8.0;
+const LINES: usize = 6;
 
 /// Draws the surface as SVG: only cells whose corners all have a transition and between which the
 /// boundary does not jump, so that gaps stay gaps.
-///
-/// # Errors
-/// Only those of the drawing library.
-pub fn draw(surface: &Surface, caption: &Caption) -> Result<String, FigureError> {
-    let mut svg = String::new();
-    let sheet = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-    let (body, foot) = sheet::parts(&sheet, SIZE, caption)?;
-    let (view, bar) = body.split_horizontally(SIZE.0 - BAR);
+pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
+    let entries = map_legend::of_perspective(surface, caption);
+    let (width, height) = SIZE;
+    let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
+    let border = body.right - colour_bar::WIDTH;
     if let Some((least, greatest)) = surface.range() {
-        let heights = [
-            RUNG * (least / RUNG).floor(),
-            RUNG * (greatest / RUNG).ceil(),
-        ];
-        let point = ViewPoint::on(view.dim_in_pixel(), surface, heights);
-        draw_box(&view, surface, &point, heights)?;
-        draw_floor_marks(&view, surface, &point, heights[0])?;
-        draw_cells(&view, surface, &point)?;
+        let rung = round_step((greatest - least) / RUNGS);
+        let floor = rung * (least / rung).floor();
+        let heights = [floor, (rung * (greatest / rung).ceil()).max(floor + rung)];
+        let area = Area {
+            right: border,
+            ..body
+        };
+        let point = ViewPoint::on(area, surface, heights);
+        draw_box(&mut canvas, surface, &point, (heights, rung));
+        draw_floor_marks(&mut canvas, surface, &point, floor);
+        draw_cells(&mut canvas, surface, levels, &point);
     }
-    colour_bar::draw(&bar, surface)?;
-    let entries = [
-        (Mark::NoTransition, "no transition".to_owned()),
-        (
-            Mark::Jump,
-            format!("open where it jumps by more than {JUMP} ft/s"),
-        ),
-    ];
-    draw_legend(&foot, &entries)?;
-    sheet.present().map_err(drawing)?;
-    drop((view, bar, body, foot, sheet));
-    Ok(sheet::with_subscripts(&svg))
+    let bar = Area {
+        left: border,
+        ..body
+    };
+    colour_bar::draw(&mut canvas, bar, surface, levels);
+    canvas.into_svg()
 }
 
 /// Draws whole cells from back to front, so that what is in front hides what is behind.
-fn draw_cells(view: &Sheet, surface: &Surface, point: &ViewPoint) -> Result<(), FigureError> {
+fn draw_cells(canvas: &mut Canvas, surface: &Surface, levels: &Levels, point: &ViewPoint) {
     let (s, f) = (&surface.slow, &surface.fast);
     let mut cells: Vec<([usize; 2], [f64; 4])> = surface
         .cells()
@@ -75,104 +67,90 @@ fn draw_cells(view: &Sheet, surface: &Surface, point: &ViewPoint) -> Result<(), 
             point.pixel(s[r + 1], f[c + 1], d),
             point.pixel(s[r + 1], f[c], e),
         ];
-        let colour = levels::colour(heights.iter().sum::<f64>() / 4.0);
-        view.draw(&Polygon::new(corners, colour.filled()))
-            .map_err(drawing)?;
-        let outline = [corners[0], corners[1], corners[2], corners[3], corners[0]];
-        view.draw(&PathElement::new(
-            outline,
-            ink::TEXT.mix(0.7).stroke_width(1),
-        ))
-        .map_err(drawing)?;
+        let colour = levels.colour(heights.iter().sum::<f64>() / 4.0);
+        canvas.polygon(&corners, Style::fill(colour).outlined(ink::SURFACE, 0.8));
     }
-    // The bars of jumps stand between the two heights.
+    // Where the boundary jumps, a line joins the two heights.
     for [a, b] in surface.torn_edges() {
-        let ends = vec![
-            point.pixel(a.0[0], a.0[1], a.1),
-            point.pixel(b.0[0], b.0[1], b.1),
-        ];
-        view.draw(&PathElement::new(ends, ink::JUMP.mix(0.6).stroke_width(1)))
-            .map_err(drawing)?;
+        let ends = [a, b].map(|([slow, fast], height)| point.pixel(slow, fast, height));
+        canvas.curve(&ends, map_legend::jump());
     }
-    Ok(())
+    for (place, mark) in &surface.doubtful {
+        let row = s.partition_point(|slow| *slow < place[0]);
+        let column = f.partition_point(|fast| *fast < place[1]);
+        if let Some(height) = surface.speeds[row][column] {
+            let place = point.pixel(place[0], place[1], height);
+            draw_mark(canvas, *mark, place, ink::SMALL_MARK);
+        }
+    }
 }
 
 /// Marks points without a transition on the floor.
-fn draw_floor_marks(
-    view: &Sheet,
-    surface: &Surface,
-    point: &ViewPoint,
-    floor: f64,
-) -> Result<(), FigureError> {
-    for (slow, row) in surface.slow.iter().zip(&surface.speeds) {
-        for (fast, speed) in surface.fast.iter().zip(row) {
-            if speed.is_none() {
-                let place = point.pixel(*slow, *fast, floor);
-                draw_mark(view, Mark::NoTransition, place, ink::SMALL_MARK)?;
-            }
-        }
+fn draw_floor_marks(canvas: &mut Canvas, surface: &Surface, point: &ViewPoint, floor: f64) {
+    for [slow, fast] in surface.gaps() {
+        let place = point.pixel(slow, fast, floor);
+        draw_mark(canvas, Mark::NoTransition, place, ink::SMALL_MARK);
     }
-    Ok(())
 }
 
 /// Draws floor and back walls with their grid, and writes what runs along them.
 fn draw_box(
-    view: &Sheet,
+    canvas: &mut Canvas,
     surface: &Surface,
     point: &ViewPoint,
-    [floor, top]: [f64; 2],
-) -> Result<(), FigureError> {
-    let line = |ends: [(i32, i32); 2]| {
-        view.draw(&PathElement::new(ends, ink::GRID.stroke_width(1)))
-            .map_err(drawing)
-    };
-    let write = |text: String, place: (i32, i32), pos: Pos, size: u32| {
-        let style = ink::text(size, ink::TEXT).pos(pos);
-        view.draw(&Text::new(text, place, style)).map_err(drawing)
+    ([floor, top], rung): ([f64; 2], f64),
+) {
+    let line = |canvas: &mut Canvas, ends: [Point; 2]| {
+        canvas.curve(&ends, Style::stroke(ink::GRID, 1.0));
     };
     let ends = |values: &[f64]| [values[0], values[values.len() - 1]];
     let ([s0, s1], [f0, f1]) = (ends(&surface.slow), ends(&surface.fast));
     let ([back_s, front_s], [back_f, front_f]) = point.back_and_front([s0, s1], [f0, f1]);
-    let beside = Pos::new(HPos::Center, VPos::Center);
-    for slow in sheet::round_values(s0, s1) {
-        line([point.pixel(slow, f0, floor), point.pixel(slow, f1, floor)])?;
-        line([
-            point.pixel(slow, back_f, floor),
-            point.pixel(slow, back_f, top),
-        ])?;
+    let small = Font::new(12.0, ink::TEXT);
+    for slow in round_values(s0, s1, LINES) {
+        line(canvas, [f0, f1].map(|fast| point.pixel(slow, fast, floor)));
+        line(canvas, [floor, top].map(|up| point.pixel(slow, back_f, up)));
         let place = point.outside(slow, front_f, floor, [0.0, 0.05]);
-        write(number::label(slow), place, beside, 12)?;
+        canvas.text(&number::label(slow), place, small);
     }
-    for fast in sheet::round_values(f0, f1) {
-        line([point.pixel(s0, fast, floor), point.pixel(s1, fast, floor)])?;
-        line([
-            point.pixel(back_s, fast, floor),
-            point.pixel(back_s, fast, top),
-        ])?;
+    for fast in round_values(f0, f1, LINES) {
+        line(canvas, [s0, s1].map(|slow| point.pixel(slow, fast, floor)));
+        line(canvas, [floor, top].map(|up| point.pixel(back_s, fast, up)));
         let place = point.outside(front_s, fast, floor, [0.07, 0.0]);
-        write(number::label(fast), place, beside, 12)?;
+        canvas.text(&number::label(fast), place, small);
     }
-    for rung in 0..=((top - floor) / RUNG).round() as usize {
-        let height = floor + RUNG * rung as f64;
-        line([
-            point.pixel(s0, back_f, height),
-            point.pixel(s1, back_f, height),
-        ])?;
-        line([
-            point.pixel(back_s, f0, height),
-            point.pixel(back_s, f1, height),
-        ])?;
+    for height in multiples(floor, top, rung) {
+        line(
+            canvas,
+            [s0, s1].map(|slow| point.pixel(slow, back_f, height)),
+        );
+        line(
+            canvas,
+            [f0, f1].map(|fast| point.pixel(back_s, fast, height)),
+        );
         let (x, y) = point.pixel(front_s, back_f, height);
-        write(number::label(height), (x - 16, y), beside, 12)?;
+        canvas.text(
+            &number::label(height),
+            (x - 8.0, y),
+            small.anchor(Anchor::End),
+        );
     }
     let (x, y) = point.pixel(front_s, back_f, top);
-    write("V_H, ft/s".to_owned(), (x, y - 18), beside, 13)?;
+    canvas.text("V_H, ft/s", (x, y - 18.0), Font::new(13.0, ink::TEXT));
     // Titles begin, or end, beyond the numbers, however long they are.
-    let [begins, ends] = [HPos::Left, HPos::Right].map(|side| Pos::new(side, VPos::Center));
+    let title = Font::new(14.0, ink::TEXT);
     let place = point.outside(0.5 * (s0 + s1), front_f, floor, [0.0, 0.14]);
-    write(axis_title(&surface.axes[0]), place, begins, 14)?;
+    canvas.text(
+        &axis_title(&surface.axes[0]),
+        place,
+        title.anchor(Anchor::Start),
+    );
     let place = point.outside(front_s, 0.5 * (f0 + f1), floor, [0.16, 0.0]);
-    write(axis_title(&surface.axes[1]), place, ends, 14)
+    canvas.text(
+        &axis_title(&surface.axes[1]),
+        place,
+        title.anchor(Anchor::End),
+    );
 }
 
 #[cfg(test)]
@@ -182,23 +160,18 @@ mod tests {
 
     #[test]
     fn only_whole_cells_are_drawn() {
-        let svg = draw(&example(), &Caption::default()).unwrap();
+        let surface = example();
+        let svg = draw(&surface, &Levels::of(&surface), &Caption::default());
         assert!(svg.starts_with("<svg width=\"900\" height=\"700\""));
-        let whole = example()
-            .cells()
-            .filter(|(_, cell)| matches!(cell, Cell::Whole(_)))
-            .count();
-        let quadrilaterals = svg.lines().filter(|line| {
-            line.starts_with("<polygon")
-                && line
-                    .split("points=\"")
-                    .nth(1)
-                    .unwrap_or("")
-                    .matches(',')
-                    .count()
-                    == 4
-        });
-        assert_eq!(quadrilaterals.count(), whole);
+        let cells = surface.cells();
+        let whole = cells.filter(|(_, cell)| matches!(cell, Cell::Whole(_)));
+        let polygons = svg.lines().filter(|line| line.starts_with("<polygon"));
+        let corners = |line: &&str| line.split('"').nth(1).unwrap_or("").matches(',').count();
+        assert_eq!(
+            polygons.filter(|line| corners(line) == 4).count(),
+            whole.count()
+        );
         assert!(svg.contains("Roll angle"));
+        assert!(svg.contains("jumps by more than 5 ft/s"));
     }
 }

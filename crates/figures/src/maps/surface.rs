@@ -1,10 +1,14 @@
 //! The first transition over a grid of two conditions, with its gaps and jumps.
 
-use crate::boundary_table::BoundaryTable;
+use crate::boundary_table::{BoundaryTable, Kind, Transition};
+use crate::legend::Mark;
+use crate::ticks::round_step;
 
-/// Neighbours whose transitions differ by more, ft/s, belong to different kinds of motion: the
-/// boundary jumps between them and nothing between them is known.
-pub const JUMP: f64 = 2.5;
+/// A difference between neighbours that is less than this part of the whole range is never a jump.
+const LEAST_JUMP: f64 = 0.125;
+/// A jump exceeds the upper quartile of all differences by more than this many interquartile ranges:
+/// the outer fence of Tukey's box plot.
+const FENCE: f64 = 3.0;
 
 /// First transition velocities over a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +21,12 @@ pub struct Surface {
     pub fast: Vec<f64>,
     /// Velocities, ft/s, one row for each value of the slow axis; `None` without a transition.
     pub speeds: Vec<Vec<Option<f64>>>,
+    /// Points whose transition is no boundary between stable landings and others: where landings cannot
+    /// be computed or are undecided, or where those at the lowest speed searched are not stable.
+    pub doubtful: Vec<([f64; 2], Mark)>,
+    /// Neighbours whose transitions differ by more, ft/s, belong to different kinds of motion: the
+    /// boundary jumps between them, and nothing between them is known.
+    pub jump: f64,
 }
 
 /// What is known of a cell of the grid between four neighbouring points.
@@ -38,13 +48,11 @@ impl Surface {
         let [slow_name, fast_name] = table.axes.as_slice() else {
             return None;
         };
-        let points: Vec<([f64; 2], Option<f64>)> = table
+        let points: Vec<([f64; 2], Option<Transition>)> = table
             .points
             .iter()
             .filter_map(|point| match point.coordinates[..] {
-                [slow, fast] if within(slow) => {
-                    Some(([slow, fast], point.transition.map(|found| found.speed)))
-                }
+                [slow, fast] if within(slow) => Some(([slow, fast], point.transition)),
                 _ => None,
             })
             .collect();
@@ -59,13 +67,17 @@ impl Surface {
             return None;
         }
         let mut speeds = vec![vec![None; fast.len()]; slow.len()];
-        for ([a, b], speed) in points {
+        for &([a, b], found) in &points {
             let row = slow.partition_point(|value| *value < a);
             let column = fast.partition_point(|value| *value < b);
-            speeds[row][column] = speed;
+            speeds[row][column] = found.map(|found| found.speed);
         }
+        let doubtful = points.iter();
+        let doubtful = doubtful.filter_map(|(place, found)| Some((*place, doubt((*found)?)?)));
         Some(Self {
             axes: [slow_name.clone(), fast_name.clone()],
+            doubtful: doubtful.collect(),
+            jump: jump(&speeds),
             slow,
             fast,
             speeds,
@@ -86,7 +98,7 @@ impl Surface {
         };
         let torn = [(a, b), (b, c), (c, d), (d, a)]
             .into_iter()
-            .any(|(one, other)| (one - other).abs() > JUMP);
+            .any(|(one, other)| (one - other).abs() > self.jump);
         if torn {
             Cell::Torn
         } else {
@@ -135,7 +147,7 @@ impl Surface {
                     if row < self.slow.len()
                         && column < self.fast.len()
                         && let (Some(a), Some(b)) = (at(r, c), at(row, column))
-                        && (a.1 - b.1).abs() > JUMP
+                        && (a.1 - b.1).abs() > self.jump
                     {
                         edges.push([a, b]);
                     }
@@ -147,9 +159,22 @@ impl Surface {
 
     /// Lowest and highest transition, ft/s, if there is any.
     pub fn range(&self) -> Option<(f64, f64)> {
-        let speeds = || self.speeds.iter().flatten().flatten();
-        let least = speeds().copied().reduce(f64::min)?;
-        Some((least, speeds().copied().reduce(f64::max)?))
+        let least = self.heights().reduce(f64::min)?;
+        Some((least, self.heights().reduce(f64::max)?))
+    }
+
+    /// All transitions, ft/s.
+    pub fn heights(&self) -> impl Iterator<Item = f64> {
+        self.speeds.iter().flatten().flatten().copied()
+    }
+
+    /// Places of the points without a transition.
+    pub fn gaps(&self) -> impl Iterator<Item = [f64; 2]> {
+        let rows = self.slow.iter().zip(&self.speeds);
+        rows.flat_map(|(slow, row)| {
+            let points = self.fast.iter().zip(row);
+            points.filter_map(|(fast, speed)| speed.is_none().then_some([*slow, *fast]))
+        })
     }
 
     /// For each value of the slow axis the fast one with the lowest transition.
@@ -165,6 +190,43 @@ impl Surface {
         rows.filter_map(|(slow, row)| Some([*slow, lowest(row)?]))
             .collect()
     }
+}
+
+/// The mark of a transition that is no boundary between stable landings and others.
+fn doubt(found: Transition) -> Option<Mark> {
+    match found {
+        Transition {
+            kind, low: None, ..
+        } => Some(Mark::AtOrBelow(kind)),
+        Transition {
+            kind: kind @ (Kind::Failure | Kind::Undecided),
+            ..
+        } => Some(Mark::Transition(kind)),
+        _ => None,
+    }
+}
+
+/// By how much neighbours differ where the boundary jumps, ft/s: far more than neighbours mostly do, and
+/// a good part of the whole range; a round number.
+fn jump(speeds: &[Vec<Option<f64>>]) -> f64 {
+    let along = |row: &[Option<f64>], next: &[Option<f64>]| -> Vec<f64> {
+        let pairs = row.iter().zip(next);
+        pairs
+            .filter_map(|(a, b)| Some(((*a)? - (*b)?).abs()))
+            .collect()
+    };
+    let fast = speeds.iter().flat_map(|row| along(row, &row[1..]));
+    let slow = speeds.windows(2).flat_map(|rows| along(&rows[0], &rows[1]));
+    let mut differences: Vec<f64> = fast.chain(slow).collect();
+    differences.sort_by(f64::total_cmp);
+    let quartile = |quarters: usize| {
+        let index = quarters * differences.len().saturating_sub(1) / 4;
+        differences.get(index).copied().unwrap_or(0.0)
+    };
+    let fence = quartile(3) + FENCE * (quartile(3) - quartile(1));
+    let heights = || speeds.iter().flatten().flatten().copied();
+    let range = heights().fold(0.0, f64::max) - heights().fold(f64::INFINITY, f64::min);
+    round_step(fence.max(LEAST_JUMP * range))
 }
 
 #[cfg(test)]
@@ -190,6 +252,53 @@ cross_slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fp
 
     pub(crate) fn example() -> Surface {
         Surface::of(&BoundaryTable::parse(TABLE).unwrap(), |_| true).unwrap()
+    }
+
+    /// A square grid of `size` by `size` points whose transition is `height(row, column)`.
+    pub(crate) fn grid(size: usize, height: impl Fn(usize, usize) -> Option<f64>) -> Surface {
+        let speeds: Vec<Vec<Option<f64>>> = (0..size)
+            .map(|row| (0..size).map(|column| height(row, column)).collect())
+            .collect();
+        let values: Vec<f64> = (0..size).map(|index| index as f64).collect();
+        Surface {
+            axes: ["slope_deg", "friction"].map(str::to_owned),
+            slow: values.clone(),
+            fast: values,
+            doubtful: Vec::new(),
+            jump: jump(&speeds),
+            speeds,
+        }
+    }
+
+    #[test]
+    fn a_jump_is_far_more_than_what_neighbours_mostly_differ_by() {
+        // A coarse map from 7 to 11 ft/s without jumps.
+        let slope = grid(5, |row, column| {
+            Some(7.0 + 0.6 * row as f64 + 0.4 * column as f64)
+        });
+        assert!(slope.torn_edges().is_empty(), "{}", slope.jump);
+        // A fine map with a cliff.
+        let cliff = grid(20, |row, column| {
+            Some(11.0 + 0.05 * row as f64 + if column > 9 { 3.0 } else { 0.0 })
+        });
+        assert_eq!((cliff.torn_edges().len(), cliff.jump), (20, 0.5));
+        assert!(grid(3, |_, _| None).jump > 0.0);
+        assert!(grid(3, |_, _| Some(12.0)).torn_edges().is_empty());
+    }
+
+    #[test]
+    fn transitions_that_are_no_boundary_are_marked() {
+        let table = TABLE
+            .replace("80,-30,unstable,12,12,12", "80,-30,unstable,12,,12")
+            .replace("180,10,unstable", "180,10,undecided");
+        let surface = Surface::of(&BoundaryTable::parse(&table).unwrap(), |_| true).unwrap();
+        assert_eq!(
+            surface.doubtful,
+            [
+                ([80.0, -30.0], Mark::AtOrBelow(Kind::Unstable)),
+                ([180.0, 10.0], Mark::Transition(Kind::Undecided))
+            ]
+        );
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! From where a surface is looked at, and where its points come to lie on the sheet.
 
+use crate::canvas::Point;
+use crate::frame::Area;
 use crate::surface::Surface;
 
 /// Turn of the eye about the vertical and its height over the horizon, deg.
@@ -20,16 +22,18 @@ pub struct ViewPoint {
 }
 
 impl ViewPoint {
-    /// The view of a surface between two `heights` that fits a sheet of a size in pixels.
-    pub fn on((width, height): (u32, u32), surface: &Surface, heights: [f64; 2]) -> Self {
+    /// The view of a surface between two `heights` that fits a part of a picture.
+    pub fn on(area: Area, surface: &Surface, heights: [f64; 2]) -> Self {
         let ends = |values: &[f64]| (values[0], values[values.len() - 1] - values[0]);
         let ((s, ds), (f, df)) = (ends(&surface.slow), ends(&surface.fast));
-        let (width, height) = (f64::from(width), f64::from(height));
         Self {
             origin: [s, f, heights[0]],
             extent: [ds, df, heights[1] - heights[0]],
-            scale: (width / 1.62).min(height / 1.38),
-            middle: [0.5 * width, 0.5 * height],
+            scale: (area.width() / 1.62).min(area.height() / 1.38),
+            middle: [
+                0.5 * (area.left + area.right),
+                0.5 * (area.top + area.bottom),
+            ],
         }
     }
 
@@ -51,30 +55,24 @@ impl ViewPoint {
     }
 
     /// Where a point is drawn, pixels.
-    pub fn pixel(&self, slow: f64, fast: f64, speed: f64) -> (i32, i32) {
+    pub fn pixel(&self, slow: f64, fast: f64, speed: f64) -> Point {
         self.project(self.place(slow, fast, speed))
     }
 
     /// Where something is written outside of the box: moved away from its middle along the slow and
     /// fast sides by parts of them.
-    pub fn outside(
-        &self,
-        slow: f64,
-        fast: f64,
-        speed: f64,
-        [by_slow, by_fast]: [f64; 2],
-    ) -> (i32, i32) {
+    pub fn outside(&self, slow: f64, fast: f64, speed: f64, [by_slow, by_fast]: [f64; 2]) -> Point {
         let [right, far, up] = self.place(slow, fast, speed);
         let away = |part: f64, by: f64| part + by * if part < 0.0 { -1.0 } else { 1.0 };
         self.project([away(right, by_fast), away(far, by_slow), up])
     }
 
-    fn project(&self, place: [f64; 3]) -> (i32, i32) {
+    fn project(&self, place: [f64; 3]) -> Point {
         let [right, far, up] = Self::turned(place);
         let (sin, cos) = ELEVATION.to_radians().sin_cos();
         let x = self.middle[0] + self.scale * right;
         let y = self.middle[1] - self.scale * (sin * far + cos * up);
-        (x.round() as i32, y.round() as i32)
+        (x, y)
     }
 
     /// Of the two ends of each axis the one at the back and the one in front.
@@ -100,15 +98,24 @@ mod tests {
 
     #[test]
     fn higher_is_drawn_higher_and_the_box_lies_on_the_sheet() {
-        let point = ViewPoint::on((800, 600), &example(), [10.0, 22.0]);
+        let area = Area {
+            left: 0.0,
+            top: 0.0,
+            right: 800.0,
+            bottom: 600.0,
+        };
+        let point = ViewPoint::on(area, &example(), [10.0, 22.0]);
         let (x, low) = point.pixel(130.0, 0.0, 11.0);
         let (same, high) = point.pixel(130.0, 0.0, 20.0);
-        assert!(x == same && high < low);
+        assert!((x - same).abs() < 1e-9 && high < low);
         for slow in [80.0, 180.0] {
             for fast in [-30.0, 30.0] {
                 for speed in [10.0, 22.0] {
                     let (x, y) = point.pixel(slow, fast, speed);
-                    assert!((0..800).contains(&x) && (0..600).contains(&y), "{x} {y}");
+                    assert!(
+                        (0.0..800.0).contains(&x) && (0.0..600.0).contains(&y),
+                        "{x} {y}"
+                    );
                 }
             }
         }

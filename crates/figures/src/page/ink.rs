@@ -1,64 +1,77 @@
 //! Colours, type and marks common to all pictures; they keep their order in grey and for
 //! colour-blind readers (after Okabe and Ito).
 
-use plotters::prelude::*;
-
 use crate::boundary_table::Kind;
+use crate::canvas::Colour;
 
-/// Typefaces, in the order in which a viewer should look for them.
-pub const TYPEFACE: &str = "Helvetica, Arial, DejaVu Sans, sans-serif";
 /// Axes and their text.
-pub const TEXT: RGBColor = RGBColor(38, 38, 38);
+pub const TEXT: Colour = Colour(38, 38, 38);
 /// Second lines and remarks.
-pub const PALE_TEXT: RGBColor = RGBColor(96, 96, 96);
-/// What was said before.
-pub const STATEMENT: RGBColor = RGBColor(120, 70, 20);
+pub const PALE_TEXT: Colour = Colour(96, 96, 96);
+/// Statements of the report of 1966, and what it printed.
+pub const STATEMENT: Colour = Colour(120, 70, 20);
 /// Grid lines.
-pub const GRID: RGBColor = RGBColor(226, 226, 226);
+pub const GRID: Colour = Colour(226, 226, 226);
 /// The line that joins transitions.
-pub const LINE: RGBColor = RGBColor(60, 60, 60);
-/// Cells that the boundary jumps across, and the bars that say so.
-pub const TORN: RGBColor = RGBColor(236, 226, 232);
+pub const LINE: Colour = Colour(60, 60, 60);
+/// Outlines of the cells of a surface in perspective.
+pub const SURFACE: Colour = Colour(70, 70, 70);
+/// Cells of a map that the boundary jumps across.
+pub const TORN: Colour = Colour(236, 226, 232);
 /// Bars where the boundary jumps.
-pub const JUMP: RGBColor = RGBColor(190, 30, 100);
+pub const JUMP: Colour = Colour(190, 30, 100);
 /// Where the velocity bisects the leading feet.
-pub const BISECTOR: RGBColor = RGBColor(0, 0, 0);
+pub const BISECTOR: Colour = Colour(0, 0, 0);
 /// The lowest transition of each row of a map.
-pub const VALLEY: RGBColor = RGBColor(230, 90, 0);
+pub const VALLEY: Colour = Colour(230, 90, 0);
 /// Marks of points without a transition.
-pub const NONE: RGBColor = RGBColor(0, 130, 100);
+pub const NONE: Colour = Colour(0, 130, 100);
+/// Width of the bars where the boundary jumps, pixels.
+pub const JUMP_WIDTH: f64 = 3.0;
 /// Half the breadth of a mark, pixels.
-pub const MARK: i32 = 5;
+pub const MARK: f64 = 5.0;
 /// Half the breadth of marks that would touch each other, pixels.
-pub const SMALL_MARK: i32 = 3;
+pub const SMALL_MARK: f64 = 3.0;
 
 /// Colour of the marks of a kind of transition.
-pub fn mark(kind: Kind) -> RGBColor {
+pub fn mark(kind: Kind) -> Colour {
     match kind {
-        Kind::Unstable => RGBColor(0, 90, 160),
-        Kind::Bottomed => RGBColor(213, 94, 0),
-        Kind::Failure => RGBColor(150, 40, 110),
-        Kind::Undecided => RGBColor(105, 105, 105),
+        Kind::Unstable => Colour(0, 90, 160),
+        Kind::Bottomed => Colour(213, 94, 0),
+        Kind::Failure => Colour(150, 40, 110),
+        Kind::Undecided => Colour(105, 105, 105),
     }
 }
 
-/// Colour of the line of a landing among several.
-pub fn series(index: usize) -> RGBColor {
-    [
-        RGBColor(0, 90, 160),
-        RGBColor(213, 94, 0),
-        RGBColor(0, 130, 100),
-        RGBColor(150, 40, 110),
-    ][index % 4]
+/// Colours of curves, in order of appearance.
+const CURVES: [Colour; 8] = [
+    Colour(0, 90, 160),
+    Colour(213, 94, 0),
+    Colour(0, 130, 100),
+    Colour(180, 80, 140),
+    Colour(120, 90, 20),
+    Colour(60, 60, 60),
+    Colour(80, 170, 220),
+    Colour(230, 160, 0),
+];
+
+/// Colour of a curve among several.
+pub fn curve(index: usize) -> Colour {
+    CURVES[index % CURVES.len()]
+}
+
+/// Dashes and gaps of a curve among several of one colour, pixels; the first is unbroken.
+pub fn dashes(index: usize) -> Option<(f64, f64)> {
+    [None, Some((9.0, 4.0)), Some((3.0, 3.0)), Some((14.0, 5.0))][index % 4]
 }
 
 /// Colour of the region above a kind of transition.
-pub fn region(kind: Kind) -> RGBColor {
+pub fn region(kind: Kind) -> Colour {
     match kind {
-        Kind::Unstable => RGBColor(206, 223, 240),
-        Kind::Bottomed => RGBColor(248, 214, 186),
-        Kind::Failure => RGBColor(240, 224, 236),
-        Kind::Undecided => RGBColor(226, 226, 218),
+        Kind::Unstable => Colour(206, 223, 240),
+        Kind::Bottomed => Colour(248, 214, 186),
+        Kind::Failure => Colour(240, 224, 236),
+        Kind::Undecided => Colour(226, 226, 218),
     }
 }
 
@@ -70,11 +83,4 @@ pub fn word(kind: Kind) -> &'static str {
         Kind::Failure => "not computed",
         Kind::Undecided => "undecided",
     }
-}
-
-/// Text in the common typeface: size in pixels of the picture, and colour.
-pub fn text(size: u32, colour: RGBColor) -> TextStyle<'static> {
-    // The SVG backend divides sizes by 1.24.
-    let size = f64::from(size) * 1.24;
-    (TYPEFACE, size).into_font().color(&colour)
 }

@@ -1,118 +1,157 @@
-//! Marks of transitions and the line under a picture that explains them.
-
-use plotters::coord::Shift;
-use plotters::prelude::*;
+//! Marks of a picture, and the lines under it that explain them.
 
 use crate::boundary_table::Kind;
-use crate::figure_error::{FigureError, drawing};
+use crate::canvas::{Anchor, Canvas, Colour, Font, Point, Style, WHITE, text_width};
 use crate::ink;
 
 /// A mark in a picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mark {
     /// A transition: a disc for toppling, a square for bottoming, a cross for failures, a ring where landings are
     /// undecided.
     Transition(Kind),
-    /// Region of this colour: a rectangle.
-    Region(Kind),
     /// The transition lies at or below the lowest speed searched: a triangle that points down.
     AtOrBelow(Kind),
     /// No transition: an open triangle.
     NoTransition,
     /// Lowest transition of a row of a map: a disc.
     Valley,
-    /// Velocity that bisects the leading feet: dashes.
-    Bisector,
     /// The boundary jumps: a bar.
     Jump,
+    /// An open circle of this colour.
+    Ring(Colour),
+    /// A line of this style.
+    Line(Style),
+    /// An area of this style.
+    Area(Style),
 }
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// Draws a mark of half breadth `side` with its middle at `centre`, pixels.
-pub fn draw_mark(
-    area: &Area,
-    mark: Mark,
-    centre: (i32, i32),
-    side: i32,
-) -> Result<(), FigureError> {
-    let (x, y) = centre;
+/// Draws a mark of half breadth `side` with its middle at a place, pixels.
+pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
     match mark {
         Mark::Transition(kind) => {
             let colour = ink::mark(kind);
+            let inner = side - 1.0;
             match kind {
-                Kind::Unstable => area.draw(&Circle::new(centre, side - 1, colour.filled())),
-                Kind::Bottomed => {
-                    let corners = [(x - side + 1, y - side + 1), (x + side - 1, y + side - 1)];
-                    area.draw(&Rectangle::new(corners, colour.filled()))
+                Kind::Unstable => canvas.circle((x, y), inner, Style::fill(colour)),
+                Kind::Bottomed => canvas.rectangle(
+                    (x - inner, y - inner),
+                    (x + inner, y + inner),
+                    Style::fill(colour),
+                ),
+                Kind::Failure => {
+                    for up in [inner, -inner] {
+                        let ends = [(x - inner, y + up), (x + inner, y - up)];
+                        canvas.curve(&ends, Style::stroke(colour, 2.0));
+                    }
                 }
-                Kind::Failure => area.draw(&Cross::new(centre, side - 1, colour.stroke_width(2))),
-                Kind::Undecided => {
-                    area.draw(&Circle::new(centre, side - 1, colour.stroke_width(2)))
-                }
+                Kind::Undecided => canvas.circle((x, y), inner, Style::stroke(colour, 2.0)),
             }
         }
         Mark::AtOrBelow(kind) => {
             let corners = [
                 (x, y + side),
-                (x - side, y - side + 1),
-                (x + side, y - side + 1),
+                (x - side, y - side + 1.0),
+                (x + side, y - side + 1.0),
             ];
-            area.draw(&Polygon::new(corners, ink::mark(kind).filled()))
-        }
-        Mark::Region(kind) => {
-            let corners = [(x - side - 2, y - side), (x + side + 2, y + side)];
-            area.draw(&Rectangle::new(corners, ink::region(kind).filled()))
+            canvas.polygon(&corners, Style::fill(ink::mark(kind)));
         }
         Mark::NoTransition => {
             let corners = [
                 (x, y - side),
-                (x - side, y + side - 1),
-                (x + side, y + side - 1),
+                (x - side, y + side - 1.0),
+                (x + side, y + side - 1.0),
             ];
-            let outline = [corners[0], corners[1], corners[2], corners[0]];
-            area.draw(&Polygon::new(corners, WHITE.filled()))
-                .map_err(drawing)?;
-            area.draw(&PathElement::new(outline, ink::NONE.stroke_width(1)))
+            canvas.polygon(&corners, Style::fill(WHITE).outlined(ink::NONE, 1.0));
         }
-        Mark::Valley => area.draw(&Circle::new(centre, side - 1, ink::VALLEY.filled())),
-        Mark::Bisector => {
-            let dash = [(x - 2 * side, y), (x - 2, y)];
-            area.draw(&PathElement::new(dash, ink::BISECTOR.stroke_width(2)))
-                .map_err(drawing)?;
-            let dash = [(x + 2, y), (x + side + 2, y)];
-            area.draw(&PathElement::new(dash, ink::BISECTOR.stroke_width(2)))
-        }
+        Mark::Valley => canvas.circle((x, y), side - 1.0, Style::fill(ink::VALLEY)),
         Mark::Jump => {
-            let bar = [(x, y - side - 1), (x, y + side + 1)];
-            area.draw(&PathElement::new(bar, ink::JUMP.stroke_width(3)))
+            let ends = [(x, y - side - 1.0), (x, y + side + 1.0)];
+            canvas.curve(&ends, Style::stroke(ink::JUMP, ink::JUMP_WIDTH));
+        }
+        Mark::Ring(colour) => canvas.circle((x, y), side - 1.0, Style::stroke(colour, 1.5)),
+        Mark::Line(style) => {
+            canvas.curve(&[(x - LINE / 2.0, y), (x + LINE / 2.0, y)], style);
+        }
+        Mark::Area(style) => {
+            canvas.rectangle(
+                (x - side - 4.0, y - side),
+                (x + side + 4.0, y + side),
+                style,
+            );
         }
     }
-    .map_err(drawing)
 }
 
-/// Width of a text of the legend, pixels: there is no font to measure it with.
-fn width(text: &str) -> i32 {
-    (text.chars().count() as f64 * 7.0) as i32
-}
+/// Length of the sample of a line, pixels.
+const LINE: f64 = 34.0;
+/// Size of the text, and space between entries and between rows, pixels.
+const SIZE: f64 = 12.0;
+const GAP: f64 = 26.0;
+/// Height of a row, pixels.
+pub const ROW: f64 = 20.0;
 
-/// Draws marks with their meanings in one centred line.
-pub fn draw_legend(area: &Area, entries: &[(Mark, String)]) -> Result<(), FigureError> {
-    const GAP: i32 = 34;
-    const INDENT: i32 = 13;
-    let (total, _) = area.dim_in_pixel();
-    let widths = entries.iter().map(|(_, text)| INDENT + width(text));
-    let used: i32 = widths.sum::<i32>() + GAP * (entries.len() as i32 - 1);
-    let mut x = (total as i32 - used) / 2;
-    for (mark, text) in entries {
-        draw_mark(area, *mark, (x, 12), ink::MARK)?;
-        area.draw(&Text::new(
-            text.clone(),
-            (x + INDENT, 7),
-            ink::text(12, ink::TEXT),
-        ))
-        .map_err(drawing)?;
-        x += INDENT + width(text) + GAP;
+/// A mark and its meaning.
+pub type Entry = (Mark, String);
+
+/// Width of a mark with the space after it, pixels.
+fn mark_width(mark: Mark) -> f64 {
+    match mark {
+        Mark::Line(_) => LINE + 8.0,
+        Mark::Area(_) => 26.0,
+        _ => 18.0,
     }
-    Ok(())
+}
+
+fn entry_width((mark, text): &Entry) -> f64 {
+    mark_width(*mark) + text_width(text, SIZE)
+}
+
+/// The entries in rows that fit a width in pixels.
+pub fn rows(entries: &[Entry], width: f64) -> Vec<&[Entry]> {
+    let mut rows = Vec::new();
+    let (mut start, mut used) = (0, 0.0);
+    for (index, entry) in entries.iter().enumerate() {
+        let wanted = entry_width(entry) + if index > start { GAP } else { 0.0 };
+        if index > start && used + wanted > width {
+            rows.push(&entries[start..index]);
+            (start, used) = (index, entry_width(entry));
+        } else {
+            used += wanted;
+        }
+    }
+    rows.extend((start < entries.len()).then(|| &entries[start..]));
+    rows
+}
+
+/// Draws rows of entries, each centred about `middle`, the first with its middle at the height `top`.
+pub fn draw(canvas: &mut Canvas, rows: &[&[Entry]], middle: f64, top: f64) {
+    for (row, entries) in rows.iter().enumerate() {
+        let y = top + ROW * row as f64;
+        let used: f64 = entries.iter().map(entry_width).sum();
+        let mut x = middle - 0.5 * (used + GAP * (entries.len() as f64 - 1.0));
+        for (mark, text) in *entries {
+            let width = mark_width(*mark);
+            draw_mark(canvas, *mark, (x + 0.5 * (width - 8.0), y), ink::MARK);
+            let font = Font::new(SIZE, ink::TEXT).anchor(Anchor::Start);
+            canvas.text(text, (x + width, y), font);
+            x += width + text_width(text, SIZE) + GAP;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_that_do_not_fit_go_to_the_next_row() {
+        let entry = |text: &str| (Mark::Valley, text.to_owned());
+        let entries = [entry("one"), entry("two"), entry(&"long ".repeat(12))];
+        let lengths: Vec<usize> = rows(&entries, 500.0).iter().map(|row| row.len()).collect();
+        assert_eq!(lengths, [2, 1]);
+        assert_eq!(rows(&entries, 5000.0).len(), 1);
+        assert_eq!(rows(&entries, 1.0).len(), 3);
+        assert!(rows(&[], 500.0).is_empty());
+    }
 }

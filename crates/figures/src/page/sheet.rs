@@ -1,86 +1,98 @@
-//! The sheet that all pictures share: title, conditions and statement above, body, legend below.
+//! The sheet that all pictures share: title and captions above, the body, the legend below.
 
-use plotters::coord::Shift;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
+use crate::canvas::{Canvas, Colour, Font, text_width};
 use crate::caption::Caption;
-use crate::figure_error::{FigureError, drawing};
+use crate::frame::Area;
 use crate::ink;
+use crate::legend::{self, Entry};
 
-/// A part of a picture.
-pub type Sheet<'b> = DrawingArea<SVGBackend<'b>, Shift>;
+/// Space at the left and right edge that no text enters, pixels.
+const MARGIN: f64 = 24.0;
+/// Heights above the first line of the title, of its lines, and of those of the captions, pixels.
+const ABOVE: f64 = 26.0;
+const TITLE_LINE: f64 = 23.0;
+const LINE: f64 = 20.0;
+/// Space between the last line and the body, pixels.
+const BELOW: f64 = 16.0;
+/// Sizes of title and captions.
+const TITLE: f64 = 18.0;
+const TEXT: f64 = 12.0;
+/// Height of the foot beyond the rows of the legend, pixels.
+const FOOT: f64 = 14.0;
 
-/// Height of the part under the body, pixels.
-const FOOT: u32 = 34;
-
-/// Writes the head of a picture of `size` and returns its body and its foot.
-pub fn parts<'b>(
-    sheet: &Sheet<'b>,
-    (width, height): (u32, u32),
-    caption: &Caption,
-) -> Result<(Sheet<'b>, Sheet<'b>), FigureError> {
-    sheet.fill(&WHITE).map_err(drawing)?;
-    let head = if caption.statement.is_some() { 86 } else { 64 };
-    let (top, rest) = sheet.split_vertically(head);
-    let centred = Pos::new(HPos::Center, VPos::Center);
-    let statement = caption.statement.clone().unwrap_or_default();
-    let lines = [
-        (&caption.title, 26, ink::text(18, ink::TEXT)),
-        (&caption.conditions, 50, ink::text(12, ink::PALE_TEXT)),
-        (&statement, 70, ink::text(12, ink::STATEMENT)),
-    ];
-    for (text, y, style) in lines {
-        if !text.is_empty() {
-            let place = (width as i32 / 2, y);
-            top.draw(&Text::new(text.clone(), place, style.pos(centred)))
-                .map_err(drawing)?;
-        }
-    }
-    Ok(rest.split_vertically(height - head as u32 - FOOT))
+/// A sheet with its captions and its legend, and the part between them for the body.
+pub struct Sheet {
+    /// The picture.
+    pub canvas: Canvas,
+    /// Where the body lies.
+    pub body: Area,
 }
 
-/// Sets the letters of V_H and V_V as subscripts, which the drawing library cannot.
-pub fn with_subscripts(svg: &str) -> String {
-    let mut set = String::with_capacity(svg.len());
-    let mut rest = svg;
-    while let Some(start) = rest.find("V_") {
-        let (before, symbol) = rest.split_at(start);
-        set += before;
-        let after = &symbol[2..];
-        let mut letters = after.chars();
-        let (index, next) = (letters.next(), letters.next());
-        match index {
-            Some(index @ ('H' | 'V')) => {
-                set += &format!("V<tspan dy=\"3\" font-size=\"75%\">{index}</tspan>");
-                // The base line comes back with the next letter, if there is one.
-                let used = next.filter(|letter| !matches!(letter, '\n' | '<' | '&'));
-                if let Some(letter) = used {
-                    set += &format!("<tspan dy=\"-3\">{letter}</tspan>");
-                }
-                rest = &after[1 + used.map_or(0, char::len_utf8)..];
-            }
-            _ => {
-                set += "V_";
-                rest = after;
-            }
-        }
-    }
-    set + rest
+/// How high the body of a picture is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Height {
+    /// What captions and legend leave of the whole, pixels.
+    Whole(f64),
+    /// Its own, pixels.
+    Body(f64),
 }
 
-/// Round values between two ends, about six of them, the ends included where they are round.
-pub fn round_values(from: f64, to: f64) -> Vec<f64> {
-    let rough = (to - from) / 6.0;
-    let power = 10f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|factor| factor * power)
-        .find(|step| *step >= rough * 0.999)
-        .unwrap_or(rough);
-    let first = (from / step - 1e-9).ceil() as i64;
-    let last = (to / step + 1e-9).floor() as i64;
-    (first..=last).map(|index| index as f64 * step).collect()
+/// Begins a picture: writes captions above and the legend below.
+pub fn begin(width: f64, height: Height, caption: &Caption, entries: &[Entry]) -> Sheet {
+    let text_room = width - 2.0 * MARGIN;
+    let mut lines: Vec<(String, f64, f64, Colour)> = Vec::new();
+    let mut y = ABOVE;
+    for line in wrapped(&caption.title, TITLE, text_room) {
+        lines.push((line, y, TITLE, ink::TEXT));
+        y += TITLE_LINE;
+    }
+    for (text, colour) in [
+        (Some(&caption.conditions), ink::PALE_TEXT),
+        (caption.worst_over.as_ref(), ink::TEXT),
+        (caption.statement.as_ref(), ink::STATEMENT),
+    ] {
+        for line in wrapped(text.map_or("", String::as_str), TEXT, text_room) {
+            lines.push((line, y, TEXT, colour));
+            y += LINE;
+        }
+    }
+    let top = match lines.last() {
+        Some((_, y, ..)) => y + BELOW,
+        None => ABOVE,
+    };
+    let rows = legend::rows(entries, text_room);
+    let foot = FOOT + legend::ROW * rows.len() as f64;
+    let bottom = match height {
+        Height::Whole(height) => height - foot,
+        Height::Body(height) => top + height,
+    };
+    let mut canvas = Canvas::new((width, bottom + foot));
+    for (text, y, size, colour) in lines {
+        canvas.text(&text, (0.5 * width, y), Font::new(size, colour));
+    }
+    legend::draw(&mut canvas, &rows, 0.5 * width, bottom + 12.0);
+    let body = Area {
+        left: 0.0,
+        top,
+        right: width,
+        bottom,
+    };
+    Sheet { canvas, body }
+}
+
+/// A text in lines that fit a width in pixels, broken between words.
+fn wrapped(text: &str, size: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if text_width(line, size) + text_width(word, size) < width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 #[cfg(test)]
@@ -88,17 +100,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn round_values_lie_between_the_ends() {
-        assert_eq!(
-            round_values(80.0, 180.0),
-            [80.0, 100.0, 120.0, 140.0, 160.0, 180.0]
-        );
-        assert_eq!(round_values(-60.0, 60.0).len(), 7);
-        assert_eq!(
-            with_subscripts("<text>\nV_H, V_V\n"),
-            "<text>\nV<tspan dy=\"3\" \
-            font-size=\"75%\">H</tspan><tspan dy=\"-3\">,</tspan> V<tspan dy=\"3\" \
-            font-size=\"75%\">V</tspan>\n"
-        );
+    fn long_captions_take_more_lines_and_the_body_begins_below_them() {
+        let caption = |title: &str| Caption {
+            title: title.to_owned(),
+            ..Caption::default()
+        };
+        let begin = |title: &str| begin(900.0, Height::Whole(560.0), &caption(title), &[]);
+        let short = begin("Roll");
+        let long = begin(&"a long title of many words ".repeat(8));
+        assert!(long.body.top > short.body.top + TITLE_LINE);
+        assert_eq!(long.body.bottom, short.body.bottom);
+        assert!(long.canvas.into_svg().matches("<text").count() >= 2);
     }
 }

@@ -50,8 +50,8 @@ impl BandsTable {
                 })?),
             };
             let band = Band {
-                from: row.number(from)?,
-                to: row.number(to)?,
+                from: row.velocity(from)?,
+                to: row.velocity(to)?,
                 kind,
             };
             let coordinates: Vec<f64> = (0..first)
@@ -128,6 +128,8 @@ mod tests {
     fn complaints_name_row_and_column() {
         let complaint = |text: &str| BandsTable::parse(text).unwrap_err().to_string();
         assert!(complaint("a,b\n").contains("bands: column band is missing"));
+        let absurd = TABLE.replace(",25,", ",1e9,");
+        assert!(complaint(&absurd).contains("bands: row 2: to_fps = 1e9"));
         let odd = TABLE.replace(",unstable,", ",odd,");
         assert!(complaint(&odd).contains("bands: row 2: outcome = odd"));
     }

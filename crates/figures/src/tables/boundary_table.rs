@@ -1,5 +1,8 @@
 //! Result tables of sweeps, read back: axes and the first transition at each point.
 
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
+
 use crate::figure_error::FigureError;
 use crate::table::{Row, Table};
 
@@ -71,45 +74,134 @@ pub struct Point {
     pub transition: Option<Transition>,
 }
 
+impl Point {
+    /// Velocity of the first transition, ft/s; infinite where there is none.
+    fn velocity(&self) -> f64 {
+        self.transition.map_or(f64::INFINITY, |found| found.speed)
+    }
+}
+
+/// An axis of a sweep as its table shows it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Axis {
+    /// Name of its column.
+    pub name: String,
+    /// How many values it has.
+    pub values: usize,
+    /// Whether its values are numbers; they may be words.
+    pub is_numeric: bool,
+}
+
 /// A result table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryTable {
     /// Names of the axes, slowest first.
     pub axes: Vec<String>,
-    /// The rows.
+    /// The rows. Of all rows that agree in the axes, the one with the lowest first transition.
     pub points: Vec<Point>,
+    /// Names of the other axes of the sweep, in which these rows differed.
+    pub others: Vec<String>,
 }
 
 impl BoundaryTable {
-    /// Reads a result table.
+    /// Reads a result table over all its axes.
     ///
     /// # Errors
     /// Names the row and column of what is not as the sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
+        let axes: Vec<String> = Self::axes(csv)?.into_iter().map(|axis| axis.name).collect();
+        Self::worst_by(csv, &axes)
+    }
+
+    /// The axes of a result table.
+    ///
+    /// # Errors
+    /// When the table is not one that a sweep writes.
+    pub fn axes(csv: &str) -> Result<Vec<Axis>, FigureError> {
         let table = Table::parse(csv)?;
         let kind = table.column(KIND)?;
-        let speeds = [
+        if kind == 0 {
+            return Err(FigureError::Table(format!("no axis before {KIND}")));
+        }
+        let axis = |index: usize| {
+            let cells = || table.rows().map(|row| row.text(index));
+            Axis {
+                name: table.names()[index].to_owned(),
+                values: cells().collect::<HashSet<_>>().len(),
+                is_numeric: cells().all(|cell| cell.parse::<f64>().is_ok()),
+            }
+        };
+        Ok((0..kind).map(axis).collect())
+    }
+
+    /// Reads a result table over some of its axes, in this order: of all rows that agree in them, the
+    /// one with the lowest first transition. A row without a transition is above all others.
+    ///
+    /// # Errors
+    /// Names the axis that the table does not have or that was named twice, and the row and column of
+    /// what is not as the sweep writes it.
+    pub fn worst_by(csv: &str, axes: &[String]) -> Result<Self, FigureError> {
+        let table = Table::parse(csv)?;
+        let kind = table.column(KIND)?;
+        let velocities = [
             table.column(SPEED)?,
             table.column(LOW)?,
             table.column(HIGH)?,
         ];
-        let axes: Vec<String> = table.names()[..kind]
-            .iter()
-            .map(|name| (*name).to_owned())
-            .collect();
-        if axes.is_empty() {
-            return Err(FigureError::Table(format!("no axis before {KIND}")));
+        let known = &table.names()[..kind];
+        let mut columns: Vec<usize> = Vec::new();
+        for axis in axes {
+            let found = known.iter().position(|name| name == axis);
+            match found.filter(|column| !columns.contains(column)) {
+                Some(column) => columns.push(column),
+                None => {
+                    let problem = match found {
+                        Some(_) => "is named twice",
+                        None => "is no axis of this table",
+                    };
+                    let known = known.join(", ");
+                    return Err(FigureError::Table(format!(
+                        "{axis} {problem}: allowed are {known}, each once"
+                    )));
+                }
+            }
         }
-        let points = table.some_rows()?.map(|row| {
-            Ok(Point {
-                coordinates: (0..kind)
-                    .map(|axis| row.number(axis))
-                    .collect::<Result<_, _>>()?,
-                transition: transition(row, kind, speeds)?,
-            })
-        });
-        let points = points.collect::<Result<_, FigureError>>()?;
-        Ok(Self { axes, points })
+        let mut points: Vec<Point> = Vec::new();
+        let mut places: HashMap<Vec<u64>, usize> = HashMap::new();
+        for row in table.some_rows()? {
+            let coordinates: Vec<f64> = columns
+                .iter()
+                .map(|column| Ok(row.number(*column)? + 0.0))
+                .collect::<Result<_, FigureError>>()?;
+            let point = Point {
+                transition: transition(row, kind, velocities)?,
+                coordinates,
+            };
+            let bits = point.coordinates.iter().map(|value| value.to_bits());
+            match places.entry(bits.collect()) {
+                Entry::Vacant(place) => {
+                    place.insert(points.len());
+                    points.push(point);
+                }
+                Entry::Occupied(place) => {
+                    let known = &mut points[*place.get()];
+                    if point.velocity() < known.velocity() {
+                        *known = point;
+                    }
+                }
+            }
+        }
+        let varies = |column: usize| {
+            let mut cells = table.rows().map(|row| row.text(column));
+            let first = cells.next();
+            cells.any(|cell| Some(cell) != first)
+        };
+        let others = (0..kind).filter(|column| !columns.contains(column) && varies(*column));
+        Ok(Self {
+            others: others.map(|column| known[column].to_owned()).collect(),
+            axes: axes.to_vec(),
+            points,
+        })
     }
 }
 
@@ -125,12 +217,12 @@ fn transition(
     };
     Ok(Some(Transition {
         kind,
-        speed: row.number(speed)?,
+        speed: row.velocity(speed)?,
         low: match row.text(low) {
             "" => None,
-            _ => Some(row.number(low)?),
+            _ => Some(row.velocity(low)?),
         },
-        high: row.number(high)?,
+        high: row.velocity(high)?,
     }))
 }
 
@@ -165,5 +257,83 @@ mod tests {
         assert!(complaint(&odd).contains("row 1: first_transition_to = toppled"));
         let nan = format!("{HEADING}0,unstable,NaN,1,1,1,1\n");
         assert!(complaint(&nan).contains("row 1: first_transition_fps = NaN"));
+    }
+
+    #[test]
+    fn absurd_numbers_are_refused_with_their_row() {
+        for absurd in ["1e9", "1e16", "1e308", "-1", "inf"] {
+            for row in [
+                format!("0,unstable,{absurd},1,1,1,1\n"),
+                format!("0,unstable,1,1,{absurd},1,1\n"),
+            ] {
+                let text = format!("{HEADING}5,none,,25,,101,2\n{row}");
+                let complaint = BoundaryTable::parse(&text).unwrap_err().to_string();
+                assert!(complaint.contains("row 2: "), "{complaint}");
+                assert!(complaint.contains(&format!(" = {absurd}: allowed is a number from 0")));
+            }
+        }
+        let far = format!("{HEADING}1e200,none,,25,,101,2\n");
+        let complaint = BoundaryTable::parse(&far).unwrap_err().to_string();
+        assert!(complaint.contains("row 1: roll_deg = 1e200"), "{complaint}");
+    }
+
+    const MANY: &str = "\
+a,roll_deg,vehicle,b,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps
+1,0,x,5,unstable,12,11,13
+1,0,y,6,none,,,
+1,5,x,5,unstable,11,10,12
+1,5,y,6,bottomed,9,8,10
+2,0,x,5,none,,,
+2,5,x,5,none,,,
+2,5,x,6,none,,,
+";
+
+    #[test]
+    fn the_lowest_of_the_rows_that_agree_remains() {
+        let axes = BoundaryTable::axes(MANY).unwrap();
+        let told: Vec<_> = axes
+            .iter()
+            .map(|axis| (axis.name.as_str(), axis.values, axis.is_numeric))
+            .collect();
+        assert_eq!(
+            told,
+            [
+                ("a", 2, true),
+                ("roll_deg", 2, true),
+                ("vehicle", 2, false),
+                ("b", 2, true)
+            ]
+        );
+        let by = |axes: &[&str]| {
+            let axes: Vec<String> = axes.iter().map(|axis| (*axis).to_owned()).collect();
+            BoundaryTable::worst_by(MANY, &axes)
+        };
+        let table = by(&["b", "a"]).unwrap();
+        assert_eq!(table.others, ["roll_deg", "vehicle"]);
+        let found: Vec<_> = table
+            .points
+            .iter()
+            .map(|point| (point.coordinates.as_slice(), point.velocity()))
+            .collect();
+        assert_eq!(
+            found,
+            [
+                (&[5.0, 1.0][..], 11.0),
+                (&[6.0, 1.0], 9.0),
+                (&[5.0, 2.0], f64::INFINITY),
+                (&[6.0, 2.0], f64::INFINITY)
+            ]
+        );
+        for (axes, expected) in [
+            (
+                &["c"][..],
+                "c is no axis of this table: allowed are a, roll_deg",
+            ),
+            (&["a", "a"], "a is named twice"),
+            (&["vehicle"], "row 1: vehicle = x"),
+        ] {
+            let complaint = by(axes).unwrap_err().to_string();
+            assert!(complaint.contains(expected), "{complaint}");
+        }
     }
 }

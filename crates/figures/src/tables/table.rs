@@ -4,6 +4,11 @@ use csv::StringRecord;
 
 use crate::figure_error::FigureError;
 
+/// Greatest number in a table, and greatest velocity of a transition, ft/s. What is beyond them is a
+/// damaged table: no picture has room for it.
+const GREATEST: f64 = 1e12;
+const GREATEST_VELOCITY: f64 = 1e4;
+
 /// A table.
 pub struct Table {
     heading: StringRecord,
@@ -82,11 +87,23 @@ impl<'t> Row<'t> {
     /// The number in a column.
     ///
     /// # Errors
-    /// When it is no finite number.
+    /// When it is no number, or one that no result can have.
     pub fn number(&self, column: usize) -> Result<f64, FigureError> {
+        self.number_within(column, -GREATEST, GREATEST)
+    }
+
+    /// The velocity in a column, ft/s.
+    ///
+    /// # Errors
+    /// When it is no velocity that a search can find.
+    pub fn velocity(&self, column: usize) -> Result<f64, FigureError> {
+        self.number_within(column, 0.0, GREATEST_VELOCITY)
+    }
+
+    fn number_within(&self, column: usize, least: f64, most: f64) -> Result<f64, FigureError> {
         match self.text(column).parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(self.complain(column, "a finite number")),
+            Ok(number) if (least..=most).contains(&number) => Ok(number),
+            _ => Err(self.complain(column, &format!("a number from {least:e} to {most:e}"))),
         }
     }
 

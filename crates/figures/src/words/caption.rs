@@ -2,7 +2,11 @@
 
 use serde_json::Value;
 
+use crate::axis_title::column_words;
 use crate::figure_error::FigureError;
+
+/// Greatest velocity that a search can reach, ft/s.
+const MOST_SEARCHED: f64 = 1e4;
 
 /// What stands above a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -11,10 +15,14 @@ pub struct Caption {
     pub title: String,
     /// Fixed conditions, in a smaller second line.
     pub conditions: String,
-    /// What was said before of what the picture shows.
+    /// Over what the picture shows the worst case, if over anything.
+    pub worst_over: Option<String>,
+    /// What the report of 1966 states about this figure.
     pub statement: Option<String>,
     /// Highest speed searched, ft/s, if known: the upper end of the picture.
     pub searched_to: Option<f64>,
+    /// Whether the vehicle has the feet of the report's: three, at azimuths of 0, 120 and 240 deg.
+    pub has_report_feet: bool,
 }
 
 impl Caption {
@@ -38,13 +46,50 @@ impl Caption {
         if input["solver"]["crush_rule"] == "section" {
             parts.push("section crush rule".to_owned());
         }
+        let searched_to = input["search"]["to_fps"].as_f64();
+        if let Some(speed) = searched_to.filter(|speed| !(0.0..=MOST_SEARCHED).contains(speed)) {
+            return Err(FigureError::Table(format!(
+                "record: to_fps = {speed}: allowed is a number from 0 to {MOST_SEARCHED}"
+            )));
+        }
         Ok(Self {
             title: text(&record["title"]).unwrap_or_default(),
             conditions: parts.join(" · "),
+            worst_over: None,
             statement: text(&record["statement"]),
-            searched_to: input["search"]["to_fps"].as_f64(),
+            searched_to,
+            has_report_feet: has_report_feet(&input["vehicle"]["legs"]),
         })
     }
+
+    /// The caption of a picture that shows the lowest transition over some axes of a sweep: statements
+    /// on the sweep do not hold for it.
+    pub fn worst_over(self, others: &[String]) -> Self {
+        if others.is_empty() {
+            return self;
+        }
+        let words: Vec<String> = others.iter().map(|axis| column_words(axis)).collect();
+        Self {
+            worst_over: Some(format!("V_H at worst over {}", listed(&words))),
+            statement: None,
+            ..self
+        }
+    }
+}
+
+/// Words in a sentence: "a, b and c".
+fn listed(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [word] => word.clone(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+    }
+}
+
+fn has_report_feet(legs: &Value) -> bool {
+    let azimuths = legs.as_array().into_iter().flatten();
+    let azimuths: Vec<Option<f64>> = azimuths.map(|leg| leg["azimuth_deg"].as_f64()).collect();
+    azimuths == [0.0, 120.0, 240.0].map(Some)
 }
 
 /// A fixed condition in words, unless it is zero, or follows from another, where that is the rule.
@@ -94,6 +139,31 @@ mod tests {
         );
         assert_eq!(caption.statement.as_deref(), Some("1966: none"));
         assert_eq!(caption.searched_to, Some(25.0));
+        assert!(!caption.has_report_feet);
+        let others = ["friction", "vehicle.strut.preload_lb", "roll_deg"].map(str::to_owned);
+        let worst = caption.worst_over(&others);
+        assert_eq!(
+            worst.worst_over.as_deref(),
+            Some("V_H at worst over friction coefficient μ, strut preload and roll angle Ξ")
+        );
+        assert_eq!(worst.statement, None);
+    }
+
+    #[test]
+    fn the_reports_vehicle_is_known_by_its_feet() {
+        let caption = |legs: &str| {
+            let record = format!("{{\"input\": {{\"vehicle\": {{\"legs\": {legs}}}}}}}");
+            Caption::from_record(&record).unwrap()
+        };
+        let feet = |azimuths: &[f64]| {
+            let legs = azimuths
+                .iter()
+                .map(|azimuth| format!("{{\"azimuth_deg\": {azimuth:?}}}"));
+            caption(&format!("[{}]", legs.collect::<Vec<_>>().join(",")))
+        };
+        assert!(feet(&[0.0, 120.0, 240.0]).has_report_feet);
+        assert!(!feet(&[0.0, 90.0, 180.0, 270.0]).has_report_feet);
+        assert!(!feet(&[60.0, 180.0, 300.0]).has_report_feet);
     }
 
     #[test]

@@ -7,22 +7,20 @@ use std::fmt;
 pub enum FigureError {
     /// The result table is not what the picture needs.
     Table(String),
-    /// Drawing failed.
-    Drawing(String),
+    /// The result table is in order, but there is no picture of it.
+    NoPicture(String),
+    /// The PNG cannot be made.
+    Rendering(String),
 }
 
 impl fmt::Display for FigureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Table(complaint) => write!(f, "result table: {complaint}"),
-            Self::Drawing(complaint) => write!(f, "drawing: {complaint}"),
+            Self::NoPicture(reason) => write!(f, "has no picture: {reason}"),
+            Self::Rendering(complaint) => write!(f, "PNG: {complaint}"),
         }
     }
 }
 
 impl std::error::Error for FigureError {}
-
-/// Wraps an error of the drawing library.
-pub(crate) fn drawing(error: impl fmt::Display) -> FigureError {
-    FigureError::Drawing(error.to_string())
-}

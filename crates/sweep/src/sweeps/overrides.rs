@@ -53,6 +53,8 @@ impl Sweep {
         self.settings = settings_input::settings(&root)?;
         if let Some(vehicle) = &overrides.vehicle {
             self.vehicle = vehicle.clone();
+            // It was made on the vehicle of the sweep file.
+            self.statement = None;
             self.check_points()?;
             self.sources.push(vehicle.document.source());
         }

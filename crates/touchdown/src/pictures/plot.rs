@@ -5,45 +5,59 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use rayon::prelude::*;
-use touchdown_figures::picture::{self, Picture};
+use touchdown_figures::levels::Levels;
+use touchdown_figures::picture::{self, Choices, Picture, Source};
 use touchdown_figures::png;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
 use crate::print::print;
-use crate::worst_case;
 
 const EXAMPLES: &str = "\
 Examples:
   touchdown plot results/figure-4-09.csv
     writes results/figure-4-09.svg and .png
 
-  touchdown plot results/surface-4-20.csv --out map.png
+  touchdown plot results/surface-4-20.csv --levels 11,12,13,14,16,20 --out map.png
     writes map-contours.png and map-perspective.png, as two axes have two pictures
 
-  touchdown plot results/trade.csv --least-over friction,roll_deg --out map.png
-    draws the worst of everything else over two of many axes
+  touchdown plot results/trade.csv --worst-by friction,roll_deg --out map.png
+    draws V_H over two of many axes, at worst over all others
+
+  touchdown plot landing.csv --columns stroke_#_ft,clearance_ft --out strokes.svg
+    draws these columns of a history, # for every leg
+
+  touchdown plot soft.csv stiff.csv --out both.png
+    draws several histories over each other
 
   touchdown plot results/sensitivity/critical-touchdown-sensitivity.csv
     draws the tornado chart
 
 The table of bands (figure-4-09-bands.csv) and the record (figure-4-09.json) are read where they
 stand beside the table: without the one only first transitions are drawn, without the other there
-is no title.";
+are no conditions.";
 
 /// Options of `plot`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Options {
-    /// Result tables of sweeps (CSV)
+    /// Result tables of sweeps, or histories of landings (CSV)
     #[arg(required = true, value_name = "FILE.csv")]
     tables: Vec<PathBuf>,
-    /// Draw over these axes only (commas between them): of all points that agree in them, the one
-    /// with the lowest first transition
-    #[arg(long, value_name = "AXES", value_delimiter = ',')]
-    least_over: Vec<String>,
-    /// The picture, .svg or .png [default: both, beside the table]
+    /// Draw the transitions of a sweep over these one or two axes (commas between them), at worst over
+    /// all others: of the points that agree in them, the one with the lowest first transition
+    #[arg(long, alias = "least-over", value_name = "AXES", value_delimiter = ',')]
+    worst_by: Vec<String>,
+    /// Levels of the contour map, ft/s (commas between them) [default: round ones from the data]
+    #[arg(long, value_name = "LEVELS", value_delimiter = ',')]
+    levels: Vec<f64>,
+    /// Columns of a history (commas between them; # stands for every leg), those of one unit in one
+    /// panel [default: velocity, attitude, stability, forces of struts and footpads, energies]
+    #[arg(long, value_name = "COLUMNS", value_delimiter = ',')]
+    columns: Vec<String>,
+    /// The picture, .svg or .png; several histories are drawn over each other in it [default: both,
+    /// beside each table]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -57,21 +71,109 @@ enum Form {
 
 /// Runs `plot`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    if let (Some(out), true) = (&options.out, options.tables.len() > 1) {
-        let complaint = "--out names one picture: allowed is one table with it";
-        return Err(InputError::other(complaint).at(Place::file(out)).into());
+    let choices = Choices {
+        levels: match options.levels.as_slice() {
+            [] => None,
+            levels => Some(
+                Levels::listed(levels)
+                    .map_err(|allowed| InputError::other(format!("--levels: {allowed}")))?,
+            ),
+        },
+        worst_by: options.worst_by.clone(),
+        columns: options.columns.clone(),
+    };
+    let tables = options.tables.iter().map(|path| Files::read(path));
+    let tables = tables.collect::<Result<Vec<Files>, _>>()?;
+    if let (Some(out), [_, _, ..]) = (&options.out, tables.as_slice()) {
+        let picture = overlay(&tables, out, &choices)?;
+        return write(out, &[picture], &[form_of(out)?]);
     }
-    for table in &options.tables {
-        let pictures = draw(table, &options.least_over)?;
-        let place = options.out.as_deref().unwrap_or(table);
-        let forms = match &options.out {
-            Some(out) => vec![form_of(out)?],
-            None => vec![Form::Svg, Form::Png],
-        };
-        let files = Folder::of(place)?.write_files(&files(&stem(place), &pictures, &forms)?)?;
-        for file in files {
-            print(&format!("{}\n", file.display()))?;
+    for files in &tables {
+        let pictures = picture::draw(&files.source(), &choices);
+        let pictures = pictures.map_err(|error| files.refuse(&error))?;
+        match &options.out {
+            Some(out) => write(out, &pictures, &[form_of(out)?])?,
+            None => write(&files.path, &pictures, &[Form::Svg, Form::Png])?,
         }
+    }
+    Ok(())
+}
+
+/// A table, and what stands beside it.
+struct Files {
+    path: PathBuf,
+    name: String,
+    table: String,
+    bands: Option<String>,
+    record: Option<String>,
+}
+
+impl Files {
+    fn read(path: &Path) -> Result<Self, InputError> {
+        let table = fs::read_to_string(path).map_err(|error| {
+            InputError::other(format!("cannot be read: {error}")).at(Place::file(path))
+        })?;
+        let name = stem(path);
+        let beside = |name: String| fs::read_to_string(path.with_file_name(name)).ok();
+        // Tables of sensitivities have the record of their sweep.
+        let of_sweep = name.strip_suffix("-sensitivity").unwrap_or(&name);
+        let record = beside(format!("{name}.json")).or_else(|| beside(format!("{of_sweep}.json")));
+        Ok(Self {
+            path: path.to_owned(),
+            table,
+            bands: beside(format!("{name}-bands.csv")),
+            record,
+            name,
+        })
+    }
+
+    fn source(&self) -> Source<'_> {
+        Source {
+            name: &self.name,
+            table: &self.table,
+            bands: self.bands.as_deref(),
+            record: self.record.as_deref(),
+        }
+    }
+
+    fn refuse(&self, complaint: &impl ToString) -> InputError {
+        InputError::other(complaint.to_string()).at(Place::file(&self.path))
+    }
+}
+
+/// Histories drawn over each other.
+fn overlay(tables: &[Files], out: &Path, choices: &Choices) -> Result<Picture, InputError> {
+    if !tables.iter().all(|files| picture::is_history(&files.table)) {
+        let complaint =
+            "--out names one picture: allowed with it are one table or several histories";
+        return Err(InputError::other(complaint).at(Place::file(out)));
+    }
+    let mut sources: Vec<Source> = tables.iter().map(Files::source).collect();
+    // Files of one name are told apart by their folders.
+    let paths: Vec<String> = tables
+        .iter()
+        .map(|files| files.path.display().to_string())
+        .collect();
+    let is_shared = |name: &str| tables.iter().filter(|files| files.name == name).count() > 1;
+    for (source, path) in sources.iter_mut().zip(&paths) {
+        if is_shared(source.name) {
+            source.name = path;
+        }
+    }
+    for files in tables {
+        // A table that cannot be drawn is refused with its name.
+        picture::overlay(&[files.source()], &Choices::default())
+            .map_err(|error| files.refuse(&error))?;
+    }
+    let svg = picture::overlay(&sources, choices)
+        .map_err(|error| InputError::other(error.to_string()).at(Place::file(out)))?;
+    Ok(Picture { suffix: "", svg })
+}
+
+fn write(place: &Path, pictures: &[Picture], forms: &[Form]) -> Result<(), Failure> {
+    let files = Folder::of(place)?.write_files(&files(&stem(place), pictures, forms)?)?;
+    for file in files {
+        print(&format!("{}\n", file.display()))?;
     }
     Ok(())
 }
@@ -106,7 +208,7 @@ fn form_of(out: &Path) -> Result<Form, InputError> {
         Some("svg") => Ok(Form::Svg),
         Some("png") => Ok(Form::Png),
         _ => Err(InputError::other(
-            "is no name of a picture: allowed is one that ends in .svg or .png",
+            "is not the name of a picture: allowed is one that ends in .svg or .png",
         )
         .at(Place::file(out))),
     }
@@ -117,31 +219,4 @@ fn stem(path: &Path) -> String {
         .unwrap_or(path.as_os_str())
         .to_string_lossy()
         .into_owned()
-}
-
-fn draw(table: &Path, least_over: &[String]) -> Result<Vec<Picture>, InputError> {
-    let refuse = |complaint: String| InputError::other(complaint).at(Place::file(table));
-    let text =
-        fs::read_to_string(table).map_err(|error| refuse(format!("cannot be read: {error}")))?;
-    let beside = |ending: &str| {
-        let name = format!("{}{ending}", stem(table));
-        fs::read_to_string(table.with_file_name(name)).ok()
-    };
-    // Tables of sensitivities have no record of their own.
-    let of_sweep = stem(table).strip_suffix("-sensitivity").map(str::to_owned);
-    let of_sweep = of_sweep
-        .and_then(|stem| fs::read_to_string(table.with_file_name(format!("{stem}.json"))).ok());
-    let record = beside(".json").or(of_sweep);
-    let (text, bands) = match least_over {
-        [] => (text, beside("-bands.csv")),
-        axes => (worst_case::over(&text, axes).map_err(refuse)?, None),
-    };
-    let pictures = picture::draw(&text, bands.as_deref(), record.as_deref())
-        .map_err(|error| refuse(error.to_string()))?;
-    if pictures.is_empty() {
-        return Err(refuse(
-            "has no picture: allowed are tables over one axis or a grid of two".to_owned(),
-        ));
-    }
-    Ok(pictures)
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_figures::picture;
+use touchdown_figures::picture::{self, Choices, Source};
 
 use super::flights::{self, AZIMUTH_SPEED, INTERVAL, Moment};
 use crate::failure::Failure;
@@ -46,7 +46,13 @@ pub fn files(vehicle: &Vehicle) -> Result<Vec<(String, Vec<u8>)>, Failure> {
         ),
     ] {
         let record = format!("{record:#}\n");
-        let pictures = picture::draw(&table, None, Some(&record)).map_err(Failure::running)?;
+        let source = Source {
+            name: stem,
+            table: &table,
+            bands: None,
+            record: Some(&record),
+        };
+        let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
         files.extend(plot::both(stem, &pictures)?);
         files.push((format!("{stem}.csv"), table.into_bytes()));
         files.push((format!("{stem}.json"), record.into_bytes()));

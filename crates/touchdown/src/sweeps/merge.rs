@@ -109,6 +109,7 @@ fn merge(shards: Shards, folder: &Folder, format: Format) -> Result<String, Fail
         &written.counts,
         circumstances,
         &written.files,
+        written.remark.as_deref(),
     ))
 }
 

@@ -131,6 +131,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
                     &results.counts,
                     results.circumstances,
                     &results.files,
+                    results.remark.as_deref(),
                 );
                 lines.push(overview::Line::of(
                     sweep,

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use touchdown_figures::picture;
+use touchdown_figures::figure_error::FigureError;
+use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_sweep::design::Design;
 use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::input_error::InputError;
@@ -18,8 +19,10 @@ use crate::failure::Failure;
 use crate::output_guard::OutputGuard;
 use crate::plot;
 
-/// Longest table that is drawn, bytes: beyond it nothing could be made out.
+/// Longest table that is drawn, bytes: beyond it nothing could be made out. Of a table over more axes than
+/// pictures can show, the worst case over the others is drawn, so that it may be longer.
 const LONGEST_DRAWN: u64 = 4 << 20;
+const LONGEST_REDUCED: u64 = 64 << 20;
 /// Axes that pictures can show.
 const MOST_DRAWN_AXES: usize = 2;
 
@@ -40,6 +43,8 @@ pub struct Written {
     pub circumstances: Circumstances<'static>,
     /// The files.
     pub files: Vec<PathBuf>,
+    /// Which pictures there are not, and how they can be drawn.
+    pub remark: Option<String>,
 }
 
 /// What follows the name of a sweep in the names of its tables, and a column that each of them has.
@@ -117,7 +122,7 @@ pub fn write(
     let record = results::record(sweep, &tables.counts, circumstances.version);
     let record = format!("{record:#}\n");
 
-    let mut files = pictures(sweep, &tables, &record)?;
+    let (mut files, remark) = pictures(sweep, &tables, &record, folder)?;
     files.extend(tornado_chart(sweep, &tables, &record)?);
     files.push((format!("{}.json", sweep.stem()), record.into_bytes()));
     let mut drafts = files
@@ -136,6 +141,7 @@ pub fn write(
         counts: tables.counts,
         circumstances,
         files: Draft::put_in_place(drafts)?,
+        remark,
     })
 }
 
@@ -153,31 +159,73 @@ fn tornado_chart(
     let Some(text) = text else {
         return Ok(Vec::new());
     };
-    let pictures = picture::draw(&text, None, Some(record)).map_err(Failure::running)?;
+    let source = Source {
+        table: &text,
+        record: Some(record),
+        ..Source::default()
+    };
+    let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
     plot::both(&format!("{}-sensitivity", sweep.stem()), &pictures)
 }
 
+/// Files by name.
+type NamedFiles = Vec<(String, Vec<u8>)>;
+
+/// The pictures of a boundary over a grid, and what is to be said of those that there are not.
 fn pictures(
     sweep: &Sweep,
     tables: &Tables,
     record: &str,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let has_words = sweep.axes.iter().any(|axis| !axis.words().is_empty());
-    let is_drawn = matches!(
-        (&sweep.job, &sweep.design),
-        (Job::Boundary(_), Design::Grid(_))
-    );
-    if !is_drawn || has_words || sweep.axes.len() > MOST_DRAWN_AXES {
-        return Ok(Vec::new());
+    folder: &Folder,
+) -> Result<(NamedFiles, Option<String>), Failure> {
+    if !matches!(sweep.job, Job::Boundary(_)) {
+        return Ok((Vec::new(), None));
     }
-    let Some(points) = tables.points.text(LONGEST_DRAWN)? else {
-        return Ok(Vec::new());
+    let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
+    if !matches!(sweep.design, Design::Grid(_)) {
+        return none("the points are no grid");
+    }
+    let is_reduced = sweep.axes.len() > MOST_DRAWN_AXES;
+    let longest = if is_reduced {
+        LONGEST_REDUCED
+    } else {
+        LONGEST_DRAWN
+    };
+    let stem = sweep.stem();
+    let table = folder.path(&format!("{stem}.csv"));
+    let Some(points) = tables.points.text(longest)? else {
+        let table = table.display();
+        return none(&format!(
+            "the table has more than {} MB: `touchdown plot {table}` draws it",
+            longest >> 20
+        ));
     };
     let bands = match &tables.beside {
         Some(bands) => bands.text(LONGEST_DRAWN)?,
         None => None,
     };
-    let pictures =
-        picture::draw(&points, bands.as_deref(), Some(record)).map_err(Failure::running)?;
-    plot::both(&sweep.stem(), &pictures)
+    let source = Source {
+        name: &stem,
+        table: &points,
+        bands: bands.as_deref(),
+        record: Some(record),
+    };
+    let pictures = match picture::draw(&source, &Choices::default()) {
+        Ok(pictures) => pictures,
+        Err(FigureError::NoPicture(reason)) => return none(&reason),
+        Err(error) => return Err(Failure::running(error)),
+    };
+    let remark = is_reduced.then(|| {
+        let [.., slow, fast] = sweep.axes.as_slice() else {
+            return String::new();
+        };
+        format!(
+            "pictures show V_H at worst over all axes but two: `touchdown plot {} --worst-by {},{}` \
+             and the like draw others",
+            table.display(),
+            slow.name(),
+            fast.name()
+        )
+    });
+    Ok((plot::both(&stem, &pictures)?, remark))
 }

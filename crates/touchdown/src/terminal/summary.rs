@@ -51,6 +51,7 @@ pub fn sweep(
     counts: &SweepCounts,
     circumstances: Circumstances,
     files: &[PathBuf],
+    remark: Option<&str>,
 ) -> String {
     let mut text = format!("{}\n", sweep.title);
     match &counts.probabilities {
@@ -84,6 +85,9 @@ pub fn sweep(
         cost(counts.landings, counts.evaluations, wall_time, threads)
     );
     text += &format!("  {}", written(files));
+    if let Some(remark) = remark {
+        text += &format!("  {remark}\n");
+    }
     text
 }
 

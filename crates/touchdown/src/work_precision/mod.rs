@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use touchdown_dynamics::scene::{CrushRule, Settings};
-use touchdown_figures::picture;
+use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::measured_scenes::{level_grid, near_boundary};
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -31,7 +31,9 @@ another and compared with themselves at 1e-11:
   position, pitch and least stability angle; times are the least of five, taken in turns;
   first transitions of the level grid (cross-slope 80 to 180 deg, roll -60 to 60 deg): error of V_H.
 
-Writes work-precision.csv, .svg and .png. Takes minutes; with --quick, half a minute.";
+Writes work-precision.csv, a picture of errors against run time (work-precision.svg and .png) and one
+against evaluations (work-precision-evaluations.svg and .png). Takes minutes; with --quick, half a
+minute.";
 
 /// Options of `work-precision`.
 #[derive(Debug, Args)]
@@ -40,7 +42,7 @@ pub struct Options {
     /// Fewer tolerances, landings and transitions
     #[arg(long)]
     quick: bool,
-    /// Folder for the table and the picture
+    /// Folder for the table and the pictures
     #[arg(long, value_name = "DIR", default_value = "results")]
     out: PathBuf,
     /// Vehicle file (TOML)
@@ -83,7 +85,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     print(&report::text(&rows))?;
     let table = report::csv(&rows);
-    let pictures = picture::draw(&table, None, None).map_err(Failure::running)?;
+    let source = Source {
+        table: &table,
+        ..Source::default()
+    };
+    let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
     let mut files = plot::both("work-precision", &pictures)?;
     files.push(("work-precision.csv".to_owned(), table.into_bytes()));
     for file in folder.write_files(&files)? {

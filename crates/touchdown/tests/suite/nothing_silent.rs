@@ -31,7 +31,7 @@ fn landings_out_of_time_are_undecided_and_not_stable() {
     let bands = bench.read("results/slide-bands.csv");
     assert!(bands.contains(",0,2,undecided,,time-expired,"), "{bands}");
     let picture = bench.read("results/slide.svg");
-    assert!(picture.contains("undecided") && !picture.contains("\nstable\n"));
+    assert!(picture.contains("undecided") && !picture.contains(">stable</text>"));
 
     let sample = sliding()
         .replace("title", "job = \"outcome\"\ntitle")

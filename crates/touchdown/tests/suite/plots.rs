@@ -61,13 +61,171 @@ fn what_cannot_be_drawn_is_refused() {
     plot(&["none.csv"]).refused(&["none.csv: cannot be read"]);
     plot(&["sweep.toml"]).refused(&["sweep.toml: result table:"]);
     plot(&["grid.csv", "--out", "map.pdf"]).refused(&["map.pdf", "ends in .svg or .png"]);
-    plot(&["grid.csv", "grid.csv", "--out", "map.svg"]).refused(&["map.svg", "one table"]);
+    plot(&["grid.csv", "grid.csv", "--out", "map.svg"])
+        .refused(&["map.svg", "one table or several histories"]);
+    plot(&["grid.csv", "--levels", "12,11"]).refused(&["--levels", "1 to 30 velocities"]);
+    plot(&["grid.csv", "--worst-by", "friction"]).refused(&[
+        "grid.csv: ",
+        "friction is no axis",
+        "cross_slope_deg, roll_deg",
+    ]);
+    plot(&["grid.csv", "--columns", "psi_deg"]).refused(&["columns cannot be chosen for a sweep"]);
     bench.write("grid.csv", &grid().replace(",13,13,13", ",fast,13,13"));
     plot(&["grid.csv"]).refused(&["grid.csv: result table: row 4: first_transition_fps = fast"]);
     bench.write("grid.csv", &grid().replace("180,10", "170,10"));
-    plot(&["grid.csv"]).refused(&["grid.csv: has no picture", "a grid of two"]);
+    plot(&["grid.csv"]).refused(&["grid.csv: has no picture", "a grid of at least 2 by 2"]);
     bench.write("grid.csv", &grid());
     bench.write("grid.json", "{");
     plot(&["grid.csv"]).refused(&["grid.csv: result table: record:"]);
     assert_eq!(bench.list(".").len(), 4);
+}
+
+/// One damaged number must not keep the program busy: it is refused with its row.
+#[test]
+fn absurd_numbers_are_refused() {
+    let bench = Bench::new();
+    for absurd in ["1e9", "1e16", "1e308"] {
+        bench.write(
+            "grid.csv",
+            &grid().replace(",13,13,13", &format!(",{absurd},13,13")),
+        );
+        bench.run(&["plot", "grid.csv"]).refused(&[
+            "grid.csv: result table: row 4: first_transition_fps = ",
+            absurd,
+        ]);
+        bench.write("grid.csv", &grid().replace("180,", &format!("{absurd},")));
+        let done = bench.run(&["plot", "grid.csv"]);
+        if absurd == "1e9" {
+            assert_eq!(done.code, Some(0), "{}", done.err);
+        } else {
+            done.refused(&["row 3: cross_slope_deg = ", absurd]);
+        }
+    }
+}
+
+/// Levels come from the data, or from the command line.
+#[test]
+fn maps_of_other_vehicles_have_levels_of_their_own() {
+    let bench = Bench::new();
+    let rows: String = (0..6)
+        .flat_map(|slope| (0..6).map(move |friction| (slope, friction)))
+        .map(|(slope, friction)| {
+            let speed = 6.9 + 0.5 * f64::from(slope) + 0.38 * f64::from(friction);
+            format!("{slope},{friction},unstable,{speed},{speed},{speed}\n")
+        })
+        .collect();
+    let heading = HEADING.replace("cross_slope_deg,roll_deg", "slope_deg,friction");
+    bench.write("map.csv", &format!("{heading}{rows}"));
+    let labels = |arguments: &[&str]| -> Vec<String> {
+        let done = bench.run(&[&["plot", "map.csv", "--out", "map.svg"], arguments].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let picture = bench.read("map-contours.svg");
+        let map = picture.split(">ft/s</text>").next().unwrap().to_owned();
+        let texts = map
+            .split("</text>")
+            .filter(|text| text.contains("font-size=\"11\""));
+        texts
+            .map(|text| text.rsplit('>').next().unwrap().to_owned())
+            .collect()
+    };
+    assert_eq!(
+        labels(&[]),
+        ["7.5", "8", "8.5", "9", "9.5", "10", "10.5", "11"]
+    );
+    assert_eq!(labels(&["--levels", "7.3,8.9"]), ["7.3", "8.9"]);
+    let picture = bench.read("map-contours.svg");
+    assert!(picture.contains("Slope θ, deg") && picture.contains("Friction coefficient μ"));
+    assert!(!picture.contains("jumps") && !picture.contains("1966"));
+}
+
+/// A sweep over more than two axes has pictures of the worst case, and says how to get others.
+#[test]
+fn sweeps_over_many_axes_are_drawn_at_worst_over_all_but_two() {
+    let bench = Bench::new();
+    let axes = "[axes]\ncross_slope_deg = [170, 180]\nfriction = [0.9, 1.0]\n";
+    let sweep = crate::common::SWEEP
+        .replace("cross_slope_deg = 180\n", "")
+        .replace("friction = 1.0\n", "")
+        .replace("[axes]\n", axes);
+    bench.write("many.toml", &sweep);
+    let done = bench.run(&["sweep", "many.toml"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let command = "`touchdown plot results/many.csv --worst-by friction,roll_deg`";
+    assert!(done.out.contains(command), "{}", done.out);
+    let map = bench.read("results/many-contours.svg");
+    assert!(
+        map.contains("at worst over friction coefficient μ"),
+        "{map}"
+    );
+    // The old word for the option still works.
+    for option in ["--worst-by", "--least-over"] {
+        let axes = "friction,roll_deg";
+        let out = format!("{option}.svg");
+        let done = bench.run(&[
+            "plot",
+            "results/many.csv",
+            option,
+            axes,
+            &format!("--out=new/{out}"),
+        ]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    let [new, old] = ["--worst-by", "--least-over"].map(|option| {
+        let map = bench.read(&format!("new/{option}-contours.svg"));
+        assert!(map.contains("at worst over cross-slope angle λ"), "{map}");
+        map
+    });
+    assert_eq!(new, old);
+}
+
+/// A landing has a page of few panels; columns can be chosen, and landings drawn over each other.
+#[test]
+fn histories_are_drawn_on_a_page() {
+    let bench = Bench::new();
+    for (name, speed) in [("slow.csv", "10"), ("fast.csv", "11.25")] {
+        let mut arguments = crate::common::BASELINE.to_vec();
+        arguments[5] = speed;
+        arguments.extend(["--history", name, "--interval", "0.02"]);
+        assert_eq!(bench.run(&arguments).code, Some(0));
+    }
+    let plot = |arguments: &[&str]| {
+        let done = bench.run(&[&["plot"], arguments].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    };
+    plot(&["slow.csv", "--out", "page.svg"]);
+    let page = bench.read("page.svg");
+    for title in [
+        "Velocity, ft/s",
+        "Attitude, deg",
+        "Stability angle σ, deg",
+        "Strut force, lb",
+        "Footpad load, lb",
+        "Energy, ft lb",
+    ] {
+        assert!(page.contains(&format!(">{title}</text>")), "{title}");
+    }
+    assert!(page.contains(">leg 3</text>"));
+    plot(&[
+        "slow.csv",
+        "--columns",
+        "stroke_#_ft,sigma_deg",
+        "--out",
+        "strokes.svg",
+    ]);
+    let strokes = bench.read("strokes.svg");
+    assert!(strokes.contains(">stroke, leg 3</text>") && !strokes.contains("Velocity"));
+    plot(&["slow.csv", "fast.csv", "--out", "both.svg"]);
+    let both = bench.read("both.svg");
+    assert!(both.contains(">slow</text>") && both.contains(">fast</text>"));
+    bench
+        .run(&[
+            "plot",
+            "slow.csv",
+            "--columns",
+            "strok_1_ft",
+            "--out",
+            "no.svg",
+        ])
+        .refused(&["slow.csv: ", "no column strok_1_ft", "stroke_#_ft"]);
+    assert!(!bench.path("no.svg").exists());
 }

@@ -143,16 +143,20 @@ fn options_hold_instead_of_what_the_sweep_file_says() {
         "light.toml",
         &crate::common::SURVEYOR.replace("mass_slug = 20", "mass_slug = 19"),
     );
+    let statement = format!("statement = \"1966: 11 ft/s\"\n{}", crate::common::SWEEP);
+    bench.write("sweep.toml", &statement);
     let changed = ["--vehicle", "light.toml", "--crush-rule", "section"];
     let done = bench.run(&[&["sweep", "sweep.toml"], &changed[..]].concat());
     assert_eq!(done.code, Some(0), "{}", done.err);
     let record = bench.read("results/sweep.json");
     assert!(record.contains("\"crush_rule\": \"section\""));
     assert!(record.contains("\"mass_slug\": 19.0"));
+    // What was stated of another vehicle does not stand above this one's picture.
+    assert!(!record.contains("1966") && !bench.read("results/sweep.svg").contains("1966"));
 }
 
 #[test]
-fn a_single_row_has_a_table_but_no_picture_and_quiet_is_quiet() {
+fn a_single_row_has_a_profile_and_quiet_is_quiet() {
     let bench = Bench::new();
     let two = crate::common::SWEEP
         .replace("slope_deg = 15\n", "")
@@ -163,7 +167,10 @@ fn a_single_row_has_a_table_but_no_picture_and_quiet_is_quiet() {
         (done.code, done.out.as_str(), done.err.as_str()),
         (Some(0), "", "")
     );
-    assert_eq!(bench.list("results"), ["sweep.csv", "sweep.json"]);
+    assert_eq!(
+        bench.list("results"),
+        ["sweep.csv", "sweep.json", "sweep.png", "sweep.svg"]
+    );
     assert!(
         bench
             .read("results/sweep.csv")

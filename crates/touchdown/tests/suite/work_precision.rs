@@ -17,8 +17,18 @@ fn tighter_tolerances_cost_more_and_err_less() {
         "new",
     ]);
     assert_eq!(done.code, Some(0), "{}", done.err);
-    let names = ["csv", "png", "svg"].map(|ending| format!("work-precision.{ending}"));
-    assert_eq!(bench.list("new"), names);
+    assert_eq!(
+        bench.list("new"),
+        [
+            "work-precision-evaluations.png",
+            "work-precision-evaluations.svg",
+            "work-precision.csv",
+            "work-precision.png",
+            "work-precision.svg"
+        ]
+    );
+    let picture = bench.read("new/work-precision-evaluations.svg");
+    assert!(picture.contains("Evaluations of the equations of motion"));
     let table = std::fs::read_to_string(bench.path("new/work-precision.csv")).unwrap();
     let mut lines = table
         .lines()

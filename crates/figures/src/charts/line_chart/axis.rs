@@ -1,7 +1,8 @@
 //! An axis of a chart: evenly divided, or by powers.
 
+use crate::frame::Scale;
 use crate::number::label;
-use crate::sheet::round_values;
+use crate::ticks::round_values;
 
 /// What a curve of two equal values is spread to.
 const LEAST_EXTENT: f64 = 1e-9;
@@ -13,12 +14,12 @@ const DOUBLINGS_BEYOND: f64 = 0.68;
 pub struct Axis {
     /// Quantity and unit.
     pub title: String,
-    scale: Scale,
+    division: Division,
 }
 
 /// How an axis is divided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Scale {
+enum Division {
     Linear,
     /// By powers of ten, from one to another.
     Decades,
@@ -27,51 +28,51 @@ enum Scale {
 }
 
 impl Axis {
-    fn new(title: &str, scale: Scale) -> Self {
+    fn new(title: &str, division: Division) -> Self {
         Self {
             title: title.to_owned(),
-            scale,
+            division,
         }
     }
 
     /// An evenly divided axis.
     pub fn linear(title: &str) -> Self {
-        Self::new(title, Scale::Linear)
+        Self::new(title, Division::Linear)
     }
 
     /// An axis divided by powers of ten; values then are greater than zero.
     pub fn logarithmic(title: &str) -> Self {
-        Self::new(title, Scale::Decades)
+        Self::new(title, Division::Decades)
     }
 
     /// An axis divided by powers of two, for values greater than zero within a decade or two.
     pub fn doublings(title: &str) -> Self {
-        Self::new(title, Scale::Doublings)
+        Self::new(title, Division::Doublings)
     }
 
     /// Where a value lies along the axis.
     pub(super) fn place(&self, value: f64) -> f64 {
-        match self.scale {
-            Scale::Linear => value,
-            Scale::Decades => value.log10(),
-            Scale::Doublings => value.log2(),
+        match self.division {
+            Division::Linear => value,
+            Division::Decades => value.log10(),
+            Division::Doublings => value.log2(),
         }
     }
 
     /// What is written at a place.
-    pub(super) fn label(&self, place: f64) -> String {
+    fn label(&self, place: f64) -> String {
         let power = place.round();
-        match self.scale {
-            Scale::Linear => label(place),
+        match self.division {
+            Division::Linear => label(place),
             _ if (place - power).abs() > 1e-6 => String::new(),
-            Scale::Doublings => label(power.exp2()),
-            Scale::Decades if (-4.0..6.0).contains(&power) => label(10f64.powf(power)),
-            Scale::Decades => format!("1e{}", label(power)),
+            Division::Doublings => label(power.exp2()),
+            Division::Decades if (-4.0..6.0).contains(&power) => label(10f64.powf(power)),
+            Division::Decades => format!("1e{}", label(power)),
         }
     }
 
     /// Ends of the axis around its values.
-    pub(super) fn extent(&self, values: impl Iterator<Item = f64>) -> (f64, f64) {
+    fn extent(&self, values: impl Iterator<Item = f64>) -> (f64, f64) {
         let (low, high) = values
             .map(|value| self.place(value))
             .filter(|place| place.is_finite())
@@ -81,21 +82,37 @@ impl Axis {
         if low > high {
             return (0.0, 1.0);
         }
-        match self.scale {
-            Scale::Linear => {
+        match self.division {
+            Division::Linear => {
                 let margin = 0.03 * (high - low).max(LEAST_EXTENT);
                 (low - margin, high + margin)
             }
-            Scale::Decades => (low.floor(), high.ceil().max(low.floor() + 1.0)),
-            Scale::Doublings => (low - DOUBLINGS_BEYOND, high + DOUBLINGS_BEYOND),
+            Division::Decades => (low.floor(), high.ceil().max(low.floor() + 1.0)),
+            Division::Doublings => (low - DOUBLINGS_BEYOND, high + DOUBLINGS_BEYOND),
         }
     }
 
-    /// About how many numbers stand between two places.
-    pub(super) fn divisions(&self, from: f64, to: f64) -> usize {
-        match self.scale {
-            Scale::Linear => round_values(from, to).len() + 1,
-            Scale::Decades | Scale::Doublings => (to - from).round() as usize + 1,
+    /// The axis around its values, with a title or without.
+    pub(super) fn scale(&self, values: impl Iterator<Item = f64>, is_titled: bool) -> Scale {
+        let (from, to) = self.extent(values);
+        let places = match self.division {
+            Division::Linear => round_values(from, to, 7),
+            Division::Decades | Division::Doublings => {
+                // Powers, or every second one and so on where there are many.
+                let mut powers = round_values(from, to, 12);
+                powers.retain(|power| power.fract() == 0.0);
+                powers
+            }
+        };
+        let ticks = places.into_iter().map(|place| (place, self.label(place)));
+        Scale {
+            title: if is_titled {
+                self.title.clone()
+            } else {
+                String::new()
+            },
+            ends: (from, to),
+            ticks: ticks.collect(),
         }
     }
 }

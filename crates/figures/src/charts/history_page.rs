@@ -1,0 +1,261 @@
+//! Which panels a picture of histories has, and which curves each of them.
+
+use crate::axis_title::{axis_title, column_words};
+use crate::figure_error::FigureError;
+use crate::unit::split_unit;
+
+/// A panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Quantity and unit.
+    pub title: String,
+    /// Its curves.
+    pub curves: Vec<Curve>,
+}
+
+/// A curve: a column, or the sum of several.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// What tells it apart in its panel.
+    pub name: String,
+    /// Columns that are added up.
+    pub columns: Vec<String>,
+}
+
+/// Tables of no more columns than this have a panel for each of them.
+const FEW: usize = 6;
+
+/// The panels that a landing is judged by: title, and name and columns of each curve. A `#` stands for the number of a
+/// leg.
+type PagePanel = (
+    &'static str,
+    &'static [(&'static str, &'static [&'static str])],
+);
+const PAGE: [PagePanel; 6] = [
+    (
+        "Velocity, ft/s",
+        &[
+            ("across", &["x_rate_fps"]),
+            ("up the slope", &["y_rate_fps"]),
+            ("down", &["z_rate_fps"]),
+        ],
+    ),
+    (
+        "Attitude, deg",
+        &[
+            ("pitch Ψ", &["psi_deg"]),
+            ("yaw Φ", &["phi_deg"]),
+            ("roll Ξ", &["xi_deg"]),
+        ],
+    ),
+    ("Stability angle σ, deg", &[("σ", &["sigma_deg"])]),
+    ("Strut force, lb", &[("leg #", &["strut_force_#_lb"])]),
+    ("Footpad load, lb", &[("leg #", &["pad_normal_#_lb"])]),
+    (
+        "Energy, ft lb",
+        &[
+            ("kinetic", &["kinetic_energy_ftlb"]),
+            ("released by gravity", &["potential_energy_change_ftlb"]),
+            ("work on struts", &["strut_work_#_ftlb"]),
+            (
+                "crushing",
+                &["pad_crush_work_#_ftlb", "block_crush_work_#_ftlb"],
+            ),
+            (
+                "friction",
+                &["pad_friction_work_#_ftlb", "block_friction_work_#_ftlb"],
+            ),
+        ],
+    ),
+];
+
+/// The panels of a table with these quantities.
+pub fn panels(quantities: &[String]) -> Vec<Panel> {
+    let page: Vec<Panel> = PAGE
+        .iter()
+        .filter_map(|panel| of_page(quantities, panel))
+        .collect();
+    if quantities.len() > FEW && !page.is_empty() {
+        return page;
+    }
+    let panel = |column: &String| Panel {
+        title: axis_title(column),
+        curves: vec![curve(column)],
+    };
+    quantities.iter().map(panel).collect()
+}
+
+/// A panel of the page, if the table has a column for it.
+fn of_page(quantities: &[String], (title, curves): &PagePanel) -> Option<Panel> {
+    let mut found = Vec::new();
+    for (name, patterns) in *curves {
+        let columns: Vec<String> = patterns
+            .iter()
+            .flat_map(|pattern| matching(quantities, pattern))
+            .collect();
+        if name.contains('#') {
+            found.extend(columns.into_iter().enumerate().map(|(leg, column)| Curve {
+                name: name.replace('#', &(leg + 1).to_string()),
+                columns: vec![column],
+            }));
+        } else if !columns.is_empty() {
+            found.push(Curve {
+                name: (*name).to_owned(),
+                columns,
+            });
+        }
+    }
+    (!found.is_empty()).then(|| Panel {
+        title: (*title).to_owned(),
+        curves: found,
+    })
+}
+
+/// Panels of chosen columns, one for each unit. A `#` in a name stands for the number of any leg.
+///
+/// # Errors
+/// Names the column that the table does not have.
+pub fn chosen(quantities: &[String], names: &[String]) -> Result<Vec<Panel>, FigureError> {
+    let mut panels: Vec<(&str, Vec<Curve>)> = Vec::new();
+    for name in names {
+        let columns = matching(quantities, name);
+        if columns.is_empty() {
+            return Err(FigureError::Table(format!(
+                "has no column {name}: allowed are {}",
+                patterns(quantities).join(", ")
+            )));
+        }
+        let unit = split_unit(name).1;
+        let curves = columns.iter().map(curve);
+        match panels.iter_mut().find(|(known, _)| *known == unit) {
+            Some((_, panel)) => panel.extend(curves),
+            None => panels.push((unit, curves.collect())),
+        }
+    }
+    let panel = |(unit, curves): (&str, Vec<Curve>)| Panel {
+        title: match curves.as_slice() {
+            [curve] => axis_title(&curve.columns[0]),
+            _ => of_unit(unit),
+        },
+        curves,
+    };
+    Ok(panels.into_iter().map(panel).collect())
+}
+
+fn curve(column: &String) -> Curve {
+    Curve {
+        name: column_words(column),
+        columns: vec![column.clone()],
+    }
+}
+
+/// Title of an axis that several quantities of a unit share.
+fn of_unit(unit: &str) -> String {
+    let quantity = match unit {
+        "deg" => "Angle",
+        "deg/s" => "Angular velocity",
+        "ft" => "Length",
+        "ft/s" => "Velocity",
+        "lb" => "Force",
+        "ft lb" => "Energy and work",
+        "" => return "Number".to_owned(),
+        unit => return unit.to_owned(),
+    };
+    format!("{quantity}, {unit}")
+}
+
+/// Names of columns, with `#` for the number of a leg, each once.
+fn patterns(columns: &[String]) -> Vec<String> {
+    let mut patterns: Vec<String> = Vec::new();
+    for column in columns {
+        let words = column.split('_').map(|word| match word.as_bytes() {
+            [b'1'..=b'9'] => "#",
+            _ => word,
+        });
+        let pattern = words.collect::<Vec<_>>().join("_");
+        if !patterns.contains(&pattern) {
+            patterns.push(pattern);
+        }
+    }
+    patterns
+}
+
+/// The columns that a name with or without `#` stands for.
+fn matching(columns: &[String], name: &str) -> Vec<String> {
+    let is_match = |column: &&String| match name.split_once('#') {
+        None => *column == name,
+        Some((before, after)) => {
+            let leg = column.strip_prefix(before);
+            let leg = leg.and_then(|rest| rest.strip_suffix(after));
+            leg.is_some_and(|leg| leg.len() == 1 && leg.as_bytes()[0].is_ascii_digit())
+        }
+    };
+    columns.iter().filter(is_match).cloned().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn owned(names: &[&str]) -> Vec<String> {
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
+    fn titles(panels: &[Panel]) -> Vec<(&str, usize)> {
+        let told = panels.iter();
+        told.map(|panel| (panel.title.as_str(), panel.curves.len()))
+            .collect()
+    }
+
+    #[test]
+    fn a_landing_has_a_page_and_few_columns_a_panel_each() {
+        let columns = owned(&[
+            "z_ft",
+            "x_rate_fps",
+            "z_rate_fps",
+            "psi_deg",
+            "sigma_deg",
+            "strut_force_1_lb",
+            "strut_force_2_lb",
+            "strut_work_1_ftlb",
+            "strut_work_2_ftlb",
+            "kinetic_energy_ftlb",
+        ]);
+        let panels = panels(&columns);
+        assert_eq!(
+            titles(&panels),
+            [
+                ("Velocity, ft/s", 2),
+                ("Attitude, deg", 1),
+                ("Stability angle σ, deg", 1),
+                ("Strut force, lb", 2),
+                ("Energy, ft lb", 2)
+            ]
+        );
+        assert_eq!(panels[3].curves[1].name, "leg 2");
+        let work = &panels[4].curves[1];
+        assert_eq!(work.columns, ["strut_work_1_ftlb", "strut_work_2_ftlb"]);
+        let few = super::panels(&columns[..3]);
+        assert_eq!(
+            titles(&few),
+            [
+                ("Position down, ft", 1),
+                ("Velocity across, ft/s", 1),
+                ("Velocity down, ft/s", 1)
+            ]
+        );
+    }
+
+    #[test]
+    fn chosen_columns_share_a_panel_if_they_share_their_unit() {
+        let columns = owned(&["psi_deg", "stroke_1_ft", "stroke_2_ft", "xi_deg"]);
+        let panels = chosen(&columns, &owned(&["psi_deg", "stroke_#_ft", "xi_deg"])).unwrap();
+        assert_eq!(titles(&panels), [("Angle, deg", 2), ("Length, ft", 2)]);
+        assert_eq!(panels[1].curves[0].name, "stroke, leg 1");
+        let complaint = chosen(&columns, &owned(&["stroke_ft"])).unwrap_err();
+        let complaint = complaint.to_string();
+        assert!(
+            complaint.contains("no column stroke_ft: allowed are psi_deg, stroke_#_ft, xi_deg")
+        );
+    }
+}

@@ -1,0 +1,85 @@
+//! What the marks of maps and perspectives mean.
+
+use crate::boundary_table::Kind;
+use crate::canvas::Style;
+use crate::caption::Caption;
+use crate::ink;
+use crate::legend::{Entry, Mark};
+use crate::number;
+use crate::parameter_words::parameter_words;
+use crate::surface::{Cell, Surface};
+
+/// The legend of a contour map: an entry for every mark that the map has.
+pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
+    let slow = parameter_words(&surface.axes[0]);
+    let mut entries = vec![(Mark::Valley, format!("lowest V_H at each {slow}"))];
+    if has_leading_feet(surface, caption) {
+        let words = "AB: V_H bisects the leading feet".to_owned();
+        entries.push((Mark::Line(bisector()), words));
+    }
+    let has_torn = surface.cells().any(|(_, cell)| cell == Cell::Torn);
+    if has_torn {
+        entries.push((Mark::Jump, jump_words(surface)));
+        let torn = Mark::Area(Style::fill(ink::TORN));
+        entries.push((torn, "not interpolated across a jump".to_owned()));
+    }
+    entries.extend(of_points(surface, caption));
+    entries
+}
+
+/// The legend of a perspective.
+pub fn of_perspective(surface: &Surface, caption: &Caption) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    if !surface.torn_edges().is_empty() {
+        let words = format!("{}; left open", jump_words(surface));
+        entries.push((Mark::Line(jump()), words));
+    }
+    entries.extend(of_points(surface, caption));
+    entries
+}
+
+/// The line AB of Figure 4-21.
+pub fn bisector() -> Style {
+    Style::stroke(ink::BISECTOR, 2.0).dashed(Some((9.0, 6.0)))
+}
+
+/// The line between two neighbours of a perspective between which the boundary jumps.
+pub fn jump() -> Style {
+    Style::stroke(ink::JUMP, 1.0).opacity(0.6)
+}
+
+/// Whether the line AB belongs on a map: over cross-slope and roll, for feet as the report's vehicle has
+/// them.
+pub fn has_leading_feet(surface: &Surface, caption: &Caption) -> bool {
+    surface.axes == ["cross_slope_deg", "roll_deg"] && caption.has_report_feet
+}
+
+fn jump_words(surface: &Surface) -> String {
+    let least = number::label(surface.jump);
+    format!("V_H jumps by more than {least} ft/s between points")
+}
+
+/// Marks of single points.
+fn of_points(surface: &Surface, caption: &Caption) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    if surface.gaps().next().is_some() {
+        let words = match caption.searched_to {
+            Some(speed) => format!("stable up to {} ft/s", number::label(speed)),
+            None => "no transition".to_owned(),
+        };
+        entries.push((Mark::NoTransition, words));
+    }
+    let known = Kind::ALL.map(|kind| {
+        let below = format!("{}, at or below the lowest speed searched", ink::word(kind));
+        [
+            (Mark::Transition(kind), ink::word(kind).to_owned()),
+            (Mark::AtOrBelow(kind), below),
+        ]
+    });
+    for (mark, words) in known.into_iter().flatten() {
+        if surface.doubtful.iter().any(|(_, found)| *found == mark) {
+            entries.push((mark, words));
+        }
+    }
+    entries
+}

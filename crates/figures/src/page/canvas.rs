@@ -1,0 +1,345 @@
+//! A picture under construction, as SVG. Places are pixels from the upper left corner, with decimals.
+
+use std::fmt::Write;
+
+use crate::thinning::thinned;
+
+/// A place on the picture: pixels to the right and downward.
+pub type Point = (f64, f64);
+
+/// Typefaces, in the order in which a viewer should look for them.
+const TYPEFACE: &str = "Helvetica, Arial, DejaVu Sans, sans-serif";
+/// Width of a letter relative to the size of the type, on average: there is no font to measure with.
+const LETTER: f64 = 0.58;
+/// Height of the middle of a capital letter over its base line, relative to the size of the type.
+const MIDDLE: f64 = 0.36;
+/// What a curve may be off after thinning, pixels.
+const THINNED_BY: f64 = 0.03;
+
+/// A colour: red, green and blue.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Colour(pub u8, pub u8, pub u8);
+
+/// White.
+pub const WHITE: Colour = Colour(255, 255, 255);
+
+/// How a shape is filled and outlined.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Style {
+    fill: Option<Colour>,
+    stroke: Option<(Colour, f64)>,
+    dashes: Option<(f64, f64)>,
+    opacity: Option<f64>,
+}
+
+impl Style {
+    /// Filled, without an outline.
+    pub fn fill(colour: Colour) -> Self {
+        Self {
+            fill: Some(colour),
+            ..Self::default()
+        }
+    }
+
+    /// Outlined by a line of a width in pixels, not filled.
+    pub fn stroke(colour: Colour, width: f64) -> Self {
+        Self::default().outlined(colour, width)
+    }
+
+    /// With an outline of a width in pixels.
+    pub fn outlined(self, colour: Colour, width: f64) -> Self {
+        Self {
+            stroke: Some((colour, width)),
+            ..self
+        }
+    }
+
+    /// With a broken outline: lengths of a dash and of a gap, pixels.
+    pub fn dashed(self, dashes: Option<(f64, f64)>) -> Self {
+        Self { dashes, ..self }
+    }
+
+    /// Seen through: 0 is invisible, 1 opaque.
+    pub fn opacity(self, opacity: f64) -> Self {
+        Self {
+            opacity: Some(opacity),
+            ..self
+        }
+    }
+
+    fn attributes(&self) -> String {
+        let mut text = match self.fill {
+            Some(colour) => format!(" fill=\"{}\"", hex(colour)),
+            None => " fill=\"none\"".to_owned(),
+        };
+        if let Some((colour, width)) = self.stroke {
+            text += &format!(" stroke=\"{}\" stroke-width=\"{width}\"", hex(colour));
+        }
+        if let Some((dash, gap)) = self.dashes {
+            text += &format!(" stroke-dasharray=\"{dash} {gap}\"");
+        }
+        if let Some(opacity) = self.opacity {
+            text += &format!(" opacity=\"{opacity}\"");
+        }
+        text
+    }
+}
+
+/// Which part of a text stands at its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its first letter.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its last letter.
+    End,
+}
+
+/// Size (pixels), colour and anchor of a text.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Font {
+    size: f64,
+    colour: Colour,
+    anchor: Anchor,
+    is_upright: bool,
+}
+
+impl Font {
+    /// A horizontal text with its middle at its place.
+    pub fn new(size: f64, colour: Colour) -> Self {
+        Self {
+            size,
+            colour,
+            anchor: Anchor::Middle,
+            is_upright: false,
+        }
+    }
+
+    /// With another part of the text at its place.
+    pub fn anchor(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
+    }
+
+    /// Written upward.
+    pub fn upright(self) -> Self {
+        Self {
+            is_upright: true,
+            ..self
+        }
+    }
+}
+
+/// Width of a text in type of a size, pixels, estimated.
+pub fn text_width(text: &str, size: f64) -> f64 {
+    text.chars().count() as f64 * LETTER * size
+}
+
+/// A picture under construction.
+#[derive(Debug)]
+pub struct Canvas {
+    svg: String,
+}
+
+impl Canvas {
+    /// A white sheet of a size in pixels.
+    pub fn new((width, height): Point) -> Self {
+        let svg = format!(
+            "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
+             xmlns=\"http://www.w3.org/2000/svg\" font-family=\"{}\">\n\
+             <rect width=\"{width}\" height=\"{height}\" fill=\"#FFFFFF\"/>\n",
+            TYPEFACE
+        );
+        Self { svg }
+    }
+
+    /// The whole picture.
+    pub fn into_svg(self) -> String {
+        self.svg + "</svg>\n"
+    }
+
+    /// Draws a curve from point to point, without points that make no difference.
+    pub fn curve(&mut self, points: &[Point], style: Style) {
+        let points = thinned(points, THINNED_BY);
+        self.shape("polyline", &points, &style.attributes());
+    }
+
+    /// Draws a closed polygon.
+    pub fn polygon(&mut self, corners: &[Point], style: Style) {
+        self.shape("polygon", corners, &style.attributes());
+    }
+
+    fn shape(&mut self, name: &str, points: &[Point], attributes: &str) {
+        let mut text = String::new();
+        for (x, y) in points {
+            let _ = write!(text, "{},{} ", number(*x), number(*y));
+        }
+        let _ = writeln!(
+            self.svg,
+            "<{name} points=\"{}\"{attributes}/>",
+            text.trim_end()
+        );
+    }
+
+    /// Fills polygons that lie beside those of other colours; no paper shines through between them.
+    pub fn mosaic(&mut self, polygons: &[Vec<Point>], colour: Colour) {
+        self.fill(polygons, colour, " shape-rendering=\"crispEdges\"");
+    }
+
+    /// Fills polygons as one shape; no paper shines through between them.
+    pub fn areas(&mut self, polygons: &[Vec<Point>], colour: Colour) {
+        self.fill(polygons, colour, "");
+    }
+
+    fn fill(&mut self, polygons: &[Vec<Point>], colour: Colour, rendering: &str) {
+        if polygons.is_empty() {
+            return;
+        }
+        let mut path = String::new();
+        for polygon in polygons {
+            for (index, (x, y)) in polygon.iter().enumerate() {
+                let command = if index == 0 { 'M' } else { 'L' };
+                let _ = write!(path, "{command}{} {}", coarse(*x), coarse(*y));
+            }
+            path.push('Z');
+        }
+        let fill = Style::fill(colour).attributes();
+        let _ = writeln!(self.svg, "<path d=\"{path}\"{fill}{rendering}/>");
+    }
+
+    /// Draws a circle.
+    pub fn circle(&mut self, (x, y): Point, radius: f64, style: Style) {
+        let _ = writeln!(
+            self.svg,
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\"{}/>",
+            number(x),
+            number(y),
+            style.attributes()
+        );
+    }
+
+    /// Draws a rectangle between two opposite corners.
+    pub fn rectangle(&mut self, (x0, y0): Point, (x1, y1): Point, style: Style) {
+        let _ = writeln!(
+            self.svg,
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}/>",
+            number(x0.min(x1)),
+            number(y0.min(y1)),
+            number((x1 - x0).abs()),
+            number((y1 - y0).abs()),
+            style.attributes()
+        );
+    }
+
+    /// Writes a text, its middle at the height of its place. V_H and V_V have subscripts.
+    pub fn text(&mut self, text: &str, (x, y): Point, font: Font) {
+        let Font { size, colour, .. } = font;
+        let anchor = match font.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let turn = if font.is_upright {
+            format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y))
+        } else {
+            String::new()
+        };
+        let _ = writeln!(
+            self.svg,
+            "<text x=\"{}\" y=\"{}\" font-size=\"{size}\" fill=\"{}\"{anchor}{turn}>{}</text>",
+            number(x),
+            number(y + MIDDLE * size),
+            hex(colour),
+            with_subscripts(&escaped(text))
+        );
+    }
+}
+
+fn hex(Colour(r, g, b): Colour) -> String {
+    format!("#{r:02X}{g:02X}{b:02X}")
+}
+
+/// A coordinate to a hundredth of a pixel.
+fn number(value: f64) -> f64 {
+    (value * 100.0).round() / 100.0 + 0.0
+}
+
+/// A coordinate to a tenth of a pixel, for the corners of areas.
+fn coarse(value: f64) -> f64 {
+    (value * 10.0).round() / 10.0 + 0.0
+}
+
+/// A text as XML allows it.
+fn escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => safe += "&amp;",
+            '<' => safe += "&lt;",
+            '>' => safe += "&gt;",
+            letter if letter.is_control() => safe.push(' '),
+            letter => safe.push(letter),
+        }
+    }
+    safe
+}
+
+/// Sets the letters of V_H and V_V as subscripts.
+fn with_subscripts(text: &str) -> String {
+    let mut parts = text.split("V_");
+    let mut set = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        match part.chars().next() {
+            Some(index @ ('H' | 'V')) => {
+                set += &format!("V<tspan dy=\"3\" font-size=\"75%\">{index}</tspan>");
+                let rest = &part[1..];
+                if !rest.is_empty() {
+                    // Back to the base line.
+                    set += &format!("<tspan dy=\"-3\">{rest}</tspan>");
+                }
+            }
+            _ => {
+                set += "V_";
+                set += part;
+            }
+        }
+    }
+    set
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_finer_than_pixels() {
+        let mut canvas = Canvas::new((100.0, 50.0));
+        canvas.curve(
+            &[(0.125, 0.5), (10.0, 20.337), (30.0, 0.0)],
+            Style::stroke(Colour(0, 0, 255), 2.0),
+        );
+        let svg = canvas.into_svg();
+        assert!(svg.starts_with("<svg width=\"100\" height=\"50\""));
+        assert!(
+            svg.contains("points=\"0.13,0.5 10,20.34 30,0\" fill=\"none\" stroke=\"#0000FF\""),
+            "{svg}"
+        );
+    }
+
+    #[test]
+    fn texts_are_escaped_and_velocities_have_subscripts() {
+        let write = |text: &str| {
+            let mut canvas = Canvas::new((100.0, 50.0));
+            canvas.text(text, (1.0, 2.0), Font::new(10.0, WHITE));
+            canvas.into_svg()
+        };
+        let svg = write("V_H < V_V\u{1}, V_x");
+        assert!(
+            svg.contains(
+                ">V<tspan dy=\"3\" font-size=\"75%\">H</tspan><tspan dy=\"-3\"> &lt; </tspan>\
+                 V<tspan dy=\"3\" font-size=\"75%\">V</tspan><tspan dy=\"-3\"> , </tspan>V_x</text>"
+            ),
+            "{svg}"
+        );
+    }
+}
