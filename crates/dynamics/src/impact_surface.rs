@@ -32,8 +32,9 @@ const DIFFERENCE: f64 = 1e-5;
 const CLOSE: f64 = 1e-11;
 /// Greatest residual of an impact time, s.
 const TIMELY: f64 = 1e-8;
-const MOST_STEPS: usize = 30;
 const MOST_HALVINGS: usize = 10;
+/// Most landings of a search, several times as many as one takes that finds a surface.
+const MOST_LANDINGS: u64 = 60;
 /// Tangent of the steepest surface looked for, 85 deg.
 const STEEPEST: f64 = 11.43;
 /// Tangent below which a surface is level, and horizontal speed (ft/s) below which there is no
@@ -333,7 +334,7 @@ impl<'a> Search<'a> {
     /// Gauss and Newton's steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
-        for _ in 0..MOST_STEPS {
+        while self.landings < MOST_LANDINGS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
             let mut columns = [self.times; 2];
             for (axis, column) in columns.iter_mut().enumerate() {
@@ -364,7 +365,9 @@ impl<'a> Search<'a> {
                     Ok(found) if found.worst() < trial.worst() || step.norm() < CLOSE => {
                         break Some((there, found));
                     }
-                    _ if halvings == MOST_HALVINGS => break None,
+                    _ if halvings == MOST_HALVINGS || self.landings >= MOST_LANDINGS => {
+                        break None;
+                    }
                     _ => {
                         halvings += 1;
                         step *= 0.5;

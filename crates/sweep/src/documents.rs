@@ -2,6 +2,7 @@
 
 pub mod document;
 pub mod file_writer;
+pub mod fingerprint;
 pub mod input_error;
 pub mod key_path;
 pub mod library;

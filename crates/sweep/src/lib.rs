@@ -34,7 +34,9 @@ mod threads;
 pub mod journal;
 pub mod sensitivity;
 
-pub use documents::{document, file_writer, input_error, key_path, library, section, source, unit};
+pub use documents::{
+    document, file_writer, fingerprint, input_error, key_path, library, section, source, unit,
+};
 use input::search_input;
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
 use journal::early_stop;
@@ -53,6 +55,7 @@ pub use search::{
 };
 use search::{join_all, loose_scan};
 pub use summary::{findings, landing_table, probabilities, sweep_counts};
+use sweeps::resolved_input;
 pub use sweeps::{case, measured_scenes, overrides, scene_file, sweep, sweep_file};
 use threads::landing_queue;
 pub use threads::run;

@@ -9,3 +9,6 @@ pub(crate) mod pieces;
 pub mod resampled;
 pub mod rounds;
 pub mod surface_pieces;
+
+#[cfg(test)]
+mod tests;

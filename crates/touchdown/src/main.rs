@@ -17,24 +17,39 @@ mod terminal;
 mod work_precision;
 
 use std::process::ExitCode;
+use std::sync::LazyLock;
 
 use clap::{CommandFactory, Parser, Subcommand};
+use touchdown_dynamics::model_version::MODEL_VERSION;
+use touchdown_sweep::results::COMMIT;
 
 use landings::{cases, integration_report, land, land_files, report, scene_cases};
 use options::{overrides, solver_options, touchdown_options};
 use pictures::plot;
-use sweeps::{dry_run, journal_files, merge, overview, sweep, sweep_files, sweep_results};
+use sweeps::{
+    axis_words, dry_run, estimate, journal_files, merge, overview, sweep, sweep_files,
+    sweep_results,
+};
 use terminal::{failure, interrupt, output_guard, print, progress, summary};
 
 /// How fast sideways may a legged lander touch down before it topples?
 ///
 /// Units throughout: foot, second, pound, slug; angles in degrees.
 #[derive(Debug, Parser)]
-#[command(version, propagate_version = true, after_help = EXIT_CODES)]
+#[command(version, long_version = LONG_VERSION.as_str(), propagate_version = true, after_help = EXIT_CODES)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
 }
+
+/// The version of the program, of the model, and the commit if it is known.
+static LONG_VERSION: LazyLock<String> = LazyLock::new(|| {
+    let commit = COMMIT.map_or(String::new(), |commit| format!(", commit {commit}"));
+    format!(
+        "{} (model version {MODEL_VERSION}{commit})",
+        env!("CARGO_PKG_VERSION")
+    )
+});
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 done, 1 failed while running, 2 input that cannot be used, 130 interrupted.";
@@ -68,6 +83,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    interrupt::report_file_limits();
     let done = match Cli::parse().command {
         Command::Land(options) => land::run(&options),
         Command::Sweep(options) => sweep::run(&options),

@@ -1,6 +1,7 @@
 //! `touchdown surface`: the surface from the times at which the footpads struck it (2.8).
 
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 use clap::Args;
 use nalgebra::Vector3;
@@ -12,16 +13,23 @@ use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::impact_surface::{Approach, ImpactSurface, NoSurface, determine};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::run::Observer;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::print::print;
+use crate::progress::Progress;
 use crate::report::degrees;
 use crate::touchdown_options::{finite, triple};
 
 /// Seed of the timing errors: the same command gives the same numbers.
 const SEED: u64 = 1966;
 const MOST_SAMPLES: u32 = 100_000;
+/// Greatest standard deviation, s: that of the longest time.
+const LONGEST: f64 = 100.0;
+/// Greatest angle, a hundred turns, deg.
+const GREATEST_ANGLE: f64 = 36_000.0;
 
 const EXAMPLE: &str = "\
 Example:
@@ -88,6 +96,15 @@ struct Uncertainty {
 /// Runs `surface`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let vehicle = VehicleFile::read(&options.vehicle)?;
+    for (option, angle) in [
+        ("--pitch", options.pitch),
+        ("--yaw", options.yaw),
+        ("--roll", options.roll),
+    ] {
+        if angle.abs() > GREATEST_ANGLE {
+            return Err(InputError::value(option, angle, "-36000 ≤ value ≤ 36000").into());
+        }
+    }
     let approach = Approach {
         velocity: Vector3::from(options.velocity),
         attitude: Attitude::from_euler(Euler {
@@ -140,21 +157,30 @@ fn uncertainty(
     found: &ImpactSurface,
     sigma: f64,
 ) -> Result<Uncertainty, Failure> {
-    if sigma <= 0.0 {
-        let error = InputError::value("--timing-sigma", sigma, "value > 0");
+    if sigma <= 0.0 || sigma > LONGEST {
+        let error = InputError::value("--timing-sigma", sigma, "0 < value ≤ 100");
         return Err(error.into());
     }
     let errors = Normal::new(0.0, sigma).map_err(Failure::running)?;
     let mut random = Pcg64::seed_from_u64(SEED);
     let mut slopes = Vec::new();
     let mut cross_slopes = Vec::new();
-    for _ in 0..options.samples {
+    let cancel = interrupt::flag()?;
+    let progress = Progress::start("samples", options.samples as usize, false);
+    for number in 0..options.samples as usize {
+        if cancel.load(Ordering::Relaxed) {
+            progress.finish();
+            let work = "no result was printed".to_owned();
+            return Err(Failure::Interrupted(work));
+        }
         let times = options
             .impact_times
             .map(|time| time + errors.sample(&mut random));
         // Only differences matter where the first impact is at time zero.
         let earliest = times.iter().fold(0.0f64, |least, time| least.min(*time));
-        let Ok(sample) = determine(vehicle, approach, &times.map(|time| time - earliest)) else {
+        let sample = determine(vehicle, approach, &times.map(|time| time - earliest));
+        progress.point(number);
+        let Ok(sample) = sample else {
             continue;
         };
         slopes.push(sample.slope.to_degrees());
@@ -163,6 +189,7 @@ fn uncertainty(
             cross_slopes.push(apart - 360.0 * (apart / 360.0).round() + there.to_degrees());
         }
     }
+    progress.finish();
     Ok(Uncertainty {
         sigma,
         found: slopes.len() as u32,

@@ -1,6 +1,8 @@
 //! The commands `sweep` and `merge`.
 
+pub mod axis_words;
 pub mod dry_run;
+pub mod estimate;
 pub mod journal_files;
 pub mod merge;
 pub mod overview;

@@ -192,8 +192,17 @@ impl Reader<'_> {
         };
         let said = error
             .span()
-            .and_then(|span| self.text[span.start..].lines().next())
-            .map(|rest| format!(" at `{}`", rest.trim()))
+            .map(|span| {
+                self.text[span.start..]
+                    .lines()
+                    .next()
+                    .unwrap_or_default()
+                    .trim()
+            })
+            .map(|rest| match rest {
+                "" => " at the end of the line".to_owned(),
+                rest => format!(" at `{rest}`"),
+            })
             .unwrap_or_default();
         InputError::other(format!("not TOML{said}: {}", error.message())).at(place)
     }
@@ -365,5 +374,9 @@ mod tests {
         let said = complaint("a = 1\nb = = 2\n");
         assert!(said.starts_with("f.toml:2: not TOML at `"), "{said}");
         assert!(complaint("a = 1\na = 2\n").starts_with("f.toml:2:"));
+        for cut in ["a = [1,\n", "a = 1\nb", "a = "] {
+            let said = complaint(cut);
+            assert!(said.contains("not TOML at the end of the line: "), "{said}");
+        }
     }
 }

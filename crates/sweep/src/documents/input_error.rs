@@ -51,6 +51,9 @@ impl fmt::Display for Place {
     }
 }
 
+/// Longest number that is written without an exponent: any with all its digits, but not 1e300.
+const LONGEST_NUMBER: usize = 24;
+
 /// Input that cannot be used: where it stands, what it says and what is allowed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InputError {
@@ -61,6 +64,7 @@ pub struct InputError {
 impl InputError {
     /// `key` has a `value` that is not what is `allowed`.
     pub fn value(key: &str, value: impl fmt::Display, allowed: &str) -> Self {
+        let value = short(value.to_string());
         Self::other(format!("{key} = {value}: allowed is {allowed}"))
     }
 
@@ -98,6 +102,15 @@ impl InputError {
         }
     }
 
+    /// The same complaint without a place.
+    #[must_use]
+    pub fn nowhere(self) -> Self {
+        Self {
+            place: None,
+            ..self
+        }
+    }
+
     /// The same complaint with its place.
     pub fn at(self, place: Place) -> Self {
         Self {
@@ -117,6 +130,14 @@ impl fmt::Display for InputError {
 }
 
 impl std::error::Error for InputError {}
+
+/// A value as it was written, but with an exponent where it is a number with too many digits.
+pub(crate) fn short(value: String) -> String {
+    match value.parse::<f64>() {
+        Ok(number) if value.len() > LONGEST_NUMBER => format!("{number:e}"),
+        _ => value,
+    }
+}
 
 /// The known name most like `name`, if any is alike.
 pub fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
@@ -140,6 +161,13 @@ mod tests {
             error.to_string(),
             "a.csv:4: row 3: friction = -1: allowed is a finite number ≥ 0"
         );
+    }
+
+    #[test]
+    fn long_numbers_have_an_exponent() {
+        let said = |value: f64| InputError::value("x", value, "less").to_string();
+        assert_eq!(said(1e300), "x = 1e300: allowed is less");
+        assert_eq!(said(-1e-9), "x = -0.000000001: allowed is less");
     }
 
     #[test]

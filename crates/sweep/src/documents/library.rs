@@ -26,6 +26,15 @@ impl Library<'_> {
         }
     }
 
+    /// What is wrong with the path of a file that is to be read: that there is none, or that it is a folder.
+    pub fn refusal(self, path: &Path) -> Option<String> {
+        match self {
+            _ if self.has(path) => None,
+            Self::Disk if path.is_dir() => Some(format!("{} is a folder", path.display())),
+            _ => Some(format!("there is no file {}", path.display())),
+        }
+    }
+
     /// The text of a file.
     ///
     /// # Errors

@@ -185,7 +185,8 @@ impl<'d> Section<'d> {
         let key = invalid.quantity.split(" (").next().unwrap_or_default();
         let explanation = &invalid.quantity[key.len()..];
         let Some(found) = self.descend(key) else {
-            let line = self.layers.last().map_or(1, |layer| layer.line);
+            // The uppermost layer is the most particular one.
+            let line = self.layers.first().map_or(1, |layer| layer.line);
             return InputError::value(
                 &self.dotted(&invalid.quantity),
                 invalid.value,

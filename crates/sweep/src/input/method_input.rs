@@ -62,7 +62,7 @@ pub fn method(name: &str, numbers: &MethodNumbers) -> Result<Method, Invalid> {
     ];
     for (key, value, is_used) in used {
         if let (Some(value), false) = (value, is_used) {
-            let allowed = format!("nothing: method {name} has no use for it");
+            let allowed = format!("to leave it out: method {name} does not use it");
             return Err(Invalid::new(key, value, &allowed));
         }
     }
@@ -150,6 +150,13 @@ pub(crate) fn read(solver: Option<&Section>, tolerance: Option<f64>) -> Result<M
         None => None,
         Some(table) => Some(error_limits(&table)?),
     };
+    if let (Some(found), false) = (
+        solver.optional("error_per_second"),
+        matches!(name, "report" | "milne"),
+    ) {
+        let said = format!("allowed is to leave it out: method {name} does not use it");
+        return Err(found.complain_that(&said));
+    }
     let numbers = MethodNumbers {
         tolerance,
         error_scale: solver.optional_number("error_scale")?,
@@ -216,7 +223,7 @@ mod tests {
         assert_eq!(control.intervals().first, 0.0003);
         let complaint = method("rk4", &numbers).unwrap_err();
         assert_eq!(complaint.quantity, "error_scale");
-        assert!(complaint.allowed.contains("no use"));
+        assert!(complaint.allowed.contains("does not use it"));
         let numbers = MethodNumbers {
             interval: Some(2.0),
             ..MethodNumbers::default()

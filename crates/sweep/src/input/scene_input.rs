@@ -31,6 +31,9 @@ pub const HORIZONTAL_VELOCITY: &str = "horizontal_velocity_fps";
 const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
 const TIP: [&str; 3] = ["tip_deg", "tip_azimuth_deg", "nominal_roll_deg"];
 
+/// Greatest angle, a hundred turns, deg: beyond it digits are lost.
+const GREATEST_ANGLE: f64 = 36_000.0;
+
 /// A table of named touchdown conditions; velocities in ft/s, angles in deg, rates in deg/s.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct NamedConditions {
@@ -110,6 +113,9 @@ impl NamedConditions {
             allowed: allowed.to_owned(),
         };
         match self.get(name).or_else(|| self.default_of(name)) {
+            Some(value) if name.ends_with("_deg") && value.abs() > GREATEST_ANGLE => {
+                Err(fault(Some(value), "-36000 ≤ value ≤ 36000"))
+            }
             Some(value) if value.is_finite() => Ok(value),
             Some(value) => Err(fault(Some(value), "a finite number")),
             None => Err(fault(None, meaning(name))),
@@ -252,7 +258,13 @@ mod tests {
 
     #[test]
     fn faults_carry_the_value_as_given() {
-        for (name, value) in [("slope_deg", 90.0), ("friction", -0.1), ("tip_deg", -3.0)] {
+        for (name, value) in [
+            ("slope_deg", 90.0),
+            ("friction", -0.1),
+            ("tip_deg", -3.0),
+            ("cross_slope_deg", 1e300),
+            ("roll_deg", -36_001.0),
+        ] {
             let mut named = baseline();
             named.set(name, value);
             let fault = named.scene().unwrap_err();

@@ -42,6 +42,8 @@ pub(crate) const NUMBERS: [&str; 5] = [
 const LEAST_BRACKET: f64 = 1e-9;
 /// Greatest factor on the solver's tolerance in a scan.
 const LOOSEST_SCAN: f64 = 100.0;
+/// Greatest horizontal velocity of a touchdown, ft/s.
+const GREATEST_SPEED: f64 = 1e4;
 /// Most landings in one scan.
 const LONGEST_SCAN: f64 = 1e6;
 
@@ -63,6 +65,11 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
     let step = search.scan_step;
     let checks = [
         ("from_fps", search.from >= 0.0, "a number ≥ 0".to_owned()),
+        (
+            "to_fps",
+            search.to <= GREATEST_SPEED,
+            format!("a number ≤ {GREATEST_SPEED}"),
+        ),
         (
             "from_fps",
             width > 0.0,

@@ -12,9 +12,12 @@ use crate::document::Document;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::library::Library;
-use crate::section::Section;
+use crate::section::{LocatedValue, Section};
 
 const INCHES_PER_FOOT: f64 = 12.0;
+/// No number of a table is greater, and its abscissas are no closer: what follows from them stays finite.
+const GREATEST: f64 = 1e9;
+const LEAST_STEP: f64 = 1e-6;
 
 pub(crate) const VEHICLE: [&str; 10] = [
     "name",
@@ -210,7 +213,6 @@ fn inertia(section: &Section) -> Result<Inertia, InputError> {
     })
 }
 
-/// A leg from its own entry over what the vehicle says for all legs.
 /// A leg from its own table, and from that over what holds for all legs.
 fn leg(own: &Section, entry: &Section) -> Result<Leg, InputError> {
     let design = LegDesign {
@@ -294,17 +296,23 @@ fn profile(section: &Section, key: &str, columns: [&str; 3]) -> Result<Profile, 
         .value(abscissas, "a list of numbers")?
         .items("a list of numbers")?;
     for (index, pair) in x.windows(2).enumerate() {
-        if pair[1] <= pair[0] {
-            return Err(items[index + 1].complain("abscissas in increasing order"));
+        if pair[1] - pair[0] < LEAST_STEP || pair[1] > GREATEST {
+            return Err(items[index + 1].complain(
+                "a number ≤ 1e9, and 1e-6 or more above the one before: abscissas are in increasing order",
+            ));
         }
     }
     if x[0] != 0.0 {
         return Err(items[0].complain("first abscissa 0"));
     }
-    for (ordinate, item) in y.iter().zip(list.items("a list of numbers")?) {
-        if *ordinate < 0.0 {
-            return Err(item.complain("a number ≥ 0"));
+    let items = list.items("a list of numbers")?;
+    for (ordinate, item) in y.iter().zip(&items) {
+        if !(0.0..=GREATEST).contains(&(scale * ordinate)) {
+            return Err(item.complain("0 ≤ value ≤ 1e9, the scale included"));
         }
+    }
+    if ordinates == PRESSURE[1] {
+        check_pressure(&x, &y, &items)?;
     }
     let knots = x
         .iter()
@@ -313,12 +321,34 @@ fn profile(section: &Section, key: &str, columns: [&str; 3]) -> Result<Profile, 
     Profile::new(knots.collect()).map_err(|invalid| list.complain(&invalid.allowed))
 }
 
+/// Pressure begins at zero, and no later segment falls or is steeper than the first, which is the elastic line: otherwise
+/// crushing would heal.
+fn check_pressure(x: &[f64], y: &[f64], items: &[LocatedValue]) -> Result<(), InputError> {
+    if y[0] != 0.0 {
+        return Err(items[0].complain("0, the pressure at no interference"));
+    }
+    if y[1] <= 0.0 {
+        return Err(items[1].complain("a number > 0"));
+    }
+    let elastic = y[1] / x[1];
+    for index in 2..y.len() {
+        let least = y[index - 1];
+        let most = least + elastic * (x[index] - x[index - 1]);
+        if y[index] < least || y[index] - least > (most - least) * (1.0 + 1e-6) {
+            return Err(items[index].complain(&format!(
+                "{least} ≤ value ≤ {most:.6}: no segment falls, and none is steeper than the first"
+            )));
+        }
+    }
+    Ok(())
+}
+
 fn scale(table: &Section) -> Result<f64, InputError> {
     match table.optional(SCALE) {
         None => Ok(1.0),
         Some(found) => match found.number()? {
-            scale if scale > 0.0 => Ok(scale),
-            _ => Err(found.complain("a number > 0")),
+            scale if scale > 0.0 && scale <= GREATEST => Ok(scale),
+            _ => Err(found.complain("0 < value ≤ 1e9")),
         },
     }
 }

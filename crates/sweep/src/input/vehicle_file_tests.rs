@@ -59,7 +59,7 @@ fn a_scale_multiplies_the_ordinates_of_a_table_for_all_legs_or_one() {
     assert!(
         complaint
             .to_string()
-            .contains("footpad.profile.scale = 0: allowed is a number > 0")
+            .contains("footpad.profile.scale = 0: allowed is 0 < value")
     );
 }
 
@@ -79,7 +79,7 @@ fn every_number_has_a_name() {
 }
 
 /// What is replaced in the Surveyor's file, by what, and what the complaint must contain.
-const WRONG: [(&str, &str, &[&str]); 12] = [
+const WRONG: [(&str, &str, &[&str]); 16] = [
     (
         "mass_slug = 20",
         "mass_slug = -20",
@@ -131,9 +131,32 @@ const WRONG: [(&str, &str, &[&str]); 12] = [
         "relative_pressure = [0, 1, 1, 21]",
         "relative_pressure = [0, 1, 0.5, 21]",
         &[
-            "block.profile (slope of segment 2, 1/ft)",
-            "allowed is 0 to",
+            "v.toml:61: block.profile.relative_pressure[3] = 0.5: allowed is 1 ≤ value ≤ 57.5",
+            "no segment falls",
         ],
+    ),
+    (
+        "relative_pressure = [0, 1, 1, 21]",
+        "relative_pressure = [0, 1, 1, 21.5]",
+        &[
+            "block.profile.relative_pressure[4] = 21.5: allowed is 1 ≤ value ≤ 21.0",
+            "none is steeper than the first",
+        ],
+    ),
+    (
+        "relative_pressure = [0, 1, 1, 21]",
+        "relative_pressure = [0.1, 1, 1, 21]",
+        &["block.profile.relative_pressure[1] = 0.1: allowed is 0"],
+    ),
+    (
+        "[block.profile]",
+        "[block.profile]\nscale = 1e300",
+        &["block.profile.scale = 1e300: allowed is 0 < value ≤ 1e9"],
+    ),
+    (
+        "multiplier = [1, 1, 1",
+        "multiplier = [1, 1, 1e200",
+        &["strut.spring_profile.multiplier[3] = 1e200: allowed is 0 ≤ value ≤ 1e9"],
     ),
     (
         "[[legs]]\nazimuth_deg = 240",

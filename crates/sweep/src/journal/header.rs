@@ -1,5 +1,5 @@
 //! What stands at the head of a journal: everything that determines its records, and the input
-//! files, so that results can be written from the journal alone.
+//! files of a sweep, so that its results can be written from the journal alone.
 
 use std::path::{Path, PathBuf};
 
@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::model_version::MODEL_VERSION;
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::case::CaseFault;
 use crate::input_error::InputError;
@@ -18,7 +20,10 @@ use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 
 /// Version of the journals that this program writes.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
+
+/// What lands, how, and how that is computed.
+pub type Landed<'l> = (&'l Vehicle, &'l Scene, &'l Settings);
 
 /// The head of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,12 +35,13 @@ pub struct Header {
     /// What one landing of the sweep comes to, bit for bit: programs and machines that agree in it
     /// compute alike.
     probe: String,
-    /// Number of points of the whole sweep.
+    /// Number of points of the whole sweep, or of rows of a table of cases.
     pub points: usize,
     shard: [usize; 2],
     /// All input with defaults filled in.
     input: Value,
-    origin: Origin,
+    /// `None` where no sweep is run.
+    origin: Option<Origin>,
 }
 
 /// The files that the input was read from.
@@ -54,20 +60,35 @@ impl Header {
     /// # Errors
     /// When the first point of the sweep cannot be landed.
     pub fn new(sweep: &Sweep, program: &str, shard: Shard) -> Result<Self, CaseFault> {
+        let case = sweep.case(0)?;
         Ok(Self {
             format: FORMAT,
             program: program.to_owned(),
             model: MODEL_VERSION,
-            probe: probe(sweep)?,
+            probe: probe((&case.vehicle, &case.scene, &case.settings)),
             points: sweep.design.count(),
             shard: [shard.number(), shard.count()],
             input: sweep.resolved(),
-            origin: Origin {
+            origin: Some(Origin {
                 sweep: sweep.path.clone(),
                 overrides: sweep.overrides.clone(),
                 sources: sweep.sources.clone(),
-            },
+            }),
         })
+    }
+
+    /// The head of the journal of `count` cases that follow from `input`.
+    pub fn of_cases(input: Value, count: usize, first: Landed, program: &str) -> Self {
+        Self {
+            format: FORMAT,
+            program: program.to_owned(),
+            model: MODEL_VERSION,
+            probe: probe(first),
+            points: count,
+            shard: [1, 1],
+            input,
+            origin: None,
+        }
     }
 
     /// Which part of the sweep the journal holds.
@@ -139,16 +160,19 @@ impl Header {
             .collect()
     }
 
-    /// The sweep that the journal belongs to, from the copies of its files.
+    /// The sweep that the journal belongs to, from the copies of its files; `None` where it belongs to a table of cases.
     ///
     /// # Errors
     /// When the copies are not what they were.
-    pub fn sweep(&self) -> Result<Sweep, InputError> {
-        let Origin {
+    pub fn sweep(&self) -> Result<Option<Sweep>, InputError> {
+        let Some(Origin {
             sweep,
             overrides,
             sources,
-        } = &self.origin;
+        }) = &self.origin
+        else {
+            return Ok(None);
+        };
         let library = Library::Copies(sources);
         let read_vehicle = |path: &PathBuf| VehicleFile::read_from(path, library);
         let with = Overrides {
@@ -156,26 +180,22 @@ impl Header {
             words: overrides.words.clone(),
             sensitivity: overrides.sensitivity.clone(),
         };
-        Sweep::read_from(sweep, library)?.with(&with)
+        Sweep::read_from(sweep, library)?.with(&with).map(Some)
     }
 
     /// The sweep file, as it was named.
-    pub fn sweep_file(&self) -> &Path {
-        &self.origin.sweep
+    pub fn sweep_file(&self) -> Option<&Path> {
+        self.origin.as_ref().map(|origin| origin.sweep.as_path())
     }
 }
 
-/// The landing of the first point at the lowest speed, in bits.
-fn probe(sweep: &Sweep) -> Result<String, CaseFault> {
-    let case = sweep.case(0)?;
-    let landing = land(&case.vehicle, &case.scene, &case.settings);
-    Ok(format!(
-        "{} at {:016x} s, least angle {:016x} rad, {} evaluations",
-        landing.outcome,
-        landing.end_time.to_bits(),
-        landing.min_stability_angle.to_bits(),
-        landing.evaluations
-    ))
+/// A landing, of the first point at the lowest speed or of the first case: every digit that tells it from another.
+fn probe((vehicle, scene, settings): Landed) -> String {
+    let landing = land(vehicle, scene, settings);
+    format!(
+        "{} at {} s, least stability angle {} rad, {} derivative evaluations",
+        landing.outcome, landing.end_time, landing.min_stability_angle, landing.evaluations
+    )
 }
 
 /// All leaves of a tree with their dotted names.
@@ -202,11 +222,11 @@ impl Header {
             points,
             shard: [shard.number(), shard.count()],
             input: serde_json::json!({"friction": friction}),
-            origin: Origin {
+            origin: Some(Origin {
                 sweep: "s.toml".into(),
                 overrides: OverrideNames::default(),
                 sources: Vec::new(),
-            },
+            }),
         }
     }
 }
@@ -227,7 +247,7 @@ mod tests {
         let read = Header::from_bytes(&header.to_bytes()).unwrap();
         assert_eq!(read, header);
         assert_eq!(read.differences(&header), Vec::<String>::new());
-        let again = Header::new(&read.sweep().unwrap(), "1.0", Shard::WHOLE).unwrap();
+        let again = Header::new(&read.sweep().unwrap().unwrap(), "1.0", Shard::WHOLE).unwrap();
         assert_eq!(again, header);
     }
 

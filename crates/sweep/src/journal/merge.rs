@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::header::Header;
-use crate::journal::{JournalError, Records};
+use crate::journal::{Access, JournalError, Records};
 
 /// The journals of one sweep.
 #[derive(Debug)]
@@ -61,22 +61,22 @@ impl From<JournalError> for MergeError {
     }
 }
 
-/// Sorts journals by their sweeps, whose names are those of the sweep files.
+/// Sorts journals by their sweeps, whose names are those of the sweep files; those of tables of cases are left out.
 ///
 /// # Errors
-/// When a journal cannot be read, is being written, or differs from others of its sweep in
+/// When a journal cannot be read, is being written where that matters, or differs from others of its sweep in
 /// anything that determines results.
-pub fn by_sweep(paths: &[PathBuf]) -> Result<Vec<Shards>, MergeError> {
+pub fn by_sweep(paths: &[PathBuf], access: Access) -> Result<Vec<Shards>, MergeError> {
     let mut sweeps: Vec<(PathBuf, Shards)> = Vec::new();
     let mut numbers: Vec<Vec<usize>> = Vec::new();
     for path in paths {
-        let (records, header) = Records::open(path)?;
+        let (records, header) = Records::open(path, access)?;
+        if header.sweep_file().is_none() {
+            continue;
+        }
         let stem = |header: &Header| {
-            header
-                .sweep_file()
-                .file_stem()
-                .map(Path::new)
-                .map(Path::to_owned)
+            let stem = header.sweep_file().and_then(Path::file_stem);
+            stem.map(Path::new).map(Path::to_owned)
         };
         let known = sweeps
             .iter()

@@ -71,7 +71,7 @@ impl fmt::Display for JournalError {
             ),
             Self::Different { path, differences } => write!(
                 f,
-                "{}: a journal of another sweep cannot be resumed; remove it, or give another \
+                "{}: a journal of other input cannot be resumed; remove it, or give another \
                  --out. What differs (here: now, there: in the journal):\n  {}",
                 path.display(),
                 differences.join("\n  ")
@@ -323,18 +323,8 @@ fn head(
         let Some(there) = Header::from_bytes(&found) else {
             return Err(JournalError::NoHeader(path.to_owned()));
         };
-        let mut differences = header.differences(&there);
-        if there.shard() != header.shard() {
-            let (now, then) = (header.shard(), there.shard());
-            differences.push(format!("shard: {now} here, {then} there"));
-        }
-        if differences.is_empty() {
-            return Ok(Some(Head::of(&found)));
-        }
-        return Err(JournalError::Different {
-            path: path.to_owned(),
-            differences,
-        });
+        same(path, header, &there)?;
+        return Ok(Some(Head::of(&found)));
     }
     // The records tell whether the head was that of this sweep.
     if has_records(file, expected, end).map_err(refuse)? {
@@ -347,6 +337,22 @@ fn head(
         return write(Some(anew)).map_err(refuse);
     }
     Ok(None)
+}
+
+/// Checks that a journal with the head `there` is one of `header`.
+fn same(path: &Path, header: &Header, there: &Header) -> Result<(), JournalError> {
+    let mut differences = header.differences(there);
+    if there.shard() != header.shard() {
+        let (now, then) = (header.shard(), there.shard());
+        differences.push(format!("shard: {now} here, {then} there"));
+    }
+    match differences.is_empty() {
+        true => Ok(()),
+        false => Err(JournalError::Different {
+            path: path.to_owned(),
+            differences,
+        }),
+    }
 }
 
 /// The payload of the head, if it is whole.
@@ -431,6 +437,15 @@ fn record(payload: &[u8]) -> Option<(usize, &[u8])> {
     Some((usize::try_from(u64::from_le_bytes(*point)).ok()?, result))
 }
 
+/// Who else may be at work on a journal that is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Access {
+    /// Nobody.
+    Alone,
+    /// Whoever adds points: those added later are not seen.
+    Shared,
+}
+
 /// A journal for reading.
 #[derive(Debug)]
 pub struct Records {
@@ -440,17 +455,20 @@ pub struct Records {
 }
 
 impl Records {
-    /// Opens a journal that nobody writes to, with its header.
+    /// Opens a journal with its header.
     ///
     /// # Errors
-    /// When it has no readable header, and whatever the file system says.
-    pub fn open(path: &Path) -> Result<(Self, Header), JournalError> {
+    /// When it has no readable header or is being written although `access` is for oneself alone, and whatever the file
+    /// system says.
+    pub fn open(path: &Path, access: Access) -> Result<(Self, Header), JournalError> {
         let refuse = |error| io_error(path, error);
         let file = File::open(path).map_err(refuse)?;
-        match file.try_lock_shared() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(JournalError::Locked(path.to_owned())),
-            Err(TryLockError::Error(error)) => return Err(refuse(error)),
+        match (access, file.try_lock_shared()) {
+            (Access::Alone, Err(TryLockError::WouldBlock)) => {
+                return Err(JournalError::Locked(path.to_owned()));
+            }
+            (_, Err(TryLockError::Error(error))) => return Err(refuse(error)),
+            _ => {}
         }
         let end = file.metadata().map_err(refuse)?.len();
         let payload = read_head(&file, end).map_err(refuse)?;
@@ -464,6 +482,30 @@ impl Records {
             head: Head::of(&payload),
         };
         Ok((records, header))
+    }
+
+    /// Which points a run with `header` would find done in the journal at `path`, by their index in its shard; nothing is
+    /// written.
+    ///
+    /// # Errors
+    /// When the journal is another's, and whatever the file system says.
+    pub fn done(path: &Path, header: &Header) -> Result<PointSet, JournalError> {
+        let (records, there) = Self::open(path, Access::Shared)?;
+        same(path, header, &there)?;
+        let refuse = |error| io_error(path, error);
+        let mut done = PointSet::none(header.most_points());
+        let end = records.file.metadata().map_err(refuse)?.len();
+        let Head { seed, length } = records.head;
+        let mut scan = Scan::new(&records.file, seed, length, end).map_err(refuse)?;
+        while let Some(piece) = scan.next().map_err(refuse)? {
+            if let Piece::Frame { payload, .. } = piece
+                && let Some((point, _)) = record(&payload)
+                && let Some(index) = header.index(point)
+            {
+                done.insert(index);
+            }
+        }
+        Ok(done)
     }
 }
 

@@ -42,7 +42,7 @@ impl Bench {
 
     /// Results of all points, as far as there are any.
     fn results(&self) -> Vec<Option<Vec<u8>>> {
-        let (records, _) = Records::open(&self.path()).unwrap();
+        let (records, _) = Records::open(&self.path(), Access::Alone).unwrap();
         let mut results = InOrder::new(vec![records], POINTS, self.folder.path()).unwrap();
         (0..POINTS).map(|p| results.result(p).unwrap()).collect()
     }
@@ -64,7 +64,7 @@ fn results_are_read_in_the_order_of_points() {
         point => Some(result(point)),
     });
     assert_eq!(bench.results(), expected);
-    let (records, header) = Records::open(&bench.path()).unwrap();
+    let (records, header) = Records::open(&bench.path(), Access::Alone).unwrap();
     assert_eq!(header, bench.header);
     let mut results = InOrder::new(vec![records], POINTS, bench.folder.path()).unwrap();
     assert_eq!(
@@ -99,7 +99,7 @@ fn survives(damaged: &[u8], most_lost: usize) {
     }
     journal.finish().unwrap();
     assert!(matches!(
-        Records::open(&bench.path()),
+        Records::open(&bench.path(), Access::Alone),
         Err(JournalError::Locked(_))
     ));
     drop(journal);

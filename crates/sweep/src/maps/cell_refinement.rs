@@ -104,11 +104,11 @@ impl Refinement<'_> {
             true => urgency(error),
             false => END * share,
         };
-        let Some(ring) = self.ring(cell, &corners, is_alike, urgency) else {
+        let Some(ring) = self.ring(&corners, is_alike, urgency) else {
             return self.leaf(cell, Some(error), None);
         };
         match self.follow(cell, &ring, centre[0], urgency) {
-            Followed::Fits { error, bend } => return self.leaf(cell, Some(error), bend),
+            Followed::Fits { error, bend } => return self.leaf(cell, error, bend),
             Followed::Unknown => return self.leaf(cell, Some(error), None),
             Followed::DoesNotFit => {}
         }
@@ -131,13 +131,7 @@ impl Refinement<'_> {
 
     /// The places around a cell once its sides have been searched for edges. Where ends of transitions cross the cell,
     /// other sides are not searched.
-    fn ring(
-        &mut self,
-        cell: Cell,
-        corners: &[Known],
-        is_alike: bool,
-        urgency: f64,
-    ) -> Option<Vec<Known>> {
+    fn ring(&mut self, corners: &[Known], is_alike: bool, urgency: f64) -> Option<Vec<Known>> {
         let mut ring = Vec::new();
         let mut is_known = true;
         for (index, corner) in corners.iter().enumerate() {
@@ -158,7 +152,6 @@ impl Refinement<'_> {
                 }
             }
         }
-        debug_assert!(!is_known || ring.len() >= corners.len(), "{cell:?}");
         is_known.then_some(ring)
     }
 
@@ -188,11 +181,11 @@ impl Refinement<'_> {
             .iter()
             .find_map(|piece: &Piece| piece.speed_at(position(centre.0)));
         let error = match (expected, centre.1.speed) {
-            (Some(expected), Some(found)) => (expected - found).abs(),
-            (None, None) => 0.0,
+            (Some(expected), Some(found)) => Some((expected - found).abs()),
+            (None, None) => None,
             _ => return Followed::DoesNotFit,
         };
-        match error <= self.rules.error {
+        match error.is_none_or(|error| error <= self.rules.error) {
             true => Followed::Fits {
                 error,
                 bend: bend.map(|places| places.map(|(place, _)| place)),
@@ -204,9 +197,10 @@ impl Refinement<'_> {
 
 /// What became of an edge through a cell.
 enum Followed {
-    /// It passes the middle where it was expected, and the centre lies in the surface beside it.
+    /// It passes the middle where it was expected, and the centre lies in the surface beside it, by so much off, or where
+    /// there is none.
     Fits {
-        error: f64,
+        error: Option<f64>,
         bend: Option<[Place; 2]>,
     },
     /// There is no edge, there are several, or it passes elsewhere.

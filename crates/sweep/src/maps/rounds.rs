@@ -73,20 +73,34 @@ impl<'m> Rounds<'m> {
         let Some(budget) = self.map.rules.budget else {
             return wanted.into_keys().collect();
         };
-        let points = self.known.len() as u64;
-        if points == 0 {
+        if self.known.is_empty() {
             return wanted.into_keys().collect();
         }
-        // As many as the landings that are left allow, should points take as many as those before.
-        let left =
-            budget.saturating_sub(self.landings).saturating_mul(points) / self.landings.max(1);
+        let left = self.points_left(budget);
         let share = (wanted.len() / PART_OF_WANTED).max(LEAST_ROUND);
         let mut chosen: Vec<(usize, f64)> = wanted.into_iter().collect();
         chosen.sort_by(|(_, a), (_, b)| b.total_cmp(a));
-        chosen.truncate(share.min(usize::try_from(left).unwrap_or(usize::MAX)));
+        chosen.truncate(share.min(left));
         let mut chosen: Vec<usize> = chosen.into_iter().map(|(number, _)| number).collect();
         chosen.sort_unstable();
         chosen
+    }
+
+    /// Points that a budget still allows, should they take as many landings as those before.
+    fn points_left(&self, budget: u64) -> usize {
+        let left = budget.saturating_sub(self.landings);
+        let points = left.saturating_mul(self.known.len() as u64) / self.landings.max(1);
+        usize::try_from(points).unwrap_or(usize::MAX)
+    }
+
+    /// How many points there will be in all, as far as a round of so many points, or the budget, tells.
+    pub fn expected(&self, round: usize) -> usize {
+        let left = self
+            .map
+            .rules
+            .budget
+            .map_or(0, |budget| self.points_left(budget));
+        self.known.len() + round.max(left)
     }
 
     /// Adds what a point of the round came to.
@@ -103,7 +117,7 @@ impl<'m> Rounds<'m> {
         }
     }
 
-    /// The map that all results make, and the points of which there is none, as far as the others tell.
+    /// The map that results make, and the points that are missing, as far as the others call for them.
     ///
     /// # Errors
     /// Whatever `result` gives up with.
@@ -121,7 +135,7 @@ impl<'m> Rounds<'m> {
                     None => missing.push(*point),
                 }
             }
-            if round.is_empty() || !missing.is_empty() {
+            if missing.len() == round.len() {
                 return Ok((rounds, missing));
             }
         }

@@ -1,20 +1,24 @@
 //! Tables of cases: one landing per row, each of which may change the vehicle and the solver.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 use std::sync::Arc;
 
 use csv::StringRecord;
-use touchdown_dynamics::landing::Landing;
+use serde_json::json;
 use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::document::{Document, Value};
+use crate::findings::Finding;
+use crate::fingerprint::fingerprint;
+use crate::header::Header;
 use crate::input_error::{InputError, Place};
-use crate::landing_table;
+use crate::landing_table::{self, Cell};
 use crate::library::Library;
 use crate::parameter::{Home, Parameter};
+use crate::resolved_input;
 use crate::scene_input::{NAMES, NamedConditions};
 use crate::section::Section;
 use crate::settings_input::{self, crush_rule_name, friction_profile_name};
@@ -47,6 +51,30 @@ pub struct CaseRow {
     pub settings: Settings,
 }
 
+/// A table of cases.
+#[derive(Debug, Clone)]
+pub struct CaseTable {
+    /// Its rows, at least one.
+    pub rows: Vec<CaseRow>,
+    /// What determines the results of all rows: the table and the vehicle files that it names by their fingerprints, the
+    /// vehicle and the settings of rows that say nothing else.
+    pub input: serde_json::Value,
+}
+
+impl CaseTable {
+    /// The head of the journal of these cases.
+    pub fn header(&self, program: &str) -> Header {
+        let CaseRow {
+            vehicle,
+            scene,
+            settings,
+            ..
+        } = &self.rows[0];
+        let first = (&**vehicle, scene, settings);
+        Header::of_cases(self.input.clone(), self.rows.len(), first, program)
+    }
+}
+
 /// Reads and checks a whole table. Every key of a case of a scene file may be a column, dotted where it is one of the
 /// vehicle or the solver; what a cell leaves empty is that of `vehicle`, of `settings` or the default.
 ///
@@ -56,7 +84,7 @@ pub fn read(
     path: &Path,
     vehicle: &VehicleFile,
     settings: &Settings,
-) -> Result<Vec<CaseRow>, InputError> {
+) -> Result<CaseTable, InputError> {
     let place = Place::file(path);
     let text = std::fs::read_to_string(path)
         .map_err(|error| InputError::other(format!("cannot be read: {error}")).at(place.clone()))?;
@@ -68,7 +96,7 @@ fn parse(
     text: &str,
     vehicle: &VehicleFile,
     settings: &Settings,
-) -> Result<Vec<CaseRow>, InputError> {
+) -> Result<CaseTable, InputError> {
     let place = Place::file(path);
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
@@ -110,7 +138,17 @@ fn parse(
             InputError::other("has no rows: required is at least one case").at(place.clone()),
         );
     }
-    Ok(cases)
+    let files = vehicles.files.into_iter();
+    let files: BTreeMap<String, String> = files
+        .map(|(name, file)| (name, fingerprint(&file.document.source().text)))
+        .collect();
+    let input = json!({
+        "table_of_cases": fingerprint(text),
+        "vehicle_files": files,
+        "vehicle": resolved_input::tree(vehicle.document.root()),
+        "solver": resolved_input::solver(settings),
+    });
+    Ok(CaseTable { rows: cases, input })
 }
 
 /// The columns of a table that change the vehicle or the solver.
@@ -202,7 +240,7 @@ impl Columns {
         }
         Section::root(&document, &["solver"])
             .and_then(|root| settings_input::settings_of_landing(&root))
-            .map_err(|error| at(&values, &error))
+            .map_err(|error| at(&values, &error.nowhere()))
     }
 }
 
@@ -320,21 +358,23 @@ fn scene(heading: &StringRecord, record: &StringRecord) -> Result<Scene, InputEr
     })
 }
 
-/// The results of all cases as CSV: `case`, then the columns of [`landing_table`].
+/// The results of cases as CSV: `case`, then the columns of [`landing_table`].
 ///
 /// # Errors
 /// None but those of memory.
-pub fn table(names: &[impl AsRef<str>], landings: &[Landing]) -> Result<Vec<u8>, csv::Error> {
+pub fn table<'r>(
+    rows: impl Iterator<Item = (&'r str, &'r Finding)>,
+) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    for (index, (name, landing)) in names.iter().zip(landings).enumerate() {
-        let (columns, values): (Vec<_>, Vec<_>) =
-            landing_table::columns(landing).into_iter().unzip();
-        if index == 0 {
-            writer.write_field("case")?;
-            writer.write_record(columns)?;
-        }
-        writer.write_field(name.as_ref())?;
-        writer.write_record(values.iter().map(landing_table::Cell::to_string))?;
+    writer.write_field("case")?;
+    writer.write_record(landing_table::names(LEGS))?;
+    for (name, finding) in rows {
+        writer.write_field(name)?;
+        let cells: &[Cell] = match finding {
+            Finding::Landing { cells, .. } => cells,
+            _ => &[],
+        };
+        writer.write_record(cells.iter().map(Cell::to_string))?;
     }
     writer
         .into_inner()

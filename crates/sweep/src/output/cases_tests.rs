@@ -5,6 +5,10 @@ const HEADING: &str = "case,note,vertical_velocity_fps,horizontal_velocity_fps,\
     cross_slope_deg,pitch_deg,yaw_deg,roll_deg,slope_deg,friction";
 
 fn read_text(text: &str) -> Result<Vec<CaseRow>, InputError> {
+    read_table(text).map(|table| table.rows)
+}
+
+fn read_table(text: &str) -> Result<CaseTable, InputError> {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../sweeps/vehicles/surveyor-table-4-1.toml"
@@ -139,12 +143,9 @@ fn complaints_name_line_row_column_and_value() {
 
 #[test]
 fn results_begin_with_the_case() {
-    let names = ["a,b".to_owned(), "c".to_owned()];
-    let landings = [
-        landing_table::tests::example(),
-        landing_table::tests::example(),
-    ];
-    let text = String::from_utf8(table(&names, &landings).unwrap()).unwrap();
+    let finding = Finding::of(&landing_table::tests::example());
+    let rows = [("a,b", &finding), ("c", &finding)];
+    let text = String::from_utf8(table(rows.into_iter()).unwrap()).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     assert!(lines[0].starts_with("case,outcome,end_time_s"));
     assert!(lines[1].starts_with("\"a,b\",failure,1.5"));

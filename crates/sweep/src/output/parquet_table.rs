@@ -1,7 +1,7 @@
 //! Result tables as Parquet files, row group by row group.
 //!
 //! The columns are those of the CSV file, with their types; an empty cell is null. The file's
-//! metadata carry the units of the columns and the whole input of the sweep, as JSON.
+//! metadata carry the units of the columns, the whole input of the sweep, as JSON, and the program that wrote them.
 
 use std::io;
 use std::sync::Arc;
@@ -17,6 +17,7 @@ use parquet::schema::types::Type;
 use serde_json::{Map, Value, json};
 
 use crate::file_writer::Draft;
+use crate::results;
 use crate::sweep_file::Sweep;
 use crate::unit::unit;
 
@@ -84,10 +85,14 @@ impl ParquetTable {
             .iter()
             .map(|name| (name.clone(), json!(unit(name))))
             .collect();
+        let program = results::program(env!("CARGO_PKG_VERSION"));
         let metadata = [
-            ("title", sweep.title.clone()),
-            ("units", json!(units).to_string()),
-            ("input", sweep.resolved().to_string()),
+            ("title", Some(sweep.title.clone())),
+            ("units", Some(json!(units).to_string())),
+            ("input", Some(sweep.resolved().to_string())),
+            ("input_fingerprint", Some(results::input_fingerprint(sweep))),
+            ("program", Some(program.to_string())),
+            ("commit", results::COMMIT.map(str::to_owned)),
         ];
         let metadata = metadata.map(|(key, value)| KeyValue::new(key.to_owned(), value));
         let properties = WriterProperties::builder()

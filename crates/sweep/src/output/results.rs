@@ -1,13 +1,16 @@
 //! The result table of a sweep and the record of how it came about.
 
 use serde_json::{Map, Value, json};
+use touchdown_dynamics::model_version::MODEL_VERSION;
 
 use crate::boundary::Boundary;
 use crate::certainty::Certainty;
 use crate::findings::Finding;
+use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, Cell};
 use crate::map_tables;
 use crate::probabilities::wilson;
+use crate::sweep::Part;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
 use crate::vehicle_file::LEGS;
@@ -39,6 +42,19 @@ pub struct Circumstances<'a> {
     pub threads: Option<usize>,
     /// Time from first to last landing of it, s.
     pub wall_time: Option<f64>,
+}
+
+/// The commit that the program was built from, where whoever built it said so in `TOUCHDOWN_COMMIT`.
+pub const COMMIT: Option<&str> = option_env!("TOUCHDOWN_COMMIT");
+
+/// The program in records: its version and that of the model, with which every bit of a landing goes.
+pub fn program(version: &str) -> Value {
+    json!({ "name": "touchdown", "version": version, "model": MODEL_VERSION })
+}
+
+/// Fingerprint of all of a sweep's input with defaults filled in: alike where results are.
+pub fn input_fingerprint(sweep: &Sweep) -> String {
+    fingerprint(&sweep.resolved().to_string())
 }
 
 /// Word for the transition of a point.
@@ -112,10 +128,11 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
     if let (Value::Object(input), Value::Object(resolved)) = (&mut input, sweep.resolved()) {
         input.extend(resolved);
     }
-    json!({
+    let mut record = json!({
         "title": sweep.title,
         "statement": sweep.statement,
-        "program": { "name": "touchdown", "version": version },
+        "program": program(version),
+        "input_fingerprint": input_fingerprint(sweep),
         "input": input,
         "counts": {
             "points": counts.points,
@@ -134,7 +151,11 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
             "hidden_bands_found": counts.checks.all().finds,
             "outcomes": outcomes(counts),
         },
-    })
+    });
+    if let Some(Part { points, of }) = sweep.part {
+        record["partial"] = json!({ "points": points, "of": of });
+    }
+    record
 }
 
 /// Landings by how they ended, where that is asked.
@@ -232,6 +253,8 @@ mod tests {
         }
         let record = record(&sweep, &counts, "1.2.3");
         assert_eq!(record["program"]["version"], "1.2.3");
+        assert_eq!(record["program"]["model"], MODEL_VERSION);
+        assert_eq!(record["input_fingerprint"].as_str().map(str::len), Some(32));
         assert_eq!(record["input"]["scene"]["block_friction"], 1.0);
         assert_eq!(record["input"]["scene"].get("roll_deg"), None);
         assert_eq!(record["input"]["axes"]["roll_deg"][24], 60.0);

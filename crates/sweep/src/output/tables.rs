@@ -9,6 +9,7 @@ use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::parquet_table::ParquetTable;
+use crate::refined_grid::RefinedGrid;
 use crate::rounds::Rounds;
 use crate::sensitivity_table;
 use crate::sweep_counts::SweepCounts;
@@ -25,7 +26,7 @@ pub struct Tables {
     /// What transitions depend on, where that was asked.
     pub sensitivity: Option<Draft>,
     /// Edges, regular table and triangles of a map.
-    pub of_map: Vec<Draft>,
+    pub of_map: Option<[Draft; 3]>,
     /// The same as Parquet files, where they were asked for.
     pub parquet: Vec<Draft>,
     /// Their points in numbers.
@@ -68,7 +69,8 @@ impl From<WriteError> for TablesError {
 }
 
 impl Tables {
-    /// Writes the tables of a sweep beside their places in `folder`, points in grid order.
+    /// Writes the tables of a sweep beside their places in `folder`, points in grid order; of a sweep in part, those that
+    /// have a result.
     ///
     /// # Errors
     /// When a result is missing or something cannot be read or written.
@@ -100,18 +102,21 @@ impl Tables {
             true => None,
         };
         let mut counts = SweepCounts::of(sweep);
-        let rounds = rounds(sweep, results)?;
-        if let Some((_, missing)) = &rounds
-            && let Some(point) = missing.first()
-        {
-            return Err(TablesError::Point(*point));
-        }
+        let rounds = sweep.map().map(|map| rounds(map, results)).transpose()?;
         let all: Box<dyn Iterator<Item = usize>> = match &rounds {
+            Some((_, missing)) if !missing.is_empty() && sweep.part.is_none() => {
+                return Err(TablesError::Point(missing[0]));
+            }
             Some((rounds, _)) => Box::new(rounds.points().into_iter()),
             None => Box::new(0..sweep.design.count()),
         };
         for point in all {
-            let finding = finding(results, point)?.ok_or(TablesError::Point(point))?;
+            let bytes = results.result(point)?;
+            if bytes.is_none() && sweep.part.is_some() {
+                continue;
+            }
+            let finding = bytes.as_deref().and_then(Finding::decode);
+            let finding = finding.ok_or(TablesError::Point(point))?;
             points.add(&results::row(sweep, point, &finding))?;
             if let (Some(bands), Some(boundary)) = (&mut bands, finding.boundary()) {
                 for row in bands_table::rows(sweep, point, boundary) {
@@ -157,15 +162,16 @@ impl Tables {
         };
         let (beside, sensitivity) = (end(beside)?, end(sensitivities)?);
         let mut of_map = Vec::new();
-        if let Some((rounds, _)) = &rounds {
-            for (name, heading, rows) in map_tables::all(sweep, rounds) {
-                let mut table = begin(name, &heading)?;
-                for row in rows {
-                    table.add(&row)?;
-                }
-                of_map.extend(end(Some(table))?);
+        for (name, heading, rows) in
+            (rounds.iter()).flat_map(|(rounds, _)| map_tables::all(sweep, rounds))
+        {
+            let mut table = begin(name, &heading)?;
+            for row in rows {
+                table.add(&row)?;
             }
+            of_map.extend(end(Some(table))?);
         }
+        let of_map = <[Draft; 3]>::try_from(of_map).ok();
         Ok(Self {
             points,
             beside,
@@ -177,37 +183,18 @@ impl Tables {
     }
 }
 
-/// How many points have no result, and the first of them, `most` at most. What a map misses is told as far as the
-/// results that are there call for it.
+/// The points of a map as far as there are results, and those that are missing.
 ///
 /// # Errors
 /// When a journal cannot be read.
-pub fn missing(
-    sweep: &Sweep,
+pub fn rounds<'m>(
+    map: &'m RefinedGrid,
     results: &mut InOrder,
-    most: usize,
-) -> Result<(usize, Vec<usize>), JournalError> {
-    if let Some((_, mut missing)) = rounds(sweep, results)? {
-        let count = missing.len();
-        missing.truncate(most);
-        return Ok((count, missing));
-    }
-    let first = results.first_missing(most).map_err(JournalError::index)?;
-    Ok((results.missing(), first))
-}
-
-/// The points of a map, and those that have no result; `None` for other sweeps.
-fn rounds<'s>(
-    sweep: &'s Sweep,
-    results: &mut InOrder,
-) -> Result<Option<(Rounds<'s>, Vec<usize>)>, JournalError> {
-    let of_results = |map| Rounds::of_results(map, |point| finding(results, point));
-    sweep.map().map(of_results).transpose()
-}
-
-fn finding(results: &mut InOrder, point: usize) -> Result<Option<Finding>, JournalError> {
-    let bytes = results.result(point)?;
-    Ok(bytes.as_deref().and_then(Finding::decode))
+) -> Result<(Rounds<'m>, Vec<usize>), JournalError> {
+    Rounds::of_results(map, |point| {
+        let bytes = results.result(point)?;
+        Ok(bytes.as_deref().and_then(Finding::decode))
+    })
 }
 
 /// A table under way.

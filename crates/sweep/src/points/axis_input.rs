@@ -6,7 +6,7 @@
 
 use crate::document::{Entry, Value};
 use crate::input_error::InputError;
-use crate::levels::Levels;
+use crate::levels::{Fault, Levels};
 use crate::parameter::Parameter;
 use crate::section::LocatedValue;
 use crate::section::{Layer, Section};
@@ -104,7 +104,7 @@ impl AxisEntry<'_> {
         let counted = form.optional_number("count")?;
         let levels = match (counted, is_logarithmic(form)?) {
             (None, true) => return Err(form.missing("count", "how many values, from 2 to 1e7")),
-            (None, false) => Levels::range(from, to, form.number("step")?),
+            (None, false) => return self.range(form, from, to),
             (Some(_), _) if form.optional("step").is_some() => {
                 return Err(self
                     .found
@@ -113,10 +113,22 @@ impl AxisEntry<'_> {
             (Some(count), false) => Levels::even(from, to, count),
             (Some(count), true) => Levels::logarithmic(from, to, count),
         };
-        levels.map_err(|(key, allowed)| match form.optional(key) {
-            Some(found) => found.complain(&format!("{allowed} (from {from} to {to})")),
-            None => form.missing(key, allowed),
-        })
+        levels.map_err(complaint(form, from, to))
+    }
+
+    /// A range by its step, which must not pass over its end.
+    fn range(&self, form: &Section, from: f64, to: f64) -> Result<Levels, InputError> {
+        let found = form.value("step", "a number")?;
+        let levels = Levels::range(from, to, found.number()?).map_err(complaint(form, from, to))?;
+        let [last, beyond] = [levels.count() - 1, levels.count()].map(|index| levels.value(index));
+        // Where rounding has it, the end is met.
+        if (last - to).abs() > 1e-6 * (beyond - last).abs() {
+            let span = (to - from).abs();
+            return Err(found.complain_that(&format!(
+                "steps from {from} pass over to = {to}: allowed is to = {last} or {beyond}, or a step that divides {span}"
+            )));
+        }
+        Ok(levels)
     }
 
     fn list(&self, found: &LocatedValue) -> Result<Levels, InputError> {
@@ -148,6 +160,14 @@ impl AxisEntry<'_> {
             .map(|w| format!("{w:?}"))
             .collect();
         format!("a list of {}", quoted.join(", "))
+    }
+}
+
+/// The complaint about a wrong number of an axis, at its key.
+fn complaint(form: &Section, from: f64, to: f64) -> impl Fn(Fault) -> InputError {
+    move |(key, allowed)| match form.optional(key) {
+        Some(found) => found.complain(&format!("{allowed} (from {from} to {to})")),
+        None => form.missing(key, allowed),
     }
 }
 

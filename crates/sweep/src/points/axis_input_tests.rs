@@ -63,7 +63,7 @@ fn every_form_gives_its_values() {
 
 /// The value of an axis, and what the complaint must contain.
 #[rustfmt::skip]
-const WRONG: [(&str, &[&str]); 12] = [
+const WRONG: [(&str, &[&str]); 14] = [
     ("rol_deg = [0]", &["f.toml:2: axes.rol_deg = [0]", "did you mean roll_deg?"]),
     ("vehicle.strut.preload = [1]", &["axes.vehicle.strut.preload", "did you mean vehicle.strut.preload_lb"]),
     ("\"vehicle.legs[4].azimuth_deg\" = [1]", &["no such parameter", "vehicle.legs[3].azimuth_deg"]),
@@ -73,6 +73,8 @@ const WRONG: [(&str, &[&str]); 12] = [
     ("slope_deg = { from = 0, to = 1, step = 1, count = 2 }", &["either of the two"]),
     ("slope_deg = { from = 0, to = 1, count = 2, spacing = \"log\" }", &["axes.slope_deg.from = 0", "> 0"]),
     ("slope_deg = { from = 1, to = 2, step = 1, spacing = \"log\" }", &["axes.slope_deg.count is missing"]),
+    ("slope_deg = { from = 0, to = 16, step = 7 }", &["axes.slope_deg.step = 7", "pass over to = 16", "to = 14 or 21", "divides 16"]),
+    ("slope_deg = { from = 3, to = -0.5, step = -0.1 }\nroll_deg = { from = 1, to = -0.55, step = -0.1 }", &["axes.roll_deg.step = -0.1", "to = -0.5 or -0.6"]),
     ("slope_deg = { values = [1], step = 1 }", &["axes.slope_deg.step = 1", "values, zip"]),
     ("solver.crush_rule = [\"soft\"]", &["axes.solver.crush_rule[1] = \"soft\"", "\"pivot-rate\", \"section\""]),
     ("slope_deg = [1]\nscene.slope_deg = [2]", &["axes.scene.slope_deg = [2]", "varies twice"]),

@@ -156,10 +156,9 @@ impl Reader<'_, '_> {
             .parent()
             .unwrap_or(Path::new(""))
             .join(file.text()?);
-        if !self.library.has(&path) {
+        if let Some(refusal) = self.library.refusal(&path) {
             return Err(file.complain_that(&format!(
-                "there is no file {}: allowed is the path of a table, relative to this file",
-                path.display()
+                "{refusal}: allowed is the path of a table, relative to this file"
             )));
         }
         let text = self.library.text(&path)?;

@@ -1,10 +1,11 @@
 //! What a point came to, as the bytes of a journal's record.
 
 use serde::{Deserialize, Serialize};
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Outcome;
 
 use crate::boundary::Boundary;
-use crate::landing_table::Cell;
+use crate::landing_table::{self, Cell};
 use crate::sensitivity::Sensitivity;
 
 /// What a point came to.
@@ -29,6 +30,15 @@ pub enum Finding {
 }
 
 impl Finding {
+    /// How one landing ended.
+    pub fn of(landing: &Landing) -> Self {
+        let columns = landing_table::columns(landing).into_iter();
+        Self::Landing {
+            outcome: landing.outcome.clone(),
+            cells: columns.map(|(_, cell)| cell).collect(),
+        }
+    }
+
     /// Where landings cease to be stable, if that was asked.
     pub fn boundary(&self) -> Option<&Boundary> {
         match self {
@@ -46,6 +56,25 @@ impl Finding {
                 sensitivity,
             } => boundary.landings + sensitivity.landings,
             Self::Landing { .. } => 1,
+        }
+    }
+
+    /// Evaluations of the equations of motion for it.
+    pub fn evaluations(&self) -> u64 {
+        match self {
+            Self::Boundary(boundary) => boundary.evaluations,
+            Self::Sensitive {
+                boundary,
+                sensitivity,
+            } => boundary.evaluations + sensitivity.evaluations,
+            // The last count of a row, after the steps.
+            Self::Landing { cells, .. } => {
+                let count = |cell: &Cell| match cell {
+                    Cell::Count(count) => Some(*count),
+                    _ => None,
+                };
+                cells.iter().rev().find_map(count).unwrap_or(0)
+            }
         }
     }
 

@@ -6,7 +6,6 @@ use crate::boundary::{Boundary, Transition};
 use crate::certainty::Certainty;
 use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
-use crate::landing_table::Cell;
 use crate::probabilities::Probabilities;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::skipped::Skipped;
@@ -83,9 +82,9 @@ impl SweepCounts {
                 self.add_boundary(point, boundary);
                 self.add_sensitivity(sensitivity);
             }
-            Finding::Landing { outcome, cells } => {
+            Finding::Landing { outcome, .. } => {
                 self.landings += 1;
-                self.evaluations += evaluations(cells);
+                self.evaluations += found.evaluations();
                 if let Some(probabilities) = &mut self.probabilities {
                     probabilities.add(&sweep.design.coordinates(point), outcome.class());
                 }
@@ -152,16 +151,6 @@ impl SweepCounts {
         let counted = KINDS.into_iter().map(name).zip(self.kinds);
         counted.filter(|(_, count)| *count > 0).collect()
     }
-}
-
-/// Evaluations that a landing took, by its column.
-fn evaluations(cells: &[Cell]) -> u64 {
-    let counts = cells.iter().rev().filter_map(|cell| match cell {
-        Cell::Count(count) => Some(*count),
-        _ => None,
-    });
-    // The last count of a row, after the steps.
-    counts.take(1).sum()
 }
 
 #[cfg(test)]

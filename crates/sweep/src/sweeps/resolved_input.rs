@@ -1,6 +1,7 @@
 //! All of a sweep's input with defaults filled in, as a tree of names and values.
 
 use serde_json::{Map, Value, json};
+use touchdown_dynamics::scene::Settings;
 
 use crate::design::Design;
 use crate::distribution::Distribution;
@@ -34,15 +35,7 @@ impl Sweep {
             "scene": scene,
             "axes": self.axes_resolved(),
             "axes_that_move_together": self.together(),
-            "solver": {
-                "tolerance": self.settings.tolerance(),
-                "time_limit_s": self.settings.time_limit(),
-                "crush_rule": crush_rule_name(self.settings.crush_rule()),
-                "friction_profile": friction_profile_name(self.settings.friction_profile()),
-                "method": method_name(&self.settings.method()),
-                // All its numbers, to the last digit.
-                "method_in_full": format!("{:?}", self.settings.method()),
-            },
+            "solver": solver(&self.settings),
         });
         match self.job {
             Job::Boundary(search) => {
@@ -152,7 +145,21 @@ fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
     }
 }
 
-fn tree(entries: &[Entry]) -> Value {
+/// How landings are computed.
+pub(crate) fn solver(settings: &Settings) -> Value {
+    json!({
+        "tolerance": settings.tolerance(),
+        "time_limit_s": settings.time_limit(),
+        "crush_rule": crush_rule_name(settings.crush_rule()),
+        "friction_profile": friction_profile_name(settings.friction_profile()),
+        "method": method_name(&settings.method()),
+        // All its numbers, to the last digit.
+        "method_in_full": format!("{:?}", settings.method()),
+    })
+}
+
+/// A document as a tree.
+pub(crate) fn tree(entries: &[Entry]) -> Value {
     let fields = entries
         .iter()
         .map(|entry| (entry.key.clone(), value(&entry.node.value)));

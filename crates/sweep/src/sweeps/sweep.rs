@@ -64,10 +64,21 @@ pub struct Sweep {
     pub settings: Settings,
     /// Parameters on which the first transition's dependence is asked.
     pub sensitivity: Vec<Parameter>,
+    /// Set where results are those of some of the points: they are named and marked as such.
+    pub part: Option<Part>,
     /// The files that were read.
     pub(crate) sources: Vec<Source>,
     pub(crate) overrides: OverrideNames,
     pub(crate) document: Document,
+}
+
+/// How many points of a sweep there are results of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Part {
+    /// Points with a result.
+    pub points: usize,
+    /// All points.
+    pub of: usize,
 }
 
 /// Names of the files and words that override a sweep file.
@@ -79,11 +90,29 @@ pub(crate) struct OverrideNames {
     pub(crate) sensitivity: Vec<String>,
 }
 
+/// Name of the results of a part of the points of the sweep `stem`.
+pub fn partial(stem: &str) -> String {
+    format!("{stem}-partial")
+}
+
 impl Sweep {
-    /// Name of the file without folder and ending: results are named after it.
+    /// Name of the file without folder and ending, which results are named after.
     pub fn stem(&self) -> String {
         let stem = self.path.file_stem().unwrap_or(self.path.as_os_str());
-        stem.to_string_lossy().into_owned()
+        let stem = stem.to_string_lossy();
+        match self.part {
+            None => stem.into_owned(),
+            Some(_) => partial(&stem),
+        }
+    }
+
+    /// The same sweep, of whose points there are results of some only.
+    #[must_use]
+    pub fn in_part(mut self, points: usize) -> Self {
+        let of = self.design.count();
+        self.title = format!("Partial, {points} of {of} points: {}", self.title);
+        self.part = Some(Part { points, of });
+        self
     }
 
     /// The places of its points, if it is a map.

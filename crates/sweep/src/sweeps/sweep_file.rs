@@ -9,7 +9,7 @@ use crate::case::CaseFault;
 use crate::design::Design;
 use crate::document::Document;
 use crate::grid::{Grid, GridFault};
-use crate::input_error::InputError;
+use crate::input_error::{InputError, short};
 use crate::library::Library;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
@@ -50,6 +50,11 @@ impl Sweep {
         let mut sources = vec![document.source(), vehicle.source()];
         let sampled = sample_input::sampled(&root, &entries, path, library, &mut sources)?;
         let enough = sampled.as_ref().and_then(|sampled| sampled.enough);
+        if enough.is_some() && asked == JobWord::Boundary {
+            let sample = root.section("sample", &sample_input::SAMPLE)?;
+            let found = sample.value("stop_at_interval_width", "a number")?;
+            return Err(found.complain_that("is used with job = \"outcome\" only"));
+        }
         let design = match sampled {
             Some(sampled) => Design::Sample(sampled.sample),
             None => grid_or_map(&root, &entries)?,
@@ -62,14 +67,28 @@ impl Sweep {
 
         let varied = case::written(&document, &axes, Home::Sweep, &first);
         let varied = Section::root(&varied, &SWEEP)?;
+        // What is wrong without the first values of the axes is no fault of theirs.
+        let at_axes = |part, error, as_written: Option<InputError>| {
+            let fault = CaseFault::Input { part, error };
+            as_written.unwrap_or_else(|| locate(&fault, &first, &scene, &entries))
+        };
         let job = match asked {
-            JobWord::Boundary => Job::Boundary(search_input::search(&varied)?),
+            JobWord::Boundary => {
+                Job::Boundary(search_input::search(&varied).map_err(|error| {
+                    at_axes(Home::Sweep, error, search_input::search(&root).err())
+                })?)
+            }
             JobWord::Outcome => Job::Outcome { enough },
         };
-        let settings = settings_input::settings(&varied)?;
+        let settings = settings_input::settings(&varied)
+            .map_err(|error| at_axes(Home::Sweep, error, settings_input::settings(&root).err()))?;
+        let read_vehicle = VehicleFile::from_document;
+        let varied = read_vehicle(case::written(&vehicle, &axes, Home::Vehicle, &first));
+        let varied = varied
+            .map_err(|error| at_axes(Home::Vehicle, error, read_vehicle(vehicle.clone()).err()))?;
         let vehicle = VehicleFile {
-            document: vehicle.clone(),
-            ..VehicleFile::from_document(case::written(&vehicle, &axes, Home::Vehicle, &first))?
+            document: vehicle,
+            ..varied
         };
         let mut fixed = NamedConditions::default();
         for (name, found) in scene.all_values() {
@@ -86,6 +105,7 @@ impl Sweep {
             job,
             settings,
             sensitivity: sensitivity_input::parameters(&root, LEGS)?,
+            part: None,
             sources,
             overrides: OverrideNames::default(),
             document: document.clone(),
@@ -115,10 +135,9 @@ pub(crate) fn named_vehicle(
     library: Library,
 ) -> Result<Document, InputError> {
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
-    if !library.has(&file) {
+    if let Some(refusal) = library.refusal(&file) {
         return Err(found.complain_that(&format!(
-            "there is no file {}: allowed is the path of a vehicle file, relative to this file",
-            file.display()
+            "{refusal}: allowed is the path of a vehicle file, relative to this file"
         )));
     }
     library.document(&file)
@@ -233,7 +252,14 @@ fn locate(
             });
             let values = values.collect::<Vec<_>>().join(", ");
             match of_part.first() {
-                Some((entry, _)) => entry.found.complain_that(&format!("at {values}: {error}")),
+                Some((entry, _)) => {
+                    // Values of axes stand nowhere in the rest of the sweep file.
+                    let error = match part {
+                        Home::Sweep => error.clone().nowhere(),
+                        _ => error.clone(),
+                    };
+                    entry.found.complain_that(&format!("at {values}: {error}"))
+                }
                 None => error.clone(),
             }
         }
@@ -253,7 +279,8 @@ pub(crate) fn locate_condition(
         .find(|entry| entry.parameter.name() == fault.name);
     match (entry, fault.value) {
         (Some(entry), Some(value)) => entry.found.complain_that(&format!(
-            "{value} is among them: allowed is {}",
+            "{} is among them: allowed is {}",
+            short(value.to_string()),
             fault.allowed
         )),
         _ => scene.missing(fault.name, &fault.allowed),

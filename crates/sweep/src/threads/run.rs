@@ -19,12 +19,12 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::case::{Case, CaseFault};
+use crate::cases::CaseTable;
 use crate::certainty::Variation;
 use crate::early_stop::EarlyStop;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::landing_queue::{CloseOnDrop, LandingQueue};
-use crate::landing_table;
 use crate::refined_grid::RefinedGrid;
 use crate::rounds::Rounds;
 use crate::scene_input::SceneFault;
@@ -161,12 +161,9 @@ impl Workers {
             return Ok(());
         }
         let search = async |point, landing_queue: &LandingQueue| {
-            observer.begin(point);
-            let finding = find(sweep, point, landing_queue, observer, &stop).await?;
-            observer.point(point);
-            Ok(finding)
+            find_watched(sweep, point, landing_queue, observer, &stop).await
         };
-        let found = self.search(points, &stop, search, |finished| {
+        let found = self.search(points, SEARCHES, &stop, search, |finished| {
             if let Some((point, finding)) = finished {
                 journal.add(point, &finding.encode())?;
                 if known.is_enough_with(sweep, point, finding) {
@@ -198,22 +195,22 @@ impl Workers {
         let journal = &mut opened.journal;
         let stop = Stop::on(cancel);
         let search = async |point, landing_queue: &LandingQueue| {
-            observer.begin(point);
-            let finding = find(sweep, point, landing_queue, observer, &stop).await?;
-            observer.point(point);
-            Ok(finding)
+            find_watched(sweep, point, landing_queue, observer, &stop).await
         };
         let mut rounds = Rounds::new(map, shard);
+        let mut announced = 0;
         loop {
             let round = rounds.next_round();
             if round.is_empty() {
                 return journal.finish().map_err(RunError::Journal);
             }
-            observer.more(round.len());
+            let expected = rounds.expected(round.len());
+            observer.more(expected.saturating_sub(announced));
+            announced = announced.max(expected);
             let new: Vec<usize> = (round.iter().copied())
                 .filter(|point| !there.contains_key(point))
                 .collect();
-            let searched = self.search(new.into_iter(), &stop, search, |finished| {
+            let searched = self.search(new.into_iter(), SEARCHES, &stop, &search, |finished| {
                 if let Some((point, finding)) = finished {
                     journal.add(point, &finding.encode())?;
                     there.insert(point, finding);
@@ -239,20 +236,46 @@ impl Workers {
     /// When the input of one of them is not valid.
     pub fn points(&self, sweep: &Sweep, points: &[usize]) -> Result<Vec<Finding>, RunError> {
         let never = AtomicBool::new(false);
-        let stop = Stop::on(&never);
         let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        let search = async |index: usize, landing_queue: &LandingQueue| {
-            find(sweep, points[index], landing_queue, &(), &stop).await
-        };
-        self.search(0..points.len(), &stop, search, |finished| {
-            found.extend(finished);
-            Ok(())
+        self.each_point(sweep, points, SEARCHES, &(), &never, |index, finding| {
+            found.push((index, finding));
         })?;
         found.sort_by_key(|(index, _)| *index);
         Ok(found.into_iter().map(|(_, finding)| finding).collect())
     }
 
-    /// Searches points with `search`, many at a time, and gives what each came to to `keep`; all threads land for
+    /// Finds what the sweep asks at some points, and gives the index of each among `points`, with what it came to, to
+    /// `keep` as soon as it is known: the first points first, so many at a time for each thread.
+    ///
+    /// # Errors
+    /// When the input of one of them is not valid, or `cancel` became true.
+    pub fn each_point(
+        &self,
+        sweep: &Sweep,
+        points: &[usize],
+        searches: usize,
+        observer: &impl Observer,
+        cancel: &AtomicBool,
+        mut keep: impl FnMut(usize, Finding),
+    ) -> Result<(), RunError> {
+        let stop = Stop::on(cancel);
+        let search = async |index: usize, landing_queue: &LandingQueue| {
+            let queue = SearchQueue {
+                landing_queue,
+                search: index,
+            };
+            find(sweep, points[index], queue, observer, &stop).await
+        };
+        let indices = 0..points.len();
+        self.search(indices, searches, &stop, search, |finished| {
+            if let Some((index, finding)) = finished {
+                keep(index, finding);
+            }
+            Ok(())
+        })
+    }
+
+    /// Searches points with `search`, so many at a time for each thread, and gives what each came to to `keep`; all threads land for
     /// them. `keep` is also called every now and then when nothing is new.
     ///
     /// # Errors
@@ -260,6 +283,7 @@ impl Workers {
     fn search<T>(
         &self,
         points: impl Iterator<Item = usize>,
+        at_a_time: usize,
         stop: &Stop,
         search: impl AsyncFn(usize, &LandingQueue) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
@@ -271,7 +295,7 @@ impl Workers {
             let search = &search;
             let searches =
                 points.map(|point| async move { (point, search(point, landing_queue).await) });
-            let mut searches = stream::iter(searches).buffer_unordered(SEARCHES * self.threads());
+            let mut searches = stream::iter(searches).buffer_unordered(at_a_time * self.threads());
             block_on(poll_fn(|context| {
                 // Whenever a search has got a landing.
                 stop.go_on()?;
@@ -282,6 +306,37 @@ impl Workers {
                 Poll::Ready(Ok(()))
             }))
         })
+    }
+
+    /// Lands the cases of a table that are not `done`, into the journal.
+    ///
+    /// # Errors
+    /// As [`Workers::sweep`].
+    pub fn case_table(
+        &self,
+        table: &CaseTable,
+        opened: &mut Opened,
+        observer: &impl Observer,
+        cancel: &AtomicBool,
+    ) -> Result<(), RunError> {
+        let Opened { journal, done, .. } = opened;
+        let stop = Stop::on(cancel);
+        let land = async |row: usize, landing_queue: &LandingQueue| {
+            let case = &table.rows[row];
+            let vehicle = Arc::clone(&case.vehicle);
+            let landing = landing_queue.landing(row, vehicle, case.scene, case.settings);
+            let landing = landing.await.ok_or(RunError::Cancelled)?;
+            observer.landing();
+            observer.point(row);
+            Ok(Finding::of(&landing))
+        };
+        let landed = self.search(done.missing(), SEARCHES, &stop, land, |finished| {
+            if let Some((row, finding)) = finished {
+                journal.add(row, &finding.encode())?;
+            }
+            journal.tick()
+        });
+        landed.and(journal.finish().map_err(RunError::Journal))
     }
 
     /// Computes so many landings, each as `request` asks for by its index, which is also its key: several at a time on
@@ -353,11 +408,37 @@ impl<'c> Stop<'c> {
     }
 }
 
+/// Where a search asks for its landings.
+#[derive(Clone, Copy)]
+struct SearchQueue<'q> {
+    landing_queue: &'q LandingQueue,
+    /// Its number: those with lower ones get their landings first.
+    search: usize,
+}
+
+/// What a sweep asks at a point, told to an observer.
+async fn find_watched(
+    sweep: &Sweep,
+    point: usize,
+    landing_queue: &LandingQueue,
+    observer: &impl Observer,
+    stop: &Stop<'_>,
+) -> Result<Finding, RunError> {
+    observer.begin(point);
+    let queue = SearchQueue {
+        landing_queue,
+        search: point,
+    };
+    let finding = find(sweep, point, queue, observer, stop).await?;
+    observer.point(point);
+    Ok(finding)
+}
+
 /// What a sweep asks at a point.
 async fn find(
     sweep: &Sweep,
     point: usize,
-    landing_queue: &LandingQueue,
+    queue: SearchQueue<'_>,
     observer: &impl Observer,
     stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
@@ -369,20 +450,16 @@ async fn find(
     let landed = async |vehicle: &Arc<Vehicle>, scene, settings| {
         stop.go_on()?;
         let vehicle = Arc::clone(vehicle);
-        let landing = landing_queue.landing(point, vehicle, scene, settings).await;
+        let landing = (queue.landing_queue)
+            .landing(queue.search, vehicle, scene, settings)
+            .await;
         let landing = landing.ok_or(RunError::Cancelled)?;
         observer.landing();
         Ok(landing)
     };
     let Job::Boundary(search) = case.job else {
         let landing = landed(&case.vehicle, case.scene, case.settings).await?;
-        let cells = landing_table::columns(&landing)
-            .into_iter()
-            .map(|(_, cell)| cell);
-        return Ok(Finding::Landing {
-            cells: cells.collect(),
-            outcome: landing.outcome,
-        });
+        return Ok(Finding::of(&landing));
     };
     let trial = async |case: &Case, speed, variation: Variation| {
         let varied = case
@@ -506,7 +583,7 @@ mod tests {
                 Ok(())
             };
             workers(threads)
-                .search(0..100, &stop, search, keep)
+                .search(0..100, SEARCHES, &stop, search, keep)
                 .unwrap();
             kept.sort_by_key(|(point, _)| *point);
             assert_eq!(kept, expected);
@@ -526,7 +603,7 @@ mod tests {
             }
         };
         let search = async |point, _: &LandingQueue| Ok(point);
-        let ended = workers(2).search(0.., &stop, search, keep);
+        let ended = workers(2).search(0.., SEARCHES, &stop, search, keep);
         assert!(matches!(ended, Err(RunError::Journal(_))));
         assert_eq!(kept, 5);
     }
@@ -548,7 +625,13 @@ mod tests {
                 }
             }
         };
-        let ended = workers(2).search(0.., &stop, search, |_: Option<(usize, ())>| Ok(()));
+        let ended = workers(2).search(
+            0..,
+            SEARCHES,
+            &stop,
+            search,
+            |_: Option<(usize, ())>| Ok(()),
+        );
         assert!(matches!(ended, Err(RunError::Cancelled)));
         assert_eq!(landings.into_inner(), 51);
     }

@@ -1,12 +1,12 @@
 //! `touchdown land --cases`: one landing for each row of a table.
 
 use std::path::Path;
-use std::sync::Arc;
 
-use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::cases;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::cases::{self, CaseTable};
+use touchdown_sweep::findings::Finding;
+use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
@@ -15,7 +15,8 @@ use crate::print::print;
 use crate::progress::Progress;
 use crate::{interrupt, summary};
 
-/// Lands all cases and writes their results to `out`.
+/// Lands all cases and writes their results to `out`. Until then they are in a journal beside it, from which an
+/// interrupted run goes on.
 pub fn run(
     workers: &Workers,
     quiet: bool,
@@ -24,34 +25,59 @@ pub fn run(
     table: &Path,
     out: &Path,
 ) -> Result<(), Failure> {
-    let cases = cases::read(table, vehicle, settings)?;
+    let table = cases::read(table, vehicle, settings)?;
     let (folder, name) = place_of(out)?;
     let cancel = interrupt::flag()?;
 
-    let progress = Progress::start("cases", cases.len(), quiet);
-    let request = |key: usize| {
-        let case = &cases[key];
-        Request {
-            key,
-            vehicle: Arc::clone(&case.vehicle),
-            scene: case.scene,
-            settings: case.settings,
-        }
-    };
-    let landings = workers.cases(cases.len(), request, &progress, &cancel);
+    let path = folder.path(&format!("{name}.journal"));
+    let mut opened = Journal::open(&path, &table.header(env!("CARGO_PKG_VERSION")))?;
+    for warning in &opened.warnings {
+        eprintln!("touchdown: {warning}");
+    }
+    let count = table.rows.len();
+    let progress = Progress::start("cases", count, quiet);
+    let earlier = opened.done.len();
+    progress.skip(earlier);
+    if earlier > 0 && !quiet {
+        eprintln!("{earlier} of {count} cases are in {}", path.display());
+    }
+    let landed = workers.case_table(&table, &mut opened, &progress, &cancel);
     let wall_time = progress.finish();
-    let landings = landings?;
+    landed.map_err(|error| match error {
+        RunError::Cancelled => Failure::Interrupted(format!(
+            "what is finished is kept in {}: run again to go on",
+            path.display()
+        )),
+        other => other.into(),
+    })?;
 
-    let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
-    let results = cases::table(&names, &landings).map_err(Failure::running)?;
-    let files = folder.write_files(&[(name, results)])?;
+    let records = opened.journal.into_records()?;
+    let mut results = InOrder::new(vec![records], count, &folder.path("."))?;
+    let findings = findings(&table, &mut results)?;
+    let names = table.rows.iter().map(|case| case.name.as_str());
+    let written = cases::table(names.zip(&findings)).map_err(Failure::running)?;
+    let files = folder.write_files(&[(name, written)])?;
+    results.remove_journals()?;
     if !quiet {
+        // The time of a run that went on with another's work says nothing of the whole.
+        let seconds = (earlier == 0).then(|| wall_time.as_secs_f64());
         print(&summary::cases(
-            &landings,
-            wall_time,
+            &findings,
+            seconds,
             workers.threads(),
             &files,
         ))?;
     }
     Ok(())
+}
+
+/// How all cases ended, in their order.
+fn findings(table: &CaseTable, results: &mut InOrder) -> Result<Vec<Finding>, Failure> {
+    let finding = |row: usize| {
+        let bytes = results.result(row)?;
+        let finding = bytes.as_deref().and_then(Finding::decode);
+        let name = &table.rows[row].name;
+        finding.ok_or_else(|| Failure::running(format!("there is no result of case {name}")))
+    };
+    (0..table.rows.len()).map(finding).collect()
 }

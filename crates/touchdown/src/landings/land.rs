@@ -22,6 +22,11 @@ use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
 use crate::{cases, report, scene_cases};
 
+const USAGE: &str = "\
+touchdown land --vehicle <FILE> [OPTIONS]
+       touchdown land --vehicle <FILE> --cases <FILE> --out <FILE> [OPTIONS]
+       touchdown land <SCENE.toml> --out <DIR> [OPTIONS]";
+
 const EXAMPLES: &str = "\
 Examples:
   The baseline of the 1966 report, straight down a slope of 15 deg:
@@ -34,9 +39,9 @@ Examples:
       --vertical-velocity 14.24567 --horizontal-velocity 9.27685 --cross-slope 180 \\
       --slope 15 --pitch 5 --friction 0.8
 
-  One landing for each row of a table with the columns case, vertical_velocity_fps,
-  horizontal_velocity_fps, cross_slope_deg, pitch_deg, yaw_deg, roll_deg, slope_deg, friction, and
-  if wanted columns such as vehicle.strut.preload_lb that hold instead of the vehicle file:
+  One landing for each row of a table with the columns vertical_velocity_fps,
+  horizontal_velocity_fps, cross_slope_deg, slope_deg and friction, and if wanted others such as
+  case (a name), pitch_deg, yaw_deg, roll_deg or vehicle.strut.preload_lb:
     touchdown land --vehicle sweeps/vehicles/surveyor-table-4-1.toml \\
       --cases cases.csv --out outcomes.csv
 
@@ -61,7 +66,7 @@ Examples:
 
 /// Options of `land`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, override_usage = USAGE)]
 pub struct Options {
     /// Scene file (TOML): a touchdown, and `[[case]]` tables that tell only what differs from the case
     /// before
@@ -148,7 +153,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             cases::run(&workers, options.quiet, &vehicle, &settings, cases, out)
         }
         (None, Some(_)) => {
-            let complaint = "--out says nothing without --cases or a scene file";
+            let complaint = "--out is used with --cases or a scene file only";
             Err(InputError::other(complaint).into())
         }
         _ => {
@@ -193,6 +198,9 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
     } else {
         report::text(vehicle, &conditions, settings, &landing, &integration)
     })?;
+    if let Some(warning) = report::warning(&landing) {
+        eprintln!("touchdown: warning: {warning}");
+    }
     match &landing.outcome {
         Outcome::Failure(reason) => Err(Failure::running(format!(
             "the landing could not be computed beyond {} s: {reason}",

@@ -5,8 +5,10 @@ use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::fingerprint::fingerprint;
 use touchdown_sweep::landing_table;
 use touchdown_sweep::method_input::{method_name, method_words};
+use touchdown_sweep::results;
 use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -98,6 +100,21 @@ pub fn text(
     lines.0 + &integration_report::text(integration, legs)
 }
 
+/// What is to be told of a landing although its account closes: elements that gave back more than they took.
+pub fn warning(landing: &Landing) -> Option<String> {
+    // Less than that is rounding.
+    const LEAST_SHARE: f64 = 1e-9;
+    let energies = &landing.energies;
+    let works = (energies.legs.iter()).flat_map(|leg| [leg.pad_crush, leg.block_crush]);
+    let made: f64 = works.map(|work| (-work).max(0.0)).sum();
+    (made > LEAST_SHARE * energies.initial_kinetic.max(1.0)).then(|| {
+        format!(
+            "crushing footpads or blocks added {made:.4} ft lb to the motion, which no material does: \
+             they are too stiff for the crush laws"
+        )
+    })
+}
+
 /// Lines of a name and what belongs to it.
 struct Lines(String);
 
@@ -168,8 +185,10 @@ pub fn json(
         })
     });
     json!({
-        "program": { "name": "touchdown", "version": env!("CARGO_PKG_VERSION") },
+        "program": results::program(env!("CARGO_PKG_VERSION")),
+        "commit": results::COMMIT,
         "vehicle_file": vehicle.document.path().display().to_string(),
+        "vehicle_fingerprint": fingerprint(&vehicle.document.source().text),
         "scene": scene,
         "solver": {
             "tolerance": settings.tolerance(),

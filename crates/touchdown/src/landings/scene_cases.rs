@@ -5,6 +5,7 @@ use std::path::Path;
 use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::findings::Finding;
 use touchdown_sweep::history::History;
 use touchdown_sweep::scene_file::{self, SceneCase};
 use touchdown_sweep::{cases, method_input::method_words};
@@ -13,7 +14,7 @@ use crate::failure::Failure;
 use crate::land_files::{interval, is_case_table, is_history};
 use crate::output_guard::OutputGuard;
 use crate::print::print;
-use crate::report::degrees;
+use crate::report::{self, degrees};
 use crate::summary;
 
 /// Lands all cases and writes their histories, every `seconds`, and their results to a folder.
@@ -42,11 +43,17 @@ pub fn run(scene: &Path, out: &Path, seconds: f64, overwrite: bool) -> Result<()
         files.push((format!("{stem}-{}.csv", case.name), history));
         landings.push(landing);
     }
-    let names: Vec<String> = cases.iter().map(|case| case.name.clone()).collect();
-    let results = cases::table(&names, &landings).map_err(Failure::running)?;
+    let findings: Vec<Finding> = landings.iter().map(Finding::of).collect();
+    let names = cases.iter().map(|case| case.name.as_str());
+    let results = cases::table(names.zip(&findings)).map_err(Failure::running)?;
     files.push((format!("{stem}.csv"), results));
     let written = folder.write_files(&files)?;
     print(&text(&cases, &landings))?;
+    for (case, landing) in cases.iter().zip(&landings) {
+        if let Some(warning) = report::warning(landing) {
+            eprintln!("touchdown: warning: case {}: {warning}", case.name);
+        }
+    }
     print(&summary::written(&written))?;
     Ok(())
 }

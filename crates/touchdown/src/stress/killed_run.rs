@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use touchdown_sweep::journal::{InOrder, JournalError, Records};
+use touchdown_sweep::journal::{Access, InOrder, JournalError, Records};
 
 use crate::failure::Failure;
 
@@ -129,7 +129,7 @@ pub fn results(stem: &str, folder: &Path) -> Result<BTreeMap<String, Vec<u8>>, F
 
 /// How many of so many points are in a journal, whole; none if there is no journal, or not yet its head.
 pub fn journaled(journal: &Path, points: usize) -> Result<usize, Failure> {
-    let records = match Records::open(journal) {
+    let records = match Records::open(journal, Access::Alone) {
         Ok((records, _)) => records,
         Err(JournalError::NoHeader(_)) => return Ok(0),
         Err(JournalError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {

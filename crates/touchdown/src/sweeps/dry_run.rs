@@ -1,139 +1,385 @@
-//! `touchdown sweep --dry-run`: what a night will take, before it begins.
+//! `touchdown sweep --dry-run`: what sweeps will take, before they begin.
 
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::journal;
+use touchdown_sweep::header::Header;
+use touchdown_sweep::journal::{self, JournalError, Records};
+use touchdown_sweep::point_set::PointSet;
 use touchdown_sweep::refined_grid::{MapRules, RefinedGrid};
 use touchdown_sweep::results;
 use touchdown_sweep::rounds::Rounds;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::run::{Observer, RunError, Workers};
 use touchdown_sweep::shard::Shard;
-use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::sweep_file::{Job, Sweep};
 
+use crate::estimate::{Estimate, Sample, Taken, evenly};
 use crate::failure::Failure;
+use crate::summary::number;
+use crate::{axis_words, journal_files};
 
-/// Time that is spent on computing points as a sample of the others.
-const CALIBRATION: Duration = Duration::from_secs(3);
-/// Most points computed as a sample.
-const MOST_CALIBRATED: usize = 256;
-/// Most points whose input is checked.
+/// Time that is spent on one sweep, and on all of them.
+const TIME_FOR_ONE: Duration = Duration::from_secs(4);
+const TIME_FOR_ALL: Duration = Duration::from_secs(20);
+/// Most points computed as a sample, and most whose input is checked.
+const MOST_SAMPLED: usize = 1024;
 const MOST_CHECKED: usize = 10_000;
+/// Points of a sample that are searched at a time for each thread: few are begun and not finished when the time is up.
+const SEARCHES: usize = 4;
 
-/// What a sweep, or a shard of it, will take; in words.
-pub fn tell(sweep: &Sweep, shard: Shard, workers: &Workers) -> Result<String, Failure> {
-    // Of a map, the points that are wanted first; those of a shard that its cells share with others are its own too.
-    let first_round = sweep.map().map(|map| Rounds::new(map, shard).next_round());
-    let points = match &first_round {
-        Some(first) => first.len(),
-        None => shard.len(sweep.design.count()),
+/// What sweeps, or a shard of each, will take, one by one and in all; in words. Their journals, if there are any, are in
+/// the folder `out`.
+pub fn tell(
+    sweeps: &[Sweep],
+    shard: Shard,
+    threads: Option<NonZeroUsize>,
+    out: &Path,
+) -> Result<String, Failure> {
+    let time = TIME_FOR_ONE.min(TIME_FOR_ALL / sweeps.len().max(1) as u32);
+    let mut text = String::new();
+    let mut all = Estimate::default();
+    let mut unknown = 0;
+    let mut used = 1;
+    for sweep in sweeps {
+        let workers = Workers::start(threads)?;
+        used = workers.threads();
+        let journal = out.join(journal_files::name(&sweep.stem(), shard));
+        let looked = look(sweep, shard, workers, &journal, Instant::now() + time)?;
+        let estimate = looked.sample.estimate();
+        text += &looked.text(sweep, &journal, estimate, used, time);
+        match estimate {
+            Some(estimate) => all += estimate,
+            None => unknown += 1,
+        }
+    }
+    if sweeps.len() > 1 {
+        text += &format!(
+            "{} together\n  {}",
+            number(sweeps.len(), "sweep"),
+            all.text(used)
+        );
+        text += &match unknown {
+            0 => "\n".to_owned(),
+            some => format!(
+                ", without {} of which no point was finished\n",
+                number(some, "sweep")
+            ),
+        };
+    }
+    Ok(text)
+}
+
+/// The points that are known to be wanted before a run: all of a sweep, or of a shard; of a map, the first round.
+struct Points {
+    shard: Shard,
+    count: usize,
+    first_round: Option<Vec<usize>>,
+}
+
+impl Points {
+    fn of(sweep: &Sweep, shard: Shard) -> Self {
+        let round = |map| Rounds::new(map, shard).next_round();
+        let first_round: Option<Vec<usize>> = sweep.map().map(round);
+        let count = match &first_round {
+            Some(round) => round.len(),
+            None => shard.len(sweep.design.count()),
+        };
+        Self {
+            shard,
+            count,
+            first_round,
+        }
+    }
+
+    fn point(&self, index: usize) -> usize {
+        match &self.first_round {
+            Some(round) => round[index],
+            None => self.shard.point(index),
+        }
+    }
+
+    /// Which of them a journal holds.
+    fn among(&self, done: PointSet) -> PointSet {
+        let Some(round) = &self.first_round else {
+            return done;
+        };
+        let mut among = PointSet::none(self.count);
+        for (index, point) in round.iter().enumerate() {
+            if done.contains(*point) {
+                among.insert(index);
+            }
+        }
+        among
+    }
+}
+
+/// What is known beforehand of the refinement of a map whose first level is estimated.
+fn refinement(map: &RefinedGrid) -> String {
+    let MapRules { error, budget, .. } = map.rules;
+    let until = match (budget, error > 0.0) {
+        (Some(budget), true) => {
+            format!("until errors are below {error} ft/s or {budget} landings are spent")
+        }
+        (Some(budget), false) => format!("until {budget} landings are spent"),
+        (None, _) => format!("until errors are below {error} ft/s, however many points that takes"),
     };
-    let point_of = |index: usize| match &first_round {
-        Some(first) => first[index],
-        None => shard.point(index),
+    format!("  these points are the first level of a map, which is refined {until}\n")
+}
+
+/// What was found out about a sweep.
+struct Looked {
+    points: usize,
+    /// Points that the journal holds; `None` where there was no time to read it.
+    done: Option<usize>,
+    checked: usize,
+    sample: Sample,
+}
+
+impl Looked {
+    fn text(
+        &self,
+        sweep: &Sweep,
+        journal: &Path,
+        estimate: Option<Estimate>,
+        threads: usize,
+        time: Duration,
+    ) -> String {
+        let points = self.points;
+        let mut text = format!("{}\n  {}\n", sweep.title, number(points, "point"));
+        text += &axis_words::text(sweep);
+        text += &sweep.map().map(refinement).unwrap_or_default();
+        text += &match self.checked {
+            all if all == points => "  the input of all points was checked\n".to_owned(),
+            some => format!("  the input of {} was checked\n", number(some, "point")),
+        };
+        text += &match self.done {
+            Some(0) => String::new(),
+            Some(done) => format!(
+                "  {} holds {}: {} left\n",
+                journal.display(),
+                number(done, "point"),
+                points - done
+            ),
+            None => format!("  {} was not read in time\n", journal.display()),
+        };
+        let seconds = time.as_secs_f64();
+        let computed = match self.sample.taken.len() {
+            all if all == self.sample.points => "all points, computed for this".to_owned(),
+            some => format!("{} computed as a sample", number(some, "point")),
+        };
+        let at_most = match sweep.job {
+            Job::Outcome { enough: Some(_) } => ", fewer if enough is known before",
+            _ => "",
+        };
+        text + &match estimate {
+            Some(_) if self.sample.points == 0 => "  nothing is left to be computed\n".to_owned(),
+            Some(estimate) => {
+                format!("  from {computed}: {}{at_most}\n", estimate.text(threads))
+            }
+            None => format!(
+                "  no estimate: {} took {seconds:.1} s, and no point was finished\n",
+                number(self.sample.landings as usize, "landing")
+            ),
+        }
+    }
+}
+
+/// Looks at a sweep until the time is up.
+///
+/// What may take longer, a single landing included, is done by a thread that is left behind then.
+fn look(
+    sweep: &Sweep,
+    shard: Shard,
+    workers: Workers,
+    journal: &Path,
+    end: Instant,
+) -> Result<Looked, Failure> {
+    let points = Points::of(sweep, shard);
+    let landings = Arc::new(Landings::default());
+    let cancel = Arc::new(AtomicBool::new(false));
+    let (sender, receiver) = mpsc::channel();
+    let sampling = Sampling {
+        sweep: sweep.clone(),
+        shard,
+        landings: Arc::clone(&landings),
+        cancel: Arc::clone(&cancel),
+        sender,
     };
-    let checked = spread(points, MOST_CHECKED);
-    for &index in &checked {
-        let point = point_of(index);
+    let path = journal.to_owned();
+    thread::spawn(move || sampling.run(&workers, &path));
+
+    let mut checked = 0;
+    for index in evenly(points.count, MOST_CHECKED) {
+        let point = points.point(index);
         sweep.case(point).map_err(|fault| {
             Failure::running(format!("the point {}: {fault}", sweep.place(point)))
         })?;
-    }
-    let start = Instant::now();
-    let mut sample = Vec::new();
-    let mut findings = Vec::new();
-    let mut size = workers.threads().min(points);
-    while sample.len() < size {
-        // Points in between those that are done, as far as that is possible.
-        let more: Vec<usize> = spread(points, size)
-            .into_iter()
-            .map(point_of)
-            .filter(|point| !sample.contains(point))
-            .collect();
-        findings.extend(workers.points(sweep, &more)?);
-        sample.extend(more);
-        let is_long = start.elapsed() > CALIBRATION / 2;
-        if is_long || size >= MOST_CALIBRATED || size == points {
+        checked += 1;
+        if Instant::now() > end {
             break;
         }
-        size = (2 * size).min(points);
     }
-    let seconds = start.elapsed().as_secs_f64();
-    let each = points as f64 / findings.len().max(1) as f64;
-    let landings: u64 = findings.iter().map(Finding::landings).sum();
-    let journal: usize = (findings.iter())
-        .map(|finding| journal::record_length(finding.encode().len()))
-        .sum();
-    let rows = sample.iter().zip(&findings);
-    let table: usize = rows
-        .map(|(point, found)| results::row(sweep, *point, found).join(",").len() + 1)
-        .sum();
-    let of_map = sweep
-        .map()
-        .map(|map| refinement(map, each * landings as f64, each * seconds));
-    Ok(format!(
-        "{}\n  {points} points over {}; the input of {} was checked\n  from {} points that were \
-         computed: about {:.0} landings, {} on {} threads, {} of journal, {} of table\n",
-        sweep.title,
-        axes(sweep),
-        checked.len(),
-        findings.len(),
-        landings as f64 * each,
-        duration(seconds * each),
-        workers.threads(),
-        bytes(journal as f64 * each),
-        bytes(table as f64 * each),
-    ) + &of_map.unwrap_or_default())
+    let heard = Heard::until(end, &receiver)?;
+    cancel.store(true, Ordering::Relaxed);
+    let done = heard.begun.as_ref().map(|(done, _)| *done);
+    let seconds = match heard.begun {
+        Some((_, begun)) => heard.ended.saturating_duration_since(begun).as_secs_f64(),
+        None => 0.0,
+    };
+    let points = points.count;
+    Ok(Looked {
+        points,
+        done,
+        checked,
+        sample: Sample {
+            points: points - done.unwrap_or(0),
+            taken: heard.taken,
+            landings: landings.0.load(Ordering::Relaxed),
+            seconds,
+        },
+    })
 }
 
-/// What is known beforehand of the refinement of a map whose first level takes so many landings and seconds.
-fn refinement(map: &RefinedGrid, landings: f64, seconds: f64) -> String {
-    let MapRules { error, budget, .. } = map.rules;
-    let until = match budget {
-        Some(budget) => {
-            let all = seconds * budget as f64 / landings.max(1.0);
-            format!(
-                "until {budget} landings are spent, in about {}",
-                duration(all)
-            )
+/// What the thread that samples tells.
+enum News {
+    /// So many points are in the journal; it begins to sample.
+    Begun(usize, Instant),
+    /// What a point of the sample took.
+    Taken(Taken),
+    Failed(Failure),
+}
+
+/// Counts landings.
+#[derive(Default)]
+struct Landings(AtomicU64);
+
+impl Observer for Landings {
+    fn landing(&self) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+/// A sample of the points of a sweep that are not in its journal.
+struct Sampling {
+    sweep: Sweep,
+    shard: Shard,
+    landings: Arc<Landings>,
+    cancel: Arc<AtomicBool>,
+    sender: Sender<News>,
+}
+
+impl Sampling {
+    fn run(self, workers: &Workers, journal: &Path) {
+        if let Err(failure) = self.sample(workers, journal) {
+            self.send(News::Failed(failure));
         }
-        None => format!("until errors are below {error} ft/s, however many points that takes"),
-    };
-    let error = match (error, budget) {
-        (error, Some(_)) if error > 0.0 => format!(", or until errors are below {error} ft/s"),
-        _ => String::new(),
-    };
-    format!("  that is the first level of the map; it is refined {until}{error}\n")
-}
+    }
 
-fn axes(sweep: &Sweep) -> String {
-    let names: Vec<&str> = sweep.axes.iter().map(|axis| axis.name()).collect();
-    names.join(", ")
-}
+    fn sample(&self, workers: &Workers, journal: &Path) -> Result<(), Failure> {
+        let sweep = &self.sweep;
+        let all = Points::of(sweep, self.shard);
+        let done = all.among(self.done(journal)?);
+        let left = all.count - done.len();
+        let points: Vec<usize> = missing(&done, &evenly(left, MOST_SAMPLED))
+            .into_iter()
+            .map(|index| all.point(index))
+            .collect();
+        self.send(News::Begun(done.len(), Instant::now()));
+        let keep = |place: usize, finding: Finding| {
+            let row = results::row(sweep, points[place], &finding);
+            let taken = Taken {
+                landings: finding.landings(),
+                journal: journal::record_length(finding.encode().len()),
+                table: row.join(",").len() + 1,
+            };
+            self.send(News::Taken(taken));
+        };
+        match workers.each_point(
+            sweep,
+            &points,
+            SEARCHES,
+            &*self.landings,
+            &self.cancel,
+            keep,
+        ) {
+            Err(RunError::Cancelled) => Ok(()),
+            ended => Ok(ended?),
+        }
+    }
 
-/// `most` of the numbers below `count`, or all, evenly spread.
-fn spread(count: usize, most: usize) -> Vec<usize> {
-    let shown = count.min(most);
-    // In the middle of as many equal parts.
-    let middle =
-        |part: usize| ((2 * part + 1) as u128 * count as u128 / (2 * shown) as u128) as usize;
-    (0..shown).map(middle).collect()
-}
+    /// The points that a run would find in the journal.
+    fn done(&self, journal: &Path) -> Result<PointSet, Failure> {
+        let none = || PointSet::none(self.shard.len(self.sweep.design.count()));
+        if !journal.is_file() {
+            return Ok(none());
+        }
+        let header = Header::new(&self.sweep, env!("CARGO_PKG_VERSION"), self.shard)
+            .map_err(|fault| Failure::running(format!("the first point: {fault}")))?;
+        match Records::done(journal, &header) {
+            // A run begins it anew.
+            Err(JournalError::NoHeader(_)) => Ok(none()),
+            done => Ok(done?),
+        }
+    }
 
-fn duration(seconds: f64) -> String {
-    match seconds {
-        short if short < 120.0 => format!("{short:.0} s"),
-        long if long < 2.0 * 3600.0 => format!("{:.0} min", long / 60.0),
-        night if night < 48.0 * 3600.0 => format!("{:.1} h", night / 3600.0),
-        days => format!("{:.1} days", days / 86_400.0),
+    fn send(&self, news: News) {
+        // Nobody listens any more when the time is up.
+        let _ = self.sender.send(news);
     }
 }
 
-fn bytes(count: f64) -> String {
-    match count {
-        few if few < 1e6 => format!("{:.0} kB", (few / 1e3).ceil()),
-        some if some < 1e9 => format!("{:.0} MB", some / 1e6),
-        many => format!("{:.1} GB", many / 1e9),
+/// The numbers of these ranks among those that are not done.
+fn missing(done: &PointSet, ranks: &[usize]) -> Vec<usize> {
+    if done.is_empty() {
+        return ranks.to_vec();
+    }
+    let mut by_rank: BTreeMap<usize, usize> = ranks.iter().map(|rank| (*rank, 0)).collect();
+    for (rank, number) in done.missing().enumerate() {
+        if let Some(found) = by_rank.get_mut(&rank) {
+            *found = number;
+        }
+    }
+    ranks.iter().map(|rank| by_rank[rank]).collect()
+}
+
+/// What was heard of a sample.
+struct Heard {
+    begun: Option<(usize, Instant)>,
+    ended: Instant,
+    taken: Vec<Taken>,
+}
+
+impl Heard {
+    /// Listens until the sample or the time is at its end.
+    fn until(end: Instant, receiver: &Receiver<News>) -> Result<Self, Failure> {
+        let mut heard = Self {
+            begun: None,
+            ended: end,
+            taken: Vec::new(),
+        };
+        loop {
+            let rest = end.saturating_duration_since(Instant::now());
+            match receiver.recv_timeout(rest) {
+                Ok(News::Begun(done, at)) => heard.begun = Some((done, at)),
+                Ok(News::Taken(taken)) => {
+                    heard.taken.push(taken);
+                    heard.ended = Instant::now();
+                }
+                Ok(News::Failed(failure)) => return Err(failure),
+                Err(RecvTimeoutError::Timeout) => {
+                    heard.ended = end;
+                    return Ok(heard);
+                }
+                Err(RecvTimeoutError::Disconnected) => return Ok(heard),
+            }
+        }
     }
 }
 
@@ -142,18 +388,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_choice_is_spread_over_all() {
-        assert_eq!(spread(3, 10), [0, 1, 2]);
-        assert_eq!(spread(10, 5), [1, 3, 5, 7, 9]);
-        assert_eq!(spread(usize::MAX, 1).len(), 1);
-        assert_eq!(spread(0, 5), [0; 0]);
-    }
-
-    #[test]
-    fn long_times_and_sizes_are_told_in_long_units() {
-        assert_eq!(duration(30.0), "30 s");
-        assert_eq!(duration(36_000.0), "10.0 h");
-        assert_eq!(bytes(1234.0), "2 kB");
-        assert_eq!(bytes(2.5e9), "2.5 GB");
+    fn what_is_missing_is_counted_without_what_is_done() {
+        let mut done = PointSet::none(6);
+        assert_eq!(missing(&done, &[3, 0]), [3, 0]);
+        done.insert(0);
+        done.insert(3);
+        assert_eq!(missing(&done, &[3, 0, 2]), [5, 1, 4]);
     }
 }

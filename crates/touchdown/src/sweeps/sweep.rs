@@ -91,16 +91,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let sweeps = options
         .overrides
         .apply(sweep_files::read(&options.files)?)?;
-    let cancel = interrupt::flag()?;
-    let workers = Workers::start(options.threads)?;
     let shard = options.shard.unwrap_or(Shard::WHOLE);
     check_budgets(&sweeps, shard)?;
     if options.dry_run {
-        for sweep in &sweeps {
-            print(&dry_run::tell(sweep, shard, &workers)?)?;
-        }
-        return Ok(());
+        let told = dry_run::tell(&sweeps, shard, options.threads, &options.out)?;
+        return print(&told);
     }
+    let cancel = interrupt::flag()?;
+    let workers = Workers::start(options.threads)?;
     let folder = Folder::open(&options.out)?;
     for sweep in &sweeps {
         sweep_results::check_places(sweep, &folder, options.overwrite)?;

@@ -11,6 +11,7 @@ use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::results::{self, Circumstances};
+use touchdown_sweep::sweep::partial;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::{Job, Sweep};
 use touchdown_sweep::tables::Tables;
@@ -98,6 +99,7 @@ fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), Fa
     let tables = TABLES.iter().flat_map(|(end, _)| {
         [".csv", ".parquet"].map(|form| folder.path(&format!("{stem}{end}{form}")))
     });
+    let tables = tables.chain([folder.path(&format!("{stem}.json"))]);
     let pictures = PICTURES
         .iter()
         .flat_map(|end| [".svg", ".png"].map(|form| folder.path(&format!("{stem}{end}{form}"))));
@@ -132,11 +134,14 @@ pub fn write(
     drafts.extend(tables.parquet);
     drafts.extend(tables.beside);
     drafts.extend(tables.sensitivity);
-    drafts.extend(tables.of_map);
+    drafts.extend(tables.of_map.into_iter().flatten());
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
     remove_stale(&sweep.stem(), folder, &places)?;
+    if sweep.part.is_none() {
+        remove_stale(&partial(&sweep.stem()), folder, &places)?;
+    }
     Ok(Written {
         counts: tables.counts,
         circumstances,
@@ -182,6 +187,24 @@ fn pictures(
         return Ok((Vec::new(), None));
     }
     let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
+    if let Some([edges, _, surface]) = &tables.of_map {
+        let (edges, surface) = (edges.text(LONGEST_REDUCED)?, surface.text(LONGEST_REDUCED)?);
+        let source = Source {
+            name: &sweep.stem(),
+            table: surface.as_deref().unwrap_or_default(),
+            edges: edges.as_deref(),
+            record: Some(record),
+            ..Source::default()
+        };
+        if source.table.lines().nth(1).is_none() {
+            return none("there is no surface, or one of too many triangles");
+        }
+        return match picture::draw(&source, &Choices::default()) {
+            Ok(pictures) => Ok((plot::both(&sweep.stem(), &pictures)?, None)),
+            Err(FigureError::NoPicture(reason)) => none(&reason),
+            Err(error) => Err(Failure::running(error)),
+        };
+    }
     if !matches!(sweep.design, Design::Grid(_)) {
         return none("the points are no grid");
     }
@@ -204,10 +227,16 @@ fn pictures(
         Some(bands) => bands.text(LONGEST_DRAWN)?,
         None => None,
     };
+    let points = drawable(sweep, points);
+    if points.lines().nth(1).is_none() {
+        return none("no row is complete");
+    }
+    let bands = bands.filter(|_| sweep.part.is_none() || sweep.axes.len() == 1);
     let source = Source {
         name: &stem,
         table: &points,
         bands: bands.as_deref(),
+        edges: None,
         record: Some(record),
     };
     let pictures = match picture::draw(&source, &Choices::default()) {
@@ -228,4 +257,26 @@ fn pictures(
         )
     });
     Ok((plot::both(&stem, &pictures)?, remark))
+}
+
+/// The part of a table of points that pictures can show: of a sweep in part over two axes, the values of the first axis
+/// at which all points are there.
+fn drawable(sweep: &Sweep, points: String) -> String {
+    let Design::Grid(grid) = &sweep.design else {
+        return points;
+    };
+    let [_, fast] = grid.dimensions() else {
+        return points;
+    };
+    if sweep.part.is_none() {
+        return points;
+    }
+    let whole = grid.axes()[fast[0]].count();
+    let slow = |row: &str| row.split(',').next().map(str::to_owned);
+    let rows: Vec<&str> = points.lines().collect();
+    let is_whole = |group: &&[&str]| group.len() == whole;
+    let (heading, rows) = rows.split_at(1.min(rows.len()));
+    let groups = rows.chunk_by(|a, b| slow(a) == slow(b)).filter(is_whole);
+    let drawn = heading.iter().chain(groups.flatten());
+    drawn.map(|row| format!("{row}\n")).collect()
 }

@@ -91,6 +91,10 @@ impl Progress {
         );
         let landings = self.landings.load(Ordering::Relaxed);
         let rate = landings as f64 / elapsed.as_secs_f64();
+        let landed = match landings {
+            0 => String::new(),
+            landings => format!(", {landings} landings, {rate:.0} landings/s"),
+        };
         let now_done = done - self.earlier.load(Ordering::Relaxed).min(done);
         let left = match now_done {
             0 => String::new(),
@@ -100,10 +104,7 @@ impl Progress {
                 format!(", about {left:.0} s left")
             }
         };
-        eprintln!(
-            "{done}/{count} {}, {landings} landings, {rate:.0} landings/s{left}",
-            self.unit
-        );
+        eprintln!("{done}/{count} {}{landed}{left}", self.unit);
     }
 }
 
@@ -124,8 +125,10 @@ impl Observer for Progress {
 
     fn point(&self, _point: usize) {
         self.done.fetch_add(1, Ordering::Relaxed);
-        if let Show::Bar(bar) = &self.show {
-            bar.inc(1);
+        match &self.show {
+            Show::Bar(bar) => bar.inc(1),
+            Show::Lines => self.line(),
+            Show::Nothing => {}
         }
     }
 }
@@ -134,12 +137,14 @@ fn bar(unit: &str, count: u64, landings: &Arc<AtomicU64>) -> ProgressBar {
     let landings = Arc::clone(landings);
     let rate = move |state: &ProgressState, out: &mut dyn Write| {
         let seconds = state.elapsed().as_secs_f64().max(1e-3);
-        let rate = landings.load(Ordering::Relaxed) as f64 / seconds;
-        // A terminal that cannot be written to is no reason to stop a run.
-        let _ = write!(out, "{rate:.0}");
+        let landings = landings.load(Ordering::Relaxed);
+        if landings > 0 {
+            let rate = landings as f64 / seconds;
+            // A terminal that cannot be written to is no reason to stop a run.
+            let _ = write!(out, "{rate:.0} landings/s  ");
+        }
     };
-    let template =
-        format!("{{bar:32}} {{pos}}/{{len}} {unit}  {{rate}} landings/s  {{elapsed}}, ETA {{eta}}");
+    let template = format!("{{bar:32}} {{pos}}/{{len}} {unit}  {{rate}}{{elapsed}}, ETA {{eta}}");
     let bar = ProgressBar::new(count);
     if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style.with_key("rate", rate));

@@ -1,11 +1,10 @@
 //! A run in short: what came out, what it cost, and where the results are.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
-use touchdown_dynamics::landing::Landing;
 use touchdown_sweep::boundary::{Extent, Transition};
 use touchdown_sweep::certainty::{Certainty, LEAST_LANDINGS};
+use touchdown_sweep::findings::Finding;
 use touchdown_sweep::hidden_band_checks::HiddenBandChecks;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
@@ -13,34 +12,31 @@ use touchdown_sweep::skipped::Skipped;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::Sweep;
 
-/// A table of cases in short.
+/// A table of cases in short; without a time where it was not one run.
 pub fn cases(
-    landings: &[Landing],
-    wall_time: Duration,
+    findings: &[Finding],
+    seconds: Option<f64>,
     threads: usize,
     files: &[PathBuf],
 ) -> String {
     let mut kinds: Vec<(String, usize)> = Vec::new();
-    for landing in landings {
-        let kind = landing.outcome.to_string();
+    for finding in findings {
+        let Finding::Landing { outcome, .. } = finding else {
+            continue;
+        };
+        let kind = outcome.to_string();
         match kinds.iter_mut().find(|(known, _)| *known == kind) {
             Some((_, count)) => *count += 1,
             None => kinds.push((kind, 1)),
         }
     }
     kinds.sort();
-    let evaluations = landings.iter().map(|landing| landing.evaluations).sum();
-    let seconds = wall_time.as_secs_f64();
+    let evaluations = findings.iter().map(Finding::evaluations).sum();
     format!(
         "{}: {}\n{}{}",
-        number(landings.len(), "case"),
+        number(findings.len(), "case"),
         counted(&kinds),
-        cost(
-            landings.len() as u64,
-            evaluations,
-            Some(seconds),
-            Some(threads)
-        ),
+        cost(findings.len() as u64, evaluations, seconds, Some(threads)),
         written(files)
     )
 }

@@ -7,7 +7,7 @@ use crate::common::{Bench, SURVEYOR, SWEEP};
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
 #[rustfmt::skip]
-const SWEEPS: [(&str, &str, &[&str]); 28] = [
+const SWEEPS: [(&str, &str, &[&str]); 33] = [
     // Unknown, missing and misplaced keys, and wrong units.
     ("friction = 1.0", "frction = 1.0", &["sweep.toml:7: scene.frction = 1.0", "did you mean friction?"]),
     ("slope_deg = 15", "slope_rad = 0.26", &["sweep.toml:6: scene.slope_rad = 0.26", "did you mean slope_deg?"]),
@@ -29,6 +29,7 @@ const SWEEPS: [(&str, &str, &[&str]); 28] = [
     ("friction = 1.0", "friction = -0.1", &["sweep.toml:7: scene.friction = -0.1", "0 ≤ value"]),
     ("slope_deg = 15", "slope_deg = 90", &["sweep.toml:6: scene.slope_deg = 90", "< 90"]),
     ("step = 10", "step = -10", &["sweep.toml:9: axes.roll_deg.step = -10", "sign of to - from"]),
+    ("step = 10", "step = 7", &["sweep.toml:9: axes.roll_deg.step = 7", "pass over to = 10", "to = 4 or 11"]),
     ("from = -10", "from = 10", &["sweep.toml:9: axes.roll_deg.from = 10", "other than to"]),
     ("{ from = -10, to = 10, step = 10 }", "[]", &["sweep.toml:9: axes.roll_deg = []", "at least one"]),
     ("roll_deg = { from = -10, to = 10, step = 10 }", "", &["sweep.toml:8: axes", "at least one"]),
@@ -39,6 +40,11 @@ const SWEEPS: [(&str, &str, &[&str]); 28] = [
     ("tolerance_fps = 0.1", "tolerance_fps = 2", &["sweep.toml:14: search.tolerance_fps = 2", "≤ scan_step_fps"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\ntolerance = 1", &["sweep.toml:16: solver.tolerance = 1", "1e-12 ≤ value ≤ 1e-2"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\ncrush_rule = \"soft\"", &["sweep.toml:16: solver.crush_rule = \"soft\"", "\"section\""]),
+    // What would be ignored, and what is wrong in an axis.
+    ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\n[solver.error_per_second]\nvelocity_fps = 1", &["sweep.toml:16: solver.error_per_second", "method located does not use it"]),
+    (", step = 10 }\n[search]", " }\n[sample]\ndesign = \"sobol\"\ncount = 4\nseed = 1\nstop_at_interval_width = 0.1\n[search]", &["sweep.toml:14: sample.stop_at_interval_width = 0.1", "job = \"outcome\" only"]),
+    ("[axes]", "[solver]\nmethod = \"rk4\"\n[axes]\nsolver.interval_s = [5, 0.01]", &["sweep.toml:11: axes.solver.interval_s = [5, 0.01]: at solver.interval_s = 5: solver.interval_s = 5: allowed is 1e-6"]),
+    ("vehicle = \"surveyor.toml\"", "vehicle = \".\"", &["sweep.toml:2: vehicle = \".\": . is a folder"]),
 ];
 
 /// The same for the vehicle file.

@@ -9,7 +9,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use crate::common::{Bench, Done, SWEEP};
-use touchdown_sweep::journal::{InOrder, Records};
+use touchdown_sweep::journal::{Access, InOrder, Records};
 
 /// Points of [`sweep`].
 const POINTS: usize = 93;
@@ -96,6 +96,14 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
         assert_eq!(done.code, Some(130), "{}", done.err);
         assert!(done.err.contains("run again to go on"), "{}", done.err);
         assert_eq!(bench.list("results"), ["sweep.journal"]);
+        let journaled = journaled_points(&bench).unwrap();
+        let told = bench.run(&["sweep", "sweep.toml", "--dry-run"]);
+        let expected_words = format!(
+            "results/sweep.journal holds {journaled} point{}: {} left",
+            if journaled == 1 { "" } else { "s" },
+            POINTS - journaled
+        );
+        assert!(told.out.contains(&expected_words), "{}", told.out);
 
         let resumed = bench.run(&["sweep", "sweep.toml", "--resume", "--threads", "2"]);
         assert_eq!(resumed.code, Some(0), "{}", resumed.err);
@@ -109,6 +117,172 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
     }
 }
 
+/// As `nohup` starts a program: what closes the terminal does not end it.
+#[test]
+fn a_closed_terminal_interrupts_unless_hangups_are_ignored() {
+    for (trap, code) in [("", 130), ("trap '' HUP;", 0)] {
+        let bench = bench();
+        let program = env!("CARGO_BIN_EXE_touchdown");
+        let mut sweep = Command::new("sh")
+            .args([
+                "-c",
+                &format!("{trap} exec {program} sweep sweep.toml --threads 1"),
+            ])
+            .current_dir(bench.path("."))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        wait_for_points(&bench, JOURNAL, &mut sweep);
+        signal(&sweep, "-HUP");
+        let done = Done::from(sweep.wait_with_output().unwrap());
+        assert_eq!(done.code, Some(code), "{trap:?}: {}", done.err);
+    }
+}
+
+/// A table of cases, each of which takes a while.
+fn cases() -> String {
+    let heading = "vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction,\
+                   roll_deg,solver.tolerance\n";
+    let row = |case: u32| {
+        format!(
+            "14,{},180,15,1,{},1e-9\n",
+            8.0 + 0.05 * f64::from(case),
+            case % 7
+        )
+    };
+    heading.to_owned() + &(0..90).map(row).collect::<String>()
+}
+
+const LAND_CASES: [&str; 7] = [
+    "land",
+    "--vehicle",
+    "surveyor.toml",
+    "--cases",
+    "cases.csv",
+    "--out",
+    "out/cases.csv",
+];
+
+#[test]
+fn tables_of_cases_go_on_after_interruptions_with_the_same_results() {
+    const JOURNAL: &str = "out/cases.csv.journal";
+    let bench = bench();
+    bench.write("cases.csv", &cases());
+    let land = |more: &[&str]| bench.command(&[&LAND_CASES[..], more].concat());
+    let run = |more: &[&str]| Done::from(land(more).output().unwrap());
+    assert_eq!(run(&["--threads", "2"]).code, Some(0));
+    let expected = bench.read("out/cases.csv");
+    assert_eq!(bench.list("out"), ["cases.csv"]);
+    fs::remove_file(bench.path("out/cases.csv")).unwrap();
+
+    for (how, code) in [("-INT", Some(130)), ("-KILL", None)] {
+        let mut command = land(&["--threads", "1"]);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut cases = command.spawn().unwrap();
+        wait_for_points(&bench, JOURNAL, &mut cases);
+        signal(&cases, how);
+        let done = Done::from(cases.wait_with_output().unwrap());
+        assert_eq!(done.code, code, "{}", done.err);
+        assert_eq!(bench.list("out"), ["cases.csv.journal"]);
+    }
+    // Neither other cases nor another vehicle go on with it.
+    bench.write("cases.csv", &cases().replace("14,8,", "14,8.5,"));
+    run(&[]).refused(&["cannot be resumed", "table_of_cases: "]);
+    bench.write("cases.csv", &cases());
+    run(&["--crush-rule", "section"]).refused(&["solver.crush_rule: \"section\" here"]);
+    // No sweep is merged from it.
+    let merged = bench.run(&["merge", "out"]);
+    merged.refused(&["no journals of sweeps"]);
+
+    let resumed = run(&["--threads", "3"]);
+    assert_eq!(resumed.code, Some(0), "{}", resumed.err);
+    assert!(
+        resumed.err.contains("of 90 cases are in"),
+        "{}",
+        resumed.err
+    );
+    assert_eq!(bench.read("out/cases.csv"), expected);
+    assert_eq!(bench.list("out"), ["cases.csv"]);
+}
+
+#[test]
+fn what_there_is_of_a_sweep_is_tabulated_and_marked_as_partial() {
+    let bench = bench();
+    let mut sweep = start(&bench, &["--threads", "1"]);
+    wait_for_points(&bench, JOURNAL, &mut sweep);
+    // Also while the sweep goes on.
+    let looked = bench.run(&["merge", "results", "--partial", "--out", "look"]);
+    assert_eq!(looked.code, Some(0), "{}", looked.err);
+    signal(&sweep, "-INT");
+    assert_eq!(
+        Done::from(sweep.wait_with_output().unwrap()).code,
+        Some(130)
+    );
+    let points = journaled_points(&bench).unwrap();
+
+    let merged = bench.run(&["merge", "results", "--partial"]);
+    assert_eq!(merged.code, Some(0), "{}", merged.err);
+    let mark = format!("Partial, {points} of {POINTS} points: Roll at");
+    assert!(merged.out.starts_with(&mark), "{}", merged.out);
+    let record = bench.read("results/sweep-partial.json");
+    let expected = format!("\"partial\": {{\n    \"points\": {points},\n    \"of\": {POINTS}\n");
+    assert!(
+        record.contains(&mark) && record.contains(&expected),
+        "{record}"
+    );
+    assert!(!bench.path(RESULTS[0]).exists() && bench.path(JOURNAL).exists());
+    let partial = bench.read("results/sweep-partial.csv");
+    assert_eq!(partial.lines().count(), 1 + points);
+
+    let resumed = bench.run(&["sweep", "sweep.toml"]);
+    assert_eq!(resumed.code, Some(0), "{}", resumed.err);
+    let whole = bench.read(RESULTS[0]);
+    assert!(
+        partial
+            .lines()
+            .all(|row| whole.lines().any(|known| known == row))
+    );
+    // What was partial is gone with it.
+    let left = bench.list("results");
+    assert!(
+        left.iter().all(|name| !name.contains("partial")),
+        "{left:?}"
+    );
+}
+
+#[test]
+fn a_partial_sweep_is_drawn_as_partial() {
+    let bench = Bench::new();
+    bench.write("sweep.toml", &SWEEP.replace("step = 10", "step = 5"));
+    assert_eq!(
+        bench.run(&["sweep", "sweep.toml", "--shard", "1/2"]).code,
+        Some(0)
+    );
+    let merged = bench.run(&["merge", "results", "--partial"]);
+    assert_eq!(merged.code, Some(0), "{}", merged.err);
+    let picture = bench.read("results/sweep-partial.svg");
+    assert!(picture.contains("Partial, 3 of 5 points"), "{picture}");
+
+    let grid = SWEEP
+        .replace("[axes]", "[axes]\nslope_deg = [10, 12, 15]")
+        .replace("slope_deg = 15\nf", "f");
+    bench.write("grid.toml", &grid);
+    for shard in ["1/9", "2/9", "3/9", "4/9", "5/9", "6/9", "8/9"] {
+        assert_eq!(
+            bench.run(&["sweep", "grid.toml", "--shard", shard]).code,
+            Some(0)
+        );
+    }
+    let merged = bench.run(&["merge", "results", "--partial"]);
+    assert_eq!(merged.code, Some(0), "{}", merged.err);
+    assert!(bench.path("results/grid-partial-contours.svg").exists());
+    assert_eq!(
+        bench.read("results/grid-partial.csv").lines().count(),
+        1 + 7
+    );
+}
+
 /// How many points are in the journal, whole; `None` when it is gone.
 fn journaled_points(bench: &Bench) -> Option<usize> {
     let journal = bench.path(JOURNAL);
@@ -116,7 +290,7 @@ fn journaled_points(bench: &Bench) -> Option<usize> {
         return None;
     }
     // Before its head is whole it holds nothing.
-    let Ok((records, _)) = Records::open(&journal) else {
+    let Ok((records, _)) = Records::open(&journal, Access::Alone) else {
         return Some(0);
     };
     let found = InOrder::new(vec![records], POINTS, &bench.path("results")).unwrap();

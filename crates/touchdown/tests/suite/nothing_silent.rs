@@ -90,6 +90,15 @@ fn results_of_two_runs_never_stand_side_by_side() {
     bench.write("sweep.toml", &all);
     ran(&bench, &["sweep", "sweep.toml", "--format", "parquet"]);
     let bands = bench.read("results/sweep-bands.csv");
+    let parquet = std::fs::read(bench.path("results/sweep.parquet")).unwrap();
+    let parquet = String::from_utf8_lossy(&parquet).into_owned();
+    for known in [
+        "input_fingerprint",
+        "{\"name\":\"touchdown\",\"version\":",
+        "\"model\":",
+    ] {
+        assert!(parquet.contains(known), "{known}");
+    }
     bench.write(
         "sweep.toml",
         &SWEEP.replace("friction = 1.0", "friction = 0.9"),
@@ -164,6 +173,178 @@ fn no_command_writes_over_what_it_reads_or_what_is_not_its_own() {
     ran(&bench, &["sweep", "sweep.toml", "--overwrite"]);
     ran(&bench, &["sweep", "sweep.toml"]);
     assert_eq!(bench.read("surveyor.toml"), surveyor);
+}
+
+/// A command refused its input, could not compute its landing, or printed numbers.
+fn printed_numbers(bench: &Bench, arguments: &[&str]) {
+    let done = bench.run(arguments);
+    assert!(
+        matches!(done.code, Some(0..=2)),
+        "{arguments:?}: {}",
+        done.err
+    );
+    let is_no_number = |word: &str| {
+        let word = word.trim_matches(|c: char| !c.is_ascii_alphanumeric());
+        ["inf", "infinity", "nan"].contains(&word.to_ascii_lowercase().as_str())
+    };
+    for text in [&done.out, &done.err] {
+        let found = text
+            .split([' ', ',', '\n', '"'])
+            .find(|word| is_no_number(word));
+        assert_eq!(found, None, "{arguments:?}: {text}");
+    }
+}
+
+const EXTREMES: [&str; 6] = ["1e300", "-1e300", "1e9", "-1e9", "1e-300", "36000"];
+
+#[test]
+fn extremes_of_any_option_give_numbers_or_a_refusal() {
+    let bench = Bench::new();
+    for option in [
+        "vertical-velocity",
+        "horizontal-velocity",
+        "cross-slope",
+        "slope",
+        "friction",
+        "block-friction",
+        "pitch",
+        "yaw",
+        "roll",
+        "tip",
+        "time-limit",
+        "tolerance",
+    ] {
+        for extreme in EXTREMES {
+            let given = format!("--{option}={extreme}");
+            let mut arguments: Vec<&str> = BASELINE.to_vec();
+            if let Some(place) = arguments
+                .iter()
+                .position(|known| *known == format!("--{option}"))
+            {
+                arguments.drain(place..place + 2);
+            }
+            arguments.retain(|known| !known.starts_with(&format!("--{option}=")));
+            arguments.extend([given.as_str(), "--json"]);
+            if option == "tip" {
+                arguments.push("--tip-azimuth=1e4");
+            }
+            if option != "time-limit" {
+                arguments.push("--time-limit=0.05");
+            }
+            printed_numbers(&bench, &arguments);
+        }
+    }
+    let surface = [
+        "surface",
+        "--vehicle=surveyor.toml",
+        "--impact-times=0,0.21,0.17",
+        "--json",
+    ];
+    for given in [
+        ["--velocity=0,3,1e300", "--friction=0.8"],
+        ["--velocity=1e-300,1e4,1e4", "--friction=0.8"],
+        ["--velocity=0,3,14", "--friction=1e300"],
+        ["--velocity=0,3,14", "--friction=1e-300"],
+    ] {
+        printed_numbers(&bench, &[&surface[..], &given].concat());
+    }
+    let good = ["--velocity=0,3,14", "--friction=0.8"];
+    for given in [
+        "--pitch=1e300",
+        "--roll=-1e9",
+        "--angular-velocity=1e300,0,0",
+        "--timing-sigma=1e300",
+    ] {
+        let (option, _) = given.split_once('=').unwrap();
+        bench
+            .run(&[&surface[..], &good, &[given]].concat())
+            .refused(&[option, "allowed is"]);
+    }
+}
+
+#[test]
+fn extremes_of_any_number_of_a_vehicle_give_numbers_or_a_refusal() {
+    let bench = Bench::new();
+    let surveyor = bench.read("surveyor.toml");
+    let mut count = 0;
+    for line in surveyor.lines() {
+        let Some((key, value)) = line.split_once(" = ") else {
+            continue;
+        };
+        if value
+            .split_whitespace()
+            .next()
+            .unwrap()
+            .parse::<f64>()
+            .is_err()
+        {
+            continue;
+        }
+        for extreme in EXTREMES {
+            let text = surveyor.replacen(line, &format!("{key} = {extreme}"), 1);
+            bench.write("extreme.toml", &text);
+            let mut arguments = BASELINE.to_vec();
+            arguments[2] = "extreme.toml";
+            arguments.extend(["--json", "--time-limit=0.02", "--tolerance=1e-2"]);
+            printed_numbers(&bench, &arguments);
+            count += 1;
+        }
+    }
+    assert!(count > 150, "{count}");
+}
+
+#[test]
+fn extremes_of_sweeps_are_refused_where_they_stand() {
+    let bench = Bench::new();
+    let roll = "roll_deg = { from = -10, to = 10, step = 10 }";
+    for (right, wrong, place, allowed) in [
+        (
+            "to_fps = 12.5",
+            "to_fps = 20000",
+            ":12: search.to_fps = 20000",
+            "≤ 10000",
+        ),
+        (
+            "friction = 1.0",
+            "friction = 1e300",
+            ":7: scene.friction = 1e300",
+            "≤ 1000",
+        ),
+        (roll, "roll_deg = [1e300]", ":9: axes.roll_deg", "≤ 36000"),
+        (
+            roll,
+            "roll_deg = { from = 1, to = 1e300, count = 2, spacing = \"log\" }",
+            ":9: axes.roll_deg",
+            "≤ 36000",
+        ),
+        (
+            roll,
+            "vehicle.mass_slug = [1e300]",
+            ":9: axes.vehicle.mass_slug = [1e300]",
+            "≤ 1e9",
+        ),
+    ] {
+        assert!(SWEEP.contains(right), "{right}");
+        bench.write("sweep.toml", &SWEEP.replace(right, wrong));
+        bench
+            .run(&["sweep", "sweep.toml"])
+            .refused(&[place, allowed]);
+    }
+    assert_eq!(bench.list("results"), Vec::<String>::new());
+}
+
+#[test]
+fn elements_that_give_back_more_than_they_took_are_told() {
+    let bench = Bench::new();
+    let done = bench.run(&BASELINE);
+    assert_eq!((done.code, done.err.as_str()), (Some(0), ""));
+    let (soft, stiff) = ("crush_pressure_psf = 1578.8", "crush_pressure_psf = 1e5");
+    let surveyor = bench.read("surveyor.toml").replace(soft, stiff);
+    bench.write("surveyor.toml", &surveyor);
+    let done = bench.run(&BASELINE);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let warning = "warning: crushing footpads or blocks added ";
+    assert!(done.err.contains(warning), "{}", done.err);
 }
 
 #[test]

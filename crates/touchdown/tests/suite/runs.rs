@@ -211,11 +211,34 @@ fn a_landing_is_told_as_json() {
     assert_eq!(done.code, Some(0), "{}", done.err);
     assert!(done.out.starts_with('{'));
     assert!(done.out.contains("\"roll_deg\": -5.0"), "{}", done.out);
+    // What never happened has no time.
+    let never = "\"block_contact_1_s\": null";
+    assert!(done.out.contains(never), "{}", done.out);
+    for known in ["\"model\": ", "\"vehicle_fingerprint\": \"", "\"commit\": "] {
+        assert!(done.out.contains(known), "{known}: {}", done.out);
+    }
     assert!(
         done.out.contains("\"min_stability_angle_deg\""),
         "{}",
         done.out
     );
+}
+
+#[test]
+fn the_usage_of_land_shows_what_may_be_given_together() {
+    let done = Bench::new().run(&["land"]);
+    done.refused(&["touchdown land <SCENE.toml> --out <DIR>"]);
+    assert!(
+        !done.err.contains("--vehicle <FILE> [SCENE"),
+        "{}",
+        done.err
+    );
+}
+
+#[test]
+fn the_version_names_that_of_the_model() {
+    let done = Bench::new().run(&["--version"]);
+    assert!(done.out.contains("(model version "), "{}", done.out);
 }
 
 #[test]

@@ -100,25 +100,3 @@ fn shards_of_a_sample_merge_to_the_same_results() {
     assert_eq!(merged.code, Some(0), "{}", merged.err);
     assert_eq!(RESULTS.map(|name| bench.read(name)), expected);
 }
-
-#[test]
-fn a_dry_run_tells_what_a_night_will_take_and_writes_nothing() {
-    let bench = bench();
-    let trade = crate::common::SWEEP.replace(
-        "[axes]",
-        "[axes]\nvehicle.strut.compression_damping = [45, 54, 60]\n\
-         vehicle.center_of_gravity_height_ft = { from = 1.2, to = 1.6, count = 100 }",
-    );
-    bench.write("trade.toml", &trade);
-    let done = bench.run(&["sweep", "trade.toml", "--dry-run", "--shard", "1/3"]);
-    assert_eq!(done.code, Some(0), "{}", done.err);
-    for fragment in [
-        "300 points over vehicle.strut.compression_damping",
-        "the input of 300 was checked",
-        "landings",
-        "of journal",
-    ] {
-        assert!(done.out.contains(fragment), "{fragment}: {}", done.out);
-    }
-    assert_eq!(bench.list("results"), Vec::<String>::new());
-}

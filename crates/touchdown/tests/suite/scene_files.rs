@@ -117,6 +117,8 @@ fn what_a_scene_file_says_is_not_said_beside_it() {
         assert_eq!(done.code, Some(2), "{options:?}: {}", done.err);
     }
     let out = [&BASELINE[..], &["--out", "new"]].concat();
-    bench.run(&out).refused(&["--out says nothing"]);
+    bench
+        .run(&out)
+        .refused(&["--out is used with --cases or a scene file only"]);
     assert_eq!(bench.list("new"), [""; 0]);
 }

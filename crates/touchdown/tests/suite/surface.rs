@@ -2,7 +2,9 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+
 use crate::common::{Bench, Done};
 
 fn surface(bench: &Bench, options: &[&str]) -> Done {
@@ -104,7 +106,37 @@ fn what_cannot_be_is_refused() {
     let upward = ["--velocity", "0,3,-12", "--impact-times", "0,0.1,0.2"];
     surface(&bench, &upward).refused(&["--velocity = -12"]);
     let sigma = [&velocity[..], &["0,0.1,0.2", "--timing-sigma", "0"]].concat();
-    surface(&bench, &sigma).refused(&["--timing-sigma = 0: allowed is value > 0"]);
+    surface(&bench, &sigma).refused(&["--timing-sigma = 0: allowed is 0 < value ≤ 100"]);
+}
+
+/// Impact times so uncertain that most samples have no surface, and take as long as any may.
+#[cfg(unix)]
+#[test]
+fn many_samples_show_their_progress_and_can_be_interrupted() {
+    let bench = Bench::new();
+    let options = [
+        "surface",
+        "--vehicle=surveyor.toml",
+        "--velocity=0.182,13.496,0.497",
+        "--impact-times=0.293,0.244,0.184",
+        "--friction=0.228",
+        "--pitch=0.489",
+        "--angular-velocity=0.77,0.069,0.347",
+        "--timing-sigma=0.6",
+        "--samples=100000",
+    ];
+    let mut command = bench.command(&options);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut surface = command.spawn().unwrap();
+    let mut told = BufReader::new(surface.stderr.take().unwrap());
+    let mut line = String::new();
+    told.read_line(&mut line).unwrap();
+    assert!(line.contains("/100000 samples, about "), "{line}");
+    let kill = Command::new("kill")
+        .args(["-INT", &surface.id().to_string()])
+        .status();
+    assert!(kill.unwrap().success());
+    assert_eq!(surface.wait().unwrap().code(), Some(130));
 }
 
 /// Options, exit code, and what is said.
