@@ -197,12 +197,12 @@ fn nearest_together(ring: &[Known], edges: &[usize]) -> Option<(usize, usize)> {
     };
     let next = edges.iter().skip(1).copied();
     let next = next.chain(edges.first().map(|first| first + count));
-    let apart = |one: usize, other: usize| {
+    let square = |one: usize, other: usize| {
         let (p, q) = (at(one), at(other));
-        (p[0] - q[0]).hypot(p[1] - q[1])
+        (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
     };
     let pairs = edges.iter().copied().zip(next);
-    pairs.min_by(|a, b| apart(a.0, a.1).total_cmp(&apart(b.0, b.1)))
+    pairs.min_by(|a, b| square(a.0, a.1).total_cmp(&square(b.0, b.1)))
 }
 
 /// The crossing whose first place is like the first of another.

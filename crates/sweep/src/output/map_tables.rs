@@ -19,27 +19,36 @@ pub const EDGE_COLUMNS: [&str; 4] = [
     "higher_transition_fps",
 ];
 
-/// Headings and rows of the tables of a map, with what follows the sweep's name in theirs.
-pub(crate) fn all(
-    sweep: &Sweep,
-    rounds: &Rounds,
-) -> [(&'static str, Vec<String>, Vec<Vec<String>>); 3] {
+/// A table of a map.
+pub(crate) struct MapTable {
+    /// What follows the sweep's name in its name.
+    pub(crate) end: &'static str,
+    pub(crate) heading: Vec<String>,
+    pub(crate) rows: Vec<Vec<String>>,
+}
+
+/// The tables of a map: edges, regular table, triangles.
+pub(crate) fn all(sweep: &Sweep, rounds: &Rounds) -> [MapTable; 3] {
     let surfaces = MapSurface::all(rounds);
     let within = rounds.map().axes();
     let within = within.map(|axis| format!("within_{}", sweep.axes[axis].name()));
     let edge_columns = EDGE_COLUMNS.map(str::to_owned).into_iter().chain(within);
     [
-        (
-            "-edges",
-            sweep.heading(edge_columns),
-            edges(sweep, &surfaces),
-        ),
-        ("-grid", sweep.heading(GRID_COLUMNS), grid(sweep, &surfaces)),
-        (
-            "-surface",
-            sweep.heading(SURFACE_COLUMNS),
-            triangles(sweep, &surfaces),
-        ),
+        MapTable {
+            end: "-edges",
+            heading: sweep.heading(edge_columns),
+            rows: edges(sweep, &surfaces),
+        },
+        MapTable {
+            end: "-grid",
+            heading: sweep.heading(GRID_COLUMNS),
+            rows: grid(sweep, &surfaces),
+        },
+        MapTable {
+            end: "-surface",
+            heading: sweep.heading(SURFACE_COLUMNS),
+            rows: triangles(sweep, &surfaces),
+        },
     ]
 }
 

@@ -162,11 +162,10 @@ impl Tables {
         };
         let (beside, sensitivity) = (end(beside)?, end(sensitivities)?);
         let mut of_map = Vec::new();
-        for (name, heading, rows) in
-            (rounds.iter()).flat_map(|(rounds, _)| map_tables::all(sweep, rounds))
-        {
-            let mut table = begin(name, &heading)?;
-            for row in rows {
+        let of_rounds = rounds.iter();
+        for written in of_rounds.flat_map(|(rounds, _)| map_tables::all(sweep, rounds)) {
+            let mut table = begin(written.end, &written.heading)?;
+            for row in written.rows {
                 table.add(&row)?;
             }
             of_map.extend(end(Some(table))?);

@@ -210,7 +210,7 @@ impl Workers {
             let new: Vec<usize> = (round.iter().copied())
                 .filter(|point| !there.contains_key(point))
                 .collect();
-            let searched = self.search(new.into_iter(), SEARCHES, &stop, &search, |finished| {
+            let searched = self.search(new.into_iter(), SEARCHES, &stop, search, |finished| {
                 if let Some((point, finding)) = finished {
                     journal.add(point, &finding.encode())?;
                     there.insert(point, finding);
