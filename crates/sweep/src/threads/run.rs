@@ -260,6 +260,7 @@ impl Workers {
     ) -> Result<(), RunError> {
         let stop = Stop::on(cancel);
         let search = async |index: usize, landing_queue: &LandingQueue| {
+            observer.begin(points[index]);
             let queue = SearchQueue {
                 landing_queue,
                 search: index,

@@ -60,7 +60,7 @@ pub fn run(
     results.remove_journals()?;
     if !quiet {
         // The time of a run that went on with another's work says nothing of the whole.
-        let seconds = (earlier == 0).then(|| wall_time.as_secs_f64());
+        let seconds = (earlier == 0).then_some(wall_time.as_secs_f64());
         print(&summary::cases(
             &findings,
             seconds,

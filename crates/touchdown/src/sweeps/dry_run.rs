@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -202,13 +202,13 @@ fn look(
     end: Instant,
 ) -> Result<Looked, Failure> {
     let points = Points::of(sweep, shard);
-    let landings = Arc::new(Landings::default());
+    let counter = Arc::new(Counter::default());
     let cancel = Arc::new(AtomicBool::new(false));
     let (sender, receiver) = mpsc::channel();
     let sampling = Sampling {
         sweep: sweep.clone(),
         shard,
-        landings: Arc::clone(&landings),
+        counter: Arc::clone(&counter),
         cancel: Arc::clone(&cancel),
         sender,
     };
@@ -241,7 +241,8 @@ fn look(
         sample: Sample {
             points: points - done.unwrap_or(0),
             taken: heard.taken,
-            landings: landings.0.load(Ordering::Relaxed),
+            begun: counter.begun.load(Ordering::Relaxed),
+            landings: counter.landings.load(Ordering::Relaxed),
             seconds,
         },
     })
@@ -256,13 +257,20 @@ enum News {
     Failed(Failure),
 }
 
-/// Counts landings.
+/// Counts points that were begun, and landings.
 #[derive(Default)]
-struct Landings(AtomicU64);
+struct Counter {
+    begun: AtomicUsize,
+    landings: AtomicU64,
+}
 
-impl Observer for Landings {
+impl Observer for Counter {
+    fn begin(&self, _point: usize) {
+        self.begun.fetch_add(1, Ordering::Relaxed);
+    }
+
     fn landing(&self) {
-        self.0.fetch_add(1, Ordering::Relaxed);
+        self.landings.fetch_add(1, Ordering::Relaxed);
     }
 }
 
@@ -270,7 +278,7 @@ impl Observer for Landings {
 struct Sampling {
     sweep: Sweep,
     shard: Shard,
-    landings: Arc<Landings>,
+    counter: Arc<Counter>,
     cancel: Arc<AtomicBool>,
     sender: Sender<News>,
 }
@@ -301,14 +309,7 @@ impl Sampling {
             };
             self.send(News::Taken(taken));
         };
-        match workers.each_point(
-            sweep,
-            &points,
-            SEARCHES,
-            &*self.landings,
-            &self.cancel,
-            keep,
-        ) {
+        match workers.each_point(sweep, &points, SEARCHES, &*self.counter, &self.cancel, keep) {
             Err(RunError::Cancelled) => Ok(()),
             ended => Ok(ended?),
         }

@@ -8,8 +8,10 @@ use std::ops::AddAssign;
 pub struct Sample {
     /// Points that a run has to compute.
     pub points: usize,
-    /// What each of the sample took.
+    /// What each of the sample took that was finished.
     pub taken: Vec<Taken>,
+    /// Points that were begun.
+    pub begun: usize,
     /// Landings of the sample and of points that were not finished, and the time for all of them, s.
     pub landings: u64,
     /// See `landings`.
@@ -51,7 +53,9 @@ impl Sample {
         }
         let points = self.points as f64;
         let mean = |of: fn(&Taken) -> f64| self.taken.iter().map(of).sum::<f64>() / count;
-        let each = mean(|taken| taken.landings as f64);
+        // Points that take few landings are finished first. Those that were begun only are half done on average.
+        let unfinished = self.begun.saturating_sub(self.taken.len()) as f64;
+        let each = self.landings as f64 / (count + 0.5 * unfinished);
         let squares = (self.taken.iter()).map(|taken| (taken.landings as f64 - each).powi(2));
         let variance = squares.sum::<f64>() / (count - 1.0).max(1.0);
         let landings = points * each;
@@ -161,6 +165,7 @@ mod tests {
         let mut sample = Sample {
             points: 2,
             taken: vec![taken(10), taken(30)],
+            begun: 2,
             landings: 40,
             seconds: 2.0,
         };
@@ -183,6 +188,9 @@ mod tests {
             more.text(2)
                 .starts_with("about 4040 landings (standard error 1990)")
         );
+        sample.begun = 6;
+        sample.landings = 120;
+        assert_eq!(sample.estimate().unwrap().landings, 200.0 * 30.0);
         sample.taken.clear();
         assert_eq!(sample.estimate(), None);
     }
