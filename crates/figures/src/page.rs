@@ -2,8 +2,10 @@
 
 pub mod canvas;
 pub mod frame;
-pub mod ink;
 pub mod legend;
+pub mod palette;
 pub mod sheet;
+pub mod style;
+pub mod text;
 pub mod thinning;
 pub mod ticks;

@@ -3,15 +3,17 @@
 use crate::axis_title::axis_title;
 use crate::bands_table::BandsTable;
 use crate::boundary_table::{BoundaryTable, Kind, Transition};
-use crate::canvas::{Canvas, Colour, Font, Style};
+use crate::canvas::Canvas;
 use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Mark, draw_mark};
 use crate::number::label;
+use crate::profile_points::{self, ProfilePoint};
 use crate::sheet::{self, Height, Sheet};
-use crate::stations::{self, Station};
-use crate::{ink, shading, ticks};
+use crate::style::{Colour, Style};
+use crate::text::Font;
+use crate::{palette, shading, ticks};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 560.0);
@@ -35,11 +37,11 @@ pub fn draw(
             "a profile has one axis, not {axes}"
         )));
     };
-    let stations = stations::along(table, bands);
-    let entries = legend(&stations, caption.searched_to);
+    let points = profile_points::along(table, bands);
+    let entries = legend(&points, caption.searched_to);
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
-    draw_body(&mut canvas, body, axis, &stations, caption.searched_to);
+    draw_body(&mut canvas, body, axis, &points, caption.searched_to);
     Ok(canvas.into_svg())
 }
 
@@ -47,11 +49,11 @@ fn draw_body(
     canvas: &mut Canvas,
     body: Area,
     axis: &str,
-    stations: &[Station],
+    points: &[ProfilePoint],
     searched_to: Option<f64>,
 ) {
-    let across = stations::horizontal_range(stations);
-    let (low, high) = stations::vertical_range(stations, searched_to);
+    let across = profile_points::horizontal_range(points);
+    let (low, high) = profile_points::vertical_range(points, searched_to);
     let scale = |column: &str, (from, to): (f64, f64), count| Scale {
         title: axis_title(column),
         ends: (from, to),
@@ -63,74 +65,79 @@ fn draw_body(
     let speeds = scale("horizontal_velocity_fps", (low, high), 11);
     let frame = Frame::new(body, scale(axis, across, 13), speeds);
     // Regions in which landings are not stable.
-    let regions = shading::regions(stations, high);
+    let regions = shading::regions(points, high);
     for kind in Kind::ALL {
         let same = regions.iter().filter(|region| region.kind == kind);
         let same: Vec<_> = same.map(|region| frame.places(region.corners)).collect();
-        canvas.areas(&same, ink::region(kind));
+        canvas.fill_areas(&same, palette::region(kind));
     }
-    frame.draw(canvas, Style::stroke(ink::GRID, 1.0));
-    draw_line(canvas, &frame, stations);
-    draw_marks(canvas, &frame, stations, high);
-    draw_words(canvas, &frame, stations, (low, high));
+    frame.draw(canvas, Style::stroke(palette::GRID, 1.0));
+    draw_line(canvas, &frame, points);
+    draw_marks(canvas, &frame, points, high);
+    draw_words(canvas, &frame, points, (low, high));
 }
 
 /// Joins the transitions of neighbours, and draws the bracket of each.
-fn draw_line(canvas: &mut Canvas, frame: &Frame, stations: &[Station]) {
-    for (start, end, from, to) in stations::segments(stations) {
+fn draw_line(canvas: &mut Canvas, frame: &Frame, points: &[ProfilePoint]) {
+    for (start, end, from, to) in profile_points::segments(points) {
         let ends = frame.places([(start.x, from.speed), (end.x, to.speed)]);
-        canvas.curve(&ends, Style::stroke(ink::LINE, 2.0));
+        canvas.curve(&ends, Style::stroke(palette::LINE, 2.0));
     }
-    for station in stations {
-        if let Some(found) = station.transition
+    for point in points {
+        if let Some(found) = point.transition
             && let Some(low) = found.low
         {
-            let ends = frame.places([(station.x, low), (station.x, found.high)]);
-            canvas.curve(&ends, Style::stroke(ink::LINE, 1.0));
+            let ends = frame.places([(point.x, low), (point.x, found.high)]);
+            canvas.curve(&ends, Style::stroke(palette::LINE, 1.0));
         }
     }
 }
 
-fn draw_marks(canvas: &mut Canvas, frame: &Frame, stations: &[Station], high: f64) {
-    let side = if stations.len() > CROWD {
-        ink::SMALL_MARK
+fn draw_marks(canvas: &mut Canvas, frame: &Frame, points: &[ProfilePoint], high: f64) {
+    let side = if points.len() > CROWD {
+        palette::SMALL_MARK
     } else {
-        ink::MARK
+        palette::MARK
     };
-    for station in stations {
-        let (mark, speed) = match station.transition {
+    for point in points {
+        let (mark, speed) = match point.transition {
             Some(found) if found.low.is_none() => (Mark::AtOrBelow(found.kind), found.speed),
             Some(found) => (Mark::Transition(found.kind), found.speed),
             None => (Mark::NoTransition, high),
         };
-        draw_mark(canvas, mark, frame.place((station.x, speed)), side);
+        draw_mark(canvas, mark, frame.place((point.x, speed)), side);
     }
 }
 
 /// Writes into each region what happens there, where it is broadest.
-fn draw_words(canvas: &mut Canvas, frame: &Frame, stations: &[Station], (low, high): (f64, f64)) {
+fn draw_words(
+    canvas: &mut Canvas,
+    frame: &Frame,
+    points: &[ProfilePoint],
+    (low, high): (f64, f64),
+) {
     let mut write = |word: &str, x: f64, y: f64, colour: Colour| {
         canvas.text(word, frame.place((x, y)), Font::new(16.0, colour));
     };
     for kind in Kind::ALL {
-        if let Some((x, speed)) = shading::broadest(stations, kind, high) {
-            write(ink::word(kind), x, speed, ink::mark(kind));
+        if let Some((x, speed)) = shading::broadest(points, kind, high) {
+            write(palette::word(kind), x, speed, palette::mark(kind));
         }
     }
-    let (first, last) = (stations.first(), stations.last());
+    let (first, last) = (points.first(), points.last());
     let middle = 0.5 * (first.map_or(0.0, |s| s.x) + last.map_or(0.0, |s| s.x));
-    let least = stations
+    let least = points
         .iter()
-        .filter_map(|station| Some(station.transition?.speed))
+        .filter_map(|point| Some(point.transition?.speed))
         .fold(high, f64::min);
     // Below the lowest speed searched nothing was computed.
-    let is_stable_below = |station: &Station| station.transition.is_none_or(|t| t.low.is_some());
-    if stations.iter().all(is_stable_below) {
-        write("stable", middle, 0.5 * (low + least), ink::NONE);
+    let is_stable_below = |point: &ProfilePoint| point.transition.is_none_or(|t| t.low.is_some());
+    if points.iter().all(is_stable_below) {
+        write("stable", middle, 0.5 * (low + least), palette::NONE);
     }
 }
 
-fn legend(stations: &[Station], searched_to: Option<f64>) -> Vec<(Mark, String)> {
+fn legend(points: &[ProfilePoint], searched_to: Option<f64>) -> Vec<(Mark, String)> {
     let meanings = [
         (Kind::Unstable, "first transition: topples"),
         (Kind::Bottomed, "first transition: a strut bottoms"),
@@ -140,33 +147,36 @@ fn legend(stations: &[Station], searched_to: Option<f64>) -> Vec<(Mark, String)>
     let mut entries: Vec<(Mark, String)> = meanings
         .into_iter()
         .filter(|(kind, _)| {
-            let found = |station: &Station| {
-                (station.transition).is_some_and(|t| t.kind == *kind && t.low.is_some())
+            let found = |point: &ProfilePoint| {
+                (point.transition).is_some_and(|t| t.kind == *kind && t.low.is_some())
             };
-            stations.iter().any(found)
+            points.iter().any(found)
         })
         .map(|(kind, meaning)| (Mark::Transition(kind), meaning.to_owned()))
         .collect();
     let open = Kind::ALL.into_iter().filter(|kind| {
         let is_open = |t: Transition| t.kind == *kind && t.low.is_none();
-        (stations.iter()).any(|station| station.transition.is_some_and(is_open))
+        (points.iter()).any(|point| point.transition.is_some_and(is_open))
     });
     entries.extend(open.map(|kind| {
-        let meaning = format!("{}, at or below the lowest speed searched", ink::word(kind));
+        let meaning = format!(
+            "{}, at or below the lowest speed searched",
+            palette::word(kind)
+        );
         (Mark::AtOrBelow(kind), meaning)
     }));
-    let high = stations::vertical_range(stations, searched_to).1;
-    let regions = shading::regions(stations, high);
+    let high = profile_points::vertical_range(points, searched_to).1;
+    let regions = shading::regions(points, high);
     // Regions too narrow for their word.
     let wordless = Kind::ALL.into_iter().filter(|kind| {
         regions.iter().any(|region| region.kind == *kind)
-            && shading::broadest(stations, *kind, high).is_none()
+            && shading::broadest(points, *kind, high).is_none()
     });
     entries.extend(wordless.map(|kind| {
-        let region = Mark::Area(Style::fill(ink::region(kind)));
-        (region, ink::word(kind).to_owned())
+        let region = Mark::Area(Style::fill(palette::region(kind)));
+        (region, palette::word(kind).to_owned())
     }));
-    if stations.iter().any(|station| station.transition.is_none()) {
+    if points.iter().any(|point| point.transition.is_none()) {
         let meaning = match searched_to {
             Some(speed) => format!("stable up to {speed} ft/s"),
             None => "no transition".to_owned(),

@@ -1,16 +1,17 @@
 //! Histories of landings: panels over the same time, several curves in each.
 
 use crate::axis_title::axis_title;
-use crate::canvas::{Canvas, Point, Style};
+use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::history_page::{self, Curve, Panel};
 use crate::history_table::{History, HistoryTable, Instant};
-use crate::ink;
 use crate::legend::{self, Entry, Mark};
 use crate::number::label;
+use crate::palette;
 use crate::sheet::{self, Height, Sheet};
+use crate::style::Style;
 use crate::ticks::round_values;
 
 /// Width of the picture, and height of its panels where there are few and where there are many, pixels.
@@ -120,7 +121,7 @@ impl Chart<'_> {
         } else {
             landing
         };
-        Style::stroke(ink::curve(colour), width).dashed(ink::dashes(landing))
+        Style::stroke(palette::curve(colour), width).dashed(palette::dashes(landing))
     }
 
     /// What tells landings apart, and what thick lines and circles mean.
@@ -129,7 +130,7 @@ impl Chart<'_> {
         let named = named.filter_map(|(index, landing)| Some((index, landing.name.clone()?)));
         let sample = |index: usize| {
             if self.are_curves_coloured {
-                Style::stroke(ink::TEXT, CONTACT).dashed(ink::dashes(index))
+                Style::stroke(palette::TEXT, CONTACT).dashed(palette::dashes(index))
             } else {
                 self.style(index, 0, CONTACT)
             }
@@ -142,12 +143,12 @@ impl Chart<'_> {
             .iter()
             .flat_map(|landing| &landing.history.instants);
         if instants.clone().any(|instant| instant.is_free) {
-            let thick = Style::stroke(ink::TEXT, FREE);
+            let thick = Style::stroke(palette::TEXT, FREE);
             entries.push((Mark::Line(thick), "free flight".to_owned()));
         }
         if instants.any(|instant| instant.printed.iter().any(Option::is_some)) {
             let words = "printed in 1966".to_owned();
-            entries.push((Mark::Ring(ink::STATEMENT), words));
+            entries.push((Mark::Ring(palette::STATEMENT), words));
         }
         entries
     }
@@ -195,7 +196,7 @@ impl Chart<'_> {
             [_] => Vec::new(),
             curves => {
                 let curves = curves.iter().enumerate();
-                let line = |index| Mark::Line(Style::stroke(ink::curve(index), CONTACT));
+                let line = |index| Mark::Line(Style::stroke(palette::curve(index), CONTACT));
                 let entries = curves.map(|(index, curve)| (line(index), curve.name.clone()));
                 entries.collect()
             }
@@ -209,7 +210,7 @@ impl Chart<'_> {
         let frame = Frame::with_left(part, left, abscissa, ordinate);
         let middle = 0.5 * (frame.area.left + frame.area.right);
         legend::draw(canvas, &rows, middle, part.top - room + 0.7 * LEGEND);
-        frame.draw(canvas, Style::stroke(ink::GRID, 1.0));
+        frame.draw(canvas, Style::stroke(palette::GRID, 1.0));
         for (index, landing) in self.landings.iter().enumerate() {
             for (number, curve) in panel.curves.iter().enumerate() {
                 for (points, is_free) in landing.stretches(curve) {
@@ -217,8 +218,8 @@ impl Chart<'_> {
                     canvas.curve(&frame.places(points), self.style(index, number, width));
                 }
                 for point in landing.printed(curve) {
-                    let style = Style::stroke(ink::STATEMENT, 1.5);
-                    canvas.circle(frame.place(point), ink::MARK - 1.0, style);
+                    let style = Style::stroke(palette::STATEMENT, 1.5);
+                    canvas.circle(frame.place(point), palette::MARK - 1.0, style);
                 }
             }
         }
@@ -282,49 +283,5 @@ impl Landing<'_> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn drawn(tables: &[(&str, &str)], columns: &[&str]) -> String {
-        let tables = tables.iter().map(|(name, text)| {
-            let table = HistoryTable::parse(text).unwrap();
-            ((*name).to_owned(), table)
-        });
-        let columns: Vec<String> = columns.iter().map(|name| (*name).to_owned()).collect();
-        draw(&tables.collect::<Vec<_>>(), &columns, &Caption::default()).unwrap()
-    }
-
-    #[test]
-    fn every_quantity_has_a_panel_and_free_flight_is_thick() {
-        let text = "tip_azimuth_deg,t_s,psi_deg,omega_x_dps,touches\n\
-                    90,0,1,-3,1\n90,0.5,2,-2,0\n90,1,2,-2,0\n-90,0,3,1,1\n-90,1,3,2,1\n";
-        let svg = drawn(&[("", text)], &[]);
-        assert!(svg.contains("Pitch angle") && svg.contains("Angular velocity about x"));
-        assert!(svg.contains("Γ = 90 deg") && svg.contains("Γ = \u{2212}90 deg"));
-        // One stretch in each panel, and the legend's.
-        assert_eq!(svg.matches("stroke-width=\"4\"").count(), 3);
-        assert!(svg.contains("free flight"));
-    }
-
-    #[test]
-    fn printed_values_are_circles() {
-        let text = "t_s,y_rate_fps,y_rate_1966_fps\n0,1,1.1\n0.5,2,\n1,3,3\n";
-        let svg = drawn(&[("", text)], &[]);
-        // Two values, and the legend's.
-        assert_eq!(svg.matches("<circle").count(), 3);
-        assert!(svg.contains("printed in 1966"));
-    }
-
-    #[test]
-    fn several_tables_lie_over_each_other_each_with_its_dashes() {
-        let one = "t_s,psi_deg,xi_deg\n0,1,2\n1,2,3\n";
-        let other = "t_s,psi_deg\n0,1\n2,4\n";
-        let svg = drawn(&[("one", one), ("other", other)], &["psi_deg", "xi_deg"]);
-        assert!(svg.contains(">one</text>") && svg.contains(">other</text>"));
-        assert!(svg.contains("Angle, deg") && svg.contains(">pitch angle Ψ</text>"));
-        // Pitch of the other landing, and the legend's sample.
-        assert_eq!(svg.matches("stroke-dasharray").count(), 2);
-        // Time goes on to the end of the longer.
-        assert!(svg.contains(">2</text>"));
-    }
-}
+#[path = "history_chart_tests.rs"]
+mod tests;

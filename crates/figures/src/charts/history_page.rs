@@ -121,12 +121,12 @@ pub fn chosen(quantities: &[String], names: &[String]) -> Result<Vec<Panel>, Fig
         let columns = matching(quantities, name);
         if columns.is_empty() {
             return Err(FigureError::Table(format!(
-                "has no column {name}: allowed are {}",
+                "has no column {name}: expected {}",
                 patterns(quantities).join(", ")
             )));
         }
         let unit = split_unit(name).1;
-        let curves = columns.iter().map(curve);
+        let curves = columns.iter().map(|column| curve(column));
         match panels.iter_mut().find(|(known, _)| *known == unit) {
             Some((_, panel)) => panel.extend(curves),
             None => panels.push((unit, curves.collect())),
@@ -142,10 +142,10 @@ pub fn chosen(quantities: &[String], names: &[String]) -> Result<Vec<Panel>, Fig
     Ok(panels.into_iter().map(panel).collect())
 }
 
-fn curve(column: &String) -> Curve {
+fn curve(column: &str) -> Curve {
     Curve {
         name: column_words(column),
-        columns: vec![column.clone()],
+        columns: vec![column.to_owned()],
     }
 }
 
@@ -254,8 +254,6 @@ mod tests {
         assert_eq!(panels[1].curves[0].name, "stroke, leg 1");
         let complaint = chosen(&columns, &owned(&["stroke_ft"])).unwrap_err();
         let complaint = complaint.to_string();
-        assert!(
-            complaint.contains("no column stroke_ft: allowed are psi_deg, stroke_#_ft, xi_deg")
-        );
+        assert!(complaint.contains("no column stroke_ft: expected psi_deg, stroke_#_ft, xi_deg"));
     }
 }

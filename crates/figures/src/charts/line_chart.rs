@@ -3,13 +3,15 @@
 
 mod axis;
 
-use crate::canvas::{Canvas, Colour, Font, Point, Style};
+use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Frame, Scale};
-use crate::ink;
 use crate::legend::{Entry, Mark};
+use crate::palette;
 use crate::sheet::{self, Height, Sheet};
+use crate::style::{Colour, Style};
+use crate::text::Font;
 
 pub use axis::Axis;
 
@@ -119,7 +121,7 @@ fn names(chart: &LineChart) -> Vec<&str> {
 
 /// Colour of the curves of a name.
 fn colour(names: &[&str], name: &str) -> Colour {
-    ink::curve(names.iter().position(|other| *other == name).unwrap_or(0))
+    palette::curve(names.iter().position(|other| *other == name).unwrap_or(0))
 }
 
 /// The entry of a name in the legend.
@@ -130,7 +132,7 @@ fn entry(chart: &LineChart, names: &[&str], name: &str) -> Entry {
 }
 
 fn draw_panel(canvas: &mut Canvas, frame: &Frame, abscissa: &Axis, panel: &Panel, names: &[&str]) {
-    frame.draw(canvas, Style::stroke(ink::GRID, 1.0));
+    frame.draw(canvas, Style::stroke(palette::GRID, 1.0));
     for curve in &panel.curves {
         let colour = colour(names, &curve.name);
         let place = |(x, y): &Point| (abscissa.place(*x), panel.ordinate.place(*y));
@@ -144,11 +146,11 @@ fn draw_panel(canvas: &mut Canvas, frame: &Frame, abscissa: &Axis, panel: &Panel
         canvas.curve(&points, style);
         if curve.stroke == Stroke::Marks {
             for point in &points {
-                canvas.circle(*point, ink::SMALL_MARK, Style::fill(colour));
+                canvas.circle(*point, palette::SMALL_MARK, Style::fill(colour));
             }
         }
         for ((x, y), remark) in points.iter().zip(&curve.remarks) {
-            let font = Font::new(11.0, ink::PALE_TEXT);
+            let font = Font::new(11.0, palette::PALE_TEXT);
             // Above the point where there is no room below it.
             let down = if y + ROOM < frame.area.bottom {
                 13.0

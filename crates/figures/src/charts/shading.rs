@@ -3,7 +3,7 @@
 
 use crate::bands_table::Band;
 use crate::boundary_table::Kind;
-use crate::stations::Station;
+use crate::profile_points::ProfilePoint;
 
 /// A region, its corners in the units of the axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,10 +18,10 @@ pub struct Region {
 ///
 /// Between neighbours with the same sequence of outcomes a region's borders are straight lines;
 /// where the sequences differ nobody knows the border, and each point's bands hold half-way.
-pub fn regions(stations: &[Station], high: f64) -> Vec<Region> {
-    let columns: Vec<(f64, Vec<Band>)> = stations
+pub fn regions(points: &[ProfilePoint], high: f64) -> Vec<Region> {
+    let columns: Vec<(f64, Vec<Band>)> = points
         .iter()
-        .map(|station| (station.x, bands(station, high)))
+        .map(|point| (point.x, bands(point, high)))
         .collect();
     let mut regions = Vec::new();
     for pair in columns.windows(2) {
@@ -69,14 +69,14 @@ fn quadrilateral(x0: f64, a: &Band, x1: f64, b: &Band) -> Option<Region> {
     })
 }
 
-/// The bands of a station, or what its first transition says of them. Nothing is said of speeds below the lowest
+/// The bands of a point, or what its first transition says of them. Nothing is said of speeds below the lowest
 /// searched.
-fn bands(station: &Station, high: f64) -> Vec<Band> {
-    if !station.bands.is_empty() {
-        return station.bands.clone();
+fn bands(point: &ProfilePoint, high: f64) -> Vec<Band> {
+    if !point.bands.is_empty() {
+        return point.bands.clone();
     }
     let band = |from, to, kind| Band { from, to, kind };
-    match station.transition {
+    match point.transition {
         None => vec![band(0.0, high, None)],
         Some(found) => vec![
             band(0.0, found.speed, None),
@@ -86,8 +86,8 @@ fn bands(station: &Station, high: f64) -> Vec<Band> {
 }
 
 /// Middle of the tallest region of a kind that is broad enough for a word, and its height there.
-pub fn broadest(stations: &[Station], kind: Kind, high: f64) -> Option<(f64, f64)> {
-    let regions = regions(stations, high);
+pub fn broadest(points: &[ProfilePoint], kind: Kind, high: f64) -> Option<(f64, f64)> {
+    let regions = regions(points, high);
     // Regions side by side make one: the widest run of them that touch.
     let same: Vec<_> = regions
         .iter()
@@ -109,16 +109,16 @@ pub fn broadest(stations: &[Station], kind: Kind, high: f64) -> Option<(f64, f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stations::tests::station;
+    use crate::profile_points::tests::point;
 
     #[test]
     fn like_neighbours_are_joined_and_unlike_ones_meet_half_way() {
-        let stations = [
-            station(0.0, Some(11.0)),
-            station(1.0, Some(12.0)),
-            station(3.0, None),
+        let points = [
+            point(0.0, Some(11.0)),
+            point(1.0, Some(12.0)),
+            point(3.0, None),
         ];
-        let found = regions(&stations, 25.0);
+        let found = regions(&points, 25.0);
         assert_eq!(found.len(), 2);
         assert_eq!(
             found[0].corners,
@@ -134,15 +134,15 @@ mod tests {
     fn the_first_transition_runs_on_where_only_what_is_above_differs() {
         let band = |from, to, kind| Band { from, to, kind };
         let low = |from, to| vec![band(0.0, from, None), band(from, to, Some(Kind::Unstable))];
-        let left = Station {
+        let left = ProfilePoint {
             bands: low(11.0, 25.0),
-            ..station(0.0, Some(11.0))
+            ..point(0.0, Some(11.0))
         };
         let mut bands = low(12.0, 20.0);
         bands.push(band(20.0, 25.0, None));
-        let right = Station {
+        let right = ProfilePoint {
             bands,
-            ..station(1.0, Some(12.0))
+            ..point(1.0, Some(12.0))
         };
         let found = regions(&[left, right], 25.0);
         assert_eq!(found[0].corners[1], (0.5, 11.5));
@@ -158,9 +158,9 @@ mod tests {
             band(16.0, 20.0, None),
             band(20.0, 25.0, Some(Kind::Bottomed)),
         ];
-        let at = |x| Station {
+        let at = |x| ProfilePoint {
             bands: bands.clone(),
-            ..station(x, Some(11.0))
+            ..point(x, Some(11.0))
         };
         let found = regions(&[at(0.0), at(1.0)], 25.0);
         assert_eq!(found.len(), 2);
@@ -170,7 +170,7 @@ mod tests {
 
     #[test]
     fn broadest_run_has_at_least_three_points() {
-        let run: Vec<Station> = (0..5).map(|i| station(i as f64, Some(12.0))).collect();
+        let run: Vec<ProfilePoint> = (0..5).map(|i| point(i as f64, Some(12.0))).collect();
         assert_eq!(broadest(&run, Kind::Unstable, 20.0), Some((2.5, 16.0)));
         assert_eq!(broadest(&run[..2], Kind::Unstable, 20.0), None);
         assert_eq!(broadest(&run, Kind::Bottomed, 20.0), None);

@@ -4,15 +4,17 @@
 //! the parameter grows, pale where it falls. Rings are the other points of the sweep, for a parameter
 //! that grows.
 
-use crate::canvas::{Anchor, Canvas, Colour, Font, Style, WHITE};
+use crate::canvas::Canvas;
 use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Frame, Scale};
-use crate::ink;
 use crate::legend::{Entry, Mark};
 use crate::number::label;
+use crate::palette;
 use crate::sensitivity_table::{Change, SensitivityTable, Slope};
 use crate::sheet::{self, Height, Sheet};
+use crate::style::{Colour, Style, WHITE};
+use crate::text::{Anchor, Font};
 use crate::ticks::round_values;
 use crate::tornado_words::{name, reason, title};
 
@@ -58,8 +60,8 @@ pub fn draw(table: &SensitivityTable, caption: &Caption) -> Result<String, Figur
         ticks: Vec::new(),
     };
     let frame = Frame::with_left(body, NAMES, across, up);
-    frame.draw(&mut canvas, Style::stroke(ink::GRID, 1.0));
-    let font = Font::new(12.0, ink::TEXT).anchor(Anchor::End);
+    frame.draw(&mut canvas, Style::stroke(palette::GRID, 1.0));
+    let font = Font::new(12.0, palette::TEXT).anchor(Anchor::End);
     let middle = |index: usize| count - 0.5 - index as f64;
     for (index, row) in rows.iter().enumerate() {
         draw_row(&mut canvas, &frame, row, middle(index));
@@ -67,11 +69,11 @@ pub fn draw(table: &SensitivityTable, caption: &Caption) -> Result<String, Figur
         canvas.text(&name(row.slope), (x - 9.0, y), font);
     }
     let zero = frame.places([(0.0, 0.0), (0.0, count)]);
-    canvas.curve(&zero, Style::stroke(ink::TEXT, 1.0));
+    canvas.curve(&zero, Style::stroke(palette::TEXT, 1.0));
     for (index, row) in rows.iter().enumerate() {
         if row.slope.change.is_none() {
             let (x, y) = frame.place((0.0, middle(index)));
-            let font = Font::new(12.0, ink::STATEMENT).anchor(Anchor::Start);
+            let font = Font::new(12.0, palette::STATEMENT).anchor(Anchor::Start);
             canvas.text(&reason(row.slope), (x + 8.0, y), font);
         }
     }
@@ -124,19 +126,19 @@ fn draw_row(canvas: &mut Canvas, frame: &Frame, row: &Row, middle: f64) {
             let style = Style::fill(colour).outlined(GROWS, 1.0);
             canvas.rectangle(frame.place(from), frame.place(to), style);
             let whisker = frame.places([(end - error, middle), (end + error, middle)]);
-            canvas.curve(&whisker, Style::stroke(ink::TEXT, 2.0));
+            canvas.curve(&whisker, Style::stroke(palette::TEXT, 2.0));
         }
     }
     for x in &row.others {
-        let style = Style::fill(WHITE).outlined(ink::VALLEY, 1.0);
-        canvas.circle(frame.place((*x, middle)), ink::SMALL_MARK, style);
+        let style = Style::fill(WHITE).outlined(palette::LOWEST, 1.0);
+        canvas.circle(frame.place((*x, middle)), palette::SMALL_MARK, style);
     }
 }
 
 /// What bars, whiskers and rings mean.
 fn legend(others: usize) -> Vec<Entry> {
     let bar = |fill| Mark::Area(Style::fill(fill).outlined(GROWS, 1.0));
-    let whisker = Mark::Line(Style::stroke(ink::TEXT, 2.0));
+    let whisker = Mark::Line(Style::stroke(palette::TEXT, 2.0));
     let mut entries = vec![
         (bar(GROWS), "parameter grows".to_owned()),
         (bar(FALLS), "parameter falls".to_owned()),
@@ -145,7 +147,7 @@ fn legend(others: usize) -> Vec<Entry> {
     if others > 0 {
         let points = if others == 1 { "point" } else { "points" };
         let words = format!("grows, at {others} other {points}");
-        entries.push((Mark::Ring(ink::VALLEY), words));
+        entries.push((Mark::Ring(palette::LOWEST), words));
     }
     entries
 }

@@ -75,7 +75,7 @@ fn curves(csv: &str, cost: &str) -> Result<Vec<Curve>, FigureError> {
     let table = Table::parse(csv)?;
     let cost = table.column(cost)?;
     let tolerances = table
-        .some_rows()?
+        .nonempty_rows()?
         .map(|row| row.text(0).replace('-', "\u{2212}"));
     let tolerances: Vec<String> = tolerances.collect();
     let curves = ERRORS
@@ -87,7 +87,7 @@ fn curves(csv: &str, cost: &str) -> Result<Vec<Curve>, FigureError> {
             let points = table.rows().map(|row| {
                 let error = row.number(column)?;
                 if error < 0.0 {
-                    return Err(row.complain(column, "a number that is not negative"));
+                    return Err(row.error(column, "a number that is not negative"));
                 }
                 Ok((1e-3 * row.number(cost)?, error.max(LEAST)))
             });
@@ -95,7 +95,11 @@ fn curves(csv: &str, cost: &str) -> Result<Vec<Curve>, FigureError> {
                 name: words.to_owned(),
                 stroke: Stroke::Marks,
                 points: points.collect::<Result<_, FigureError>>()?,
-                remarks: is_lowest.then(|| tolerances.clone()).unwrap_or_default(),
+                remarks: if is_lowest {
+                    tolerances.clone()
+                } else {
+                    Vec::new()
+                },
             })
         });
     curves.collect()

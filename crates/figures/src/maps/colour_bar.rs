@@ -1,11 +1,13 @@
 //! The column that explains the colours of a map.
 
-use crate::canvas::{Anchor, Canvas, Font, Style};
+use crate::canvas::Canvas;
 use crate::frame::Area;
-use crate::ink;
 use crate::levels::Levels;
 use crate::number;
+use crate::palette;
+use crate::style::Style;
 use crate::surface::Surface;
+use crate::text::{Anchor, Font};
 
 /// Width of the column with its numbers, pixels.
 pub const WIDTH: f64 = 92.0;
@@ -23,7 +25,7 @@ pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels)
         return;
     };
     let (left, top) = (area.left + LEFT, area.top + TOP);
-    let font = Font::new(12.0, ink::TEXT).anchor(Anchor::Start);
+    let font = Font::new(12.0, palette::TEXT).anchor(Anchor::Start);
     for (text, y) in [("V_H,", top - 34.0), ("ft/s", top - 18.0)] {
         canvas.text(text, (left, y), font);
     }
@@ -32,7 +34,7 @@ pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels)
     let step = STEP.min((area.height() - TOP - BELOW) / bands.len() as f64);
     for (index, [low, _]) in bands.iter().rev().enumerate() {
         let y = top + step * index as f64;
-        let style = Style::fill(levels.colour(*low)).outlined(ink::TEXT, 1.0);
+        let style = Style::fill(levels.colour(*low)).outlined(palette::TEXT, 1.0);
         canvas.rectangle((left, y), (left + COLOUR, y + step), style);
         if index + 1 < bands.len() {
             canvas.text(&number::label(*low), (left + COLOUR + 6.0, y + step), font);

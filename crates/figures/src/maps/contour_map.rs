@@ -1,7 +1,7 @@
 //! The contour map of a stability surface, in the manner of Figure 4-21.
 
 use crate::axis_title::axis_title;
-use crate::canvas::{Canvas, Font, Point, Style, WHITE, text_width};
+use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::frame::{Area, Frame, Scale};
 use crate::isolines::{self, Place};
@@ -10,8 +10,10 @@ use crate::levels::Levels;
 use crate::map_legend;
 use crate::map_view::View;
 use crate::sheet::{self, Height, Sheet};
+use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
-use crate::{colour_bar, ink, leading_feet, number, ticks};
+use crate::text::{Font, text_width};
+use crate::{colour_bar, leading_feet, number, palette, ticks};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 860.0);
@@ -49,7 +51,7 @@ pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) 
     };
     map.fill(&mut canvas, levels);
     map.frame
-        .draw(&mut canvas, Style::stroke(ink::TEXT, 1.0).opacity(0.12));
+        .draw(&mut canvas, Style::stroke(palette::TEXT, 1.0).opacity(0.12));
     map.draw_jumps(&mut canvas);
     map.draw_isolines(&mut canvas, levels);
     if map_legend::has_leading_feet(surface, caption) {
@@ -97,32 +99,32 @@ impl Map<'_> {
 
     fn fill(&self, canvas: &mut Canvas, levels: &Levels) {
         let (s, f) = (&self.surface.slow, &self.surface.fast);
-        let torn = self.surface.cells().filter(|(_, cell)| *cell == Cell::Torn);
-        let torn: Vec<Vec<Point>> = torn
+        let jump_cells = self.surface.cells().filter(|(_, cell)| *cell == Cell::Jump);
+        let jump_cells: Vec<Vec<Point>> = jump_cells
             .map(|([row, column], _)| {
                 let corners = [(0, 0), (0, 1), (1, 1), (1, 0)];
                 self.places(corners.map(|(r, c)| [s[row + r], f[column + c]]))
             })
             .collect();
-        canvas.mosaic(&torn, ink::TORN);
+        canvas.fill_tiles(&jump_cells, palette::JUMP_CELL);
         for [low, high] in levels.bands() {
             let polygons = isolines::band(self.surface, low, high).into_iter();
             let polygons: Vec<Vec<Point>> = polygons.map(|polygon| self.places(polygon)).collect();
-            canvas.mosaic(&polygons, levels.colour(low));
+            canvas.fill_tiles(&polygons, levels.colour(low));
         }
     }
 
     /// Draws a bar across every edge of the grid over which the boundary jumps.
     fn draw_jumps(&self, canvas: &mut Canvas) {
-        for ends in self.surface.jumps() {
-            let style = Style::stroke(ink::JUMP, ink::JUMP_WIDTH);
+        for ends in self.surface.jump_bars() {
+            let style = Style::stroke(palette::JUMP, palette::JUMP_WIDTH);
             canvas.curve(&self.places(ends), style);
         }
     }
 
     fn draw_isolines(&self, canvas: &mut Canvas, levels: &Levels) {
-        let discs = self.places(self.surface.valley());
-        let lines = levels.borders().iter().map(|level| {
+        let discs = self.places(self.surface.lowest_in_rows());
+        let lines = levels.values().iter().map(|level| {
             let lines = isolines::lines(self.surface, *level).into_iter();
             (*level, lines.map(|line| self.places(line)).collect())
         });
@@ -136,22 +138,22 @@ impl Map<'_> {
     }
 
     fn draw_marks(&self, canvas: &mut Canvas) {
-        for place in self.surface.valley() {
-            draw_mark(canvas, Mark::Valley, self.place(place), ink::MARK);
+        for place in self.surface.lowest_in_rows() {
+            draw_mark(canvas, Mark::Lowest, self.place(place), palette::MARK);
         }
         let (rows, columns) = (self.surface.slow.len(), self.surface.fast.len());
         let area = &self.frame.area;
         let room = (area.width() / columns as f64).min(area.height() / rows as f64);
         let side = if room > ROOMY {
-            ink::MARK
+            palette::MARK
         } else {
-            ink::SMALL_MARK
+            palette::SMALL_MARK
         };
         for place in self.surface.gaps() {
             draw_mark(canvas, Mark::NoTransition, self.place(place), side);
         }
         for (place, mark) in &self.surface.doubtful {
-            draw_mark(canvas, *mark, self.place(*place), ink::MARK);
+            draw_mark(canvas, *mark, self.place(*place), palette::MARK);
         }
     }
 }
@@ -168,7 +170,7 @@ pub fn draw_lines(
         let label = number::label(level);
         let room = 0.5 * text_width(&label, LABEL) + 4.0;
         for line in lines {
-            canvas.curve(&line, Style::stroke(ink::TEXT, 1.3));
+            canvas.curve(&line, Style::stroke(palette::TEXT, 1.3));
             let lengths = line.windows(2).map(|ends| distance(ends[0], ends[1]));
             if lengths.sum::<f64>() < LABELLED {
                 continue;
@@ -194,7 +196,7 @@ pub fn draw_lines(
         let [half, up] = [0.5 * text_width(&label, LABEL) + 3.0, 0.5 * PAPER];
         let paper = Style::fill(WHITE).opacity(0.85);
         canvas.rectangle((x - half, y - up), (x + half, y + up), paper);
-        canvas.text(&label, (x, y), Font::new(LABEL, ink::TEXT));
+        canvas.text(&label, (x, y), Font::new(LABEL, palette::TEXT));
     }
 }
 

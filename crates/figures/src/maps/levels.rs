@@ -1,6 +1,6 @@
 //! Levels of a map and the colours between them.
 
-use crate::canvas::Colour;
+use crate::style::Colour;
 use crate::surface::Surface;
 use crate::ticks::round_step;
 
@@ -62,13 +62,13 @@ impl Levels {
             return Ok(Self(levels.to_vec()));
         }
         Err(format!(
-            "allowed are 1 to {} velocities in ft/s, each greater than the one before",
+            "expected 1 to {} velocities in ft/s, each greater than the one before",
             Self::MOST
         ))
     }
 
     /// The levels, rising, ft/s.
-    pub fn borders(&self) -> &[f64] {
+    pub fn values(&self) -> &[f64] {
         &self.0
     }
 
@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn levels_are_round_lie_between_the_ends_and_are_closer_where_the_points_are() {
         assert_eq!(
-            Levels::of(&example()).borders(),
+            Levels::of(&example()).values(),
             [12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0, 19.0, 20.0]
         );
         // A map of other vehicles, and one of small differences.
@@ -132,7 +132,7 @@ mod tests {
             Levels::of(&grid(6, |row, column| Some(at(6 * row + column))))
         };
         assert_eq!(
-            spread(6.9, 11.3).borders(),
+            spread(6.9, 11.3).values(),
             [7.0, 7.5, 8.0, 8.5, 9.0, 9.5, 10.0, 10.5, 11.0]
         );
         let crowded = grid(10, |row, column| {
@@ -144,13 +144,13 @@ mod tests {
             })
         });
         assert_eq!(
-            Levels::of(&crowded).borders(),
+            Levels::of(&crowded).values(),
             [
                 10.25, 10.5, 10.75, 11.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 24.0
             ]
         );
-        assert!((5..=12).contains(&spread(3.01, 3.02).borders().len()));
-        assert_eq!(spread(12.0, 12.0).borders().len(), 1);
+        assert!((5..=12).contains(&spread(3.01, 3.02).values().len()));
+        assert_eq!(spread(12.0, 12.0).values().len(), 1);
     }
 
     #[test]
@@ -161,7 +161,7 @@ mod tests {
                 Some(if row + column == 0 { outlier } else { speed })
             };
             let levels = Levels::of(&grid(8, height));
-            assert!((1..=Levels::MOST).contains(&levels.borders().len()));
+            assert!((1..=Levels::MOST).contains(&levels.values().len()));
         }
     }
 

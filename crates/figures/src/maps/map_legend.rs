@@ -1,27 +1,27 @@
 //! What the marks of maps and perspectives mean.
 
 use crate::boundary_table::Kind;
-use crate::canvas::Style;
 use crate::caption::Caption;
-use crate::ink;
 use crate::legend::{Entry, Mark};
 use crate::number;
+use crate::palette;
 use crate::parameter_words::parameter_words;
+use crate::style::Style;
 use crate::surface::{Cell, Surface};
 
 /// The legend of a contour map: an entry for every mark that the map has.
 pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let slow = parameter_words(&surface.axes[0]);
-    let mut entries = vec![(Mark::Valley, format!("lowest V_H at each {slow}"))];
+    let mut entries = vec![(Mark::Lowest, format!("lowest V_H at each {slow}"))];
     if has_leading_feet(surface, caption) {
         let words = "AB: V_H bisects the leading feet".to_owned();
         entries.push((Mark::Line(bisector()), words));
     }
-    let has_torn = surface.cells().any(|(_, cell)| cell == Cell::Torn);
-    if has_torn {
+    let has_jump = surface.cells().any(|(_, cell)| cell == Cell::Jump);
+    if has_jump {
         entries.push((Mark::Jump, jump_words(surface)));
-        let torn = Mark::Area(Style::fill(ink::TORN));
-        entries.push((torn, "not interpolated across a jump".to_owned()));
+        let jump_cells = Mark::Area(Style::fill(palette::JUMP_CELL));
+        entries.push((jump_cells, "not interpolated across a jump".to_owned()));
     }
     entries.extend(of_points(surface, caption));
     entries
@@ -30,7 +30,7 @@ pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
 /// The legend of a perspective.
 pub fn of_perspective(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let mut entries = Vec::new();
-    if !surface.torn_edges().is_empty() {
+    if !surface.jump_edges().is_empty() {
         let words = format!("{}; left open", jump_words(surface));
         entries.push((Mark::Line(jump()), words));
     }
@@ -40,12 +40,12 @@ pub fn of_perspective(surface: &Surface, caption: &Caption) -> Vec<Entry> {
 
 /// The line AB of Figure 4-21.
 pub fn bisector() -> Style {
-    Style::stroke(ink::BISECTOR, 2.0).dashed(Some((9.0, 6.0)))
+    Style::stroke(palette::BISECTOR, 2.0).dashed(Some((9.0, 6.0)))
 }
 
 /// The line between two neighbours of a perspective between which the boundary jumps.
 pub fn jump() -> Style {
-    Style::stroke(ink::JUMP, 1.0).opacity(0.6)
+    Style::stroke(palette::JUMP, 1.0).opacity(0.6)
 }
 
 /// Whether the line AB belongs on a map: over cross-slope and roll, for feet as the report's vehicle has
@@ -70,9 +70,12 @@ fn of_points(surface: &Surface, caption: &Caption) -> Vec<Entry> {
         entries.push((Mark::NoTransition, words));
     }
     let known = Kind::ALL.map(|kind| {
-        let below = format!("{}, at or below the lowest speed searched", ink::word(kind));
+        let below = format!(
+            "{}, at or below the lowest speed searched",
+            palette::word(kind)
+        );
         [
-            (Mark::Transition(kind), ink::word(kind).to_owned()),
+            (Mark::Transition(kind), palette::word(kind).to_owned()),
             (Mark::AtOrBelow(kind), below),
         ]
     });

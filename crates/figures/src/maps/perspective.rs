@@ -1,21 +1,23 @@
 //! The stability surface in perspective, in the manner of Figure 4-20.
 
 use crate::axis_title::axis_title;
-use crate::canvas::{Anchor, Canvas, Font, Point, Style};
+use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::frame::Area;
 use crate::legend::{Mark, draw_mark};
 use crate::levels::Levels;
 use crate::sheet::{self, Height, Sheet};
+use crate::style::Style;
 use crate::surface::{Cell, Surface};
+use crate::text::{Anchor, Font};
 use crate::ticks::{multiples, round_step, round_values};
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, ink, map_legend, number};
+use crate::{colour_bar, map_legend, number, palette};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 700.0);
 /// About so many lines of equal height run along the walls, and along floor and walls to either side.
-const RUNGS: f64 = 8.0;
+const HEIGHT_LINES: f64 = 8.0;
 const LINES: usize = 6;
 
 /// Draws the surface as SVG: only cells whose corners all have a transition and between which the
@@ -25,13 +27,13 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
     let border = body.right - colour_bar::WIDTH;
-    if let Some((heights, rung)) = heights(surface) {
+    if let Some((heights, step)) = heights(surface) {
         let area = Area {
             right: border,
             ..body
         };
         let point = ViewPoint::on(area, surface, heights);
-        draw_box(&mut canvas, surface, &point, (heights, rung));
+        draw_box(&mut canvas, surface, &point, (heights, step));
         draw_floor_marks(&mut canvas, surface, &point, heights[0]);
         draw_cells(&mut canvas, surface, levels, &point);
     }
@@ -46,10 +48,10 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
 /// Heights of floor and top of the box around a surface, and the step between the lines on its walls, ft/s.
 pub fn heights(surface: &Surface) -> Option<([f64; 2], f64)> {
     let (least, greatest) = surface.range()?;
-    let rung = round_step((greatest - least) / RUNGS);
-    let floor = rung * (least / rung).floor();
-    let top = (rung * (greatest / rung).ceil()).max(floor + rung);
-    Some(([floor, top], rung))
+    let step = round_step((greatest - least) / HEIGHT_LINES);
+    let floor = step * (least / step).floor();
+    let top = (step * (greatest / step).ceil()).max(floor + step);
+    Some(([floor, top], step))
 }
 
 /// Draws whole cells from back to front, so that what is in front hides what is behind.
@@ -59,7 +61,7 @@ fn draw_cells(canvas: &mut Canvas, surface: &Surface, levels: &Levels, point: &V
         .cells()
         .filter_map(|(place, cell)| match cell {
             Cell::Whole(heights) => Some((place, heights)),
-            Cell::Torn | Cell::Open => None,
+            Cell::Jump | Cell::Open => None,
         })
         .collect();
     let depth =
@@ -74,10 +76,13 @@ fn draw_cells(canvas: &mut Canvas, surface: &Surface, levels: &Levels, point: &V
             point.pixel(s[r + 1], f[c], e),
         ];
         let colour = levels.colour(heights.iter().sum::<f64>() / 4.0);
-        canvas.polygon(&corners, Style::fill(colour).outlined(ink::SURFACE, 0.8));
+        canvas.polygon(
+            &corners,
+            Style::fill(colour).outlined(palette::SURFACE, 0.8),
+        );
     }
     // Where the boundary jumps, a line joins the two heights.
-    for [a, b] in surface.torn_edges() {
+    for [a, b] in surface.jump_edges() {
         let ends = [a, b].map(|([slow, fast], height)| point.pixel(slow, fast, height));
         canvas.curve(&ends, map_legend::jump());
     }
@@ -86,7 +91,7 @@ fn draw_cells(canvas: &mut Canvas, surface: &Surface, levels: &Levels, point: &V
         let column = f.partition_point(|fast| *fast < place[1]);
         if let Some(height) = surface.speeds[row][column] {
             let place = point.pixel(place[0], place[1], height);
-            draw_mark(canvas, *mark, place, ink::SMALL_MARK);
+            draw_mark(canvas, *mark, place, palette::SMALL_MARK);
         }
     }
 }
@@ -95,7 +100,7 @@ fn draw_cells(canvas: &mut Canvas, surface: &Surface, levels: &Levels, point: &V
 fn draw_floor_marks(canvas: &mut Canvas, surface: &Surface, point: &ViewPoint, floor: f64) {
     for [slow, fast] in surface.gaps() {
         let place = point.pixel(slow, fast, floor);
-        draw_mark(canvas, Mark::NoTransition, place, ink::SMALL_MARK);
+        draw_mark(canvas, Mark::NoTransition, place, palette::SMALL_MARK);
     }
 }
 
@@ -104,15 +109,15 @@ pub fn draw_box(
     canvas: &mut Canvas,
     surface: &Surface,
     point: &ViewPoint,
-    ([floor, top], rung): ([f64; 2], f64),
+    ([floor, top], step): ([f64; 2], f64),
 ) {
     let line = |canvas: &mut Canvas, ends: [Point; 2]| {
-        canvas.curve(&ends, Style::stroke(ink::GRID, 1.0));
+        canvas.curve(&ends, Style::stroke(palette::GRID, 1.0));
     };
     let ends = |values: &[f64]| [values[0], values[values.len() - 1]];
     let ([s0, s1], [f0, f1]) = (ends(&surface.slow), ends(&surface.fast));
     let ([back_s, front_s], [back_f, front_f]) = point.back_and_front([s0, s1], [f0, f1]);
-    let small = Font::new(12.0, ink::TEXT);
+    let small = Font::new(12.0, palette::TEXT);
     for slow in round_values(s0, s1, LINES) {
         line(canvas, [f0, f1].map(|fast| point.pixel(slow, fast, floor)));
         line(canvas, [floor, top].map(|up| point.pixel(slow, back_f, up)));
@@ -125,7 +130,7 @@ pub fn draw_box(
         let place = point.outside(front_s, fast, floor, [0.07, 0.0]);
         canvas.text(&number::label(fast), place, small);
     }
-    for height in multiples(floor, top, rung) {
+    for height in multiples(floor, top, step) {
         line(
             canvas,
             [s0, s1].map(|slow| point.pixel(slow, back_f, height)),
@@ -142,9 +147,9 @@ pub fn draw_box(
         );
     }
     let (x, y) = point.pixel(front_s, back_f, top);
-    canvas.text("V_H, ft/s", (x, y - 18.0), Font::new(13.0, ink::TEXT));
+    canvas.text("V_H, ft/s", (x, y - 18.0), Font::new(13.0, palette::TEXT));
     // Titles begin, or end, beyond the numbers, however long they are.
-    let title = Font::new(14.0, ink::TEXT);
+    let title = Font::new(14.0, palette::TEXT);
     let place = point.outside(0.5 * (s0 + s1), front_f, floor, [0.0, 0.14]);
     canvas.text(
         &axis_title(&surface.axes[0]),

@@ -1,6 +1,6 @@
 //! The contour map and the perspective of a map that refined itself, with its edges where they are.
 
-use crate::canvas::{Canvas, Point, Style, WHITE};
+use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::frame::Area;
 use crate::isolines;
@@ -9,9 +9,10 @@ use crate::levels::Levels;
 use crate::map_table::{EdgeKind, MapTable};
 use crate::map_view::View;
 use crate::sheet::{self, Height, Sheet};
+use crate::style::{Style, WHITE};
 use crate::surface::Surface;
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, contour_map, ink, number, perspective};
+use crate::{colour_bar, contour_map, number, palette, perspective};
 
 /// Draws the contour map as SVG.
 pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
@@ -38,10 +39,10 @@ pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> S
                     .collect()
             })
             .collect();
-        canvas.mosaic(&polygons, levels.colour(low));
+        canvas.fill_tiles(&polygons, levels.colour(low));
     }
-    frame.draw(&mut canvas, Style::stroke(ink::TEXT, 1.0).opacity(0.12));
-    let lines = levels.borders().iter().map(|level| {
+    frame.draw(&mut canvas, Style::stroke(palette::TEXT, 1.0).opacity(0.12));
+    let lines = levels.values().iter().map(|level| {
         let lines = isolines::lines_of(map.triangles.iter().copied(), *level);
         (*level, lines.iter().map(|line| places(line)).collect())
     });
@@ -71,9 +72,9 @@ pub fn perspective(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -
             ..body
         },
     ];
-    if let Some((heights, rung)) = perspective::heights(&extent) {
+    if let Some((heights, step)) = perspective::heights(&extent) {
         let point = ViewPoint::on(left, &extent, heights);
-        perspective::draw_box(&mut canvas, &extent, &point, (heights, rung));
+        perspective::draw_box(&mut canvas, &extent, &point, (heights, step));
         draw_surface(&mut canvas, map, &levels, &point);
     }
     colour_bar::draw(&mut canvas, right, &extent, &levels);
@@ -98,10 +99,10 @@ fn draw_surface(canvas: &mut Canvas, map: &MapTable, levels: &Levels, point: &Vi
                 canvas.polygon(&corners, Style::fill(colour).outlined(colour, 0.4));
             }
         }
-        for level in levels.borders() {
+        for level in levels.values() {
             for line in isolines::lines_of([triangle].into_iter(), *level) {
                 let line: Vec<Point> = line.iter().map(|place| pixel(&(*place, *level))).collect();
-                canvas.curve(&line, Style::stroke(ink::TEXT, 0.8));
+                canvas.curve(&line, Style::stroke(palette::TEXT, 0.8));
             }
         }
     }
@@ -145,9 +146,9 @@ fn parts(body: Area) -> [Area; 2] {
 
 fn style(kind: EdgeKind) -> Style {
     match kind {
-        EdgeKind::End => Style::stroke(ink::NONE, 2.0),
-        EdgeKind::Jump => Style::stroke(ink::JUMP, 2.0),
-        EdgeKind::Bands => Style::stroke(ink::BISECTOR, 1.5).dashed(Some((4.0, 3.0))),
+        EdgeKind::End => Style::stroke(palette::NONE, 2.0),
+        EdgeKind::Jump => Style::stroke(palette::JUMP, 2.0),
+        EdgeKind::Bands => Style::stroke(palette::BISECTOR, 1.5).dashed(Some((4.0, 3.0))),
     }
 }
 
@@ -166,7 +167,7 @@ fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
         None => "white: no transition".to_owned(),
     };
     entries.push((
-        Mark::Area(Style::fill(WHITE).outlined(ink::GRID, 1.0)),
+        Mark::Area(Style::fill(WHITE).outlined(palette::GRID, 1.0)),
         words,
     ));
     entries

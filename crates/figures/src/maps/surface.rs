@@ -36,7 +36,7 @@ pub enum Cell {
     /// (slow + 1, fast): the boundary may be interpolated.
     Whole([f64; 4]),
     /// The boundary jumps between its corners.
-    Torn,
+    Jump,
     /// At least one corner has no transition.
     Open,
 }
@@ -96,11 +96,11 @@ impl Surface {
         let [Some(a), Some(b), Some(c), Some(d)] = corners else {
             return Cell::Open;
         };
-        let torn = [(a, b), (b, c), (c, d), (d, a)]
+        let is_jump = [(a, b), (b, c), (c, d), (d, a)]
             .into_iter()
             .any(|(one, other)| (one - other).abs() > self.jump);
-        if torn {
-            Cell::Torn
+        if is_jump {
+            Cell::Jump
         } else {
             Cell::Whole([a, b, c, d])
         }
@@ -117,7 +117,7 @@ impl Surface {
 
     /// Bars across the edges of the grid over which the boundary jumps: their ends lie half-way to
     /// the next rows or columns.
-    pub fn jumps(&self) -> Vec<[[f64; 2]; 2]> {
+    pub fn jump_bars(&self) -> Vec<[[f64; 2]; 2]> {
         let (s, f) = (&self.slow, &self.fast);
         let half = |values: &[f64], index: usize| {
             let below = values[index.saturating_sub(1)];
@@ -132,12 +132,12 @@ impl Surface {
                 half(f, index(f, f0)).map(|fast| [0.5 * (s0 + s1), fast])
             }
         };
-        let edges = self.torn_edges().into_iter();
+        let edges = self.jump_edges().into_iter();
         edges.map(|[a, b]| bar(a, b)).collect()
     }
 
     /// Neighbours along either axis between which the boundary jumps: their places and heights.
-    pub fn torn_edges(&self) -> Vec<[([f64; 2], f64); 2]> {
+    pub fn jump_edges(&self) -> Vec<[([f64; 2], f64); 2]> {
         let at = |r: usize, c: usize| Some(([self.slow[r], self.fast[c]], self.speeds[r][c]?));
         let mut edges = Vec::new();
         for r in 0..self.slow.len() {
@@ -178,7 +178,7 @@ impl Surface {
     }
 
     /// For each value of the slow axis the fast one with the lowest transition.
-    pub fn valley(&self) -> Vec<[f64; 2]> {
+    pub fn lowest_in_rows(&self) -> Vec<[f64; 2]> {
         let lowest = |row: &Vec<Option<f64>>| {
             let with_speed = row.iter().zip(&self.fast);
             with_speed
@@ -230,107 +230,5 @@ fn jump(speeds: &[Vec<Option<f64>>]) -> f64 {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
-    use super::*;
-
-    /// Three by four points, one without transition, one across a jump.
-    pub(crate) const TABLE: &str = "\
-cross_slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps
-80,-30,unstable,12,12,12
-80,-10,unstable,13,13,13
-80,10,unstable,14,14,14
-80,30,none,,,
-130,-30,unstable,12,12,12
-130,-10,unstable,11,11,11
-130,10,unstable,13,13,13
-130,30,unstable,20,20,20
-180,-30,unstable,13,13,13
-180,-10,unstable,12,12,12
-180,10,unstable,11.5,11.5,11.5
-180,30,unstable,20.5,20.5,20.5
-";
-
-    pub(crate) fn example() -> Surface {
-        Surface::of(&BoundaryTable::parse(TABLE).unwrap(), |_| true).unwrap()
-    }
-
-    /// A square grid of `size` by `size` points whose transition is `height(row, column)`.
-    pub(crate) fn grid(size: usize, height: impl Fn(usize, usize) -> Option<f64>) -> Surface {
-        let speeds: Vec<Vec<Option<f64>>> = (0..size)
-            .map(|row| (0..size).map(|column| height(row, column)).collect())
-            .collect();
-        let values: Vec<f64> = (0..size).map(|index| index as f64).collect();
-        Surface {
-            axes: ["slope_deg", "friction"].map(str::to_owned),
-            slow: values.clone(),
-            fast: values,
-            doubtful: Vec::new(),
-            jump: jump(&speeds),
-            speeds,
-        }
-    }
-
-    #[test]
-    fn a_jump_is_far_more_than_what_neighbours_mostly_differ_by() {
-        // A coarse map from 7 to 11 ft/s without jumps.
-        let slope = grid(5, |row, column| {
-            Some(7.0 + 0.6 * row as f64 + 0.4 * column as f64)
-        });
-        assert!(slope.torn_edges().is_empty(), "{}", slope.jump);
-        // A fine map with a cliff.
-        let cliff = grid(20, |row, column| {
-            Some(11.0 + 0.05 * row as f64 + if column > 9 { 3.0 } else { 0.0 })
-        });
-        assert_eq!((cliff.torn_edges().len(), cliff.jump), (20, 0.5));
-        assert!(grid(3, |_, _| None).jump > 0.0);
-        assert!(grid(3, |_, _| Some(12.0)).torn_edges().is_empty());
-    }
-
-    #[test]
-    fn transitions_that_are_no_boundary_are_marked() {
-        let table = TABLE
-            .replace("80,-30,unstable,12,12,12", "80,-30,unstable,12,,12")
-            .replace("180,10,unstable", "180,10,undecided");
-        let surface = Surface::of(&BoundaryTable::parse(&table).unwrap(), |_| true).unwrap();
-        assert_eq!(
-            surface.doubtful,
-            [
-                ([80.0, -30.0], Mark::AtOrBelow(Kind::Unstable)),
-                ([180.0, 10.0], Mark::Transition(Kind::Undecided))
-            ]
-        );
-    }
-
-    #[test]
-    fn gaps_and_jumps_are_told_apart() {
-        let surface = example();
-        assert_eq!(surface.cell(0, 0), Cell::Whole([12.0, 13.0, 11.0, 12.0]));
-        assert_eq!(surface.cell(0, 2), Cell::Open);
-        assert_eq!(surface.cell(1, 2), Cell::Torn);
-        assert_eq!(surface.cells().count(), 6);
-        assert_eq!(surface.range(), Some((11.0, 20.5)));
-    }
-
-    #[test]
-    fn jumps_are_bars_between_their_points() {
-        let bars = example().jumps();
-        assert_eq!(bars.len(), 2);
-        assert_eq!(bars[0], [[105.0, 20.0], [155.0, 20.0]]);
-        assert_eq!(bars[1], [[155.0, 20.0], [180.0, 20.0]]);
-    }
-
-    #[test]
-    fn the_valley_is_the_lowest_of_each_row() {
-        let lowest = [[80.0, -30.0], [130.0, -10.0], [180.0, 10.0]];
-        assert_eq!(example().valley(), lowest);
-    }
-
-    #[test]
-    fn what_fills_no_grid_is_no_surface() {
-        let cut = TABLE.rsplit_once("180,30").unwrap().0;
-        let table = BoundaryTable::parse(cut).unwrap();
-        assert_eq!(Surface::of(&table, |_| true), None);
-        assert_eq!(Surface::of(&table, |slow| slow < 100.0), None);
-        assert!(Surface::of(&table, |slow| slow < 150.0).is_some());
-    }
-}
+#[path = "surface_tests.rs"]
+pub(crate) mod tests;

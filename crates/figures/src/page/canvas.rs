@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::style::{Colour, Style};
+use crate::text::{Anchor, Font, escaped, with_subscripts};
 use crate::thinning::thinned;
 
 /// A place on the picture: pixels to the right and downward.
@@ -9,131 +11,10 @@ pub type Point = (f64, f64);
 
 /// Typefaces, in the order in which a viewer should look for them.
 const TYPEFACE: &str = "Helvetica, Arial, DejaVu Sans, sans-serif";
-/// Width of a letter relative to the size of the type, on average: there is no font to measure with.
-const LETTER: f64 = 0.58;
 /// Height of the middle of a capital letter over its base line, relative to the size of the type.
 const MIDDLE: f64 = 0.36;
 /// What a curve may be off after thinning, pixels.
 const THINNED_BY: f64 = 0.03;
-
-/// A colour: red, green and blue.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Colour(pub u8, pub u8, pub u8);
-
-/// White.
-pub const WHITE: Colour = Colour(255, 255, 255);
-
-/// How a shape is filled and outlined.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Style {
-    fill: Option<Colour>,
-    stroke: Option<(Colour, f64)>,
-    dashes: Option<(f64, f64)>,
-    opacity: Option<f64>,
-}
-
-impl Style {
-    /// Filled, without an outline.
-    pub fn fill(colour: Colour) -> Self {
-        Self {
-            fill: Some(colour),
-            ..Self::default()
-        }
-    }
-
-    /// Outlined by a line of a width in pixels, not filled.
-    pub fn stroke(colour: Colour, width: f64) -> Self {
-        Self::default().outlined(colour, width)
-    }
-
-    /// With an outline of a width in pixels.
-    pub fn outlined(self, colour: Colour, width: f64) -> Self {
-        Self {
-            stroke: Some((colour, width)),
-            ..self
-        }
-    }
-
-    /// With a broken outline: lengths of a dash and of a gap, pixels.
-    pub fn dashed(self, dashes: Option<(f64, f64)>) -> Self {
-        Self { dashes, ..self }
-    }
-
-    /// Seen through: 0 is invisible, 1 opaque.
-    pub fn opacity(self, opacity: f64) -> Self {
-        Self {
-            opacity: Some(opacity),
-            ..self
-        }
-    }
-
-    fn attributes(&self) -> String {
-        let mut text = match self.fill {
-            Some(colour) => format!(" fill=\"{}\"", hex(colour)),
-            None => " fill=\"none\"".to_owned(),
-        };
-        if let Some((colour, width)) = self.stroke {
-            text += &format!(" stroke=\"{}\" stroke-width=\"{width}\"", hex(colour));
-        }
-        if let Some((dash, gap)) = self.dashes {
-            text += &format!(" stroke-dasharray=\"{dash} {gap}\"");
-        }
-        if let Some(opacity) = self.opacity {
-            text += &format!(" opacity=\"{opacity}\"");
-        }
-        text
-    }
-}
-
-/// Which part of a text stands at its place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Anchor {
-    /// Its first letter.
-    Start,
-    /// Its middle.
-    Middle,
-    /// Its last letter.
-    End,
-}
-
-/// Size (pixels), colour and anchor of a text.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Font {
-    size: f64,
-    colour: Colour,
-    anchor: Anchor,
-    is_upright: bool,
-}
-
-impl Font {
-    /// A horizontal text with its middle at its place.
-    pub fn new(size: f64, colour: Colour) -> Self {
-        Self {
-            size,
-            colour,
-            anchor: Anchor::Middle,
-            is_upright: false,
-        }
-    }
-
-    /// With another part of the text at its place.
-    pub fn anchor(self, anchor: Anchor) -> Self {
-        Self { anchor, ..self }
-    }
-
-    /// Written upward.
-    pub fn upright(self) -> Self {
-        Self {
-            is_upright: true,
-            ..self
-        }
-    }
-}
-
-/// Width of a text in type of a size, pixels, estimated.
-pub fn text_width(text: &str, size: f64) -> f64 {
-    text.chars().count() as f64 * LETTER * size
-}
 
 /// A picture under construction.
 #[derive(Debug)]
@@ -182,12 +63,12 @@ impl Canvas {
     }
 
     /// Fills polygons that lie beside those of other colours; no paper shines through between them.
-    pub fn mosaic(&mut self, polygons: &[Vec<Point>], colour: Colour) {
+    pub fn fill_tiles(&mut self, polygons: &[Vec<Point>], colour: Colour) {
         self.fill(polygons, colour, " shape-rendering=\"crispEdges\"");
     }
 
     /// Fills polygons as one shape; no paper shines through between them.
-    pub fn areas(&mut self, polygons: &[Vec<Point>], colour: Colour) {
+    pub fn fill_areas(&mut self, polygons: &[Vec<Point>], colour: Colour) {
         self.fill(polygons, colour, "");
     }
 
@@ -249,14 +130,10 @@ impl Canvas {
             "<text x=\"{}\" y=\"{}\" font-size=\"{size}\" fill=\"{}\"{anchor}{turn}>{}</text>",
             number(x),
             number(y + MIDDLE * size),
-            hex(colour),
+            colour.hex(),
             with_subscripts(&escaped(text))
         );
     }
-}
-
-fn hex(Colour(r, g, b): Colour) -> String {
-    format!("#{r:02X}{g:02X}{b:02X}")
 }
 
 /// A coordinate to a hundredth of a pixel.
@@ -269,47 +146,10 @@ fn coarse(value: f64) -> f64 {
     (value * 10.0).round() / 10.0 + 0.0
 }
 
-/// A text as XML allows it.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => safe += "&amp;",
-            '<' => safe += "&lt;",
-            '>' => safe += "&gt;",
-            letter if letter.is_control() => safe.push(' '),
-            letter => safe.push(letter),
-        }
-    }
-    safe
-}
-
-/// Sets the letters of V_H and V_V as subscripts.
-fn with_subscripts(text: &str) -> String {
-    let mut parts = text.split("V_");
-    let mut set = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        match part.chars().next() {
-            Some(index @ ('H' | 'V')) => {
-                set += &format!("V<tspan dy=\"3\" font-size=\"75%\">{index}</tspan>");
-                let rest = &part[1..];
-                if !rest.is_empty() {
-                    // Back to the base line.
-                    set += &format!("<tspan dy=\"-3\">{rest}</tspan>");
-                }
-            }
-            _ => {
-                set += "V_";
-                set += part;
-            }
-        }
-    }
-    set
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::style::WHITE;
 
     #[test]
     fn places_are_finer_than_pixels() {

@@ -1,7 +1,9 @@
 //! The rectangle that two axes span, with its grid, numbers and titles.
 
-use crate::canvas::{Anchor, Canvas, Font, Point, Style, text_width};
-use crate::ink;
+use crate::canvas::{Canvas, Point};
+use crate::palette;
+use crate::style::Style;
+use crate::text::{Anchor, Font, text_width};
 
 /// Part of a picture, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,8 +123,8 @@ impl Frame {
             right,
             bottom,
         } = self.area;
-        let axis = Style::stroke(ink::TEXT, 1.0);
-        let numbers = Font::new(NUMBER, ink::TEXT);
+        let axis = Style::stroke(palette::TEXT, 1.0);
+        let numbers = Font::new(NUMBER, palette::TEXT);
         for (value, text) in &self.across.ticks {
             let (x, _) = self.place((*value, self.up.ends.0));
             canvas.curve(&[(x, top), (x, bottom)], grid);
@@ -137,7 +139,7 @@ impl Frame {
             canvas.text(text, place, numbers.anchor(Anchor::End));
         }
         canvas.curve(&[(left, top), (left, bottom), (right, bottom)], axis);
-        let titles = Font::new(TITLE, ink::TEXT);
+        let titles = Font::new(TITLE, palette::TEXT);
         if !self.across.title.is_empty() {
             let place = (0.5 * (left + right), self.outside.bottom - 12.0);
             canvas.text(&self.across.title, place, titles);

@@ -1,8 +1,10 @@
 //! Marks of a picture, and the lines under it that explain them.
 
 use crate::boundary_table::Kind;
-use crate::canvas::{Anchor, Canvas, Colour, Font, Point, Style, WHITE, text_width};
-use crate::ink;
+use crate::canvas::{Canvas, Point};
+use crate::palette;
+use crate::style::{Colour, Style, WHITE};
+use crate::text::{Anchor, Font, text_width};
 
 /// A mark in a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +17,7 @@ pub enum Mark {
     /// No transition: an open triangle.
     NoTransition,
     /// Lowest transition of a row of a map: a disc.
-    Valley,
+    Lowest,
     /// The boundary jumps: a bar.
     Jump,
     /// An open circle of this colour.
@@ -30,7 +32,7 @@ pub enum Mark {
 pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
     match mark {
         Mark::Transition(kind) => {
-            let colour = ink::mark(kind);
+            let colour = palette::mark(kind);
             let inner = side - 1.0;
             match kind {
                 Kind::Unstable => canvas.circle((x, y), inner, Style::fill(colour)),
@@ -54,7 +56,7 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
                 (x - side, y - side + 1.0),
                 (x + side, y - side + 1.0),
             ];
-            canvas.polygon(&corners, Style::fill(ink::mark(kind)));
+            canvas.polygon(&corners, Style::fill(palette::mark(kind)));
         }
         Mark::NoTransition => {
             let corners = [
@@ -62,12 +64,12 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
                 (x - side, y + side - 1.0),
                 (x + side, y + side - 1.0),
             ];
-            canvas.polygon(&corners, Style::fill(WHITE).outlined(ink::NONE, 1.0));
+            canvas.polygon(&corners, Style::fill(WHITE).outlined(palette::NONE, 1.0));
         }
-        Mark::Valley => canvas.circle((x, y), side - 1.0, Style::fill(ink::VALLEY)),
+        Mark::Lowest => canvas.circle((x, y), side - 1.0, Style::fill(palette::LOWEST)),
         Mark::Jump => {
             let ends = [(x, y - side - 1.0), (x, y + side + 1.0)];
-            canvas.curve(&ends, Style::stroke(ink::JUMP, ink::JUMP_WIDTH));
+            canvas.curve(&ends, Style::stroke(palette::JUMP, palette::JUMP_WIDTH));
         }
         Mark::Ring(colour) => canvas.circle((x, y), side - 1.0, Style::stroke(colour, 1.5)),
         Mark::Line(style) => {
@@ -132,8 +134,8 @@ pub fn draw(canvas: &mut Canvas, rows: &[&[Entry]], middle: f64, top: f64) {
         let mut x = middle - 0.5 * (used + GAP * (entries.len() as f64 - 1.0));
         for (mark, text) in *entries {
             let width = mark_width(*mark);
-            draw_mark(canvas, *mark, (x + 0.5 * (width - 8.0), y), ink::MARK);
-            let font = Font::new(SIZE, ink::TEXT).anchor(Anchor::Start);
+            draw_mark(canvas, *mark, (x + 0.5 * (width - 8.0), y), palette::MARK);
+            let font = Font::new(SIZE, palette::TEXT).anchor(Anchor::Start);
             canvas.text(text, (x + width, y), font);
             x += width + text_width(text, SIZE) + GAP;
         }
@@ -146,7 +148,7 @@ mod tests {
 
     #[test]
     fn entries_that_do_not_fit_go_to_the_next_row() {
-        let entry = |text: &str| (Mark::Valley, text.to_owned());
+        let entry = |text: &str| (Mark::Lowest, text.to_owned());
         let entries = [entry("one"), entry("two"), entry(&"long ".repeat(12))];
         let lengths: Vec<usize> = rows(&entries, 500.0).iter().map(|row| row.len()).collect();
         assert_eq!(lengths, [2, 1]);

@@ -1,10 +1,12 @@
 //! The sheet that all pictures share: title and captions above, the body, the legend below.
 
-use crate::canvas::{Canvas, Colour, Font, text_width};
+use crate::canvas::Canvas;
 use crate::caption::Caption;
 use crate::frame::Area;
-use crate::ink;
 use crate::legend::{self, Entry};
+use crate::palette;
+use crate::style::Colour;
+use crate::text::{Font, text_width};
 
 /// Space at the left and right edge that no text enters, pixels.
 const MARGIN: f64 = 24.0;
@@ -43,13 +45,13 @@ pub fn begin(width: f64, height: Height, caption: &Caption, entries: &[Entry]) -
     let mut lines: Vec<(String, f64, f64, Colour)> = Vec::new();
     let mut y = ABOVE;
     for line in wrapped(&caption.title, TITLE, text_room) {
-        lines.push((line, y, TITLE, ink::TEXT));
+        lines.push((line, y, TITLE, palette::TEXT));
         y += TITLE_LINE;
     }
     for (text, colour) in [
-        (Some(&caption.conditions), ink::PALE_TEXT),
-        (caption.worst_over.as_ref(), ink::TEXT),
-        (caption.statement.as_ref(), ink::STATEMENT),
+        (Some(&caption.conditions), palette::PALE_TEXT),
+        (caption.worst_over.as_ref(), palette::TEXT),
+        (caption.statement.as_ref(), palette::STATEMENT),
     ] {
         for line in wrapped(text.map_or("", String::as_str), TEXT, text_room) {
             lines.push((line, y, TEXT, colour));

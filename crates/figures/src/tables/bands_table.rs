@@ -46,7 +46,7 @@ impl BandsTable {
             let kind = match row.text(outcome) {
                 "stable" => None,
                 name => Some(Kind::from_name(name).ok_or_else(|| {
-                    row.complain(outcome, "stable, unstable, bottomed, failure or undecided")
+                    row.error(outcome, "stable, unstable, bottomed, failure or undecided")
                 })?),
             };
             let band = Band {

@@ -74,7 +74,7 @@ impl HistoryTable {
             })
             .collect();
         let mut landings: Vec<History> = Vec::new();
-        for row in table.some_rows()? {
+        for row in table.nonempty_rows()? {
             let number = |column: usize| row.number(column);
             let told = |column: &Option<usize>| {
                 let told = column.filter(|column| !row.text(*column).is_empty());

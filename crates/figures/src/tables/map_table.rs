@@ -63,7 +63,7 @@ impl MapTable {
         };
         let axes = [slow.to_owned(), fast.to_owned()];
         let corners = table
-            .some_rows()?
+            .nonempty_rows()?
             .map(|row| Ok((place(row)?, row.number(speed)?)));
         let corners = corners.collect::<Result<Vec<Corner>, FigureError>>()?;
         let (triangles, _) = corners.as_chunks::<3>();
@@ -95,7 +95,7 @@ fn read_edges(csv: &str) -> Result<Vec<Edge>, FigureError> {
                 "end" => EdgeKind::End,
                 "jump" => EdgeKind::Jump,
                 "bands" => EdgeKind::Bands,
-                _ => return Err(row.complain(kind, "end, jump or bands")),
+                _ => return Err(row.error(kind, "end, jump or bands")),
             };
             let places = Vec::new();
             edges.push(Edge { kind, places });

@@ -71,7 +71,7 @@ impl SensitivityTable {
         let speed = table.column("first_transition_fps")?;
         let columns = Columns::of(&table)?;
         let mut points: Vec<Point> = Vec::new();
-        for row in table.some_rows()? {
+        for row in table.nonempty_rows()? {
             let slope = columns.slope(row)?;
             let names = table.names().into_iter().take(axes).enumerate();
             let place: Vec<(String, String)> = names

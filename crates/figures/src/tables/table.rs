@@ -62,7 +62,7 @@ impl Table {
     ///
     /// # Errors
     /// When there is none.
-    pub fn some_rows(&self) -> Result<impl Iterator<Item = Row<'_>>, FigureError> {
+    pub fn nonempty_rows(&self) -> Result<impl Iterator<Item = Row<'_>>, FigureError> {
         if self.rows.is_empty() {
             return Err(FigureError::Table("has no rows".to_owned()));
         }
@@ -103,14 +103,14 @@ impl<'t> Row<'t> {
     fn number_within(&self, column: usize, least: f64, most: f64) -> Result<f64, FigureError> {
         match self.text(column).parse::<f64>() {
             Ok(number) if (least..=most).contains(&number) => Ok(number),
-            _ => Err(self.complain(column, &format!("a number from {least:e} to {most:e}"))),
+            _ => Err(self.error(column, &format!("a number from {least} to {most}"))),
         }
     }
 
     /// A complaint about what stands in a column.
-    pub fn complain(&self, column: usize, allowed: &str) -> FigureError {
+    pub fn error(&self, column: usize, expected: &str) -> FigureError {
         let (name, value) = (&self.heading[column], self.text(column));
         let row = self.number;
-        FigureError::Table(format!("row {row}: {name} = {value}: allowed is {allowed}"))
+        FigureError::Table(format!("row {row}: {name} = {value}: expected {expected}"))
     }
 }

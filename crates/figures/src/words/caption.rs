@@ -49,7 +49,7 @@ impl Caption {
         let searched_to = input["search"]["to_fps"].as_f64();
         if let Some(speed) = searched_to.filter(|speed| !(0.0..=MOST_SEARCHED).contains(speed)) {
             return Err(FigureError::Table(format!(
-                "record: to_fps = {speed}: allowed is a number from 0 to {MOST_SEARCHED}"
+                "record: to_fps = {speed}: expected a number from 0 to {MOST_SEARCHED}"
             )));
         }
         Ok(Self {

@@ -76,7 +76,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             [] => None,
             levels => Some(
                 Levels::listed(levels)
-                    .map_err(|allowed| InputError::other(format!("--levels: {allowed}")))?,
+                    .map_err(|error| InputError::other(format!("--levels: {error}")))?,
             ),
         },
         worst_by: options.worst_by.clone(),
@@ -151,8 +151,7 @@ impl Files {
 /// Histories drawn over each other.
 fn overlay(tables: &[Files], out: &Path, choices: &Choices) -> Result<Picture, InputError> {
     if !tables.iter().all(|files| picture::is_history(&files.table)) {
-        let complaint =
-            "--out names one picture: allowed with it are one table or several histories";
+        let complaint = "--out names one picture: expected one table or several histories with it";
         return Err(InputError::other(complaint).at(Place::file(out)));
     }
     let mut sources: Vec<Source> = tables.iter().map(Files::source).collect();
@@ -215,7 +214,7 @@ fn form_of(out: &Path) -> Result<Form, InputError> {
         Some("svg") => Ok(Form::Svg),
         Some("png") => Ok(Form::Png),
         _ => Err(InputError::other(
-            "is not the name of a picture: allowed is one that ends in .svg or .png",
+            "is not the name of a picture: expected one that ends in .svg or .png",
         )
         .at(Place::file(out))),
     }

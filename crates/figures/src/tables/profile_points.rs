@@ -5,7 +5,7 @@ use crate::boundary_table::{BoundaryTable, Transition};
 
 /// A point of the profile.
 #[derive(Debug, Clone)]
-pub struct Station {
+pub struct ProfilePoint {
     /// Value of the axis.
     pub x: f64,
     /// What the sweep found there.
@@ -15,26 +15,26 @@ pub struct Station {
 }
 
 /// The points of a table with one axis, from left to right.
-pub fn along(table: &BoundaryTable, bands: Option<&BandsTable>) -> Vec<Station> {
-    let mut stations: Vec<Station> = table
+pub fn along(table: &BoundaryTable, bands: Option<&BandsTable>) -> Vec<ProfilePoint> {
+    let mut points: Vec<ProfilePoint> = table
         .points
         .iter()
         .filter_map(|point| {
-            Some(Station {
+            Some(ProfilePoint {
                 x: *point.coordinates.first()?,
                 transition: point.transition,
                 bands: bands.map_or(Vec::new(), |bands| bands.at(&point.coordinates).to_vec()),
             })
         })
         .collect();
-    stations.sort_by(|a, b| a.x.total_cmp(&b.x));
-    stations
+    points.sort_by(|a, b| a.x.total_cmp(&b.x));
+    points
 }
 
 /// Values of the axis from the first to the last point, with a margin.
-pub fn horizontal_range(stations: &[Station]) -> (f64, f64) {
-    let first = stations.first().map_or(0.0, |station| station.x);
-    let last = stations.last().map_or(1.0, |station| station.x);
+pub fn horizontal_range(points: &[ProfilePoint]) -> (f64, f64) {
+    let first = points.first().map_or(0.0, |point| point.x);
+    let last = points.last().map_or(1.0, |point| point.x);
     // A single point still needs a picture with some width.
     let margin = if last > first {
         0.025 * (last - first)
@@ -45,11 +45,11 @@ pub fn horizontal_range(stations: &[Station]) -> (f64, f64) {
 }
 
 /// Speeds from well below the lowest transition, so that the stable side shows, to the top.
-pub fn vertical_range(stations: &[Station], searched_to: Option<f64>) -> (f64, f64) {
+pub fn vertical_range(points: &[ProfilePoint], searched_to: Option<f64>) -> (f64, f64) {
     let speeds = || {
-        stations
+        points
             .iter()
-            .filter_map(|station| Some(station.transition?.speed))
+            .filter_map(|point| Some(point.transition?.speed))
     };
     let least = speeds().fold(f64::INFINITY, f64::min);
     let greatest = speeds().fold(0.0, f64::max);
@@ -65,9 +65,9 @@ pub fn vertical_range(stations: &[Station], searched_to: Option<f64>) -> (f64, f
 
 /// Neighbours that both have a transition: only between them is there a line to draw.
 pub fn segments(
-    stations: &[Station],
-) -> impl Iterator<Item = (&Station, &Station, Transition, Transition)> {
-    stations
+    points: &[ProfilePoint],
+) -> impl Iterator<Item = (&ProfilePoint, &ProfilePoint, Transition, Transition)> {
+    points
         .windows(2)
         .filter_map(|pair| Some((&pair[0], &pair[1], pair[0].transition?, pair[1].transition?)))
 }
@@ -77,14 +77,14 @@ pub(crate) mod tests {
     use super::*;
     use crate::boundary_table::Kind;
 
-    pub(crate) fn station(x: f64, speed: Option<f64>) -> Station {
+    pub(crate) fn point(x: f64, speed: Option<f64>) -> ProfilePoint {
         let transition = speed.map(|speed| Transition {
             kind: Kind::Unstable,
             speed,
             low: Some(speed),
             high: speed,
         });
-        Station {
+        ProfilePoint {
             x,
             transition,
             bands: Vec::new(),
@@ -94,17 +94,17 @@ pub(crate) mod tests {
     #[test]
     fn lines_join_neighbours_with_a_transition_only() {
         let speeds = [Some(11.0), Some(12.0), None, Some(13.0)];
-        let stations: Vec<Station> = (0..4).map(|i| station(i as f64, speeds[i])).collect();
-        let joined: Vec<_> = segments(&stations).map(|(a, b, ..)| (a.x, b.x)).collect();
+        let points: Vec<ProfilePoint> = (0..4).map(|i| point(i as f64, speeds[i])).collect();
+        let joined: Vec<_> = segments(&points).map(|(a, b, ..)| (a.x, b.x)).collect();
         assert_eq!(joined, [(0.0, 1.0)]);
     }
 
     #[test]
     fn the_picture_reaches_from_below_the_boundary_to_the_top_of_the_search() {
-        let stations = [station(-1.0, Some(11.4)), station(1.0, None)];
-        assert_eq!(vertical_range(&stations, Some(25.0)), (6.0, 25.0));
-        assert_eq!(vertical_range(&stations[1..], Some(25.0)), (0.0, 25.0));
-        assert_eq!(vertical_range(&stations, None), (10.0, 14.0));
-        assert_eq!(horizontal_range(&stations), (-1.05, 1.05));
+        let points = [point(-1.0, Some(11.4)), point(1.0, None)];
+        assert_eq!(vertical_range(&points, Some(25.0)), (6.0, 25.0));
+        assert_eq!(vertical_range(&points[1..], Some(25.0)), (0.0, 25.0));
+        assert_eq!(vertical_range(&points, None), (10.0, 14.0));
+        assert_eq!(horizontal_range(&points), (-1.05, 1.05));
     }
 }

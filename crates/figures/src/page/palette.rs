@@ -2,7 +2,7 @@
 //! colour-blind readers (after Okabe and Ito).
 
 use crate::boundary_table::Kind;
-use crate::canvas::Colour;
+use crate::style::Colour;
 
 /// Axes and their text.
 pub const TEXT: Colour = Colour(38, 38, 38);
@@ -17,13 +17,13 @@ pub const LINE: Colour = Colour(60, 60, 60);
 /// Outlines of the cells of a surface in perspective.
 pub const SURFACE: Colour = Colour(70, 70, 70);
 /// Cells of a map that the boundary jumps across.
-pub const TORN: Colour = Colour(236, 226, 232);
+pub const JUMP_CELL: Colour = Colour(236, 226, 232);
 /// Bars where the boundary jumps.
 pub const JUMP: Colour = Colour(190, 30, 100);
 /// Where the velocity bisects the leading feet.
 pub const BISECTOR: Colour = Colour(0, 0, 0);
 /// The lowest transition of each row of a map.
-pub const VALLEY: Colour = Colour(230, 90, 0);
+pub const LOWEST: Colour = Colour(230, 90, 0);
 /// Marks of points without a transition.
 pub const NONE: Colour = Colour(0, 130, 100);
 /// Width of the bars where the boundary jumps, pixels.
