@@ -31,6 +31,7 @@ FLOORS = {
         ["lib"],
         ["threads"],
         ["output"],
+        ["maps"],
         ["journal"],
         ["summary"],
         ["sensitivity"],

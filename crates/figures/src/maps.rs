@@ -8,5 +8,6 @@ pub mod levels;
 pub mod map_legend;
 pub mod map_view;
 pub mod perspective;
+pub mod refined_map;
 pub mod surface;
 pub mod view_point;

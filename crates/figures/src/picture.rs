@@ -10,9 +10,11 @@ use crate::figure_error::FigureError;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
 use crate::levels::Levels;
+use crate::map_table::{self, MapTable};
 use crate::map_view::View;
 use crate::perspective;
 use crate::probability_chart;
+use crate::refined_map;
 use crate::sensitivity_table::{self, SensitivityTable};
 use crate::surface::Surface;
 use crate::tornado_chart;
@@ -36,6 +38,8 @@ pub struct Source<'s> {
     pub table: &'s str,
     /// The table of bands beside it.
     pub bands: Option<&'s str>,
+    /// The table of edges beside the triangles of a map.
+    pub edges: Option<&'s str>,
     /// The record beside it.
     pub record: Option<&'s str>,
 }
@@ -105,6 +109,20 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
         return distribution_chart::draw(table, &caption).map(only);
     }
     choices.check("a sweep", true, false)?;
+    if map_table::is_one(table) {
+        let map = MapTable::parse(table, source.edges)?;
+        let levels = choices.levels.as_ref();
+        return Ok(vec![
+            Picture {
+                suffix: "-contours",
+                svg: refined_map::contours(&map, levels, &caption),
+            },
+            Picture {
+                suffix: "-perspective",
+                svg: refined_map::perspective(&map, levels, &caption),
+            },
+        ]);
+    }
     let all: Vec<String> = (BoundaryTable::axes(table)?.into_iter())
         .map(|axis| axis.name)
         .collect();

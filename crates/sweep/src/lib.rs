@@ -6,6 +6,7 @@
 //! |---|---|
 //! | `threads` | landings and searches on all cores |
 //! | `output` | result tables, records, histories; tables of cases |
+//! | `maps` | which points a map wants next, its surface and its edges |
 //! | [`journal`] | every finished point on the disk at once: resumed, sharded, merged |
 //! | `summary` | what is found at a point, and what all points come to |
 //! | [`sensitivity`] | how a transition depends on the input |
@@ -22,6 +23,7 @@
 
 mod documents;
 mod input;
+mod maps;
 mod output;
 mod points;
 mod search;
@@ -39,10 +41,14 @@ use input::search_input;
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
 use journal::early_stop;
 pub use journal::{header, merge, point_set, shard};
+use maps::{cell, cell_refinement, located_side, pieces};
+pub use maps::{edge_lines, height, resampled, rounds, surface_pieces};
 use output::parquet_table;
-pub use output::{bands_table, cases, history, input_keys, results, sensitivity_table, tables};
-pub use points::{assignment, design, distribution, grid, levels, parameter, sample};
-use points::{axis_input, joint_normal, sample_input, sensitivity_input};
+pub use output::{
+    bands_table, cases, history, input_keys, map_tables, results, sensitivity_table, tables,
+};
+pub use points::{assignment, design, distribution, grid, levels, parameter, refined_grid, sample};
+use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
 pub use search::{
     bands, boundary, certainty, first_transition, hidden, hidden_band_checks, lattice, refine,
     scan, search_range, skipped, trial,

@@ -62,7 +62,8 @@ pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) 
     canvas.into_svg()
 }
 
-fn frame(area: Area, surface: &Surface, view: &View) -> Frame {
+/// The frame of a map with its scales.
+pub fn frame(area: Area, surface: &Surface, view: &View) -> Frame {
     let [across, up] = view.ranges(surface);
     let [slow, fast] = &surface.axes;
     let scale = |axis: &str, ends: (f64, f64), count, label: &dyn Fn(f64) -> String| Scale {
@@ -123,41 +124,11 @@ impl Map<'_> {
 
     fn draw_isolines(&self, canvas: &mut Canvas, levels: &Levels) {
         let discs = self.places(self.surface.lowest_in_rows());
-        let mut labels: Vec<(Point, String)> = Vec::new();
-        for level in levels.values() {
-            let label = number::label(*level);
-            let room = 0.5 * text_width(&label, LABEL) + 4.0;
-            for line in isolines::lines(self.surface, *level) {
-                let line = self.places(line);
-                canvas.curve(&line, Style::stroke(palette::TEXT, 1.3));
-                let lengths = line.windows(2).map(|ends| distance(ends[0], ends[1]));
-                if lengths.sum::<f64>() < LABELLED {
-                    continue;
-                }
-                // The middle, or else what is nearest to it and free.
-                let mut order: Vec<usize> = (0..line.len()).collect();
-                order.sort_by_key(|index| index.abs_diff(line.len() / 2));
-                let is_free = |place: &Point| {
-                    let area = &self.frame.area;
-                    labels
-                        .iter()
-                        .all(|(other, _)| distance(*place, *other) > APART)
-                        && discs.iter().all(|disc| distance(*place, *disc) > CLEAR)
-                        && (area.left + room..area.right - room).contains(&place.0)
-                        && (area.top + PAPER..area.bottom - PAPER).contains(&place.1)
-                };
-                let places = order.into_iter().map(|index| line[index]);
-                if let Some(place) = places.into_iter().find(is_free) {
-                    labels.push((place, label.clone()));
-                }
-            }
-        }
-        for ((x, y), label) in labels {
-            let [half, up] = [0.5 * text_width(&label, LABEL) + 3.0, 0.5 * PAPER];
-            let paper = Style::fill(WHITE).opacity(0.85);
-            canvas.rectangle((x - half, y - up), (x + half, y + up), paper);
-            canvas.text(&label, (x, y), Font::new(LABEL, palette::TEXT));
-        }
+        let lines = levels.values().iter().map(|level| {
+            let lines = isolines::lines(self.surface, *level).into_iter();
+            (*level, lines.map(|line| self.places(line)).collect())
+        });
+        draw_lines(canvas, &self.frame.area, &discs, lines);
     }
 
     fn draw_leading_feet(&self, canvas: &mut Canvas) {
@@ -184,6 +155,48 @@ impl Map<'_> {
         for (place, mark) in &self.surface.doubtful {
             draw_mark(canvas, *mark, self.place(*place), palette::MARK);
         }
+    }
+}
+
+/// Draws lines of equal height with their levels, which keep clear of discs and of each other.
+pub fn draw_lines(
+    canvas: &mut Canvas,
+    area: &Area,
+    discs: &[Point],
+    lines: impl Iterator<Item = (f64, Vec<Vec<Point>>)>,
+) {
+    let mut labels: Vec<(Point, String)> = Vec::new();
+    for (level, lines) in lines {
+        let label = number::label(level);
+        let room = 0.5 * text_width(&label, LABEL) + 4.0;
+        for line in lines {
+            canvas.curve(&line, Style::stroke(palette::TEXT, 1.3));
+            let lengths = line.windows(2).map(|ends| distance(ends[0], ends[1]));
+            if lengths.sum::<f64>() < LABELLED {
+                continue;
+            }
+            // The middle, or else what is nearest to it and free.
+            let mut order: Vec<usize> = (0..line.len()).collect();
+            order.sort_by_key(|index| index.abs_diff(line.len() / 2));
+            let is_free = |place: &Point| {
+                labels
+                    .iter()
+                    .all(|(other, _)| distance(*place, *other) > APART)
+                    && discs.iter().all(|disc| distance(*place, *disc) > CLEAR)
+                    && (area.left + room..area.right - room).contains(&place.0)
+                    && (area.top + PAPER..area.bottom - PAPER).contains(&place.1)
+            };
+            let places = order.into_iter().map(|index| line[index]);
+            if let Some(place) = places.into_iter().find(is_free) {
+                labels.push((place, label.clone()));
+            }
+        }
+    }
+    for ((x, y), label) in labels {
+        let [half, up] = [0.5 * text_width(&label, LABEL) + 3.0, 0.5 * PAPER];
+        let paper = Style::fill(WHITE).opacity(0.85);
+        canvas.rectangle((x - half, y - up), (x + half, y + up), paper);
+        canvas.text(&label, (x, y), Font::new(LABEL, palette::TEXT));
     }
 }
 

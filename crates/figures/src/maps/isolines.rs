@@ -10,7 +10,7 @@ use crate::surface::{Cell, Surface};
 pub type Place = [f64; 2];
 
 /// A corner of a triangle: place and height, ft/s.
-type Corner = (Place, f64);
+pub type Corner = (Place, f64);
 
 /// The four corners of a whole cell, and the place and mean height of its middle.
 fn corners(surface: &Surface) -> impl Iterator<Item = ([Corner; 4], Corner)> {
@@ -56,6 +56,13 @@ pub fn band(surface: &Surface, low: f64, high: f64) -> Vec<Vec<Place>> {
         .collect()
 }
 
+/// Polygons that cover where the height of triangles is from `low` up to `high`.
+pub fn band_of(triangles: &[[Corner; 3]], low: f64, high: f64) -> Vec<Vec<Corner>> {
+    let cut = |triangle: &[Corner; 3]| clip(&clip(triangle, low, 1.0), high, -1.0);
+    let polygons = triangles.iter().map(cut);
+    polygons.filter(|polygon| polygon.len() > 2).collect()
+}
+
 /// The part of a polygon above `level`, or below it for a `side` of −1.
 fn clip(polygon: &[Corner], level: f64, side: f64) -> Vec<Corner> {
     let inside = |corner: &Corner| side * (corner.1 - level) >= 0.0;
@@ -74,8 +81,16 @@ fn clip(polygon: &[Corner], level: f64, side: f64) -> Vec<Corner> {
 
 /// The lines at a level, each from end to end.
 pub fn lines(surface: &Surface, level: f64) -> Vec<Vec<Place>> {
-    let mut pieces: Vec<[Place; 2]> = corners(surface)
-        .flat_map(|(corners, middle)| triangles(corners, middle))
+    let cells = corners(surface);
+    lines_of(
+        cells.flat_map(|(corners, middle)| triangles(corners, middle)),
+        level,
+    )
+}
+
+/// The lines at a level of triangles, each from end to end.
+pub fn lines_of(triangles: impl Iterator<Item = [Corner; 3]>, level: f64) -> Vec<Vec<Place>> {
+    let mut pieces: Vec<[Place; 2]> = triangles
         .filter_map(|triangle| {
             let ends: Vec<Place> = (0..3)
                 .map(|i| (triangle[i], triangle[(i + 1) % 3]))

@@ -27,17 +27,14 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
     let border = body.right - colour_bar::WIDTH;
-    if let Some((least, greatest)) = surface.range() {
-        let step = round_step((greatest - least) / HEIGHT_LINES);
-        let floor = step * (least / step).floor();
-        let heights = [floor, (step * (greatest / step).ceil()).max(floor + step)];
+    if let Some((heights, step)) = heights(surface) {
         let area = Area {
             right: border,
             ..body
         };
         let point = ViewPoint::on(area, surface, heights);
         draw_box(&mut canvas, surface, &point, (heights, step));
-        draw_floor_marks(&mut canvas, surface, &point, floor);
+        draw_floor_marks(&mut canvas, surface, &point, heights[0]);
         draw_cells(&mut canvas, surface, levels, &point);
     }
     let bar = Area {
@@ -46,6 +43,15 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
     };
     colour_bar::draw(&mut canvas, bar, surface, levels);
     canvas.into_svg()
+}
+
+/// Heights of floor and top of the box around a surface, and the step between the lines on its walls, ft/s.
+pub fn heights(surface: &Surface) -> Option<([f64; 2], f64)> {
+    let (least, greatest) = surface.range()?;
+    let step = round_step((greatest - least) / HEIGHT_LINES);
+    let floor = step * (least / step).floor();
+    let top = (step * (greatest / step).ceil()).max(floor + step);
+    Some(([floor, top], step))
 }
 
 /// Draws whole cells from back to front, so that what is in front hides what is behind.
@@ -99,7 +105,7 @@ fn draw_floor_marks(canvas: &mut Canvas, surface: &Surface, point: &ViewPoint, f
 }
 
 /// Draws floor and back walls with their grid, and writes what runs along them.
-fn draw_box(
+pub fn draw_box(
     canvas: &mut Canvas,
     surface: &Surface,
     point: &ViewPoint,

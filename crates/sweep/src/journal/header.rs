@@ -97,6 +97,27 @@ impl Header {
         Shard::new(self.shard[0], self.shard[1]).unwrap_or(Shard::WHOLE)
     }
 
+    /// Whether the points are chosen from results: then every shard may have any of them.
+    fn is_map(&self) -> bool {
+        self.input.get("map").is_some()
+    }
+
+    /// How many points the journal can hold.
+    pub(crate) fn most_points(&self) -> usize {
+        match self.is_map() {
+            true => self.points,
+            false => self.shard().len(self.points),
+        }
+    }
+
+    /// Which of these a point is, if it is one.
+    pub(crate) fn index(&self, point: usize) -> Option<usize> {
+        match self.is_map() {
+            true => Some(point),
+            false => self.shard().index(point),
+        }
+    }
+
     pub(crate) fn to_bytes(&self) -> Vec<u8> {
         serde_json::json!(self).to_string().into_bytes()
     }

@@ -120,11 +120,7 @@ impl InOrder {
     /// # Errors
     /// Whatever the file system says, and when the journal has changed since it was looked through.
     pub fn result(&mut self, point: usize) -> Result<Option<Vec<u8>>, JournalError> {
-        let folder = Path::new("index of points");
-        let entry = *self
-            .index
-            .entry(point)
-            .map_err(|error| io_error(folder, error))?;
+        let entry = *self.index.entry(point).map_err(JournalError::index)?;
         let offset = entry & ((1 << OFFSET_BITS) - 1);
         let Some(number) = ((entry >> OFFSET_BITS) as usize).checked_sub(1) else {
             return Ok(None);

@@ -14,6 +14,7 @@ mod scan;
 pub mod shard;
 mod writer;
 
+use std::collections::HashMap;
 use std::fmt;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Seek, SeekFrom, Write};
@@ -23,6 +24,7 @@ use same_file::Handle;
 
 pub use in_order::InOrder;
 
+use crate::findings::Finding;
 use crate::header::Header;
 use crate::point_set::PointSet;
 use frame::HEADER_SEED;
@@ -92,6 +94,13 @@ impl fmt::Display for JournalError {
 
 impl std::error::Error for JournalError {}
 
+impl JournalError {
+    /// The index of points cannot be read.
+    pub(crate) fn index(error: io::Error) -> Self {
+        io_error(Path::new("index of points"), error)
+    }
+}
+
 /// A journal open for more points; no other process can open it meanwhile.
 #[derive(Debug)]
 pub struct Journal {
@@ -106,10 +115,27 @@ pub struct Journal {
 pub struct Opened {
     /// The journal.
     pub journal: Journal,
-    /// Which points of its shard it holds, by their index in the shard.
+    /// Which points of its shard it holds, by their index in the shard; of a map, by their numbers.
     pub done: PointSet,
     /// What was found damaged and what became of it.
     pub warnings: Vec<String>,
+}
+
+impl Opened {
+    /// What the points came to that are there, by their numbers below `points`.
+    pub(crate) fn findings(&self, points: usize) -> Result<HashMap<usize, Finding>, JournalError> {
+        let mut found = HashMap::new();
+        if self.done.is_empty() {
+            return Ok(found);
+        }
+        let mut results = self.journal.so_far(points)?;
+        for point in self.done.members() {
+            let bytes = results.result(point)?;
+            let finding = bytes.as_deref().and_then(Finding::decode);
+            found.extend(finding.map(|finding| (point, finding)));
+        }
+        Ok(found)
+    }
 }
 
 impl Journal {
@@ -358,8 +384,7 @@ fn recover(
     warnings: &mut Vec<String>,
 ) -> Result<(PointSet, u64), JournalError> {
     let refuse = |error| io_error(path, error);
-    let shard = header.shard();
-    let mut done = PointSet::none(shard.len(header.points));
+    let mut done = PointSet::none(header.most_points());
     let end = file.metadata().map_err(refuse)?.len();
     let mut damage: Vec<(u64, u64)> = Vec::new();
     let mut scan = Scan::new(file, head.seed, head.length, end).map_err(refuse)?;
@@ -367,7 +392,7 @@ fn recover(
         match piece {
             Piece::Frame { payload, .. } => {
                 let point = record(&payload).map(|(point, _)| point);
-                if let Some(index) = point.and_then(|point| shard.index(point)) {
+                if let Some(index) = point.and_then(|point| header.index(point)) {
                     done.insert(index);
                 }
             }
@@ -468,15 +493,14 @@ impl Records {
         let (records, there) = Self::open(path, Access::Shared)?;
         same(path, header, &there)?;
         let refuse = |error| io_error(path, error);
-        let shard = header.shard();
-        let mut done = PointSet::none(shard.len(header.points));
+        let mut done = PointSet::none(header.most_points());
         let end = records.file.metadata().map_err(refuse)?.len();
         let Head { seed, length } = records.head;
         let mut scan = Scan::new(&records.file, seed, length, end).map_err(refuse)?;
         while let Some(piece) = scan.next().map_err(refuse)? {
             if let Piece::Frame { payload, .. } = piece
                 && let Some((point, _)) = record(&payload)
-                && let Some(index) = shard.index(point)
+                && let Some(index) = header.index(point)
             {
                 done.insert(index);
             }

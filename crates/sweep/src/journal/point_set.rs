@@ -44,6 +44,15 @@ impl PointSet {
         number < self.count && self.bits[number / 64] >> (number % 64) & 1 == 1
     }
 
+    /// The numbers in it, upward.
+    pub fn members(&self) -> impl Iterator<Item = usize> {
+        let words = self.bits.iter().enumerate();
+        words.flat_map(|(word, bits)| {
+            let has = move |bit: &usize| bits >> bit & 1 == 1;
+            (0..64).filter(has).map(move |bit| 64 * word + bit)
+        })
+    }
+
     /// The numbers below the count that are not in it, upward.
     pub fn missing(&self) -> impl Iterator<Item = usize> {
         (0..self.count).filter(|number| !self.contains(*number))
@@ -64,5 +73,6 @@ mod tests {
         assert_eq!(missing.len(), 127);
         assert!(missing.iter().all(|number| !set.contains(*number)));
         assert_eq!((missing[0], missing[126]), (1, 128));
+        assert_eq!(set.members().collect::<Vec<_>>(), [0, 64, 129]);
     }
 }

@@ -3,8 +3,8 @@
 use crate::sensitivity_input::SENSITIVITY;
 use crate::sweep::SWEEP;
 use crate::{
-    axis_input, cases, joint_normal, method_input, sample_input, scene_file, scene_input,
-    search_input, settings_input, vehicle_file,
+    axis_input, cases, joint_normal, map_input, method_input, sample_input, scene_file,
+    scene_input, search_input, settings_input, vehicle_file,
 };
 
 /// A table of an input file and the keys that it may have.
@@ -50,6 +50,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("sample", &sample_input::SAMPLE),
         table("sampled axis", &sample_input::FORM),
         table("sample.covariance", &joint_normal::COVARIANCE),
+        table("map", &map_input::MAP),
         table("search", &search_input::SEARCH),
         table("sensitivity", &SENSITIVITY),
         table("solver", &solver),

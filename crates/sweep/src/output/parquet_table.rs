@@ -24,10 +24,11 @@ use crate::unit::unit;
 /// Rows of a group: what is in memory at once.
 const GROUP: usize = 1 << 16;
 /// Columns of words and of counts; all others hold numbers.
-const WORDS: [&str; 9] = [
+const WORDS: [&str; 10] = [
     "first_transition_to",
     "outcome",
     "kind",
+    "edge_kind",
     "failure",
     "axis",
     "certainty",
@@ -35,7 +36,7 @@ const WORDS: [&str; 9] = [
     "unit",
     "dependence",
 ];
-const COUNTS: [&str; 11] = [
+const COUNTS: [&str; 14] = [
     "landings",
     "derivative_evaluations",
     "band",
@@ -47,6 +48,9 @@ const COUNTS: [&str; 11] = [
     "not_stable",
     "points",
     "looks",
+    "level",
+    "edge",
+    "triangle",
 ];
 /// A table under way.
 pub(crate) struct ParquetTable {

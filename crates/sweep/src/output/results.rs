@@ -8,6 +8,7 @@ use crate::certainty::Certainty;
 use crate::findings::Finding;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, Cell};
+use crate::map_tables;
 use crate::probabilities::wilson;
 use crate::sweep::Part;
 use crate::sweep_counts::SweepCounts;
@@ -63,6 +64,9 @@ pub fn transition_name(boundary: &Boundary) -> String {
 /// Heading of the table of a sweep.
 pub fn heading(sweep: &Sweep) -> Vec<String> {
     match sweep.job {
+        Job::Boundary(_) if sweep.map().is_some() => {
+            sweep.heading(COLUMNS.into_iter().chain([map_tables::LEVEL]))
+        }
         Job::Boundary(_) => sweep.heading(COLUMNS),
         Job::Outcome { .. } => sweep.heading(landing_table::names(LEGS)),
     }
@@ -79,6 +83,7 @@ pub fn row(sweep: &Sweep, point: usize, finding: &Finding) -> Vec<String> {
         }
         Finding::Landing { cells, .. } => row.extend(cells.iter().map(Cell::to_string)),
     }
+    row.extend(sweep.map().map(|map| map.level(point).to_string()));
     row
 }
 

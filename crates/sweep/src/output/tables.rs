@@ -9,11 +9,13 @@ use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::parquet_table::ParquetTable;
+use crate::refined_grid::RefinedGrid;
+use crate::rounds::Rounds;
 use crate::sensitivity_table;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::Sweep;
 use crate::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS, TransitionStatistics};
-use crate::{bands_table, probabilities, results};
+use crate::{bands_table, map_tables, probabilities, results};
 
 /// Tables that are written but not yet in their places.
 #[derive(Debug)]
@@ -30,6 +32,8 @@ pub struct Tables {
     pub distribution: Option<Draft>,
     /// Sensitivities, if there are any.
     pub sensitivity: Option<Draft>,
+    /// Edges, regular table and triangles of a map.
+    pub of_map: Option<[Draft; 3]>,
     /// The same tables as Parquet files, if requested.
     pub parquet: Vec<Draft>,
     /// Counts over the points.
@@ -105,7 +109,15 @@ impl Tables {
             true => None,
         };
         let mut counts = SweepCounts::of(sweep);
-        for point in 0..sweep.design.count() {
+        let rounds = sweep.map().map(|map| rounds(map, results)).transpose()?;
+        let all: Box<dyn Iterator<Item = usize>> = match &rounds {
+            Some((_, missing)) if !missing.is_empty() && sweep.part.is_none() => {
+                return Err(TablesError::Point(missing[0]));
+            }
+            Some((rounds, _)) => Box::new(rounds.points().into_iter()),
+            None => Box::new(0..sweep.design.count()),
+        };
+        for point in all {
             let bytes = results.result(point)?;
             if bytes.is_none() && sweep.part.is_some() {
                 continue;
@@ -167,6 +179,16 @@ impl Tables {
             parquet.extend(more);
             Ok(Some(csv))
         };
+        let mut of_map = Vec::new();
+        let of_rounds = rounds.iter();
+        for written in of_rounds.flat_map(|(rounds, _)| map_tables::all(sweep, rounds)) {
+            let mut table = begin(written.end, &written.heading)?;
+            for row in written.rows {
+                table.add(&row)?;
+            }
+            of_map.extend(end(Some(table))?);
+        }
+        let of_map = <[Draft; 3]>::try_from(of_map).ok();
         Ok(Self {
             points,
             bands: end(bands)?,
@@ -174,10 +196,25 @@ impl Tables {
             quantiles: end(quantiles)?,
             distribution: end(distribution)?,
             sensitivity: end(sensitivities)?,
+            of_map,
             parquet,
             counts,
         })
     }
+}
+
+/// The points of a map as far as there are results, and those that are missing.
+///
+/// # Errors
+/// When a journal cannot be read.
+pub fn rounds<'m>(
+    map: &'m RefinedGrid,
+    results: &mut InOrder,
+) -> Result<(Rounds<'m>, Vec<usize>), JournalError> {
+    Rounds::of_results(map, |point| {
+        let bytes = results.result(point)?;
+        Ok(bytes.as_deref().and_then(Finding::decode))
+    })
 }
 
 /// A table under way.

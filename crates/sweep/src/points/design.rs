@@ -1,6 +1,7 @@
-//! The points of a sweep: a grid, or a sample.
+//! The points of a sweep: a grid, a sample, or the places of a map.
 
 use crate::grid::Grid;
+use crate::refined_grid::RefinedGrid;
 use crate::sample::Sample;
 
 /// Where the points of a sweep lie.
@@ -10,17 +11,20 @@ pub enum Design {
     Grid(Grid),
     /// Drawn from distributions.
     Sample(Sample),
+    /// Chosen among the places of a map from what was found before.
+    Map(RefinedGrid),
 }
 
 /// Points of a sample that are checked before a run.
 const MOST_PROBES: usize = 1000;
 
 impl Design {
-    /// Number of points, at least one.
+    /// Number of points, at least one; of a map, of all places that points may take.
     pub fn count(&self) -> usize {
         match self {
             Self::Grid(grid) => grid.count(),
             Self::Sample(sample) => sample.count(),
+            Self::Map(map) => map.count(),
         }
     }
 
@@ -29,14 +33,16 @@ impl Design {
         match self {
             Self::Grid(grid) => grid.coordinates(index),
             Self::Sample(sample) => sample.coordinates(index),
+            Self::Map(map) => map.coordinates(index),
         }
     }
 
-    /// Coordinates to check before a run: values and corners of a grid ([`Grid::probes`]), or the first points of a
-    /// sample.
+    /// Coordinates to check before a run: values and corners of a grid ([`Grid::probes`]), the first points of a sample, or
+    /// the first level of a map.
     pub fn probes(&self) -> Vec<Vec<f64>> {
         match self {
             Self::Grid(grid) => grid.probes(),
+            Self::Map(map) => map.first_level().probes(),
             Self::Sample(sample) => {
                 let first = 0..sample.count().min(MOST_PROBES);
                 first.map(|index| sample.coordinates(index)).collect()

@@ -124,6 +124,25 @@ impl Levels {
         }
     }
 
+    /// These values with each interval between neighbours divided into equal `parts`; `None` for more than `most`.
+    pub fn divided(&self, parts: usize, most: usize) -> Option<Self> {
+        let count = (self.count() - 1).checked_mul(parts)?.checked_add(1)?;
+        if count > most {
+            return None;
+        }
+        let value = |index: usize| {
+            let (below, part) = (self.value(index / parts), index % parts);
+            match part {
+                0 => below,
+                _ => {
+                    let step = (self.value(index / parts + 1) - below) / parts as f64;
+                    snapped(below + part as f64 * step, step)
+                }
+            }
+        };
+        Some(Self::List((0..count).map(value).collect()))
+    }
+
     /// All values.
     pub fn values(&self) -> impl Iterator<Item = f64> {
         (0..self.count()).map(|index| self.value(index))
@@ -208,6 +227,16 @@ mod tests {
             values(Levels::logarithmic(54.0, 216.0, 3.0)),
             [54.0, 108.0, 216.0]
         );
+    }
+
+    #[test]
+    fn intervals_are_divided_into_equal_parts() {
+        let levels = Levels::list(vec![0.0, 0.3, 1.3]).unwrap();
+        assert_eq!(
+            values(Ok(levels.divided(2, 9).unwrap())),
+            [0.0, 0.15, 0.3, 0.8, 1.3]
+        );
+        assert_eq!(levels.divided(5, 9), None);
     }
 
     #[test]

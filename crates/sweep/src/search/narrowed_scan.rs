@@ -156,6 +156,8 @@ impl NarrowedScan {
     fn add(&mut self, narrowed: Narrowed) {
         self.checks.gaps += narrowed.checks;
         self.skipped.interpolated += narrowed.interpolated;
+        self.spent[0] += narrowed.spent[0];
+        self.spent[1] += narrowed.spent[1];
         for end in narrowed.ends {
             let is_end = |sample: &Sample| sample.speed == end.speed;
             match self.samples.iter().position(is_end) {

@@ -18,7 +18,8 @@
 //! transition at 14.311, and interpolation finds the one, halving the other. Halving therefore holds
 //! where nothing is said.
 //!
-//! Where margins jump or turn back an interval may hold more than one. Its wide gaps are looked at again then.
+//! Where margins jump or turn back an interval may hold more than one change. It is halved after all then, so that both ways
+//! give the same, and its wide gaps are looked at again.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -62,6 +63,8 @@ pub(crate) struct Narrowed {
     pub(crate) ends: Vec<Sample>,
     /// Whether those ended alike at either tolerance.
     pub(crate) holds: bool,
+    /// Landings that are not among the samples, and evaluations in them.
+    pub(crate) spent: [u64; 2],
     /// Gaps between like landings that were looked into for another change.
     pub(crate) checks: CheckCounts,
     /// Landings that halving takes more than interpolating did.
@@ -100,9 +103,30 @@ impl Narrowing {
         };
         let is_regular = is_regular(&ends, &nodes);
         if self.refinement == Refinement::Margin {
-            narrowed.interpolated = lattice.halvings() as i64 - nodes.len() as i64;
+            let halvings = if is_regular { lattice.halvings() } else { 0 };
+            narrowed.interpolated = halvings as i64 - nodes.len() as i64;
         }
         if !is_regular {
+            if self.refinement == Refinement::Margin {
+                // The margins led astray, or to one of several changes: only halving counts.
+                let evaluations = nodes.iter().map(|node| node.sample.trial.evaluations);
+                narrowed.spent = [nodes.len() as u64, evaluations.sum()];
+                nodes.clear();
+                let halving = Self {
+                    refinement: Refinement::Bisection,
+                    ..*self
+                };
+                let [from, to] = ends.clone();
+                let mut land = async |index| {
+                    let node = Node {
+                        index,
+                        sample: sample(lattice.speed(index)).await?,
+                    };
+                    nodes.push(node.clone());
+                    Ok(node)
+                };
+                halving.narrow(from, to, &mut land).await?;
+            }
             let mut land = async |index| {
                 let sample = sample(lattice.speed(index)).await?;
                 Ok(Node { index, sample })

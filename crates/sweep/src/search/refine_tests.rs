@@ -17,10 +17,14 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
     let mut samples = narrowed.samples;
     assert!(narrowed.holds && narrowed.ends.is_empty());
-    let landings = samples.len() - 2 * narrowed.checks.checks as usize;
-    let interpolated = match refinement {
-        Refinement::Bisection => 0,
-        Refinement::Margin => HALVINGS as i64 - landings as i64,
+    let landings = match narrowed.spent[0] {
+        0 => samples.len() - 2 * narrowed.checks.checks as usize,
+        spent => spent as usize,
+    };
+    let interpolated = match (refinement, narrowed.spent[0]) {
+        (Refinement::Bisection, _) => 0,
+        (Refinement::Margin, 0) => HALVINGS as i64 - landings as i64,
+        (Refinement::Margin, spent) => -(spent as i64),
     };
     assert_eq!(narrowed.interpolated, interpolated);
     samples.extend([low, high]);

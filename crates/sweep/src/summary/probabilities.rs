@@ -162,6 +162,7 @@ impl Probabilities {
             let written = |value: f64| axis.written(value);
             match &sweep.design {
                 Design::Grid(grid) => Bins::of_levels(&grid.axes()[index], written),
+                Design::Map(map) => Bins::of_levels(&map.first_level().axes()[index], written),
                 Design::Sample(sample) => {
                     Bins::of_distribution(&sample.axes()[index].marginal(), written)
                 }

@@ -58,6 +58,16 @@ impl Sweep {
             let names = self.sensitivity.iter().map(Parameter::name);
             input["sensitivity"] = names.collect();
         }
+        if let Some(map) = self.map() {
+            let named = |axis: usize| self.axes[map.axes()[axis]].name();
+            input["map"] = json!({
+                "parts_of_first_level": { (named(0)): map.parts()[0], (named(1)): map.parts()[1] },
+                "error_fps": map.rules.error,
+                "jump_fps": map.rules.jump,
+                "budget_landings": map.rules.budget,
+                "grid_steps": map.rules.grid_steps,
+            });
+        }
         if let Design::Sample(sample) = &self.design {
             input["sample"] = json!({
                 "design": sample.design().name(),
@@ -72,6 +82,7 @@ impl Sweep {
         let value = |(index, axis): (usize, &Parameter)| {
             let value = match &self.design {
                 Design::Grid(grid) => levels_of(axis, &grid.axes()[index]),
+                Design::Map(map) => levels_of(axis, &map.first_level().axes()[index]),
                 Design::Sample(sample) => self.sampled_axis(&sample.axes()[index]),
             };
             (axis.name().to_owned(), value)
@@ -98,6 +109,7 @@ impl Sweep {
     fn together(&self) -> Vec<Vec<&str>> {
         let groups: Vec<Vec<usize>> = match &self.design {
             Design::Grid(grid) => grid.dimensions().to_vec(),
+            Design::Map(map) => map.first_level().dimensions().to_vec(),
             Design::Sample(sample) => {
                 let mut groups = vec![Vec::new(); sample.axes().len()];
                 for (index, axis) in sample.axes().iter().enumerate() {

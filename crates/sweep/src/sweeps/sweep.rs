@@ -8,13 +8,14 @@ use touchdown_dynamics::scene::Settings;
 use crate::design::Design;
 use crate::document::Document;
 use crate::parameter::Parameter;
+use crate::refined_grid::RefinedGrid;
 use crate::scene_input::NamedConditions;
 use crate::search_range::Search;
 use crate::source::Source;
 use crate::vehicle_file::VehicleFile;
 
 /// Keys of a sweep file.
-pub(crate) const SWEEP: [&str; 10] = [
+pub(crate) const SWEEP: [&str; 11] = [
     "title",
     "statement",
     "job",
@@ -22,6 +23,7 @@ pub(crate) const SWEEP: [&str; 10] = [
     "scene",
     "axes",
     "sample",
+    "map",
     "search",
     "sensitivity",
     "solver",
@@ -113,6 +115,14 @@ impl Sweep {
         self.title = format!("Partial, {points} of {of} points: {}", self.title);
         self.part = Some(Part { points, of });
         self
+    }
+
+    /// The places of its points, if it is a map.
+    pub fn map(&self) -> Option<&RefinedGrid> {
+        match &self.design {
+            Design::Map(map) => Some(map),
+            Design::Grid(_) | Design::Sample(_) => None,
+        }
     }
 
     /// Where to search, if the sweep searches.

@@ -19,7 +19,7 @@ use crate::sensitivity_input;
 use crate::sweep::{OverrideNames, SWEEP};
 use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
-use crate::{case, sample_input, search_input, settings_input};
+use crate::{case, map_input, sample_input, search_input, settings_input};
 
 impl Sweep {
     /// Reads a sweep file and the vehicle file that it names, and checks all of both.
@@ -57,7 +57,7 @@ impl Sweep {
         }
         let design = match sampled {
             Some(sampled) => Design::Sample(sampled.sample),
-            None => Design::Grid(grid(&root, &entries)?),
+            None => grid_or_map(&root, &entries)?,
         };
         let axes: Vec<Parameter> = entries
             .iter()
@@ -168,6 +168,16 @@ fn check_names(
     entries: &[AxisEntry],
     asked: JobWord,
 ) -> Result<(), InputError> {
+    if let Some(found) = root.optional("map") {
+        if asked == JobWord::Outcome {
+            return Err(found.complain_that("says nothing where job = \"outcome\""));
+        }
+        if root.optional("sample").is_some() {
+            return Err(
+                found.complain_that("says nothing beside [sample]: allowed is either of the two")
+            );
+        }
+    }
     let varied = |name: &str| entries.iter().find(|entry| entry.parameter.name() == name);
     if asked == JobWord::Boundary {
         let fixed = scene.optional(HORIZONTAL_VELOCITY);
@@ -197,6 +207,12 @@ fn check_names(
 
 const SEARCHED: &str = "the horizontal velocity is what a sweep searches: \
      give from_fps and to_fps in [search] instead";
+
+fn grid_or_map(root: &Section, entries: &[AxisEntry]) -> Result<Design, InputError> {
+    let grid = grid(root, entries)?;
+    let map = map_input::map(root, entries, &grid)?;
+    Ok(map.map_or(Design::Grid(grid), Design::Map))
+}
 
 fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
     let axes = entries

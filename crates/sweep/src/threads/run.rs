@@ -25,6 +25,8 @@ use crate::early_stop::EarlyStop;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::landing_queue::{CloseOnDrop, LandingQueue};
+use crate::refined_grid::RefinedGrid;
+use crate::rounds::Rounds;
 use crate::scene_input::SceneFault;
 use crate::sensitivity;
 use crate::shard::Shard;
@@ -43,6 +45,8 @@ const LEAST_THREAD_LIMIT: usize = 16;
 pub trait Observer: Sync {
     /// A point of the grid, by its number, is about to be computed, beside others.
     fn begin(&self, _point: usize) {}
+    /// So many more points are wanted than was known at the beginning.
+    fn more(&self, _points: usize) {}
     /// A landing has been computed.
     fn landing(&self) {}
     /// A point of the grid, or a case, by its number, is done.
@@ -146,6 +150,9 @@ impl Workers {
         observer: &impl Observer,
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
+        if let Some(map) = sweep.map() {
+            return self.map(sweep, map, shard, opened, observer, cancel);
+        }
         let mut known = EarlyStop::of(sweep, shard, opened).map_err(RunError::Journal)?;
         let Opened { journal, done, .. } = opened;
         let points = done.missing().map(|index| shard.point(index));
@@ -154,14 +161,7 @@ impl Workers {
             return Ok(());
         }
         let search = async |point, landing_queue: &LandingQueue| {
-            observer.begin(point);
-            let queue = SearchQueue {
-                landing_queue,
-                search: point,
-            };
-            let finding = find(sweep, point, queue, observer, &stop).await?;
-            observer.point(point);
-            Ok(finding)
+            find_watched(sweep, point, landing_queue, observer, &stop).await
         };
         let found = self.search(points, SEARCHES, &stop, search, |finished| {
             if let Some((point, finding)) = finished {
@@ -178,6 +178,56 @@ impl Workers {
         };
         // Also when the run was stopped, but not over the error that stopped it.
         found.and(journal.finish().map_err(RunError::Journal))
+    }
+
+    /// Finds what the sweep asks at the points of a map, or of a shard of it, round by round. Nothing is computed that the
+    /// journal holds already.
+    fn map(
+        &self,
+        sweep: &Sweep,
+        map: &RefinedGrid,
+        shard: Shard,
+        opened: &mut Opened,
+        observer: &impl Observer,
+        cancel: &AtomicBool,
+    ) -> Result<(), RunError> {
+        let mut there = opened.findings(map.count()).map_err(RunError::Journal)?;
+        let journal = &mut opened.journal;
+        let stop = Stop::on(cancel);
+        let search = async |point, landing_queue: &LandingQueue| {
+            find_watched(sweep, point, landing_queue, observer, &stop).await
+        };
+        let mut rounds = Rounds::new(map, shard);
+        let mut announced = 0;
+        loop {
+            let round = rounds.next_round();
+            if round.is_empty() {
+                return journal.finish().map_err(RunError::Journal);
+            }
+            let expected = rounds.expected(round.len());
+            observer.more(expected.saturating_sub(announced));
+            announced = announced.max(expected);
+            let new: Vec<usize> = (round.iter().copied())
+                .filter(|point| !there.contains_key(point))
+                .collect();
+            let searched = self.search(new.into_iter(), SEARCHES, &stop, search, |finished| {
+                if let Some((point, finding)) = finished {
+                    journal.add(point, &finding.encode())?;
+                    there.insert(point, finding);
+                }
+                journal.tick()
+            });
+            if let Err(error) = searched {
+                // The error that stopped the run comes first.
+                let _ = journal.finish();
+                return Err(error);
+            }
+            for point in round {
+                if let Some(finding) = there.remove(&point) {
+                    rounds.learn(point, &finding);
+                }
+            }
+        }
     }
 
     /// Finds what the sweep asks at some points, in their order.
@@ -365,6 +415,24 @@ struct SearchQueue<'q> {
     landing_queue: &'q LandingQueue,
     /// Its number: those with lower ones get their landings first.
     search: usize,
+}
+
+/// What a sweep asks at a point, told to an observer.
+async fn find_watched(
+    sweep: &Sweep,
+    point: usize,
+    landing_queue: &LandingQueue,
+    observer: &impl Observer,
+    stop: &Stop<'_>,
+) -> Result<Finding, RunError> {
+    observer.begin(point);
+    let queue = SearchQueue {
+        landing_queue,
+        search: point,
+    };
+    let finding = find(sweep, point, queue, observer, stop).await?;
+    observer.point(point);
+    Ok(finding)
 }
 
 /// What a sweep asks at a point.

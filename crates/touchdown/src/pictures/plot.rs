@@ -105,6 +105,7 @@ struct Files {
     name: String,
     table: String,
     bands: Option<String>,
+    edges: Option<String>,
     record: Option<String>,
 }
 
@@ -116,15 +117,18 @@ impl Files {
         let name = stem(path);
         let beside = |name: String| fs::read_to_string(path.with_file_name(name)).ok();
         // Tables beside that of the points have the record of their sweep.
+        let of_map = name.strip_suffix("-surface");
         let of_sweep = ["-sensitivity", "-probabilities", "-distribution"]
             .iter()
             .find_map(|end| name.strip_suffix(end))
+            .or(of_map)
             .unwrap_or(&name);
         let record = beside(format!("{name}.json")).or_else(|| beside(format!("{of_sweep}.json")));
         Ok(Self {
             path: path.to_owned(),
             table,
             bands: beside(format!("{name}-bands.csv")),
+            edges: of_map.and_then(|stem| beside(format!("{stem}-edges.csv"))),
             record,
             name,
         })
@@ -135,6 +139,7 @@ impl Files {
             name: &self.name,
             table: &self.table,
             bands: self.bands.as_deref(),
+            edges: self.edges.as_deref(),
             record: self.record.as_deref(),
         }
     }

@@ -50,6 +50,7 @@ pub fn files(vehicle: &Vehicle) -> Result<Vec<(String, Vec<u8>)>, Failure> {
             name: stem,
             table: &table,
             bands: None,
+            edges: None,
             record: Some(&record),
         };
         let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;

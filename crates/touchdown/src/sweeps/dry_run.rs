@@ -13,7 +13,9 @@ use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::journal::{self, JournalError, Records};
 use touchdown_sweep::point_set::PointSet;
+use touchdown_sweep::refined_grid::{MapRules, RefinedGrid};
 use touchdown_sweep::results;
+use touchdown_sweep::rounds::Rounds;
 use touchdown_sweep::run::{Observer, RunError, Workers};
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::{Job, Sweep};
@@ -74,6 +76,63 @@ pub fn tell(
     Ok(text)
 }
 
+/// The points that are known to be wanted before a run: all of a sweep, or of a shard; of a map, the first round.
+struct Points {
+    shard: Shard,
+    count: usize,
+    first_round: Option<Vec<usize>>,
+}
+
+impl Points {
+    fn of(sweep: &Sweep, shard: Shard) -> Self {
+        let round = |map| Rounds::new(map, shard).next_round();
+        let first_round: Option<Vec<usize>> = sweep.map().map(round);
+        let count = match &first_round {
+            Some(round) => round.len(),
+            None => shard.len(sweep.design.count()),
+        };
+        Self {
+            shard,
+            count,
+            first_round,
+        }
+    }
+
+    fn point(&self, index: usize) -> usize {
+        match &self.first_round {
+            Some(round) => round[index],
+            None => self.shard.point(index),
+        }
+    }
+
+    /// Which of them a journal holds.
+    fn among(&self, done: PointSet) -> PointSet {
+        let Some(round) = &self.first_round else {
+            return done;
+        };
+        let mut among = PointSet::none(self.count);
+        for (index, point) in round.iter().enumerate() {
+            if done.contains(*point) {
+                among.insert(index);
+            }
+        }
+        among
+    }
+}
+
+/// What is known beforehand of the refinement of a map whose first level is estimated.
+fn refinement(map: &RefinedGrid) -> String {
+    let MapRules { error, budget, .. } = map.rules;
+    let until = match (budget, error > 0.0) {
+        (Some(budget), true) => {
+            format!("until errors are below {error} ft/s or {budget} landings are spent")
+        }
+        (Some(budget), false) => format!("until {budget} landings are spent"),
+        (None, _) => format!("until errors are below {error} ft/s, however many points that takes"),
+    };
+    format!("  these points are the first level of a map, which is refined {until}\n")
+}
+
 /// What was found out about a sweep.
 struct Looked {
     points: usize,
@@ -95,6 +154,7 @@ impl Looked {
         let points = self.points;
         let mut text = format!("{}\n  {}\n", sweep.title, number(points, "point"));
         text += &axis_words::text(sweep);
+        text += &sweep.map().map(refinement).unwrap_or_default();
         text += &match self.checked {
             all if all == points => "  the input of all points was checked\n".to_owned(),
             some => format!("  the input of {} was checked\n", number(some, "point")),
@@ -141,7 +201,7 @@ fn look(
     journal: &Path,
     end: Instant,
 ) -> Result<Looked, Failure> {
-    let points = shard.len(sweep.design.count());
+    let points = Points::of(sweep, shard);
     let counter = Arc::new(Counter::default());
     let cancel = Arc::new(AtomicBool::new(false));
     let (sender, receiver) = mpsc::channel();
@@ -156,8 +216,8 @@ fn look(
     thread::spawn(move || sampling.run(&workers, &path));
 
     let mut checked = 0;
-    for index in evenly(points, MOST_CHECKED) {
-        let point = shard.point(index);
+    for index in evenly(points.count, MOST_CHECKED) {
+        let point = points.point(index);
         sweep.case(point).map_err(|fault| {
             Failure::running(format!("the point {}: {fault}", sweep.place(point)))
         })?;
@@ -173,6 +233,7 @@ fn look(
         Some((_, begun)) => heard.ended.saturating_duration_since(begun).as_secs_f64(),
         None => 0.0,
     };
+    let points = points.count;
     Ok(Looked {
         points,
         done,
@@ -231,11 +292,12 @@ impl Sampling {
 
     fn sample(&self, workers: &Workers, journal: &Path) -> Result<(), Failure> {
         let sweep = &self.sweep;
-        let done = self.done(journal)?;
-        let left = self.shard.len(sweep.design.count()) - done.len();
+        let all = Points::of(sweep, self.shard);
+        let done = all.among(self.done(journal)?);
+        let left = all.count - done.len();
         let points: Vec<usize> = missing(&done, &evenly(left, MOST_SAMPLED))
             .into_iter()
-            .map(|index| self.shard.point(index))
+            .map(|index| all.point(index))
             .collect();
         self.send(News::Begun(done.len(), Instant::now()));
         let keep = |place: usize, finding: Finding| {

@@ -9,6 +9,7 @@ use touchdown_sweep::journal::{Access, InOrder};
 use touchdown_sweep::merge::{Shards, by_sweep};
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::tables;
 
 use crate::failure::Failure;
 use crate::print::print;
@@ -91,9 +92,16 @@ fn merge(shards: Shards, folder: &Folder, options: &Options) -> Result<String, F
     let Some(mut sweep) = header.sweep()? else {
         return Ok(String::new());
     };
-    let points = header.points;
+    let mut points = header.points;
     let mut results = InOrder::new(journals, points, &folder.path("."))?;
-    let missing = results.missing();
+    let missing = match sweep.map() {
+        Some(map) => {
+            let (rounds, missing) = tables::rounds(map, &mut results)?;
+            points = rounds.points().len() + missing.len();
+            missing.len()
+        }
+        None => results.missing(),
+    };
     if options.partial && missing > 0 {
         sweep = sweep.in_part(points - missing);
         if missing == points {
@@ -125,9 +133,20 @@ fn merge(shards: Shards, folder: &Folder, options: &Options) -> Result<String, F
 /// Which points are missing, and which shards.
 fn incomplete(sweep: &Sweep, results: &mut InOrder, absent: &[usize], points: usize) -> Failure {
     const SHOWN: usize = 10;
-    let first = match results.first_missing(SHOWN) {
-        Ok(first) => first,
-        Err(error) => return Failure::running(error),
+    let first = match sweep.map() {
+        Some(map) => match tables::rounds(map, results) {
+            Ok((_, missing)) => missing.into_iter().take(SHOWN).collect(),
+            Err(error) => return error.into(),
+        },
+        None => match results.first_missing(SHOWN) {
+            Ok(first) => first,
+            Err(error) => return Failure::running(error),
+        },
+    };
+    let missing = match sweep.map() {
+        // More points may follow from these.
+        Some(_) => "points".to_owned(),
+        None => format!("{} of {points} points", results.missing()),
     };
     let places: Vec<String> = first
         .iter()
@@ -138,9 +157,8 @@ fn incomplete(sweep: &Sweep, results: &mut InOrder, absent: &[usize], points: us
         absent => format!("there is no journal of shards {}, ", listed(absent, SHOWN)),
     };
     Failure::running(format!(
-        "{}: {shards}{} of {points} points are missing (--partial makes results of the others), the first:\n  {}",
+        "{}: {shards}{missing} are missing (--partial makes results of the others), the first:\n  {}",
         sweep.stem(),
-        results.missing(),
         places.join("\n  ")
     ))
 }

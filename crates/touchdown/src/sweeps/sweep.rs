@@ -92,6 +92,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         .overrides
         .apply(sweep_files::read(&options.files)?)?;
     let shard = options.shard.unwrap_or(Shard::WHOLE);
+    check_budgets(&sweeps, shard)?;
     if options.dry_run {
         let told = dry_run::tell(&sweeps, shard, options.threads, &options.out)?;
         return print(&told);
@@ -103,7 +104,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         sweep_results::check_places(sweep, &folder, options.overwrite)?;
     }
 
-    let points = sweeps.iter().map(|sweep| shard.len(sweep.design.count()));
+    // How many points a map has is found out round by round.
+    let known_before = sweeps.iter().filter(|sweep| sweep.map().is_none());
+    let points = known_before.map(|sweep| shard.len(sweep.design.count()));
     let progress = Progress::start("points", points.sum(), options.quiet);
     let night = Night {
         options,
@@ -147,6 +150,19 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
 }
 
+/// Checks that no shard has to know what others have spent.
+fn check_budgets(sweeps: &[Sweep], shard: Shard) -> Result<(), InputError> {
+    let has_budget = |sweep: &&Sweep| sweep.map().is_some_and(|map| map.rules.budget.is_some());
+    match sweeps.iter().find(has_budget) {
+        Some(sweep) if shard != Shard::WHOLE => Err(InputError::other(
+            "map.budget_landings: a budget is shared out over the whole map, so that no shard of it can be computed \
+             alone: allowed with --shard is map.error_fps without a budget",
+        )
+        .at(Place::file(&sweep.path))),
+        _ => Ok(()),
+    }
+}
+
 /// What every sweep of a run is run with.
 struct Night<'n> {
     options: &'n Options,
@@ -181,7 +197,11 @@ impl Night<'_> {
         let earlier = opened.done.len();
         self.progress.skip(earlier);
         if earlier > 0 && !self.options.quiet {
-            eprintln!("{earlier} of {points} points are in {}", path.display());
+            let of_all = match sweep.map() {
+                Some(_) => String::new(),
+                None => format!(" of {points}"),
+            };
+            eprintln!("{earlier}{of_all} points are in {}", path.display());
         }
         let ran = self
             .workers
@@ -194,6 +214,10 @@ impl Night<'_> {
             other => other.into(),
         })?;
         if shard != Shard::WHOLE {
+            let points = match sweep.map() {
+                Some(_) => "all its".to_owned(),
+                None => points.to_string(),
+            };
             return Ok(Done::Shard(format!(
                 "{}\n  shard {shard}: {points} points, kept in {}; `touchdown merge` makes results \
                  of all shards\n",

@@ -49,13 +49,16 @@ pub struct Written {
 }
 
 /// What follows the name of a sweep in the names of its tables, and a column that each of them has.
-const TABLES: [(&str, &str); 6] = [
+const TABLES: [(&str, &str); 9] = [
     ("", "first_transition_to"),
     ("-bands", "bracket_width_fps"),
     ("-probabilities", "topple_probability"),
     ("-sensitivity", "dvh_dp_fps_per_unit"),
     ("-quantiles", "low_95_fps"),
     ("-distribution", "cumulative_share"),
+    ("-edges", "edge_kind"),
+    ("-grid", "estimated_error_fps"),
+    ("-surface", "triangle"),
 ];
 /// What follows it in the names of pictures.
 const PICTURES: [&str; 7] = [
@@ -141,6 +144,7 @@ pub fn write(
         tables.sensitivity,
     ];
     drafts.extend(beside.into_iter().flatten());
+    drafts.extend(tables.of_map.into_iter().flatten());
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
@@ -192,14 +196,30 @@ fn pictures(
     folder: &Folder,
 ) -> Result<(NamedFiles, Option<String>), Failure> {
     // Samples have a picture of their distribution.
-    let is_drawn = matches!(
-        (&sweep.job, &sweep.design),
-        (Job::Boundary(_), Design::Grid(_))
-    );
+    let is_drawn =
+        matches!(sweep.job, Job::Boundary(_)) && !matches!(sweep.design, Design::Sample(_));
     if !is_drawn {
         return Ok((Vec::new(), None));
     }
     let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
+    if let Some([edges, _, surface]) = &tables.of_map {
+        let (edges, surface) = (edges.text(LONGEST_REDUCED)?, surface.text(LONGEST_REDUCED)?);
+        let source = Source {
+            name: &sweep.stem(),
+            table: surface.as_deref().unwrap_or_default(),
+            edges: edges.as_deref(),
+            record: Some(record),
+            ..Source::default()
+        };
+        if source.table.lines().nth(1).is_none() {
+            return none("there is no surface, or one of too many triangles");
+        }
+        return match picture::draw(&source, &Choices::default()) {
+            Ok(pictures) => Ok((plot::both(&sweep.stem(), &pictures)?, None)),
+            Err(FigureError::NoPicture(reason)) => none(&reason),
+            Err(error) => Err(Failure::running(error)),
+        };
+    }
     let is_reduced = sweep.axes.len() > MOST_DRAWN_AXES;
     let longest = if is_reduced {
         LONGEST_REDUCED
@@ -228,6 +248,7 @@ fn pictures(
         name: &stem,
         table: &points,
         bands: bands.as_deref(),
+        edges: None,
         record: Some(record),
     };
     let pictures = match picture::draw(&source, &Choices::default()) {

@@ -16,7 +16,7 @@ const LINE_INTERVAL: u64 = 5000;
 pub struct Progress {
     start: Instant,
     unit: &'static str,
-    count: u64,
+    count: AtomicU64,
     done: AtomicU64,
     /// Done before this run began.
     earlier: AtomicU64,
@@ -43,7 +43,7 @@ impl Progress {
         Self {
             start: Instant::now(),
             unit,
-            count: count as u64,
+            count: AtomicU64::new(count as u64),
             done: AtomicU64::new(0),
             earlier: AtomicU64::new(0),
             landings,
@@ -85,7 +85,10 @@ impl Progress {
         if mine.is_err() {
             return;
         }
-        let (done, count) = (self.done.load(Ordering::Relaxed), self.count);
+        let (done, count) = (
+            self.done.load(Ordering::Relaxed),
+            self.count.load(Ordering::Relaxed),
+        );
         let landings = self.landings.load(Ordering::Relaxed);
         let rate = landings as f64 / elapsed.as_secs_f64();
         let landed = match landings {
@@ -96,7 +99,8 @@ impl Progress {
         let left = match now_done {
             0 => String::new(),
             now_done => {
-                let left = elapsed.as_secs_f64() * (count - done) as f64 / now_done as f64;
+                let left =
+                    elapsed.as_secs_f64() * count.saturating_sub(done) as f64 / now_done as f64;
                 format!(", about {left:.0} s left")
             }
         };
@@ -109,6 +113,13 @@ impl Observer for Progress {
         self.landings.fetch_add(1, Ordering::Relaxed);
         if matches!(self.show, Show::Lines) {
             self.line();
+        }
+    }
+
+    fn more(&self, points: usize) {
+        self.count.fetch_add(points as u64, Ordering::Relaxed);
+        if let Show::Bar(bar) = &self.show {
+            bar.inc_length(points as u64);
         }
     }
 

@@ -147,11 +147,11 @@ fn cases() -> String {
     let row = |case: u32| {
         format!(
             "14,{},180,15,1,{},1e-9\n",
-            8.0 + 0.05 * f64::from(case),
+            8.0 + 0.01 * f64::from(case),
             case % 7
         )
     };
-    heading.to_owned() + &(0..90).map(row).collect::<String>()
+    heading.to_owned() + &(0..400).map(row).collect::<String>()
 }
 
 const LAND_CASES: [&str; 7] = [
@@ -198,7 +198,7 @@ fn tables_of_cases_go_on_after_interruptions_with_the_same_results() {
     let resumed = run(&["--threads", "3"]);
     assert_eq!(resumed.code, Some(0), "{}", resumed.err);
     assert!(
-        resumed.err.contains("of 90 cases are in"),
+        resumed.err.contains("of 400 cases are in"),
         "{}",
         resumed.err
     );

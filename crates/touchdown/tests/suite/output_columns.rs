@@ -189,6 +189,34 @@ fn columns_of_sweeps_are_described() {
 }
 
 #[test]
+fn columns_of_maps_are_described() {
+    let bench = Bench::new();
+    let map = BOUNDARY
+        .replace("[sensitivity]\nparameters = [\"friction\"]\n", "")
+        .replace("cross_slope_deg = 180\n", "")
+        .replace("bands = \"all\"\n", "")
+        .replace(
+            "roll_deg = [0, 10]",
+            "cross_slope_deg = [170, 180]\nroll_deg = [20, 40]\n[map]\n\
+             edge_width = { roll_deg = 10, cross_slope_deg = 10 }\nerror_fps = 1",
+        );
+    fs::write(bench.path("map.toml"), map).unwrap();
+    bench.run(&["sweep", "map.toml", "--out", "out"]);
+    let described = |name| documented(name, false);
+    let points = [described("transitions"), described("map points")].concat();
+    assert_eq!(bench.heading("out/map.csv", 2), points);
+    let mut edges = described("map edges");
+    edges.pop();
+    edges.extend(["cross_slope_deg", "roll_deg"].map(|axis| format!("within_{axis}")));
+    assert_eq!(bench.heading("out/map-edges.csv", 2), edges);
+    assert_eq!(bench.heading("out/map-grid.csv", 2), described("map grid"));
+    assert_eq!(
+        bench.heading("out/map-surface.csv", 2),
+        described("map surface")
+    );
+}
+
+#[test]
 fn columns_of_landings_are_described() {
     let bench = Bench::new();
     fs::write(bench.path("cases.csv"), CASES).unwrap();

@@ -1,0 +1,174 @@
+//! The contour map and the perspective of a map that refined itself, with its edges where they are.
+
+use crate::canvas::{Canvas, Point};
+use crate::caption::Caption;
+use crate::frame::Area;
+use crate::isolines;
+use crate::legend::{Entry, Mark};
+use crate::levels::Levels;
+use crate::map_table::{EdgeKind, MapTable};
+use crate::map_view::View;
+use crate::sheet::{self, Height, Sheet};
+use crate::style::{Style, WHITE};
+use crate::surface::Surface;
+use crate::view_point::ViewPoint;
+use crate::{colour_bar, contour_map, number, palette, perspective};
+
+/// Draws the contour map as SVG.
+pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
+    let extent = extent(map);
+    let levels = levels.map_or_else(|| Levels::of(&extent), Levels::clone);
+    let view = View::of(&extent);
+    let (width, height) = contour_map::SIZE;
+    let whole = Height::Whole(height);
+    let Sheet { mut canvas, body } = sheet::begin(width, whole, caption, &legend(map, caption));
+    let [left, right] = parts(body);
+    let frame = contour_map::frame(left, &extent, &view);
+    let places = |places: &[[f64; 2]]| -> Vec<Point> {
+        let places = places.iter().map(|place| frame.place(view.at(*place)));
+        places.collect()
+    };
+    for [low, high] in levels.bands() {
+        let polygons = isolines::band_of(&map.triangles, low, high);
+        let polygons: Vec<Vec<Point>> = polygons
+            .iter()
+            .map(|corners| {
+                corners
+                    .iter()
+                    .map(|(place, _)| frame.place(view.at(*place)))
+                    .collect()
+            })
+            .collect();
+        canvas.fill_tiles(&polygons, levels.colour(low));
+    }
+    frame.draw(&mut canvas, Style::stroke(palette::TEXT, 1.0).opacity(0.12));
+    let lines = levels.values().iter().map(|level| {
+        let lines = isolines::lines_of(map.triangles.iter().copied(), *level);
+        (*level, lines.iter().map(|line| places(line)).collect())
+    });
+    contour_map::draw_lines(&mut canvas, &frame.area, &[], lines);
+    for edge in &map.edges {
+        canvas.curve(&places(&edge.places), style(edge.kind));
+    }
+    colour_bar::draw(&mut canvas, right, &extent, &levels);
+    canvas.into_svg()
+}
+
+/// Draws the perspective as SVG.
+pub fn perspective(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
+    let extent = extent(map);
+    let levels = levels.map_or_else(|| Levels::of(&extent), Levels::clone);
+    let (width, height) = perspective::SIZE;
+    let whole = Height::Whole(height);
+    let Sheet { mut canvas, body } = sheet::begin(width, whole, caption, &[]);
+    let border = body.right - colour_bar::WIDTH;
+    let [left, right] = [
+        Area {
+            right: border,
+            ..body
+        },
+        Area {
+            left: border,
+            ..body
+        },
+    ];
+    if let Some((heights, step)) = perspective::heights(&extent) {
+        let point = ViewPoint::on(left, &extent, heights);
+        perspective::draw_box(&mut canvas, &extent, &point, (heights, step));
+        draw_surface(&mut canvas, map, &levels, &point);
+    }
+    colour_bar::draw(&mut canvas, right, &extent, &levels);
+    canvas.into_svg()
+}
+
+/// Draws the triangles from back to front, each in bands of colour with the lines between them.
+fn draw_surface(canvas: &mut Canvas, map: &MapTable, levels: &Levels, point: &ViewPoint) {
+    let mut triangles = map.triangles.clone();
+    let depth = |corners: &[([f64; 2], f64); 3]| {
+        let sum =
+            |axis: usize| corners.iter().map(|(place, _)| place[axis]).sum::<f64>() * 2.0 / 3.0;
+        point.depth(sum(0), sum(1))
+    };
+    triangles.sort_by(|a, b| depth(b).total_cmp(&depth(a)));
+    let pixel = |([slow, fast], height): &([f64; 2], f64)| point.pixel(*slow, *fast, *height);
+    for triangle in triangles {
+        for [low, high] in levels.bands() {
+            for corners in isolines::band_of(&[triangle], low, high) {
+                let corners: Vec<Point> = corners.iter().map(pixel).collect();
+                let colour = levels.colour(low);
+                canvas.polygon(&corners, Style::fill(colour).outlined(colour, 0.4));
+            }
+        }
+        for level in levels.values() {
+            for line in isolines::lines_of([triangle].into_iter(), *level) {
+                let line: Vec<Point> = line.iter().map(|place| pixel(&(*place, *level))).collect();
+                canvas.curve(&line, Style::stroke(palette::TEXT, 0.8));
+            }
+        }
+    }
+}
+
+/// A surface with nothing but the extent and the heights of a map.
+fn extent(map: &MapTable) -> Surface {
+    let corners = || map.triangles.iter().flatten();
+    let ends = |axis: usize| {
+        let of_corners = corners().map(|(place, _)| place[axis]);
+        let of_edges = map.edges.iter().flat_map(|edge| &edge.places);
+        let all = of_corners.chain(of_edges.map(|place| place[axis]));
+        let ends = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        ends.to_vec()
+    };
+    Surface {
+        axes: map.axes.clone(),
+        slow: ends(0),
+        fast: ends(1),
+        speeds: vec![corners().map(|(_, speed)| Some(*speed)).collect()],
+        doubtful: Vec::new(),
+        jump: f64::INFINITY,
+    }
+}
+
+fn parts(body: Area) -> [Area; 2] {
+    let border = body.right - colour_bar::WIDTH;
+    [
+        Area {
+            right: border + 12.0,
+            ..body
+        },
+        Area {
+            left: border,
+            ..body
+        },
+    ]
+}
+
+fn style(kind: EdgeKind) -> Style {
+    match kind {
+        EdgeKind::End => Style::stroke(palette::NONE, 2.0),
+        EdgeKind::Jump => Style::stroke(palette::JUMP, 2.0),
+        EdgeKind::Bands => Style::stroke(palette::BISECTOR, 1.5).dashed(Some((4.0, 3.0))),
+    }
+}
+
+fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = [
+        (EdgeKind::End, "transitions end"),
+        (EdgeKind::Jump, "V_H jumps"),
+        (EdgeKind::Bands, "bands change in number"),
+    ]
+    .into_iter()
+    .filter(|(kind, _)| map.edges.iter().any(|edge| edge.kind == *kind))
+    .map(|(kind, words)| (Mark::Line(style(kind)), words.to_owned()))
+    .collect();
+    let words = match caption.searched_to {
+        Some(speed) => format!("white: stable up to {} ft/s", number::label(speed)),
+        None => "white: no transition".to_owned(),
+    };
+    entries.push((
+        Mark::Area(Style::fill(WHITE).outlined(palette::GRID, 1.0)),
+        words,
+    ));
+    entries
+}

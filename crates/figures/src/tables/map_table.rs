@@ -1,0 +1,108 @@
+//! The surface of a map, as triangles, and its edges, read back.
+
+use crate::figure_error::FigureError;
+use crate::table::{Row, Table};
+
+const TRIANGLE: &str = "triangle";
+const SPEED: &str = "first_transition_fps";
+const EDGE: &str = "edge";
+const KIND: &str = "edge_kind";
+
+/// A place on a map, along the slower and the faster axis, and the first transition there, ft/s.
+pub type Corner = ([f64; 2], f64);
+
+/// What an edge of a map parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EdgeKind {
+    /// There is a transition on one side only.
+    End,
+    /// The first transition jumps.
+    Jump,
+    /// There are more bands on one side.
+    Bands,
+}
+
+/// An edge of a map from end to end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Edge {
+    /// What it parts.
+    pub kind: EdgeKind,
+    /// Its places, in order.
+    pub places: Vec<[f64; 2]>,
+}
+
+/// A map over two axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapTable {
+    /// Names of the slower and the faster axis.
+    pub axes: [String; 2],
+    /// The triangles of its surface.
+    pub triangles: Vec<[Corner; 3]>,
+    /// Its edges.
+    pub edges: Vec<Edge>,
+}
+
+/// Whether a table is one of triangles.
+pub fn is_one(csv: &str) -> bool {
+    let heading = csv.lines().next().unwrap_or_default();
+    heading.split(',').any(|name| name == TRIANGLE)
+}
+
+impl MapTable {
+    /// Reads the table of triangles and the one of edges, where there is one.
+    ///
+    /// # Errors
+    /// When they are not as the program writes them, or not over two axes.
+    pub fn parse(triangles: &str, edges: Option<&str>) -> Result<Self, FigureError> {
+        let table = Table::parse(triangles)?;
+        let (triangle, speed) = (table.column(TRIANGLE)?, table.column(SPEED)?);
+        let [slow, fast] = table.names()[..triangle] else {
+            return Err(FigureError::NoPicture(
+                "a map over more than two axes is not drawn".to_owned(),
+            ));
+        };
+        let axes = [slow.to_owned(), fast.to_owned()];
+        let corners = table
+            .nonempty_rows()?
+            .map(|row| Ok((place(row)?, row.number(speed)?)));
+        let corners = corners.collect::<Result<Vec<Corner>, FigureError>>()?;
+        let (triangles, _) = corners.as_chunks::<3>();
+        let edges = match edges {
+            Some(edges) => read_edges(edges)?,
+            None => Vec::new(),
+        };
+        Ok(Self {
+            axes,
+            triangles: triangles.to_vec(),
+            edges,
+        })
+    }
+}
+
+fn place(row: Row) -> Result<[f64; 2], FigureError> {
+    Ok([row.number(0)?, row.number(1)?])
+}
+
+fn read_edges(csv: &str) -> Result<Vec<Edge>, FigureError> {
+    let table = Table::parse(csv)?;
+    let (edge, kind) = (table.column(EDGE)?, table.column(KIND)?);
+    let mut edges: Vec<Edge> = Vec::new();
+    let mut last = "";
+    for row in table.rows() {
+        if row.text(edge) != last {
+            last = row.text(edge);
+            let kind = match row.text(kind) {
+                "end" => EdgeKind::End,
+                "jump" => EdgeKind::Jump,
+                "bands" => EdgeKind::Bands,
+                _ => return Err(row.error(kind, "end, jump or bands")),
+            };
+            let places = Vec::new();
+            edges.push(Edge { kind, places });
+        }
+        if let Some(edge) = edges.last_mut() {
+            edge.places.push(place(row)?);
+        }
+    }
+    Ok(edges)
+}

@@ -1,0 +1,299 @@
+//! Which places of a first-level cell are wanted next, from those that are known in it.
+//!
+//! A cell whose centre lies in the plane of its corners is fine enough. Any other is searched for edges on its sides;
+//! one edge through it is followed to its middle, and what else does not fit is quartered. What is wanted of a cell
+//! depends on the places in it alone, so that the order in which places become known changes nothing.
+
+use std::collections::BTreeMap;
+
+use crate::cell::{Cell, middle, position};
+use crate::height::Height;
+use crate::located_side::{BRACKET, edges, located};
+use crate::pieces::{Around, Crossing, Known, Piece};
+use crate::refined_grid::{MapRules, Place};
+
+/// What an unlocated end of transitions counts for, ft/s, when the most urgent places are chosen.
+const END: f64 = 0.5;
+
+/// A cell that is not divided (or not yet).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Leaf {
+    pub(crate) cell: Cell,
+    /// Estimated error of interpolation, ft/s; `None` where nothing tells it yet.
+    pub(crate) error: Option<f64>,
+    /// Places on either side of an edge in the middle of the cell.
+    pub(crate) bend: Option<[Place; 2]>,
+}
+
+/// A first-level cell as far as it is known.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Refined {
+    /// Wanted places, with how much depends on them.
+    pub(crate) wanted: BTreeMap<Place, f64>,
+    pub(crate) leaves: Vec<Leaf>,
+}
+
+/// Refines a first-level cell.
+pub(crate) fn refined(
+    cell: Cell,
+    rules: &MapRules,
+    height: &dyn Fn(Place) -> Option<Height>,
+) -> Refined {
+    let mut refinement = Refinement {
+        rules,
+        height,
+        whole: cell,
+        refined: Refined::default(),
+    };
+    if refinement.ask(&cell.corners(), f64::INFINITY).is_some() {
+        refinement.visit(cell, None);
+    }
+    refinement.refined
+}
+
+struct Refinement<'r> {
+    rules: &'r MapRules,
+    height: &'r dyn Fn(Place) -> Option<Height>,
+    whole: Cell,
+    refined: Refined,
+}
+
+impl Refinement<'_> {
+    /// Places with what is known of them, or `None` where some have to be known first.
+    fn ask(&mut self, places: &[Place], urgency: f64) -> Option<Vec<Known>> {
+        let known = places.iter().map(|place| {
+            let height = (self.height)(*place);
+            if height.is_none() {
+                let wanted = self.refined.wanted.entry(*place).or_insert(urgency);
+                *wanted = wanted.max(urgency);
+            }
+            Some((*place, height?))
+        });
+        // All of them, so that what is missing is wanted at once.
+        let known: Vec<Option<Known>> = known.collect();
+        known.into_iter().collect()
+    }
+
+    fn leaf(&mut self, cell: Cell, error: Option<f64>, bend: Option<[Place; 2]>) {
+        self.refined.leaves.push(Leaf { cell, error, bend });
+    }
+
+    /// Goes through a cell whose corners are known; `parent` is the error of the cell that it is a quarter of.
+    fn visit(&mut self, cell: Cell, parent: Option<f64>) {
+        let Some(corners) = self.ask(&cell.corners(), 0.0) else {
+            return;
+        };
+        let share = self.share(cell);
+        // Errors count between their part of the length and of the area, unlocated ends their part of the length.
+        let urgency = |error: f64| error * share * share.sqrt();
+        // A smooth surface would be four times closer to the planes of quarters.
+        let expected = parent.map_or(END, |error| 0.5 * error);
+        let Some(centre) = self.ask(&[cell.centre()], urgency(expected)) else {
+            return self.leaf(cell, parent, None);
+        };
+        let all = [&corners[..], &centre[..]].concat();
+        let is_alike = all.iter().all(|(_, height)| height.is_like(all[0].1));
+        let error = match is_alike {
+            true => off_the_plane(&corners, centre[0].1),
+            false => spread(&all),
+        };
+        if is_alike && error <= self.rules.error {
+            return self.leaf(cell, Some(error), None);
+        }
+        let urgency = match is_alike {
+            true => urgency(error),
+            false => END * share,
+        };
+        let Some(ring) = self.ring(&corners, is_alike, urgency) else {
+            return self.leaf(cell, Some(error), None);
+        };
+        match self.follow(cell, &ring, centre[0], urgency) {
+            Followed::Fits { error, bend } => return self.leaf(cell, error, bend),
+            Followed::Unknown => return self.leaf(cell, Some(error), None),
+            Followed::DoesNotFit => {}
+        }
+        let Some(quarters) = cell.quarters() else {
+            return self.leaf(cell, Some(error), None);
+        };
+        if self.ask(&cell.side_middles(), urgency).is_none() {
+            return self.leaf(cell, Some(error), None);
+        }
+        for quarter in quarters {
+            self.visit(quarter, Some(error));
+        }
+    }
+
+    /// A cell's part of the length of a first-level cell.
+    fn share(&self, cell: Cell) -> f64 {
+        let part = |axis: usize| cell.size[axis] as f64 / self.whole.size[axis] as f64;
+        (part(0) * part(1)).sqrt()
+    }
+
+    /// The places around a cell once its sides have been searched for edges. Where ends of transitions cross the cell,
+    /// other sides are not searched.
+    fn ring(&mut self, corners: &[Known], is_alike: bool, urgency: f64) -> Option<Vec<Known>> {
+        let mut ring = Vec::new();
+        let mut is_known = true;
+        for (index, corner) in corners.iter().enumerate() {
+            let next = corners[(index + 1) % corners.len()];
+            let side = [*corner, next];
+            if !is_alike && corner.1.is_like(next.1) {
+                ring.push(*corner);
+                continue;
+            }
+            match located(side, self.rules.jump, self.height) {
+                Ok(mut places) => {
+                    places.pop();
+                    ring.extend(places);
+                }
+                Err(place) => {
+                    is_known = false;
+                    let _ = self.ask(&[place], urgency);
+                }
+            }
+        }
+        is_known.then_some(ring)
+    }
+
+    /// Follows one edge through a cell to its middle.
+    fn follow(&mut self, cell: Cell, ring: &[Known], centre: Known, urgency: f64) -> Followed {
+        let jump = self.rules.jump;
+        let &[one, other] = edges(ring, jump).as_slice() else {
+            return Followed::DoesNotFit;
+        };
+        let after = |index: usize| ring[(index + 1) % ring.len()];
+        let ends = [[ring[one], after(one)], [after(other), ring[other]]];
+        let bend = match middle_of_edge(ends, &cell, self.height) {
+            Middle::At(bend) => bend,
+            Middle::Wanted(place) => {
+                let _ = self.ask(&[place], urgency);
+                return Followed::Unknown;
+            }
+            Middle::Elsewhere => return Followed::DoesNotFit,
+        };
+        let around = Around {
+            ring,
+            centre: None,
+            bend,
+        };
+        let (pieces, _) = around.pieces(jump);
+        let expected = pieces
+            .iter()
+            .find_map(|piece: &Piece| piece.speed_at(position(centre.0)));
+        let error = match (expected, centre.1.speed) {
+            (Some(expected), Some(found)) => Some((expected - found).abs()),
+            (None, None) => None,
+            _ => return Followed::DoesNotFit,
+        };
+        match error.is_none_or(|error| error <= self.rules.error) {
+            true => Followed::Fits {
+                error,
+                bend: bend.map(|places| places.map(|(place, _)| place)),
+            },
+            false => Followed::DoesNotFit,
+        }
+    }
+}
+
+/// What became of an edge through a cell.
+enum Followed {
+    /// It passes the middle where it was expected, and the centre lies in the surface beside it, by so much off, or where
+    /// there is none.
+    Fits {
+        error: Option<f64>,
+        bend: Option<[Place; 2]>,
+    },
+    /// There is no edge, there are several, or it passes elsewhere.
+    DoesNotFit,
+    /// Some places have to be known first.
+    Unknown,
+}
+
+/// Where an edge passes half-way between two crossings.
+enum Middle {
+    /// Between these places; `None` where the crossings are hardly apart.
+    At(Option<Crossing>),
+    /// This place has to be known first.
+    Wanted(Place),
+    /// Too far from the line that joins the crossings.
+    Elsewhere,
+}
+
+/// Searches an edge half-way between two crossings, whose first places lie on the same side of it. It may lie off the line
+/// that joins them by so much that two lines by way of the middle are a quarter of that off.
+fn middle_of_edge(
+    ends: [Crossing; 2],
+    cell: &Cell,
+    height: &dyn Fn(Place) -> Option<Height>,
+) -> Middle {
+    const FARTHEST: usize = 2 * BRACKET;
+    let at = |[a, b]: Crossing| middle(position(a.0), position(b.0));
+    let (one, other) = (at(ends[0]), at(ends[1]));
+    let along = [0, 1].map(|axis: usize| (other[axis] - one[axis]).abs());
+    if along[0].max(along[1]) <= 2.0 * BRACKET as f64 {
+        return Middle::At(None);
+    }
+    let across = usize::from(along[0] >= along[1]);
+    // Whether the second side lies above the line, seen across it.
+    let second = position(ends[0][1].0);
+    let slope = (other[across] - one[across]) / (other[1 - across] - one[1 - across]);
+    let rises = second[across] - one[across] > slope * (second[1 - across] - one[1 - across]);
+    let side = |height: Height| {
+        let off = |side: usize| {
+            let leaps = ends.iter().map(|end| end[side].1.leap(height));
+            leaps.fold(0.0, f64::max)
+        };
+        usize::from(off(1) < off(0))
+    };
+    let nearest = middle(one, other).map(|step| step.round() as usize);
+    let mut last: Option<Known> = None;
+    let mut offset = 0;
+    let mut upward = true;
+    while offset <= FARTHEST {
+        let mut place = nearest;
+        place[across] = match upward {
+            true => nearest[across] + offset,
+            false => nearest[across].saturating_sub(offset),
+        };
+        if !cell.encloses(place) {
+            return Middle::Elsewhere;
+        }
+        let Some(found) = height(place) else {
+            return Middle::Wanted(place);
+        };
+        match last {
+            None => upward = (side(found) == 0) == rises,
+            Some(before) if side(before.1) != side(found) => {
+                let mut crossing = [before, (place, found)];
+                if side(before.1) == 1 {
+                    crossing.reverse();
+                }
+                return Middle::At(Some(crossing));
+            }
+            Some(_) => {}
+        }
+        last = Some((place, found));
+        offset += BRACKET;
+    }
+    Middle::Elsewhere
+}
+
+/// Distance of a centre from the mean of its corners, ft/s.
+fn off_the_plane(corners: &[Known], centre: Height) -> f64 {
+    let speeds: Option<Vec<f64>> = corners.iter().map(|(_, height)| height.speed).collect();
+    match (speeds, centre.speed) {
+        (Some(speeds), Some(speed)) => {
+            (speed - speeds.iter().sum::<f64>() / speeds.len() as f64).abs()
+        }
+        _ => 0.0,
+    }
+}
+
+/// Greatest difference of first transitions, ft/s.
+fn spread(places: &[Known]) -> f64 {
+    let speeds = || places.iter().filter_map(|(_, height)| height.speed);
+    let (least, greatest) = (speeds().reduce(f64::min), speeds().reduce(f64::max));
+    least
+        .zip(greatest)
+        .map_or(0.0, |(least, greatest)| greatest - least)
+}

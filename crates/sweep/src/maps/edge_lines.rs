@@ -1,0 +1,154 @@
+//! The edges of a map as lines: where transitions end, jump, or their bands change in number.
+
+use std::collections::HashMap;
+
+use crate::cell::{Position, middle, position};
+use crate::pieces::{Crossing, Known};
+use crate::refined_grid::Place;
+use crate::surface_pieces::MapSurface;
+
+/// What an edge parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EdgeKind {
+    /// There is a transition on one side only.
+    End,
+    /// The first transition differs.
+    Jump,
+    /// There are more bands on one side.
+    Bands,
+}
+
+impl EdgeKind {
+    /// Its word in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::End => "end",
+            Self::Jump => "jump",
+            Self::Bands => "bands",
+        }
+    }
+
+    fn of([a, b]: Crossing) -> Self {
+        match (a.1.speed, b.1.speed) {
+            (Some(_), Some(_)) if a.1.is_like(b.1) => Self::Jump,
+            (Some(_), Some(_)) => Self::Bands,
+            _ => Self::End,
+        }
+    }
+}
+
+/// A point of an edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EdgePoint {
+    /// Coordinates along the two refined axes.
+    pub at: [f64; 2],
+    /// Half the distance between the points on either side of the edge, along each axis.
+    pub within: [f64; 2],
+    /// The first transitions found there, ft/s, the lower first; `None` where there is none.
+    pub speeds: [Option<f64>; 2],
+}
+
+/// An edge from end to end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EdgeLine {
+    /// What it parts.
+    pub kind: EdgeKind,
+    /// Its points in order.
+    pub points: Vec<EdgePoint>,
+}
+
+/// Between which places an edge passes.
+type Key = [Place; 2];
+
+impl MapSurface<'_> {
+    /// The edges of the map.
+    pub fn edges(&self) -> Vec<EdgeLine> {
+        let mut pieces: Vec<(EdgeKind, Vec<Crossing>)> = Vec::new();
+        for cut in self.parts.iter().flat_map(|part| &part.cuts) {
+            let kinds = cut.crossings.iter().map(|crossing| EdgeKind::of(*crossing));
+            // Where ends of transitions and jumps meet in one cell, the line is what it is at its beginning.
+            if let Some(kind) = kinds.into_iter().next() {
+                pieces.push((kind, cut.crossings.clone()));
+            }
+        }
+        let mut at_ends: HashMap<Key, Vec<usize>> = HashMap::new();
+        for (index, (_, crossings)) in pieces.iter().enumerate() {
+            for end in ends(crossings) {
+                at_ends.entry(end).or_default().push(index);
+            }
+        }
+        let mut is_used = vec![false; pieces.len()];
+        let mut lines = Vec::new();
+        for index in 0..pieces.len() {
+            if is_used[index] {
+                continue;
+            }
+            is_used[index] = true;
+            let (kind, mut line) = pieces[index].clone();
+            for _ in 0..2 {
+                while let Some(next) = continued(&line, kind, &pieces, &at_ends, &mut is_used) {
+                    line.extend(next);
+                }
+                line.reverse();
+            }
+            let points: Vec<EdgePoint> = line
+                .into_iter()
+                .map(|crossing| self.point(crossing))
+                .collect();
+            if points.len() > 1 {
+                lines.push(EdgeLine { kind, points });
+            }
+        }
+        lines
+    }
+
+    fn point(&self, [a, b]: Crossing) -> EdgePoint {
+        let places = [position(a.0), position(b.0)];
+        let ends = places.map(|place: Position| self.coordinates(place));
+        let at = self.coordinates(middle(places[0], places[1]));
+        let within = [0, 1].map(|axis: usize| 0.5 * (ends[1][axis] - ends[0][axis]).abs());
+        let mut speeds = [a.1.speed, b.1.speed];
+        if speeds[0].is_none() || speeds[1].is_some() && speeds[1] < speeds[0] {
+            speeds.reverse();
+        }
+        EdgePoint { at, within, speeds }
+    }
+}
+
+fn key([a, b]: [Known; 2]) -> Key {
+    let mut places = [a.0, b.0];
+    places.sort_unstable();
+    places
+}
+
+fn ends(crossings: &[Crossing]) -> Vec<Key> {
+    let mut ends: Vec<Key> = [crossings.first(), crossings.last()]
+        .into_iter()
+        .flatten()
+        .map(|crossing| key(*crossing))
+        .collect();
+    ends.dedup();
+    ends
+}
+
+/// The points by which another piece continues a line at its end.
+fn continued(
+    line: &[Crossing],
+    kind: EdgeKind,
+    pieces: &[(EdgeKind, Vec<Crossing>)],
+    at_ends: &HashMap<Key, Vec<usize>>,
+    is_used: &mut [bool],
+) -> Option<Vec<Crossing>> {
+    let end = key(*line.last()?);
+    let next = at_ends.get(&end)?.iter().copied();
+    let next = next
+        .into_iter()
+        .find(|index| !is_used[*index] && pieces[*index].0 == kind)?;
+    is_used[next] = true;
+    let mut crossings = pieces[next].1.clone();
+    if key(*crossings.first()?) != end {
+        crossings.reverse();
+    }
+    crossings.remove(0);
+    Some(crossings)
+}

@@ -1,0 +1,234 @@
+//! The surface over a cell: one piece without edges, two on either side of an edge, more where several pass.
+//!
+//! A piece is a ring of corners around an apex; over each triangle of the apex and two neighbours on the ring the
+//! surface is a plane. Cells side by side share the places on their common side, so that pieces fit each other.
+
+use crate::cell::{Position, middle, position};
+use crate::height::Height;
+use crate::located_side::edges;
+use crate::refined_grid::Place;
+
+/// A position and the first transition there, ft/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Corner {
+    pub(crate) at: Position,
+    pub(crate) speed: f64,
+}
+
+/// A part of the surface without edges.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Piece {
+    pub(crate) ring: Vec<Corner>,
+    pub(crate) apex: Corner,
+}
+
+/// A place and what was found there.
+pub(crate) type Known = (Place, Height);
+
+/// Where an edge leaves a cell, or passes a place within it: the known places on either side of it.
+pub(crate) type Crossing = [Known; 2];
+
+/// An edge through a cell.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Cut {
+    /// From side to side; the first of each crossing lies on the same side of the edge.
+    pub(crate) crossings: Vec<Crossing>,
+}
+
+/// What is known of a cell.
+pub(crate) struct Around<'k> {
+    /// Places on its sides, around it.
+    pub(crate) ring: &'k [Known],
+    pub(crate) centre: Option<Known>,
+    /// Places on either side of an edge half-way through the cell, in the order of its first crossing on the ring.
+    pub(crate) bend: Option<Crossing>,
+}
+
+impl Piece {
+    fn new(ring: Vec<Corner>, centre: Option<Corner>) -> Self {
+        let share = 1.0 / ring.len() as f64;
+        let mean = |of: &dyn Fn(&Corner) -> f64| ring.iter().map(of).sum::<f64>() * share;
+        let apex = centre.unwrap_or_else(|| Corner {
+            at: [mean(&|corner| corner.at[0]), mean(&|corner| corner.at[1])],
+            speed: mean(&|corner| corner.speed),
+        });
+        Self { ring, apex }
+    }
+
+    /// The triangles of the piece.
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = [Corner; 3]> {
+        let next = self.ring.iter().cycle().skip(1);
+        let sides = self.ring.iter().zip(next);
+        sides.map(|(a, b)| [self.apex, *a, *b])
+    }
+
+    /// The first transition at a position, ft/s, if the piece lies there.
+    pub(crate) fn speed_at(&self, at: Position) -> Option<f64> {
+        self.triangles()
+            .find_map(|corners| speed_within(&corners, at))
+    }
+}
+
+/// The height of a triangle at a position, if it lies there.
+pub(crate) fn speed_within([a, b, c]: &[Corner; 3], at: Position) -> Option<f64> {
+    const SLACK: f64 = 1e-9;
+    let cross = |p: Position, q: Position, r: Position| {
+        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    };
+    let area = cross(a.at, b.at, c.at);
+    if area == 0.0 {
+        return None;
+    }
+    let parts = [
+        cross(b.at, c.at, at) / area,
+        cross(c.at, a.at, at) / area,
+        cross(a.at, b.at, at) / area,
+    ];
+    let is_within = parts.iter().all(|part| *part >= -SLACK);
+    is_within.then(|| parts[0] * a.speed + parts[1] * b.speed + parts[2] * c.speed)
+}
+
+impl Around<'_> {
+    /// The pieces of the surface over the cell, and the edges between them.
+    pub(crate) fn pieces(&self, jump: f64) -> (Vec<Piece>, Vec<Cut>) {
+        let count = self.ring.len();
+        let pair = |index: usize| [self.ring[index % count], self.ring[(index + 1) % count]];
+        let found = edges(self.ring, jump);
+        match *found.as_slice() {
+            [] | [_] => (self.whole(), Vec::new()),
+            [one, other] => {
+                let mut crossings = vec![pair(one)];
+                crossings.extend(self.bend.map(|bend| turned(bend, pair(one))));
+                let [a, b] = pair(other);
+                crossings.push([b, a]);
+                self.parted(one, other, crossings)
+            }
+            // Several jumps come from cells beside this one, in which the surface was found to be smooth.
+            _ if self
+                .ring
+                .iter()
+                .all(|known| known.1.is_like(self.ring[0].1)) =>
+            {
+                (self.whole(), Vec::new())
+            }
+            ref many => {
+                let Some((one, other)) = nearest_together(self.ring, many) else {
+                    return (self.whole(), Vec::new());
+                };
+                let [a, b] = pair(other);
+                let (mut pieces, mut cuts) = cut_off(self.arc(one + 1, other), [pair(one), [b, a]]);
+                let rest = Around {
+                    ring: &self.arc(other + 1, one + count),
+                    ..*self
+                };
+                let (more, others) = rest.pieces(jump);
+                pieces.extend(more);
+                cuts.extend(others);
+                (pieces, cuts)
+            }
+        }
+    }
+
+    fn whole(&self) -> Vec<Piece> {
+        let centre = self.centre.and_then(corner);
+        let ring = corners(self.ring).into_iter();
+        ring.map(|ring| Piece::new(ring, centre)).collect()
+    }
+
+    /// The two pieces on either side of an edge.
+    fn parted(&self, one: usize, other: usize, crossings: Vec<Crossing>) -> (Vec<Piece>, Vec<Cut>) {
+        let mut centre = self.centre.and_then(corner);
+        let mut pieces = Vec::new();
+        // Seen from the ring, what follows the first crossing lies on the second side of it.
+        for (arc, side) in [
+            (self.arc(one + 1, other), 1),
+            (self.arc(other + 1, one + self.ring.len()), 0),
+        ] {
+            let edge = crossings.iter().map(|crossing| {
+                let at = middle(position(crossing[0].0), position(crossing[1].0));
+                crossing[side].1.speed.map(|speed| Corner { at, speed })
+            });
+            let edge: Option<Vec<Corner>> = edge.collect();
+            let (Some(mut ring), Some(mut edge)) = (corners(&arc), edge) else {
+                continue;
+            };
+            // The ring of the second side runs from the first crossing to the last, so the edge leads back.
+            if side == 1 {
+                edge.reverse();
+            }
+            ring.extend(edge);
+            let within = centre.filter(|known| is_left_of_all(&ring, known.at));
+            if within.is_some() {
+                centre = None;
+            }
+            pieces.push(Piece::new(ring, within));
+        }
+        (pieces, vec![Cut { crossings }])
+    }
+
+    /// The places of the ring from one index to another, which may lie a turn further on.
+    fn arc(&self, from: usize, to: usize) -> Vec<Known> {
+        let count = self.ring.len();
+        (from..=to).map(|index| self.ring[index % count]).collect()
+    }
+}
+
+/// The piece between two edges close to each other, and the one edge that both make.
+fn cut_off(arc: Vec<Known>, [from, to]: [Crossing; 2]) -> (Vec<Piece>, Vec<Cut>) {
+    let corner = |[outer, inner]: Crossing| {
+        let at = middle(position(outer.0), position(inner.0));
+        let speed = inner.1.speed?;
+        Some(Corner { at, speed })
+    };
+    let piece = corners(&arc).and_then(|mut ring| {
+        ring.extend([corner(to)?, corner(from)?]);
+        Some(Piece::new(ring, None))
+    });
+    let crossings = vec![from, to];
+    (piece.into_iter().collect(), vec![Cut { crossings }])
+}
+
+/// Of the edges around a ring, the two that follow each other and are the least apart.
+fn nearest_together(ring: &[Known], edges: &[usize]) -> Option<(usize, usize)> {
+    let count = ring.len();
+    let at = |index: usize| {
+        let [a, b] = [ring[index % count], ring[(index + 1) % count]];
+        middle(position(a.0), position(b.0))
+    };
+    let next = edges.iter().skip(1).copied();
+    let next = next.chain(edges.first().map(|first| first + count));
+    let square = |one: usize, other: usize| {
+        let (p, q) = (at(one), at(other));
+        (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
+    };
+    let pairs = edges.iter().copied().zip(next);
+    pairs.min_by(|a, b| square(a.0, a.1).total_cmp(&square(b.0, b.1)))
+}
+
+/// The crossing whose first place is like the first of another.
+fn turned(crossing: Crossing, like: Crossing) -> Crossing {
+    let [a, b] = crossing;
+    let apart = |one: Known, other: Known| one.1.leap(other.1);
+    let straight = apart(a, like[0]).max(apart(b, like[1]));
+    let crossed = apart(b, like[0]).max(apart(a, like[1]));
+    if straight <= crossed { [a, b] } else { [b, a] }
+}
+
+fn corner((place, height): Known) -> Option<Corner> {
+    let at = position(place);
+    height.speed.map(|speed| Corner { at, speed })
+}
+
+/// Corners at places, if all of them have a transition.
+fn corners(places: &[Known]) -> Option<Vec<Corner>> {
+    places.iter().copied().map(corner).collect()
+}
+
+/// Whether a position is seen from all sides of a ring that runs as the corners of cells do.
+fn is_left_of_all(ring: &[Corner], at: Position) -> bool {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter().zip(next).all(|(a, b)| {
+        let (p, q) = (a.at, b.at);
+        (q[1] - p[1]) * (at[0] - p[0]) - (q[0] - p[0]) * (at[1] - p[1]) > 0.0
+    })
+}

@@ -1,0 +1,142 @@
+//! How a map refines itself: the table `[map]` of a sweep file.
+
+use crate::axis_input::AxisEntry;
+use crate::grid::Grid;
+use crate::input_error::InputError;
+use crate::refined_grid::{MapRules, RefinedGrid};
+use crate::section::{LocatedValue, Section};
+
+pub(crate) const MAP: [&str; 5] = [
+    "edge_width",
+    "error_fps",
+    "jump_fps",
+    "budget_landings",
+    "grid_steps",
+];
+const EDGE_WIDTH: &str = "a table with two of the axes and a width in the unit of each, such as { roll_deg = 0.5, friction = 0.01 }";
+/// Least difference that makes an edge, in errors sought and without one, ft/s.
+const JUMP_IN_ERRORS: f64 = 4.0;
+const JUMP: f64 = 0.1;
+/// Steps of the resampled table along a first-level cell: what holds without a word, and the most.
+const GRID_STEPS: usize = 8;
+const MOST_GRID_STEPS: f64 = 1000.0;
+/// Greatest budget that TOML keeps exactly.
+const GREATEST_BUDGET: f64 = 9_007_199_254_740_992.0;
+
+/// Reads `[map]` for the axes of a grid; `None` when there is no such table.
+pub(crate) fn map(
+    root: &Section,
+    entries: &[AxisEntry],
+    first_level: &Grid,
+) -> Result<Option<RefinedGrid>, InputError> {
+    let Some(section) = root.optional_section("map", &MAP)? else {
+        return Ok(None);
+    };
+    let edge_width = section.value("edge_width", EDGE_WIDTH)?;
+    let mut refined: Vec<(usize, usize)> = edge_width
+        .leaves()?
+        .iter()
+        .map(|(name, width)| refined_axis(name, width, entries, first_level))
+        .collect::<Result<_, _>>()?;
+    refined.sort_unstable();
+    let &[(slow, slow_parts), (fast, fast_parts)] = refined.as_slice() else {
+        return Err(edge_width.complain_that(&format!("allowed is {EDGE_WIDTH}")));
+    };
+    let rules = rules(&section)?;
+    let (axes, parts) = ([slow, fast], [slow_parts, fast_parts]);
+    RefinedGrid::new(first_level.clone(), axes, parts, rules)
+        .map(Some)
+        .ok_or_else(|| {
+            edge_width.complain_that(
+                "so fine that the map has more than 2^26 places: allowed are greater widths, or fewer values of axes",
+            )
+        })
+}
+
+/// The axis of a name, and into how many parts its intervals are divided: half a width or less.
+fn refined_axis(
+    name: &str,
+    width: &LocatedValue,
+    entries: &[AxisEntry],
+    first_level: &Grid,
+) -> Result<(usize, usize), InputError> {
+    let named = |entry: &AxisEntry| entry.parameter.name() == name;
+    let Some(axis) = entries.iter().position(named) else {
+        let axes: Vec<&str> = entries.iter().map(|entry| entry.parameter.name()).collect();
+        let axes = axes.join(", ");
+        return Err(width.complain_that(&format!("no such axis: allowed are {axes}")));
+    };
+    let entry = &entries[axis];
+    if !entry.parameter.words().is_empty() {
+        return Err(width.complain_that("its values are words: allowed are axes of numbers"));
+    }
+    if !first_level.dimensions().contains(&vec![axis]) {
+        return Err(
+            width.complain_that("moves together with another axis: allowed are axes without zip")
+        );
+    }
+    let values: Vec<f64> = first_level.axes()[axis].values().collect();
+    let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let rises = steps.iter().all(|step| *step > 0.0);
+    if steps.is_empty() || !(rises || steps.iter().all(|step| *step < 0.0)) {
+        let needed =
+            "a refined axis needs two values or more that rise, or fall, from each to the next";
+        return Err(entry.found.complain_that(needed));
+    }
+    let greatest = steps
+        .iter()
+        .fold(0.0, |most: f64, step| most.max(step.abs()));
+    let allowed = format!("0 < value ≤ {greatest}, the greatest step of the axis");
+    let number = width.number()?;
+    if !(number > 0.0 && number <= greatest) {
+        return Err(width.complain(&allowed));
+    }
+    let mut parts = 2;
+    // Beyond the greatest number of places no finer division is of use.
+    while greatest / parts as f64 > 0.5 * number && parts < 1 << 26 {
+        parts *= 2;
+    }
+    Ok((axis, parts))
+}
+
+fn rules(section: &Section) -> Result<MapRules, InputError> {
+    let positive = |key: &str| -> Result<Option<f64>, InputError> {
+        match section.optional(key) {
+            None => Ok(None),
+            Some(found) => match found.number()? {
+                number if number > 0.0 && number.is_finite() => Ok(Some(number)),
+                _ => Err(found.complain("a number > 0")),
+            },
+        }
+    };
+    let whole = |key: &str, most: f64| -> Result<Option<u64>, InputError> {
+        match section.optional(key) {
+            None => Ok(None),
+            Some(found) => match found.number()? {
+                number if number.fract() == 0.0 && (1.0..=most).contains(&number) => {
+                    Ok(Some(number as u64))
+                }
+                _ => Err(found.complain(&format!("a whole number from 1 to {most}"))),
+            },
+        }
+    };
+    let (error, budget) = (
+        positive("error_fps")?,
+        whole("budget_landings", GREATEST_BUDGET)?,
+    );
+    if error.is_none() && budget.is_none() {
+        let needed = "the error of interpolation that is sought, ft/s, or budget_landings, or both";
+        return Err(section.missing("error_fps", needed));
+    }
+    let jump = match positive("jump_fps")? {
+        Some(jump) => jump,
+        None => error.map_or(JUMP, |error| JUMP_IN_ERRORS * error),
+    };
+    Ok(MapRules {
+        error: error.unwrap_or(0.0),
+        jump,
+        budget,
+        grid_steps: whole("grid_steps", MOST_GRID_STEPS)?
+            .map_or(GRID_STEPS, |steps| steps as usize),
+    })
+}
