@@ -26,7 +26,7 @@ const RULES: MapRules = MapRules {
 fn bowl([x, y]: [f64; 2]) -> Option<f64> {
     let radius = from_middle([x, y]);
     let step = if beyond_line([x, y]) > 0.0 { 1.0 } else { 0.0 };
-    (radius < RIM).then(|| 11.0 + 0.004 * radius * radius + step)
+    (radius < RIM).then_some(11.0 + 0.004 * radius * radius + step)
 }
 
 const RIM: f64 = 15.3;
