@@ -9,8 +9,9 @@ use crate::scene::Scene;
 use crate::state::Body;
 use crate::vehicle::Vehicle;
 
-/// Least stability angle of a vehicle that is far from toppling, rad.
+/// Least stability angle of a vehicle that is far from toppling, and of one that slides upright, rad.
 const UPRIGHT: f64 = 0.7;
+const SLIDES_UPRIGHT: f64 = 0.1;
 /// Range within which a steady stability angle keeps, rad.
 const RANGE: f64 = 0.05;
 /// Time for which it does before a landing of a scan ends, and the earliest end, in free falls of the CG from its height
@@ -22,16 +23,45 @@ const ENDLESS: f64 = 2.0;
 /// Speed downhill above which no foot sticks, ft/s: that above which motion has not subsided.
 const SLIDING: f64 = 2.0;
 
-/// How long the stability angle has kept within a range.
+/// A stretch of time over which the stability angle has kept within a range.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    /// Least angle that counts, rad.
+    least: f64,
+    since: f64,
+    lowest: f64,
+    highest: f64,
+}
+
+impl Stretch {
+    fn above(least: f64) -> Self {
+        Self {
+            least,
+            since: 0.0,
+            lowest: f64::INFINITY,
+            highest: f64::NEG_INFINITY,
+        }
+    }
+
+    #[inline(always)]
+    fn note(&mut self, time: f64, angle: f64) {
+        self.lowest = self.lowest.min(angle);
+        self.highest = self.highest.max(angle);
+        if self.lowest < self.least || self.highest - self.lowest > RANGE {
+            (self.since, self.lowest, self.highest) = (time, angle, angle);
+        }
+    }
+}
+
+/// How long the stability angle has been steady.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Steadiness {
     /// Time in which the CG falls freely from its height at touchdown, s.
     fall_time: f64,
     /// Slope (sine, cosine) down which friction cannot hold the vehicle.
     slippery: Option<(f64, f64)>,
-    since: f64,
-    lowest: f64,
-    highest: f64,
+    upright: Stretch,
+    sliding: Stretch,
 }
 
 impl Steadiness {
@@ -42,33 +72,29 @@ impl Steadiness {
         Self {
             fall_time: (2.0 * vehicle.standing_height() / vehicle.gravity()).sqrt(),
             slippery: (sine > friction * cosine).then_some((sine, cosine)),
-            since: 0.0,
-            lowest: f64::INFINITY,
-            highest: f64::NEG_INFINITY,
+            upright: Stretch::above(UPRIGHT),
+            sliding: Stretch::above(SLIDES_UPRIGHT),
         }
     }
 
     /// Takes note of the stability angle (rad) at a time (s).
     #[inline(always)]
     pub(super) fn note(&mut self, time: f64, angle: f64) {
-        self.lowest = self.lowest.min(angle);
-        self.highest = self.highest.max(angle);
-        if self.lowest < UPRIGHT || self.highest - self.lowest > RANGE {
-            (self.since, self.lowest, self.highest) = (time, angle, angle);
-        }
+        self.upright.note(time, angle);
+        self.sliding.note(time, angle);
     }
 
     /// How the landing ends at a time (s) with the body moving like this, if its end is known: slides that friction
     /// cannot stop, and, where it `ends_early`, all steady landings.
     #[inline(always)]
     pub(super) fn end(&self, time: f64, body: &Body<f64>, ends_early: bool) -> Option<Outcome> {
-        let steady = time - self.since;
-        if ends_early && steady >= STEADY * self.fall_time && time >= EARLIEST * self.fall_time {
+        let steady = |stretch: &Stretch| (time - stretch.since) / self.fall_time;
+        if ends_early && steady(&self.upright) >= STEADY && time >= EARLIEST * self.fall_time {
             return Some(Outcome::StableSteady);
         }
         let (sine, cosine) = self.slippery?;
         let downhill = sine * body.velocity.z - cosine * body.velocity.y;
-        (downhill > SLIDING && steady >= ENDLESS * self.fall_time).then_some(Outcome::Sliding)
+        (downhill > SLIDING && steady(&self.sliding) >= ENDLESS).then_some(Outcome::Sliding)
     }
 }
 
@@ -78,17 +104,11 @@ mod tests {
 
     #[test]
     fn the_range_starts_anew_where_it_is_left() {
-        let mut steadiness = Steadiness {
-            fall_time: 1.0,
-            slippery: None,
-            since: 0.0,
-            lowest: f64::INFINITY,
-            highest: f64::NEG_INFINITY,
-        };
+        let mut stretch = Stretch::above(UPRIGHT);
         let angles = [0.8, 0.9, 0.94, 0.91, 0.99, 0.97, 0.6, 0.95];
         let since = angles.iter().enumerate().map(|(second, &angle)| {
-            steadiness.note(second as f64, angle);
-            steadiness.since
+            stretch.note(second as f64, angle);
+            stretch.since
         });
         assert_eq!(
             since.collect::<Vec<_>>(),

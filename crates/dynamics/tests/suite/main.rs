@@ -9,6 +9,7 @@ mod batch;
 mod closed_forms;
 mod conservation;
 mod convergence;
+mod early_end;
 mod extremes;
 mod footing;
 mod impact_surface;

@@ -1,0 +1,49 @@
+//! Landings whose end is known before they are at rest: endless slides, and steady landings of a scan.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+use crate::common::{level, level_scene, settings, table_4_1};
+use touchdown_dynamics::land::land;
+use touchdown_dynamics::outcome::{Class, Outcome};
+use touchdown_dynamics::scene::{Conditions, Scene};
+
+/// On a slope of 30 deg a friction of 0.4 is less than the tangent of the slope, one of 0.7 is more.
+#[test]
+fn a_slide_that_friction_cannot_stop_ends_as_such() {
+    let vehicle = table_4_1();
+    let end = |friction: f64| {
+        let scene = Scene::new(Conditions {
+            slope: 30f64.to_radians(),
+            pad_friction: friction,
+            block_friction: friction,
+            ..level(180.0, 0.0, 2.0)
+        });
+        land(&vehicle, &scene.unwrap(), &settings(3e-5))
+    };
+    let slide = end(0.4);
+    assert_eq!(slide.outcome, Outcome::Sliding);
+    assert_eq!(slide.outcome.class(), Class::Undecided);
+    assert!((2.0..15.0).contains(&slide.end_time), "{}", slide.end_time);
+    assert_ne!(end(0.7).outcome, Outcome::Sliding);
+}
+
+/// Steady landings end early only where that is asked for; all others are the same to the last bit.
+#[test]
+fn landings_that_end_early_end_in_the_same_class() {
+    let vehicle = table_4_1();
+    let full = settings(3e-5);
+    let mut early_ends = 0;
+    for step in 0..50 {
+        let scene = level_scene(90.0, 10.0, 0.5 * f64::from(step));
+        let whole = land(&vehicle, &scene, &full);
+        let early = land(&vehicle, &scene, &full.ending_early());
+        if early.outcome == Outcome::StableSteady {
+            assert_eq!(whole.outcome.class(), Class::Stable);
+            assert!(early.evaluations < whole.evaluations && early.end_time < whole.end_time);
+            early_ends += 1;
+        } else {
+            assert_eq!(early, whole);
+        }
+    }
+    assert!((5..50).contains(&early_ends), "{early_ends}");
+}
