@@ -2,7 +2,7 @@
 
 use crate::common::{BASELINE, Bench, SWEEP};
 
-/// The small sweep of the bench with friction so low, on a slope so steep, that the lander slides to the time limit.
+/// The small sweep of the bench with friction so low, on a slope so steep, that the lander slides without end.
 fn sliding() -> String {
     SWEEP
         .replace("slope_deg = 15", "slope_deg = 30")
