@@ -22,8 +22,7 @@ use crate::refine::{aim, place};
 pub use crate::search_range::Scan;
 
 use crate::search_range::Search;
-use crate::trial::first_unstable;
-use crate::trial::{Sample, Trial};
+use crate::trial::{Sample, Trial, first_unstable};
 
 /// Free-fall times after which a landing has not ended soon.
 const SOON: f64 = 2.2;
