@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::common::{sample_deck, table_4_1};
+use crate::common::{off_center, sample_deck, table_4_1};
 use nalgebra::{Matrix3, Vector3};
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::impact_surface::{Approach, NoSurface, determine};
@@ -36,10 +36,10 @@ fn apart(a: f64, b: f64) -> f64 {
 /// An approach in axes turned by ζ against the customary ones, its impact times by landing on the
 /// slope, and what must be found.
 fn round_trip(index: u32) {
-    let vehicle = if index.is_multiple_of(2) {
-        table_4_1()
-    } else {
-        sample_deck()
+    let vehicle = match index % 3 {
+        0 => table_4_1(),
+        1 => sample_deck(),
+        _ => off_center(table_4_1()),
     };
     let conditions = Conditions {
         vertical_velocity: spread(index, 0.618, 8.0, 16.0),

@@ -125,6 +125,14 @@ pub fn sample_deck() -> Vehicle {
     )
 }
 
+/// Where tests put the CG off the centreline, ft.
+pub const OFFSET: [f64; 2] = [0.31, -0.23];
+
+/// A vehicle with its CG off the centreline.
+pub fn off_center(vehicle: Vehicle) -> Vehicle {
+    vehicle.with_center_of_gravity_offset(OFFSET).unwrap()
+}
+
 /// The report's standard conditions: level, slope 15 deg, friction 1, V_V 14 ft/s.
 pub fn level(cross_slope_deg: f64, roll_deg: f64, horizontal_velocity: f64) -> Conditions {
     Conditions {
