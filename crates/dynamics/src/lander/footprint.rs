@@ -22,8 +22,7 @@ pub(super) fn check_offset(offset: [f64; 2], feet: &[[f64; 2]]) -> Result<(), In
         false => (1, 0),
     };
     let across = feet.iter().map(|foot| foot[lesser]);
-    let why = "the CG is over the polygon of the feet".to_owned();
-    within(lesser, offset, ends(across), why)?;
+    within(lesser, offset, ends(across), "")?;
     // Every line between two feet is in the polygon, its edges among them.
     let crossings = feet.iter().flat_map(|a| {
         let crossing = |b: &[f64; 2]| {
@@ -34,11 +33,8 @@ pub(super) fn check_offset(offset: [f64; 2], feet: &[[f64; 2]]) -> Result<(), In
         };
         feet.iter().filter_map(crossing).collect::<Vec<_>>()
     });
-    let why = format!(
-        "with {} = {} the CG is over the polygon of the feet",
-        KEYS[lesser], offset[lesser]
-    );
-    within(greater, offset, ends(crossings), why)
+    let at = format!(" at {} = {}", KEYS[lesser], offset[lesser]);
+    within(greater, offset, ends(crossings), &at)
 }
 
 /// Least and greatest.
@@ -53,9 +49,11 @@ fn within(
     component: usize,
     offset: [f64; 2],
     [least, most]: [f64; 2],
-    why: String,
+    at: &str,
 ) -> Result<(), Invalid> {
-    let allowed = format!("{least:.4} < value < {most:.4}: {why}");
+    let allowed = format!(
+        "{least:.4} < value < {most:.4}, which keeps the CG over the polygon of the feet{at}"
+    );
     require(KEYS[component], offset[component], &allowed, |value| {
         least < value && value < most
     })
