@@ -20,11 +20,13 @@ const INCHES_PER_FOOT: f64 = 12.0;
 const GREATEST: f64 = 1e9;
 const LEAST_STEP: f64 = 1e-6;
 
-pub(crate) const VEHICLE: [&str; 10] = [
+pub(crate) const VEHICLE: [&str; 12] = [
     "name",
     "mass_slug",
     "gravity_fps2",
     "center_of_gravity_height_ft",
+    "center_of_gravity_offset_x_ft",
+    "center_of_gravity_offset_y_ft",
     "inertia_slug_ft2",
     "linkage",
     "strut",
@@ -72,6 +74,11 @@ pub(crate) const BLOCK: [&str; 5] = [
 ];
 pub(crate) const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
 pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
+/// Where the CG is off the centreline; 0 when they are left out.
+const OFFSET: [&str; 2] = [
+    "center_of_gravity_offset_x_ft",
+    "center_of_gravity_offset_y_ft",
+];
 /// Factor on the ordinates of a table, 1 when it is left out.
 const SCALE: &str = "scale";
 
@@ -96,8 +103,8 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
             .chain(of_a_leg.iter().map(String::as_str))
             .map(move |key| format!("legs[{leg}].{key}"))
     });
-    let body = ["mass_slug", "gravity_fps2", "center_of_gravity_height_ft"];
-    body.into_iter()
+    let body = ["mass_slug", "gravity_fps2", "center_of_gravity_height_ft"].into_iter();
+    body.chain(OFFSET)
         .map(str::to_owned)
         .chain(INERTIA.map(|key| format!("inertia_slug_ft2.{key}")))
         .chain(of_a_leg.iter().cloned())
@@ -105,13 +112,16 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
         .collect()
 }
 
-/// The number of a vehicle file under a dotted key: a leg's own or else that of all legs; the scale
-/// of a table is 1 when it is left out.
+/// The number of a vehicle file under a dotted key: a leg's own or else that of all legs. When they are left out the
+/// scale of a table is 1 and the offset of the CG 0.
 pub(crate) fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     let of_all = || document.number(&path.of_all_legs()?);
-    let is_scale = path.steps.last().is_some_and(|step| step.key == SCALE);
-    let found = document.number(path).or_else(of_all);
-    found.or_else(|| is_scale.then_some(1.0))
+    let by_default = || match path.steps.last()?.key.as_str() {
+        SCALE => Some(1.0),
+        key if OFFSET.contains(&key) => Some(0.0),
+        _ => None,
+    };
+    document.number(path).or_else(of_all).or_else(by_default)
 }
 
 /// Fewest legs of a vehicle; dynamics has room for [`MOST_LEGS`].
@@ -195,6 +205,8 @@ impl VehicleFile {
                 None => root.missing("legs", allowed),
             });
         }
+        let [x, y] = OFFSET.map(|key| root.optional_number(key));
+        let offset = [x?.unwrap_or(0.0), y?.unwrap_or(0.0)];
         let vehicle = Vehicle::new(
             root.number("mass_slug")?,
             root.number("gravity_fps2")?,
@@ -202,6 +214,7 @@ impl VehicleFile {
             inertia(&root.section("inertia_slug_ft2", &INERTIA)?)?,
             legs,
         )
+        .and_then(|vehicle| vehicle.with_center_of_gravity_offset(offset))
         .map_err(|invalid| match of_a_leg(&invalid) {
             Some((leg, invalid)) if leg < entries.len() => entries[leg].complain(&invalid),
             _ => root.complain(&invalid),
