@@ -14,8 +14,7 @@ use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::attitude::{Attitude, Euler};
 use crate::invalid::{Invalid, require};
-use crate::land::land;
-use crate::landing::Landing;
+use crate::landing::{Landing, land_until_all_pads_touch};
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
@@ -33,6 +32,9 @@ const CLOSE: f64 = 1e-11;
 /// Greatest residual of an impact time, s.
 const TIMELY: f64 = 1e-8;
 const MOST_HALVINGS: usize = 10;
+/// A search gets nowhere when so many steps, one after the other, leave more than this part of the residual.
+const MOST_IDLE_STEPS: usize = 3;
+const IDLE: f64 = 0.9;
 /// Most landings of a search, several times as many as one takes that finds a surface.
 const MOST_LANDINGS: u64 = 60;
 /// Tangent of the steepest surface looked for, 85 deg.
@@ -107,6 +109,8 @@ pub enum NoSurface {
     NotFound {
         /// Greatest residual of an impact time.
         residual: f64,
+        /// Landings of the search.
+        landings: u64,
     },
 }
 
@@ -128,9 +132,9 @@ impl fmt::Display for NoSurface {
                  before, {outcome} {time:.3} s after first contact",
                 leg + 1
             ),
-            Self::NotFound { residual } => write!(
+            Self::NotFound { residual, landings } => write!(
                 f,
-                "no slope gives these impact times: the nearest misses one by {residual:.2e} s"
+                "no slope gives these impact times: the nearest of {landings} misses one by {residual:.2e} s"
             ),
         }
     }
@@ -315,7 +319,8 @@ impl<'a> Search<'a> {
         let span = last - self.times[self.first];
         let settings = Settings::new(TOLERANCE, 2.0 * span + AFTERWARDS, CrushRule::default())?;
         let (approach, _) = self.fly((self.times[self.first] - self.delay).max(0.0))?;
-        let landing = land(self.vehicle, &self.scene(&approach, tangent)?, &settings);
+        let scene = self.scene(&approach, tangent)?;
+        let landing = land_until_all_pads_touch(self.vehicle, &scene, &settings);
         self.landings += 1;
         let first = landing.pad_contact[self.first];
         let mut residuals = self.times;
@@ -334,7 +339,8 @@ impl<'a> Search<'a> {
     /// Gauss and Newton's steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
-        while self.landings < MOST_LANDINGS {
+        let mut idle_steps = 0;
+        while self.landings < MOST_LANDINGS && idle_steps < MOST_IDLE_STEPS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
             let mut columns = [self.times; 2];
             for (axis, column) in columns.iter_mut().enumerate() {
@@ -377,6 +383,8 @@ impl<'a> Search<'a> {
             let Some((there, found)) = better else {
                 break;
             };
+            let is_idle = found.worst() > (IDLE * trial.worst()).max(TIMELY);
+            idle_steps = if is_idle { idle_steps + 1 } else { 0 };
             tangent = there;
             trial = found;
             if step.norm() < CLOSE {
@@ -386,6 +394,7 @@ impl<'a> Search<'a> {
         if trial.worst() > TIMELY {
             return Err(NoSurface::NotFound {
                 residual: trial.worst(),
+                landings: self.landings,
             });
         }
         Ok(tangent)
