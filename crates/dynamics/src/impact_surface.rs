@@ -3,7 +3,8 @@
 //!
 //! Sought is the plane on which a landing of this vehicle gives the measured times. The report
 //! flew on with an assumed slope once the first pad had touched; here the slope found is the one
-//! flown with, by Newton's method on the horizontal part of its normal.
+//! flown with, by Newton's method on the horizontal part of its normal. Times of three pads determine it; of more, the
+//! surface is the one that fits them best in the sense of least squares.
 
 mod pads;
 
@@ -29,10 +30,14 @@ const AFTERWARDS: f64 = 0.05;
 /// Step of differences, and change at which the search ends, of the slope's tangent.
 const DIFFERENCE: f64 = 1e-5;
 const CLOSE: f64 = 1e-11;
-/// Greatest residual of an impact time, s.
+/// Greatest residual of an impact time where there are only as many as determine a surface, s.
 const TIMELY: f64 = 1e-8;
+const DETERMINED: usize = 3;
+/// Step of the tangent below which the least squares of more times are found.
+const SETTLED: f64 = 1e-7;
 const MOST_HALVINGS: usize = 10;
-/// A search gets nowhere when so many steps, one after the other, leave more than this part of the residual.
+/// A search for a surface that gives all times gets nowhere when so many steps, one after the other, leave more than this
+/// part of the greatest residual.
 const MOST_IDLE_STEPS: usize = 3;
 const IDLE: f64 = 0.9;
 /// Most landings of a search, several times as many as one takes that finds a surface.
@@ -166,7 +171,7 @@ pub fn determine(
     require(
         "impact_time_s (number of times)",
         impact_times.len() as f64,
-        &format!("{legs}, one a leg"),
+        &format!("{legs} times, one for each leg"),
         |_| impact_times.len() == legs,
     )?;
     let times = PerLeg::from_fn(legs, |leg| impact_times[leg]);
@@ -196,6 +201,10 @@ struct Trial {
 }
 
 impl Trial {
+    fn squares(&self) -> f64 {
+        self.residuals.iter().map(|r| r * r).sum()
+    }
+
     fn worst(&self) -> f64 {
         self.residuals
             .iter()
@@ -339,6 +348,8 @@ impl<'a> Search<'a> {
     /// Gauss and Newton's steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
+        let is_determined = self.times.len() <= DETERMINED;
+        let mut is_at_least = false;
         let mut idle_steps = 0;
         while self.landings < MOST_LANDINGS && idle_steps < MOST_IDLE_STEPS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
@@ -359,6 +370,7 @@ impl<'a> Search<'a> {
                 break;
             };
             let mut step = inverse * -right;
+            is_at_least = !is_determined && step.norm() < SETTLED;
             let mut halvings = 0;
             let better = loop {
                 let there = tangent + step;
@@ -368,7 +380,7 @@ impl<'a> Search<'a> {
                     Err(NoSurface::Wall)
                 };
                 match outcome {
-                    Ok(found) if found.worst() < trial.worst() || step.norm() < CLOSE => {
+                    Ok(found) if found.squares() < trial.squares() || step.norm() < CLOSE => {
                         break Some((there, found));
                     }
                     _ if halvings == MOST_HALVINGS || self.landings >= MOST_LANDINGS => {
@@ -383,7 +395,8 @@ impl<'a> Search<'a> {
             let Some((there, found)) = better else {
                 break;
             };
-            let is_idle = found.worst() > (IDLE * trial.worst()).max(TIMELY);
+            // Least squares of more times than needed stay.
+            let is_idle = is_determined && found.worst() > (IDLE * trial.worst()).max(TIMELY);
             idle_steps = if is_idle { idle_steps + 1 } else { 0 };
             tangent = there;
             trial = found;
@@ -391,7 +404,7 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        if trial.worst() > TIMELY {
+        if trial.worst() > TIMELY && !is_at_least {
             return Err(NoSurface::NotFound {
                 residual: trial.worst(),
                 landings: self.landings,

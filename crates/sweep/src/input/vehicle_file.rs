@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::vehicle::{
     Block, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, Vehicle,
 };
 
-use crate::document::Document;
+use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::library::Library;
@@ -123,8 +124,37 @@ pub(crate) fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     document.number(path).or_else(of_all).or_else(by_default)
 }
 
-/// Legs that input files describe.
-pub const LEGS: usize = 3;
+/// Fewest legs of a vehicle; dynamics has room for [`MOST_LEGS`].
+const LEAST_LEGS: usize = 3;
+
+/// Number of legs that the vehicle of a document has, as far as a vehicle can have so many.
+pub(crate) fn leg_count(document: &Document) -> usize {
+    let legs = document.root().iter().find(|entry| entry.key == "legs");
+    let count = legs.map_or(0, |entry| match &entry.node.value {
+        Value::List(legs) => legs.len(),
+        _ => 0,
+    });
+    count.clamp(LEAST_LEGS, MOST_LEGS)
+}
+
+/// Writes the value of a parameter `name` into the document of a vehicle.
+///
+/// # Errors
+/// When the vehicle has no such leg.
+pub(crate) fn write(
+    document: &mut Document,
+    name: &str,
+    path: &KeyPath,
+    value: Value,
+) -> Result<(), InputError> {
+    match document.write(path, value) {
+        true => Ok(()),
+        false => Err(InputError::other(format!(
+            "{name}: the vehicle has {} legs",
+            leg_count(document)
+        ))),
+    }
+}
 
 /// A vehicle with the file that describes it.
 #[derive(Debug, Clone)]
@@ -138,7 +168,7 @@ pub struct VehicleFile {
 }
 
 impl VehicleFile {
-    /// Reads a vehicle with [`LEGS`] legs.
+    /// Reads a vehicle.
     ///
     /// # Errors
     /// Names file, line, key and value of the first thing wrong, and what is allowed.
@@ -166,13 +196,13 @@ impl VehicleFile {
             .iter()
             .map(|entry| leg(entry, &entry.over(&root)))
             .collect::<Result<_, _>>()?;
-        let allowed = format!("{} tables [[legs]], one for each leg", in_words(LEGS));
-        if legs.len() != LEGS {
+        if !(LEAST_LEGS..=MOST_LEGS).contains(&legs.len()) {
+            let allowed = "three to eight tables [[legs]], one for each leg";
             return Err(match root.optional("legs") {
                 Some(found) => {
                     found.complain_that(&format!("{} legs: expected {allowed}", legs.len()))
                 }
-                None => root.missing("legs", &allowed),
+                None => root.missing("legs", allowed),
             });
         }
         let [x, y] = OFFSET.map(|key| root.optional_number(key));
@@ -202,16 +232,6 @@ fn of_a_leg(invalid: &Invalid) -> Option<(usize, Invalid)> {
     let (number, key) = invalid.quantity.strip_prefix("legs[")?.split_once("].")?;
     let leg = number.parse::<usize>().ok()?.checked_sub(1)?;
     Some((leg, Invalid::new(key, invalid.value, &*invalid.allowed)))
-}
-
-fn in_words(legs: usize) -> String {
-    match legs {
-        3 => "three".to_owned(),
-        4 => "four".to_owned(),
-        5 => "five".to_owned(),
-        6 => "six".to_owned(),
-        _ => legs.to_string(),
-    }
 }
 
 fn inertia(section: &Section) -> Result<Inertia, InputError> {

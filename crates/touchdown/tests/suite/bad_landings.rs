@@ -2,7 +2,6 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
 use crate::common::{BASELINE, Bench};
 
 const HEADING: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,\

@@ -2,7 +2,6 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
 use crate::common::{Bench, SURVEYOR, SWEEP};
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
