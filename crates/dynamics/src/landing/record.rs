@@ -78,6 +78,18 @@ impl Energies {
         self.legs.iter().map(LegWork::total).sum()
     }
 
+    /// Energy that crushing elements gave to the motion, those that gave more than they took, ft·lb; zero where it is rounding.
+    pub fn given_by_crushing(&self) -> f64 {
+        const LEAST_SHARE: f64 = 1e-9;
+        let works = (self.legs.iter()).flat_map(|leg| [leg.pad_crush, leg.block_crush]);
+        let given: f64 = works.map(|work| (-work).max(0.0)).sum();
+        if given > LEAST_SHARE * self.initial_kinetic.max(1.0) {
+            given
+        } else {
+            0.0
+        }
+    }
+
     /// What the account does not explain, ft·lb; zero but for integration error.
     pub fn closure(&self) -> f64 {
         self.initial_kinetic + self.potential_change - self.dissipated() - self.final_kinetic
