@@ -24,7 +24,7 @@ impl Sweep {
             .fixed
             .resolved()
             .into_iter()
-            .filter(|(name, _)| self.axes.iter().all(|axis| axis.name() != *name))
+            .filter(|(name, _)| self.axes.iter().all(|axis| axis.program_name() != *name))
             .map(|(name, value)| (name.to_owned(), json!(value)))
             .collect();
         let mut input = json!({
