@@ -3,7 +3,8 @@
 //!
 //! Sought is the plane on which a landing of this vehicle gives the measured times. The report
 //! flew on with an assumed slope once the first pad had touched; here the slope found is the one
-//! flown with, by Newton's method on the horizontal part of its normal.
+//! flown with, by Newton's method on the horizontal part of its normal. Times of three pads determine it; of more, the
+//! surface is the one that fits them best in the sense of least squares.
 
 mod pads;
 
@@ -30,8 +31,11 @@ const AFTERWARDS: f64 = 0.05;
 /// Step of differences, and change at which the search ends, of the slope's tangent.
 const DIFFERENCE: f64 = 1e-5;
 const CLOSE: f64 = 1e-11;
-/// Greatest residual of an impact time, s.
+/// Greatest residual of an impact time where there are only as many as determine a surface, s.
 const TIMELY: f64 = 1e-8;
+const DETERMINED: usize = 3;
+/// Step of the tangent below which the least squares of more times are found.
+const SETTLED: f64 = 1e-7;
 const MOST_HALVINGS: usize = 10;
 /// Most landings of a search, several times as many as one takes that finds a surface.
 const MOST_LANDINGS: u64 = 60;
@@ -162,7 +166,7 @@ pub fn determine(
     require(
         "impact_time_s (number of times)",
         impact_times.len() as f64,
-        &format!("{legs}, one a leg"),
+        &format!("{legs} times, one for each leg"),
         |_| impact_times.len() == legs,
     )?;
     let times = PerLeg::from_fn(legs, |leg| impact_times[leg]);
@@ -192,6 +196,10 @@ struct Trial {
 }
 
 impl Trial {
+    fn squares(&self) -> f64 {
+        self.residuals.iter().map(|r| r * r).sum()
+    }
+
     fn worst(&self) -> f64 {
         self.residuals
             .iter()
@@ -334,6 +342,7 @@ impl<'a> Search<'a> {
     /// Gauss and Newton's steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
+        let mut is_at_least = false;
         while self.landings < MOST_LANDINGS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
             let mut columns = [self.times; 2];
@@ -353,6 +362,7 @@ impl<'a> Search<'a> {
                 break;
             };
             let mut step = inverse * -right;
+            is_at_least = self.times.len() > DETERMINED && step.norm() < SETTLED;
             let mut halvings = 0;
             let better = loop {
                 let there = tangent + step;
@@ -362,7 +372,7 @@ impl<'a> Search<'a> {
                     Err(NoSurface::Wall)
                 };
                 match outcome {
-                    Ok(found) if found.worst() < trial.worst() || step.norm() < CLOSE => {
+                    Ok(found) if found.squares() < trial.squares() || step.norm() < CLOSE => {
                         break Some((there, found));
                     }
                     _ if halvings == MOST_HALVINGS || self.landings >= MOST_LANDINGS => {
@@ -383,7 +393,7 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        if trial.worst() > TIMELY {
+        if trial.worst() > TIMELY && !is_at_least {
             return Err(NoSurface::NotFound {
                 residual: trial.worst(),
             });

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use crate::common::random::{fixed_list, usual_conditions, wild_scene, wild_vehicle};
-use crate::common::{level_scene, settings, table_4_1};
+use crate::common::{level_scene, off_center, settings, table_4_1};
 use rayon::prelude::*;
 use touchdown_dynamics::batch::{Occupancy, Request, Width, land_in_lanes, land_many};
 use touchdown_dynamics::friction::FrictionProfile;
@@ -29,7 +29,10 @@ const PROFILES: [FrictionProfile; 2] = [FrictionProfile::A, FrictionProfile::B];
 /// Landings of all kinds, one beside the other: vehicles, tolerances, laws and methods differ.
 fn tasks() -> Vec<Task> {
     let usual = fixed_list(&usual_conditions(), 60).into_iter();
-    let usual = usual.map(|conditions| (table_4_1(), Scene::new(conditions).unwrap()));
+    let vehicles = [table_4_1(), off_center(table_4_1())].into_iter().cycle();
+    let usual = vehicles
+        .zip(usual)
+        .map(|(vehicle, conditions)| (vehicle, Scene::new(conditions).unwrap()));
     let mut wild = fixed_list(&(wild_vehicle(3), wild_scene()), 61);
     wild.remove(ENDLESS);
     let mut all: Vec<(Vehicle, Scene)> = usual.collect();

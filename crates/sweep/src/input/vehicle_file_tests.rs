@@ -64,6 +64,23 @@ fn a_scale_multiplies_the_ordinates_of_a_table_for_all_legs_or_one() {
 }
 
 #[test]
+fn the_center_of_gravity_is_on_the_centreline_unless_the_file_says_otherwise() {
+    let offset = |text: &str| read(text).unwrap().vehicle.center_of_gravity_offset();
+    assert_eq!(offset(SURVEYOR), [0.0, 0.0]);
+    let key = "center_of_gravity_offset_y_ft";
+    let aside = SURVEYOR.replace(
+        "[inertia_slug_ft2]",
+        &format!("{key} = -0.25\n[inertia_slug_ft2]"),
+    );
+    assert_eq!(offset(&aside), [0.0, -0.25]);
+    let value = |text: &str| {
+        let document = Document::parse(Path::new("v.toml"), text).unwrap();
+        number(&document, &KeyPath::parse(key).unwrap())
+    };
+    assert_eq!((value(SURVEYOR), value(&aside)), (Some(0.0), Some(-0.25)));
+}
+
+#[test]
 fn every_number_has_a_name() {
     let mut document = Document::parse(Path::new("v.toml"), SURVEYOR).unwrap();
     for name in numbers(3) {
@@ -109,7 +126,7 @@ fn one_leg_may_have_other_units_than_the_rest() {
 }
 
 /// What is replaced in the Surveyor's file, by what, and what the complaint must contain.
-const WRONG: [(&str, &str, &[&str]); 20] = [
+const WRONG: [(&str, &str, &[&str]); 24] = [
     (
         "mass_slug = 20",
         "mass_slug = -20",
@@ -158,6 +175,32 @@ const WRONG: [(&str, &str, &[&str]); 20] = [
         "xx = 138.12",
         "xx = 0.2",
         &["v.toml:7: inertia_slug_ft2 (least principal moment)"],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_x_ft = 5\ncenter_of_gravity_offset_y_ft = 0.5\n[inertia_slug_ft2]",
+        &[
+            "v.toml:7: center_of_gravity_offset_x_ft = 5: expected -3.4048 < value < 3.4048",
+            "over the polygon of the feet at center_of_gravity_offset_y_ft = 0.5",
+        ],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_x_ft = 4\ncenter_of_gravity_offset_y_ft = -3.6\n[inertia_slug_ft2]",
+        &["v.toml:8: center_of_gravity_offset_y_ft = -3.6: expected -3.1987 < value < 6.3974"],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_y_ft = -3.4\n[inertia_slug_ft2]",
+        &["v.toml:7: center_of_gravity_offset_y_ft = -3.4: expected -3.1987 < value < 6.3974"],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_x_in = 1\n[inertia_slug_ft2]",
+        &[
+            "v.toml:7: center_of_gravity_offset_x_in = 1",
+            "did you mean center_of_gravity_offset_x_ft or center_of_gravity_offset_x_m or",
+        ],
     ),
     (
         "preload_lb = 185",

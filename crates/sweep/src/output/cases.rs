@@ -7,6 +7,7 @@ use std::sync::Arc;
 use csv::StringRecord;
 use serde_json::json;
 use touchdown_dynamics::methods::Method;
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -22,8 +23,7 @@ use crate::resolved_input;
 use crate::scene_input::NamedConditions;
 use crate::section::Section;
 use crate::settings_input::{self, crush_rule_name, friction_profile_name};
-use crate::vehicle_file::LEGS;
-use crate::vehicle_file::VehicleFile;
+use crate::vehicle_file::{self, VehicleFile};
 
 /// Columns that every table of cases must have.
 pub(crate) const REQUIRED: [&str; 5] = [
@@ -143,7 +143,7 @@ fn parse(
     let input = json!({
         "table_of_cases": fingerprint(text),
         "vehicle_files": files,
-        "vehicle": resolved_input::tree(vehicle.document.root()),
+        "vehicle": resolved_input::vehicle(&vehicle.document),
         "solver": resolved_input::solver(settings),
     });
     Ok(CaseTable { rows: cases, input })
@@ -171,7 +171,7 @@ impl Columns {
             if OWN.contains(&name) {
                 continue;
             }
-            let parameter = Parameter::named(name, LEGS).filter(|known| known.name() == name);
+            let parameter = Parameter::named(name, MOST_LEGS).filter(|known| known.name() == name);
             let Some(parameter) = parameter else {
                 return Err(InputError::other(unknown(name)));
             };
@@ -277,7 +277,7 @@ impl Columns {
 
 /// The complaint that no column may have this name.
 fn unknown(name: &str) -> String {
-    let mut alike = Parameter::nearest(name, LEGS);
+    let mut alike = Parameter::nearest(name, MOST_LEGS);
     alike.retain(|name| !name.starts_with("search.") && !name.starts_with("scene."));
     let guess = match alike.as_slice() {
         [] => String::new(),
@@ -320,7 +320,13 @@ impl Vehicles<'_> {
         }
         let mut document = file.unwrap_or(self.own).document.clone();
         for (parameter, _, value) in &values {
-            document.write(parameter.path(), value.clone());
+            vehicle_file::write(
+                &mut document,
+                parameter.name(),
+                parameter.path(),
+                value.clone(),
+            )
+            .map_err(|error| at(&values, &error))?;
         }
         VehicleFile::from_document(document)
             .map(|file| Arc::new(file.vehicle))
@@ -357,23 +363,29 @@ fn cell<'r>(heading: &StringRecord, record: &'r StringRecord, name: &str) -> &'r
     position.and_then(|index| record.get(index)).unwrap_or("")
 }
 
-/// The results of cases as CSV: `case`, then the columns of [`landing_table`].
+/// The results of cases as CSV: `case`, then the columns of [`landing_table`] for as many legs as any vehicle has.
 ///
 /// # Errors
 /// None but those of memory.
 pub fn table<'r>(
-    rows: impl Iterator<Item = (&'r str, &'r Finding)>,
+    rows: impl Iterator<Item = (&'r str, &'r Finding)> + Clone,
 ) -> Result<Vec<u8>, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_field("case")?;
-    writer.write_record(landing_table::names(LEGS))?;
-    for (name, finding) in rows {
-        writer.write_field(name)?;
-        let cells: &[Cell] = match finding {
+    let cells = |finding: &'r Finding| -> &'r [Cell] {
+        match finding {
             Finding::Landing { cells, .. } => cells,
             _ => &[],
-        };
-        writer.write_record(cells.iter().map(Cell::to_string))?;
+        }
+    };
+    let legs = rows
+        .clone()
+        .map(|(_, finding)| landing_table::leg_count(cells(finding)));
+    let legs = legs.max().unwrap_or(0);
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_field("case")?;
+    writer.write_record(landing_table::names(legs))?;
+    for (name, finding) in rows {
+        writer.write_field(name)?;
+        writer.write_record(landing_table::under_headings(cells(finding), legs))?;
     }
     writer
         .into_inner()

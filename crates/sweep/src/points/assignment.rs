@@ -5,7 +5,8 @@ use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::NamedConditions;
-use crate::vehicle_file::{LEGS, VehicleFile};
+use crate::vehicle_file::{self, VehicleFile};
+use touchdown_dynamics::per_leg::MOST_LEGS;
 
 /// A parameter and the value that replaces the one of the input files.
 #[derive(Debug, Clone)]
@@ -33,8 +34,8 @@ impl Assignment {
     /// # Errors
     /// As [`Assignment::parse`].
     pub fn new(name: &str, text: &str) -> Result<Self, InputError> {
-        let Some(parameter) = Parameter::named(name, LEGS) else {
-            let complaint = Parameter::unknown(name, LEGS);
+        let Some(parameter) = Parameter::named(name, MOST_LEGS) else {
+            let complaint = Parameter::unknown(name, MOST_LEGS);
             return Err(InputError::other(format!("{name} = {text}: {complaint}")));
         };
         let value = parameter.value(text)?;
@@ -101,7 +102,13 @@ pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile
     let of_vehicle = || (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
     let mut document = file.document.clone();
     for one in of_vehicle() {
-        document.write(one.path(), one.value());
+        vehicle_file::write(
+            &mut document,
+            one.parameter().name(),
+            one.path(),
+            one.value(),
+        )
+        .map_err(|error| one.refuse(&error.to_string()))?;
     }
     let said = || {
         let said = of_vehicle().map(|one| format!("{}={}", one.parameter.name(), one.text));

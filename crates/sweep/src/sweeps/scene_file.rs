@@ -6,6 +6,7 @@
 
 use std::path::{Path, PathBuf};
 
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
 
 use crate::document::{Document, Value};
@@ -17,8 +18,7 @@ use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::{locate_condition, named_vehicle};
-use crate::vehicle_file::LEGS;
-use crate::vehicle_file::VehicleFile;
+use crate::vehicle_file::{self, VehicleFile};
 
 pub(crate) const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver", "case"];
 /// Keys of a case that are no parameters.
@@ -112,10 +112,10 @@ impl<'d> Changes<'d> {
                 (key, _) if key == own_name => changes.name = Some(found),
                 (key, Value::Text(_)) if key == own_vehicle => changes.vehicle = Some(found),
                 _ => {
-                    let parameter = Parameter::named(&name, LEGS)
+                    let parameter = Parameter::named(&name, MOST_LEGS)
                         .filter(|known| !known.name().starts_with("search."));
                     let Some(parameter) = parameter else {
-                        return Err(found.complain_that(&unknown(&name, LEGS)));
+                        return Err(found.complain_that(&unknown(&name, MOST_LEGS)));
                     };
                     let mut before = changes.parameters.iter();
                     if let Some((other, _)) = before.find(|(other, _)| *other == parameter) {
@@ -229,7 +229,13 @@ impl Stack {
                     self.conditions.set(parameter.program_name(), *number);
                 }
                 (Home::Vehicle, _) => {
-                    self.vehicle.write(parameter.path(), value);
+                    vehicle_file::write(
+                        &mut self.vehicle,
+                        parameter.name(),
+                        parameter.path(),
+                        value,
+                    )
+                    .map_err(|error| changes.complain(error, Some(found)))?;
                 }
                 _ => {
                     self.document.write(parameter.path(), value);

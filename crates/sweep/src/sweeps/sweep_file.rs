@@ -17,8 +17,7 @@ use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::sensitivity_input;
 use crate::sweep::{OverrideNames, SWEEP};
-use crate::vehicle_file::LEGS;
-use crate::vehicle_file::VehicleFile;
+use crate::vehicle_file::{self, VehicleFile};
 use crate::{case, map_input, sample_input, search_input, settings_input};
 
 impl Sweep {
@@ -45,7 +44,7 @@ impl Sweep {
         let vehicle = vehicle_document(&root, path, library)?;
         let asked = asked(&root)?;
         let scene = root.section("scene", &NAMES)?;
-        let entries = axis_input::entries(&root, LEGS)?;
+        let entries = axis_input::entries(&root, vehicle_file::leg_count(&vehicle))?;
         check_names(&root, &scene, &entries, asked)?;
         let mut sources = vec![document.source(), vehicle.source()];
         let sampled = sample_input::sampled(&root, &entries, path, library, &mut sources)?;
@@ -90,6 +89,7 @@ impl Sweep {
             document: vehicle,
             ..varied
         };
+        let legs = vehicle.vehicle.legs().len();
         let fixed = NamedConditions::read(&scene)?;
         let sweep = Self {
             path: path.to_owned(),
@@ -101,7 +101,7 @@ impl Sweep {
             design,
             job,
             settings,
-            sensitivity: sensitivity_input::parameters(&root, LEGS)?,
+            sensitivity: sensitivity_input::parameters(&root, legs)?,
             part: None,
             sources,
             overrides: OverrideNames::default(),

@@ -82,6 +82,30 @@ fn in_si(key: &str) -> Vec<(String, fn(f64) -> f64)> {
         .collect()
 }
 
+#[test]
+fn the_reference_lists_all_units() {
+    const REFERENCE: &str = include_str!("../../../../docs/reference.md");
+    let table = REFERENCE.split_once("<!-- units -->\n").unwrap().1;
+    let rows = table.lines().skip(2).take_while(|row| row.starts_with('|'));
+    let mut listed: Vec<(String, String)> = rows
+        .map(|row| {
+            let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+            (cells[1].to_owned(), cells[2].to_owned())
+        })
+        .collect();
+    let quoted = |ending: &str| format!("`{ending}`");
+    let mut known: Vec<(String, String)> = UNITS
+        .iter()
+        .map(|(ending, si)| {
+            let si: Vec<String> = si.iter().map(|(si, _)| quoted(si)).collect();
+            (quoted(ending), si.join(", "))
+        })
+        .collect();
+    listed.sort();
+    known.sort();
+    assert_eq!(listed, known);
+}
+
 /// The lines of a text from the header of a table, or from the start, up to the next one.
 fn table_lines(lines: &[String], header: &str) -> std::ops::Range<usize> {
     let begin = match header {
@@ -308,6 +332,17 @@ fn a_sweep_in_si_finds_the_same_transitions() {
     // Axes are told as they were asked for.
     assert_eq!(si.heading(["x"]), ["roll_rad", "x"]);
     assert_eq!(si.coordinates_written(2), ["0.5235987755982988"]);
+}
+
+#[test]
+fn records_tell_the_vehicle_in_the_units_of_the_program() {
+    let [us, si] = [(US, SURVEYOR), (SI, SURVEYOR_SI)].map(|(text, vehicle)| {
+        let mut input = read_sweep(text, vehicle).unwrap().resolved();
+        input["vehicle"]["name"].take();
+        input["axes"].take();
+        input
+    });
+    assert_eq!(us, si);
 }
 
 #[test]
