@@ -262,7 +262,7 @@ const WRONG: [(&str, &str, &[&str]); 24] = [
     (
         "[[legs]]\nazimuth_deg = 240",
         "",
-        &["2 legs: expected", "three tables [[legs]]"],
+        &["2 legs: expected", "three to eight tables [[legs]]"],
     ),
     (
         "azimuth_deg = 240",
