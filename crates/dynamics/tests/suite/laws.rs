@@ -240,10 +240,10 @@ fn an_element_gives_back_at_most_what_it_took() {
             for _ in 0..FINE {
                 // Every other path is that of the section rule: an element crushes whenever it gets deeper.
                 let driven = step > 0.0 && (number % 2 == 0 || may_crush);
-                let pressure = |at: f64, set: f64| law.answer(set, at, driven).line.at(at);
+                let pressure = |at: f64, set: f64| law.state_at(set, at, driven).line.at(at);
                 let next = (interference + step / f64::from(FINE)).clamp(-0.2, 1.0);
                 let before = pressure(interference, set);
-                set = law.answer(set, next, driven).set;
+                set = law.state_at(set, next, driven).set;
                 let work = 0.5 * (before + pressure(next, set)) * (next - interference);
                 (taken, given) = (taken + work.max(0.0), given + (-work).max(0.0));
                 assert!(given <= taken + 1e-6, "path {number}: {given} of {taken}");
