@@ -258,7 +258,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Free flight through `time` seconds: the approach then, and the way of the CG, ft.
+    /// Free flight through `time` seconds: the approach then, and the displacement of the CG, ft.
     fn fly(&self, time: f64) -> Result<(Approach, Vector3<f64>), Invalid> {
         let scene = self.scene(&self.approach, &Vector2::zeros())?;
         let settings = Settings::new(TOLERANCE, 1.0, CrushRule::default())?;

@@ -125,7 +125,7 @@ pub struct Landing {
     pub max_strut_force: PerLeg<f64>,
     /// Greatest stroke of each strut, ft.
     pub max_stroke: PerLeg<f64>,
-    /// How fast it was still on its way at the end.
+    /// Rates at the end.
     pub final_rates: FinalRates,
     /// First contact of each footpad, s.
     pub pad_contact: PerLeg<Option<f64>>,
@@ -174,7 +174,7 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// The instant at `time`, with `energies` kinetic and released, and what the laws tell of the `feet`.
+    /// The instant at `time`, with `energies` kinetic and released, and the feet's state that only the laws know.
     pub(crate) fn new(
         time: f64,
         state: &State<f64>,
@@ -220,7 +220,7 @@ impl Instant {
     }
 }
 
-/// What only the laws of a leg can tell of its foot.
+/// State of a foot that only the laws of its leg know.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Foot {
     /// Footpad angle α, rad.

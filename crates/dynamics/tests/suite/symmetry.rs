@@ -71,7 +71,8 @@ fn compare(
     image_leg: &[usize],
 ) -> Vec<Pair> {
     let same: Vec<usize> = (0..image_leg.len()).collect();
-    touchdowns(200)
+    // Legs more than three cost more, and the same law is asked of them.
+    touchdowns(if same.len() > 3 { 60 } else { 200 })
         .par_iter()
         .map(|(conditions, rule)| {
             let settings = Settings::new(1e-6, 1.5, *rule).unwrap();

@@ -74,6 +74,18 @@ pub(crate) const BLOCK: [&str; 5] = [
 ];
 pub(crate) const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
 pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
+/// The keys of all tables.
+pub(crate) const KEYS: [&[&str]; 9] = [
+    &VEHICLE,
+    &INERTIA,
+    &LEG,
+    &LINKAGE,
+    &STRUT,
+    &FOOTPAD,
+    &BLOCK,
+    &MULTIPLIER,
+    &PRESSURE,
+];
 /// Where the CG is off the centreline; 0 when they are left out.
 const OFFSET: [&str; 2] = [
     "center_of_gravity_offset_x_ft",

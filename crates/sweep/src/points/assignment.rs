@@ -89,7 +89,7 @@ pub fn check_once(set: &[Assignment]) -> Result<(), InputError> {
 pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
     for one in set {
         if let (Home::Scene, Value::Number(number)) = (one.parameter.home(), &one.value) {
-            conditions.set(one.parameter.name(), *number);
+            conditions.set(one.parameter.program_name(), *number);
         }
     }
 }
@@ -127,6 +127,9 @@ mod tests {
         let preload = Assignment::parse("vehicle.strut.preload_lb=200").unwrap();
         assert_eq!(preload.parameter().name(), "vehicle.strut.preload_lb");
         assert!(matches!(preload.value(), Value::Number(200.0)));
+        let preload = Assignment::parse("vehicle.strut.preload_n=444.82216152605").unwrap();
+        assert_eq!(preload.parameter().name(), "vehicle.strut.preload_n");
+        assert!(matches!(preload.value(), Value::Number(100.0)));
         let slope = Assignment::parse("scene.slope_deg = -5").unwrap();
         assert_eq!(slope.parameter().name(), "slope_deg");
         let rule = Assignment::parse("solver.crush_rule=section").unwrap();
@@ -144,7 +147,7 @@ mod tests {
                 "slope_deg = steep: expected a finite number",
             ),
             ("slope_deg=nan", "a finite number"),
-            ("solver.crush_rule=soft", "pivot-rate or section"),
+            ("solver.crush_rule=soft", "one of pivot-rate, section"),
         ] {
             let complaint = Assignment::parse(text).unwrap_err().to_string();
             assert!(complaint.contains(fragment), "{complaint}");

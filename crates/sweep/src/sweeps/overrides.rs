@@ -88,7 +88,7 @@ impl Sweep {
     fn set(&mut self, set: &[Assignment]) -> Result<(), InputError> {
         assignment::check_once(set)?;
         for one in set {
-            let name = one.parameter().name();
+            let name = one.parameter().program_name();
             if self.axes.contains(one.parameter()) {
                 return Err(one.refuse("this parameter varies in the sweep"));
             }
@@ -103,7 +103,9 @@ impl Sweep {
                 self.document.write(one.path(), one.value());
             }
         }
-        let names: Vec<&str> = set.iter().map(|one| one.parameter().name()).collect();
+        let names: Vec<&str> = (set.iter())
+            .map(|one| one.parameter().program_name())
+            .collect();
         self.fixed.replace_attitude_form(&names);
         assignment::set_conditions(&mut self.fixed, set);
         Ok(())

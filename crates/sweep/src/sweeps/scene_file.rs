@@ -117,6 +117,12 @@ impl<'d> Changes<'d> {
                     let Some(parameter) = parameter else {
                         return Err(found.complain_that(&unknown(&name, MOST_LEGS)));
                     };
+                    let mut before = changes.parameters.iter();
+                    if let Some((other, _)) = before.find(|(other, _)| *other == parameter) {
+                        let other = other.name();
+                        let said = format!("said twice: expected one of {other} and {name}");
+                        return Err(found.complain_that(&said));
+                    }
                     changes.parameters.push((parameter, found));
                 }
             }
@@ -138,16 +144,16 @@ impl<'d> Changes<'d> {
 
     /// A complaint about the scene that arose with this case.
     fn blame_condition(&self, fault: &SceneFault) -> InputError {
-        let said = self.parameters.iter().find(|(p, _)| p.name() == fault.name);
-        let said = said.map(|(_, found)| found);
+        let said = (self.parameters.iter()).find(|(p, _)| p.program_name() == fault.name);
         let error = match (fault.value, said) {
-            (Some(_), Some(found)) => {
-                InputError::value(fault.name, &found.node.written, &fault.allowed)
+            (Some(value), Some((parameter, found))) => {
+                let allowed = parameter.explain(&fault.allowed, parameter.from_program(value));
+                InputError::value(parameter.name(), &found.node.written, &allowed)
             }
             (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
             (None, _) => InputError::missing(fault.name, &fault.allowed),
         };
-        self.complain(error, said)
+        self.complain(error, said.map(|(_, found)| found))
     }
 
     fn complain(&self, error: InputError, found: Option<&LocatedValue>) -> InputError {
@@ -186,10 +192,7 @@ impl Stack {
         scene: &Section,
     ) -> Result<Self, InputError> {
         let vehicle = named_vehicle(&root.value("vehicle", VEHICLE)?, path, Library::Disk)?;
-        let mut conditions = NamedConditions::default();
-        for (name, found) in scene.all_values() {
-            conditions.set(name, found.number()?);
-        }
+        let conditions = NamedConditions::read(scene)?;
         // Errors in these files are reported for the files, not for the first case.
         settings_input::settings_of_landing(root)?;
         VehicleFile::from_document(vehicle.clone())?;
@@ -209,11 +212,13 @@ impl Stack {
             .parameters
             .iter()
             .filter(|(p, _)| p.home() == Home::Scene);
-        let names: Vec<&str> = scene.map(|(parameter, _)| parameter.name()).collect();
+        let names: Vec<&str> = scene
+            .map(|(parameter, _)| parameter.program_name())
+            .collect();
         self.conditions.replace_attitude_form(&names);
         for (parameter, found) in &changes.parameters {
             let value = match parameter.words() {
-                [] => Value::Number(found.number()?),
+                [] => Value::Number(parameter.to_program(found.number()?)),
                 words => match found.text() {
                     Ok(word) if words.contains(&word) => Value::Text(word.to_owned()),
                     _ => return Err(found.complain(&format!("one of {words:?}"))),
@@ -221,7 +226,7 @@ impl Stack {
             };
             match (parameter.home(), &value) {
                 (Home::Scene, Value::Number(number)) => {
-                    self.conditions.set(parameter.name(), *number);
+                    self.conditions.set(parameter.program_name(), *number);
                 }
                 (Home::Vehicle, _) => {
                     vehicle_file::write(

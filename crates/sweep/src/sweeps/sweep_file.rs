@@ -90,10 +90,7 @@ impl Sweep {
             ..varied
         };
         let legs = vehicle.vehicle.legs().len();
-        let mut fixed = NamedConditions::default();
-        for (name, found) in scene.all_values() {
-            fixed.set(name, found.number()?);
-        }
+        let fixed = NamedConditions::read(&scene)?;
         let sweep = Self {
             path: path.to_owned(),
             title,
@@ -178,7 +175,7 @@ fn check_names(
             );
         }
     }
-    let varied = |name: &str| entries.iter().find(|entry| entry.parameter.name() == name);
+    let varied = |name: &str| (entries.iter()).find(|entry| entry.parameter.program_name() == name);
     if asked == JobWord::Boundary {
         let fixed = scene.optional(HORIZONTAL_VELOCITY);
         let varied = varied(HORIZONTAL_VELOCITY).map(|entry| entry.found.clone());
@@ -188,8 +185,8 @@ fn check_names(
     } else if let Some(found) = root.optional("search") {
         return Err(found.complain_that("not used with job = \"outcome\""));
     }
-    for (name, _) in scene.all_values() {
-        if let Some(entry) = varied(name) {
+    for name in NAMES {
+        if let (Some(entry), Some(_)) = (varied(name), scene.optional(name)) {
             let both = "also in [scene]: expected only one of the two";
             return Err(entry.found.complain_that(both));
         }
@@ -278,13 +275,16 @@ pub(crate) fn locate_condition(
     }
     let entry = entries
         .iter()
-        .find(|entry| entry.parameter.name() == fault.name);
+        .find(|entry| entry.parameter.program_name() == fault.name);
     match (entry, fault.value) {
-        (Some(entry), Some(value)) => entry.found.complain_that(&format!(
-            "includes {}: expected {}",
-            short(value.to_string()),
-            fault.allowed
-        )),
+        (Some(entry), Some(value)) => {
+            let value = entry.parameter.from_program(value);
+            entry.found.complain_that(&format!(
+                "includes {}: expected {}",
+                short(value.to_string()),
+                entry.parameter.explain(&fault.allowed, value)
+            ))
+        }
         _ => scene.missing(fault.name, &fault.allowed),
     }
 }

@@ -91,11 +91,11 @@ fn bad_tables_are_refused() {
         "cases.csv",
         &format!(
             "{}\n{GOOD}\n",
-            HEADING.replace("slope_deg,f", "slope_rad,f")
+            HEADING.replace("slope_deg,f", "slope_grad,f")
         ),
     );
     bench.run(&RUN_CASES).refused(&[
-        "cases.csv:1: column slope_rad: no such column",
+        "cases.csv:1: column slope_grad: no such column",
         "did you mean slope_deg",
     ]);
     bench.write("cases.csv", HEADING);
