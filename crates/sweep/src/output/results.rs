@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 
 use crate::boundary::Boundary;
-use crate::certainty::Certainty;
+use crate::certainty::{Certainty, tolerance_cell};
 use crate::findings::Finding;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, Cell};
@@ -17,7 +17,7 @@ use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
 use crate::vehicle_file::LEGS;
 
 /// Columns of the table after those of the axes.
-pub const COLUMNS: [&str; 9] = [
+pub const COLUMNS: [&str; 10] = [
     "first_transition_to",
     "first_transition_fps",
     "bracket_low_fps",
@@ -27,6 +27,7 @@ pub const COLUMNS: [&str; 9] = [
     "certainty",
     "disputed_from_fps",
     "disputed_to_fps",
+    "solver_tolerance",
 ];
 
 /// How a sweep was run, which its input does not tell.
@@ -111,6 +112,7 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
         word,
         from,
         to,
+        tolerance_cell(found.map(|found| found.tolerance)),
     ]
 }
 
@@ -139,6 +141,8 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
                 .collect::<Map<String, Value>>(),
             "scan_speeds_skipped": counts.skipped.left_out,
             "certainty_landings": counts.tests,
+            "transitions_searched_again": counts.searched_again,
+            "transitions_disputed": counts.disputed_in_all,
             "sensitivity_landings": counts.sensitivity_landings,
             "landings": counts.landings,
             "derivative_evaluations": counts.evaluations,
@@ -190,6 +194,7 @@ mod tests {
                 to,
                 low: Some(low),
                 high,
+                tolerance: 3e-5,
                 certainty: Certainty::Certain,
             }),
             landings: 50,
@@ -211,6 +216,7 @@ mod tests {
                     to: Class::Failure,
                     low: None,
                     high: 8.0,
+                    tolerance: 3e-5,
                     certainty: Certainty::Untested,
                 }),
                 ..Boundary::default()
@@ -225,7 +231,7 @@ mod tests {
         assert_eq!(
             heading(&sweep).join(","),
             "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
-             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps"
+             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,solver_tolerance"
         );
         let rows = boundaries.iter().enumerate();
         let rows = rows.map(|(point, boundary)| {
@@ -234,10 +240,10 @@ mod tests {
         assert_eq!(
             rows.collect::<Vec<_>>(),
             [
-                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,",
-                "-55,none,,25,,101,2000,above,,",
-                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,",
-                "-45,failure,8,,8,0,0,at-or-below,,"
+                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,,3e-5",
+                "-55,none,,25,,101,2000,above,,,",
+                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,,3e-5",
+                "-45,failure,8,,8,0,0,at-or-below,,,3e-5"
             ]
         );
     }
