@@ -3,7 +3,8 @@
 //!
 //! Sought is the plane on which a landing of this vehicle gives the measured times. The report
 //! flew on with an assumed slope once the first pad had touched; here the slope found is the one
-//! flown with, by Newton's method on the horizontal part of its normal.
+//! flown with, by Newton's method on the horizontal part of its normal. Times of three pads determine it; of more, the
+//! surface is the one that fits them best in the sense of least squares.
 
 mod pads;
 
@@ -14,8 +15,7 @@ use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::attitude::{Attitude, Euler};
 use crate::invalid::{Invalid, require};
-use crate::land::land;
-use crate::landing::Landing;
+use crate::landing::{Landing, land_until_all_pads_touch};
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
@@ -30,9 +30,16 @@ const AFTERWARDS: f64 = 0.05;
 /// Step of differences, and change at which the search ends, of the slope's tangent.
 const DIFFERENCE: f64 = 1e-5;
 const CLOSE: f64 = 1e-11;
-/// Greatest residual of an impact time, s.
+/// Greatest residual of an impact time where there are only as many as determine a surface, s.
 const TIMELY: f64 = 1e-8;
+const DETERMINED: usize = 3;
+/// Step of the tangent below which the least squares of more times are found.
+const SETTLED: f64 = 1e-7;
 const MOST_HALVINGS: usize = 10;
+/// A search for a surface that gives all times gets nowhere when so many steps, one after the other, leave more than this
+/// part of the greatest residual.
+const MOST_IDLE_STEPS: usize = 3;
+const IDLE: f64 = 0.9;
 /// Most landings of a search, several times as many as one takes that finds a surface.
 const MOST_LANDINGS: u64 = 60;
 /// Tangent of the steepest surface looked for, 85 deg.
@@ -107,6 +114,8 @@ pub enum NoSurface {
     NotFound {
         /// Greatest residual of an impact time.
         residual: f64,
+        /// Landings of the search.
+        landings: u64,
     },
 }
 
@@ -128,9 +137,9 @@ impl fmt::Display for NoSurface {
                  before, {outcome} {time:.3} s after first contact",
                 leg + 1
             ),
-            Self::NotFound { residual } => write!(
+            Self::NotFound { residual, landings } => write!(
                 f,
-                "no slope gives these impact times: the nearest misses one by {residual:.2e} s"
+                "no slope gives these impact times: the nearest of {landings} misses one by {residual:.2e} s"
             ),
         }
     }
@@ -162,7 +171,7 @@ pub fn determine(
     require(
         "impact_time_s (number of times)",
         impact_times.len() as f64,
-        &format!("{legs}, one a leg"),
+        &format!("{legs} times, one for each leg"),
         |_| impact_times.len() == legs,
     )?;
     let times = PerLeg::from_fn(legs, |leg| impact_times[leg]);
@@ -192,6 +201,10 @@ struct Trial {
 }
 
 impl Trial {
+    fn squares(&self) -> f64 {
+        self.residuals.iter().map(|r| r * r).sum()
+    }
+
     fn worst(&self) -> f64 {
         self.residuals
             .iter()
@@ -251,7 +264,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Free flight through `time` seconds: the approach then, and the way of the CG, ft.
+    /// Free flight through `time` seconds: the approach then, and the displacement of the CG, ft.
     fn fly(&self, time: f64) -> Result<(Approach, Vector3<f64>), Invalid> {
         let scene = self.scene(&self.approach, &Vector2::zeros())?;
         let settings = Settings::new(TOLERANCE, 1.0, CrushRule::default())?;
@@ -315,7 +328,8 @@ impl<'a> Search<'a> {
         let span = last - self.times[self.first];
         let settings = Settings::new(TOLERANCE, 2.0 * span + AFTERWARDS, CrushRule::default())?;
         let (approach, _) = self.fly((self.times[self.first] - self.delay).max(0.0))?;
-        let landing = land(self.vehicle, &self.scene(&approach, tangent)?, &settings);
+        let scene = self.scene(&approach, tangent)?;
+        let landing = land_until_all_pads_touch(self.vehicle, &scene, &settings);
         self.landings += 1;
         let first = landing.pad_contact[self.first];
         let mut residuals = self.times;
@@ -334,7 +348,10 @@ impl<'a> Search<'a> {
     /// Gauss and Newton's steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
-        while self.landings < MOST_LANDINGS {
+        let is_determined = self.times.len() <= DETERMINED;
+        let mut is_at_least = false;
+        let mut idle_steps = 0;
+        while self.landings < MOST_LANDINGS && idle_steps < MOST_IDLE_STEPS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
             let mut columns = [self.times; 2];
             for (axis, column) in columns.iter_mut().enumerate() {
@@ -353,6 +370,7 @@ impl<'a> Search<'a> {
                 break;
             };
             let mut step = inverse * -right;
+            is_at_least = !is_determined && step.norm() < SETTLED;
             let mut halvings = 0;
             let better = loop {
                 let there = tangent + step;
@@ -362,7 +380,7 @@ impl<'a> Search<'a> {
                     Err(NoSurface::Wall)
                 };
                 match outcome {
-                    Ok(found) if found.worst() < trial.worst() || step.norm() < CLOSE => {
+                    Ok(found) if found.squares() < trial.squares() || step.norm() < CLOSE => {
                         break Some((there, found));
                     }
                     _ if halvings == MOST_HALVINGS || self.landings >= MOST_LANDINGS => {
@@ -377,15 +395,19 @@ impl<'a> Search<'a> {
             let Some((there, found)) = better else {
                 break;
             };
+            // Least squares of more times than needed stay.
+            let is_idle = is_determined && found.worst() > (IDLE * trial.worst()).max(TIMELY);
+            idle_steps = if is_idle { idle_steps + 1 } else { 0 };
             tangent = there;
             trial = found;
             if step.norm() < CLOSE {
                 break;
             }
         }
-        if trial.worst() > TIMELY {
+        if trial.worst() > TIMELY && !is_at_least {
             return Err(NoSurface::NotFound {
                 residual: trial.worst(),
+                landings: self.landings,
             });
         }
         Ok(tangent)

@@ -8,4 +8,5 @@ pub mod key_path;
 pub mod library;
 pub mod section;
 pub mod source;
+pub(crate) mod spelling;
 pub mod unit;

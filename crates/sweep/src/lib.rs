@@ -34,6 +34,7 @@ mod threads;
 pub mod journal;
 pub mod sensitivity;
 
+use documents::spelling;
 pub use documents::{
     document, file_writer, fingerprint, input_error, key_path, library, section, source, unit,
 };

@@ -4,13 +4,14 @@ use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
 use crate::print::print;
 
 const VEHICLE: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const VEHICLE_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");
 const SWEEP: &str = include_str!("new/sweep.toml");
 const SCENE: &str = include_str!("new/scene.toml");
 /// Placeholder of the templates for the path of the vehicle file.
@@ -37,7 +38,7 @@ pub struct Options {
 #[derive(Debug, Subcommand)]
 enum Kind {
     /// A vehicle file: the Surveyor, with an explanation of each number
-    Vehicle(NewFile),
+    Vehicle(NewVehicle),
     /// A sweep file: V_H over roll and cross-slope
     Sweep(NamesVehicle),
     /// A scene file: a touchdown and two cases that differ from it
@@ -52,6 +53,26 @@ struct NewFile {
 }
 
 #[derive(Debug, Args)]
+struct NewVehicle {
+    #[command(flatten)]
+    new: NewFile,
+    /// Units of the file; the keys of either may be mixed
+    #[arg(long, value_enum, default_value = "US", ignore_case = true)]
+    units: Units,
+}
+
+/// Units of a new file.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Units {
+    /// Foot, slug, pound and degree
+    #[value(name = "US")]
+    Us,
+    /// Metre, kilogram, newton and radian
+    #[value(name = "SI")]
+    Si,
+}
+
+#[derive(Debug, Args)]
 struct NamesVehicle {
     #[command(flatten)]
     new: NewFile,
@@ -63,7 +84,13 @@ struct NamesVehicle {
 /// Runs `new`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     match &options.kind {
-        Kind::Vehicle(new) => write(&new.file, VEHICLE),
+        Kind::Vehicle(vehicle) => {
+            let text = match vehicle.units {
+                Units::Us => VEHICLE,
+                Units::Si => VEHICLE_SI,
+            };
+            write(&vehicle.new.file, text)
+        }
         Kind::Sweep(named) => write(&named.new.file, &naming(SWEEP, &named.vehicle)),
         Kind::Scene(named) => write(&named.new.file, &naming(SCENE, &named.vehicle)),
     }

@@ -45,9 +45,11 @@ pub struct Options {
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE")]
     vehicle: PathBuf,
-    /// Times at which footpads 1, 2 and 3 touched the surface, s after time zero
-    #[arg(long, value_name = "S,S,S", value_parser = triple, allow_hyphen_values = true)]
-    impact_times: [f64; 3],
+    /// Times at which the footpads touched the surface, s after time zero, in the order of the legs; of
+    /// more than three the surface that fits best
+    #[arg(long, value_name = "S,S,S", value_delimiter = ',', value_parser = finite, required = true,
+          allow_hyphen_values = true)]
+    impact_times: Vec<f64>,
     /// Velocity of the CG at time zero, ft/s, in any axes whose Z points down
     #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true)]
     velocity: [f64; 3],
@@ -139,7 +141,7 @@ fn refused(why: NoSurface) -> Failure {
     match why {
         NoSurface::Input(invalid) => {
             let option = match invalid.quantity.as_str() {
-                "impact_time_s" => "--impact-times",
+                name if name.starts_with("impact_time_s") => "--impact-times",
                 "friction" => "--friction",
                 "angular_velocity_dps" => "--angular-velocity",
                 _ => "--velocity",
@@ -173,12 +175,14 @@ fn uncertainty(
             let work = "no result was printed".to_owned();
             return Err(Failure::Interrupted(work));
         }
-        let times = options
-            .impact_times
-            .map(|time| time + errors.sample(&mut random));
+        let times = options.impact_times.iter();
+        let times: Vec<f64> = times
+            .map(|time| time + errors.sample(&mut random))
+            .collect();
         // Only differences matter where the first impact is at time zero.
         let earliest = times.iter().fold(0.0f64, |least, time| least.min(*time));
-        let sample = determine(vehicle, approach, &times.map(|time| time - earliest));
+        let times: Vec<f64> = times.iter().map(|time| time - earliest).collect();
+        let sample = determine(vehicle, approach, &times);
         progress.point(number);
         let Ok(sample) = sample else {
             continue;

@@ -1,8 +1,9 @@
-//! Where everything is: the surface seen from the vehicle, and the geometry of one leg
+//! Positions and velocities: the surface in the vehicle's frame, and the geometry of one leg
 //! (model chapters 1 and 3).
 //!
 //! The inward surface normal and the velocities are turned into the vehicle once, and then into
-//! the plane of each leg, where its geometry lies.
+//! the plane of each leg, where its geometry lies. All these planes meet in the centreline. Legs are therefore placed
+//! from the *centre*, the point of the centreline level with the CG: the CG itself unless that is off the centreline.
 
 mod plane;
 
@@ -10,7 +11,7 @@ use libm::sincos;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::lanes::per_lane;
-use crate::products::transposed_times;
+use crate::products::{times, transposed_times};
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, rotation};
@@ -25,11 +26,15 @@ pub struct BodyFrame<S> {
     pub rotation: Matrix3<S>,
     /// Inward surface normal n in vehicle axes.
     pub normal: Vector3<S>,
-    /// CG velocity in vehicle axes, ft/s.
+    /// Centre relative to the CG: x and y of vehicle axes, ft.
+    pub center: [S; 2],
+    /// Velocity of the centre in vehicle axes, ft/s.
     pub velocity: Vector3<S>,
+    /// Velocity of the centre relative to the CG in vehicle axes, ft/s.
+    pub center_velocity: Vector3<S>,
     /// Angular velocity ω in vehicle axes, rad/s.
     pub rate: Vector3<S>,
-    /// Depth Z' of the CG below the surface, ft (negative above).
+    /// Depth Z' of the centre below the surface, ft (negative above).
     pub depth: S,
     /// 1/cos ξ_B, held beyond 84 deg: the blocks stand along the centreline, cos ξ_B = k·n.
     pub upright: S,
@@ -38,7 +43,9 @@ pub struct BodyFrame<S> {
 per_lane!(BodyFrame {
     rotation,
     normal,
+    center,
     velocity,
+    center_velocity,
     rate,
     depth,
     upright,
@@ -80,23 +87,46 @@ impl<S: Real> Surface<S> {
         self.sine * point.y + self.cosine * point.z
     }
 
-    /// The body's frame over this surface.
+    /// The frame over this surface of a body whose centre lies so (x and y of vehicle axes, ft) from the CG.
     #[inline(always)]
-    pub fn frame(&self, body: &Body<S>) -> BodyFrame<S> {
+    pub fn frame(&self, body: &Body<S>, center: &[S; 2]) -> BodyFrame<S> {
         let rotation = rotation(&body.quaternion);
         let normal = Vector3::new(
             self.sine * rotation[(1, 0)] + self.cosine * rotation[(2, 0)],
             self.sine * rotation[(1, 1)] + self.cosine * rotation[(2, 1)],
             self.sine * rotation[(1, 2)] + self.cosine * rotation[(2, 2)],
         );
+        let (rate, [x, y]) = (&body.rate, *center);
+        let center_velocity = Vector3::new(-(rate.z * y), rate.z * x, rate.x * y - rate.y * x);
         BodyFrame {
             upright: upright(normal.z),
+            depth: self.depth(&body.position) + (normal.x * x + normal.y * y),
             normal,
-            velocity: transposed_times(&rotation, &body.velocity),
+            center: *center,
+            velocity: transposed_times(&rotation, &body.velocity) + center_velocity,
+            center_velocity,
             rate: body.rate,
-            depth: self.depth(&body.position),
             rotation,
         }
+    }
+}
+
+impl<S: Real> BodyFrame<S> {
+    /// A point given from the centre in vehicle axes, as seen from the CG in ground axes, ft.
+    #[inline(always)]
+    pub fn seen_from_center_of_gravity(&self, point: &Vector3<S>) -> Vector3<S> {
+        let [x, y] = self.center;
+        times(
+            &self.rotation,
+            &Vector3::new(point.x + x, point.y + y, point.z),
+        )
+    }
+
+    /// Moment about the CG of a force (lb) at the centre, vehicle axes, ft·lb.
+    #[inline(always)]
+    pub fn moment_of_center(&self, force: &Vector3<S>) -> Vector3<S> {
+        let [x, y] = self.center;
+        Vector3::new(y * force.z, -(x * force.z), x * force.y - y * force.x)
     }
 }
 
@@ -147,6 +177,7 @@ pub struct LegFrame<S> {
     /// n×ω, the rate at which the normal turns in the vehicle, 1/s.
     pub normal_rate: Vector3<S>,
     velocity: Vector3<S>,
+    center_velocity: Vector3<S>,
     rate: Vector3<S>,
     depth: S,
     upright: S,
@@ -235,7 +266,7 @@ impl<S: Real> LegGeometry<S> {
         centroid
     }
 
-    /// Lower hardpoint relative to the CG (6), ft.
+    /// Lower hardpoint relative to the centre (6), ft.
     #[inline(always)]
     pub fn lower_hardpoint(&self) -> Vector3<S> {
         let [ex, ey] = self.outboard;
@@ -246,7 +277,7 @@ impl<S: Real> LegGeometry<S> {
         )
     }
 
-    /// Footpad pivot relative to the CG at link angle γ (7), ft.
+    /// Footpad pivot relative to the centre at link angle γ (7), ft.
     #[inline(always)]
     pub fn pivot(&self, link_angle: S) -> Vector3<S> {
         let (sine, cosine) = link_angle.sin_cos();
@@ -256,7 +287,7 @@ impl<S: Real> LegGeometry<S> {
         })
     }
 
-    /// A point in the plane of this leg, in vehicle axes, ft.
+    /// A point in the plane of this leg, relative to the centre in vehicle axes, ft.
     #[inline(always)]
     pub fn off_leg_plane(&self, point: &PlanePoint<S>) -> Vector3<S> {
         let [ex, ey] = self.outboard;
@@ -295,6 +326,7 @@ impl<S: Real> LegGeometry<S> {
             normal_rate: normal.cross(&rate),
             normal,
             velocity: self.in_leg_axes(&body.velocity),
+            center_velocity: self.in_leg_axes(&body.center_velocity),
             rate,
             depth: body.depth,
             upright: body.upright,
@@ -409,11 +441,12 @@ impl<S: Real> LegFrame<S> {
     #[inline(always)]
     pub fn carried_round(&self, point: &PlanePoint<S>) -> Vector3<S> {
         let w = &self.rate;
-        Vector3::new(
+        let round_center = Vector3::new(
             w.y * point.drop,
             w.z * point.reach - w.x * point.drop,
             -(w.y * point.reach),
-        )
+        );
+        round_center + self.center_velocity
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 //!
 //! Which piece of each law is active arrives as coefficients, [`Pieces`]. There is no table search
 //! here and no branch but one: what carries no pressure is passed over. Along with the derivative come the
-//! signals whose ranges tell how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
+//! signals whose ranges limit how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
 //! a lane for each ([`crate::lanes`]); leg follows leg.
 
 mod footing;
@@ -59,6 +59,8 @@ per_lane!(LegLoads {
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<S> {
     surface: Surface<S>,
+    /// Where the legs are placed from, relative to the CG: x and y of vehicle axes, ft ([`crate::kinematics`]).
+    center: [S; 2],
     gravity: S,
     mass: S,
     inverse_mass: S,
@@ -77,6 +79,7 @@ impl Motion<f64> {
         let legs = vehicle.legs();
         Self {
             surface: Surface::new(scene),
+            center: vehicle.center_of_gravity_offset().map(|offset| -offset),
             gravity: vehicle.gravity(),
             mass: vehicle.mass(),
             inverse_mass: 1.0 / vehicle.mass(),
@@ -90,6 +93,7 @@ impl Motion<f64> {
     pub fn in_all_lanes<const N: usize>(&self) -> Motion<Lanes<N>> {
         Motion {
             surface: self.surface.splat(),
+            center: self.center.splat(),
             gravity: self.gravity.splat(),
             mass: self.mass.splat(),
             inverse_mass: self.inverse_mass.splat(),
@@ -140,7 +144,7 @@ impl Motion<f64> {
         with_torques: bool,
         signals: &mut Signals<f64>,
     ) {
-        let frame = self.surface.frame(&state.body());
+        let frame = self.frame(&state.body());
         for leg in 0..self.leg_count() {
             let action = if with_torques {
                 self.action::<true, true, true>(leg, &frame, state, pieces)
@@ -153,7 +157,7 @@ impl Motion<f64> {
 
     /// Loads of all legs.
     pub fn loads(&self, state: &State<f64>, pieces: &Pieces<f64>) -> PerLeg<LegLoads<f64>> {
-        let frame = self.surface.frame(&state.body());
+        let frame = self.frame(&state.body());
         PerLeg::from_fn(self.leg_count(), |leg| {
             self.action::<true, true, true>(leg, &frame, state, pieces)
                 .loads
@@ -165,6 +169,7 @@ impl<const N: usize> Motion<Lanes<N>> {
     /// Puts a landing into a lane.
     pub fn set_lane(&mut self, lane: usize, one: &Motion<f64>) {
         one.surface.set_lane(&mut self.surface, lane);
+        one.center.set_lane(&mut self.center, lane);
         one.gravity.set_lane(&mut self.gravity, lane);
         one.mass.set_lane(&mut self.mass, lane);
         one.inverse_mass.set_lane(&mut self.inverse_mass, lane);
@@ -189,6 +194,12 @@ impl<S: Real> Motion<S> {
         &self.surface
     }
 
+    /// The frame of a body over the surface.
+    #[inline(always)]
+    pub fn frame(&self, body: &Body<S>) -> BodyFrame<S> {
+        self.surface.frame(body, &self.center)
+    }
+
     /// Geometry of leg `index`.
     pub fn geometry(&self, index: usize) -> &LegGeometry<S> {
         &self.legs[index].geometry
@@ -205,7 +216,7 @@ impl<S: Real> Motion<S> {
         derivative: &mut State<S>,
     ) {
         let body = state.body();
-        let frame = self.surface.frame(&body);
+        let frame = self.frame(&body);
         let mut push = Push::none();
         for leg in 0..self.legs.len() {
             let action = self.action::<true, false, STOPS>(leg, &frame, state, pieces);
@@ -225,7 +236,7 @@ impl<S: Real> Motion<S> {
         signals: &mut Signals<S>,
     ) {
         let body = state.body();
-        let frame = self.surface.frame(&body);
+        let frame = self.frame(&body);
         let mut push = Push::none();
         for leg in 0..self.legs.len() {
             let action = self.action::<true, true, STOPS>(leg, &frame, state, pieces);
@@ -248,7 +259,8 @@ impl<S: Real> Motion<S> {
         let mut acceleration = times(&frame.rotation, &push.force) * self.inverse_mass;
         acceleration.z += self.gravity;
         let momentum = times(&self.inertia, &body.rate);
-        let twist = push.torque - body.rate.cross(&momentum);
+        let torque = push.torque + frame.moment_of_center(&push.force);
+        let twist = torque - body.rate.cross(&momentum);
         derivative.set_body(&Body {
             position: body.velocity,
             velocity: acceleration,
@@ -310,7 +322,7 @@ fn pad_angle<S: Real>(pieces: &LegPieces<S>, turn: S) -> S {
 struct Push<S> {
     /// Force, lb.
     force: Vector3<S>,
-    /// Torque about the CG, ft·lb.
+    /// Torque about the centre, ft·lb.
     torque: Vector3<S>,
 }
 

@@ -23,10 +23,11 @@ pub(super) fn centroids(
     let in_plane =
         |outboard: f64, down: f64| Vector3::new(outboard * sine, outboard * cosine, down);
     let (sin_link, cos_link) = sincos(link_angle);
+    let [cg_x, cg_y] = vehicle.center_of_gravity_offset();
     let pivot = in_plane(
         linkage.lower_hardpoint_radius + linkage.lower_link_length * cos_link,
         vehicle.center_of_gravity_height() + linkage.lower_link_length * sin_link,
-    );
+    ) - Vector3::new(cg_x, cg_y, 0.0);
     let (sin_pad, cos_pad) = sincos(link_angle - pad_angle);
     let offset = 2.0 * footpad.diameter / (3.0 * std::f64::consts::PI);
     let middle = pivot + in_plane(-sin_pad, cos_pad) * footpad.height;

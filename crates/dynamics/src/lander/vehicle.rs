@@ -1,17 +1,18 @@
 //! The lander: mass properties and legs (model chapter 8), checked once and correct from then on.
 //!
 //! Foot, slug, pound, second and radian throughout. The plain structs ([`LegDesign`] and its
-//! parts) are what an input file says; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
+//! parts) are what an input file describes; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
 //! that every law of the model can use without asking again.
 
 use std::f64::consts::TAU;
 
-use libm::{asin, sin};
+use libm::{asin, cos, sin, sincos};
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use crate::contact::LegLaws;
 pub use crate::parts::{Block, Footpad, Inertia, LegDesign, Linkage, Strut};
 
+use super::footprint::check_offset;
 use crate::invalid::{Invalid, bounded, non_negative, positive, require};
 use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
@@ -29,6 +30,7 @@ pub struct Vehicle {
     mass: f64,
     gravity: f64,
     center_of_gravity_height: f64,
+    center_of_gravity_offset: [f64; 2],
     inertia: Matrix3<f64>,
     legs: Vec<Leg>,
 }
@@ -141,6 +143,15 @@ impl Leg {
     /// Lower-link angle γ at which the strut has its extended length, rad: where γ starts.
     pub fn extended_angle(&self) -> f64 {
         self.extended_angle
+    }
+
+    /// Pivot of the footpad with the strut extended: x and y of vehicle axes from the centreline, ft.
+    fn extended_foot(&self) -> [f64; 2] {
+        let linkage = &self.design.linkage;
+        let reach =
+            linkage.lower_hardpoint_radius + linkage.lower_link_length * cos(self.extended_angle);
+        let (sine, cosine) = sincos(self.design.azimuth);
+        [reach * sine, reach * cosine]
     }
 
     /// Height of the lower hardpoints over level ground with the strut extended, ft.
@@ -287,8 +298,22 @@ impl Vehicle {
             mass,
             gravity,
             center_of_gravity_height,
+            center_of_gravity_offset: [0.0; 2],
             inertia: matrix,
             legs: in_ring_order(legs)?,
+        })
+    }
+
+    /// The same vehicle with its CG off the centreline: x and y of vehicle axes, ft. The inertia is still about the CG.
+    ///
+    /// # Errors
+    /// When the CG is not over the polygon of the extended feet.
+    pub fn with_center_of_gravity_offset(self, offset: [f64; 2]) -> Result<Self, Invalid> {
+        let feet: Vec<[f64; 2]> = self.legs.iter().map(Leg::extended_foot).collect();
+        check_offset(offset, &feet)?;
+        Ok(Self {
+            center_of_gravity_offset: offset,
+            ..self
         })
     }
 
@@ -305,6 +330,11 @@ impl Vehicle {
     /// Height ΔCG of the CG above the plane of the lower hardpoints, ft.
     pub fn center_of_gravity_height(&self) -> f64 {
         self.center_of_gravity_height
+    }
+
+    /// Where the CG is off the centreline: x and y of vehicle axes, ft.
+    pub fn center_of_gravity_offset(&self) -> [f64; 2] {
+        self.center_of_gravity_offset
     }
 
     /// Height of the CG over level ground on which the vehicle stands with its struts extended, ft.

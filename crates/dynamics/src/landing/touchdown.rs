@@ -41,7 +41,7 @@ pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> Stat
         quaternion: Vector4::new(w, x, y, z),
         rate: Vector3::from(conditions.angular_velocity),
     };
-    let frame = motion.surface().frame(&body);
+    let frame = motion.frame(&body);
     let deepest = (0..legs.len())
         .flat_map(|j| {
             let geometry = motion.geometry(j);

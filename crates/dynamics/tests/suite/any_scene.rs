@@ -145,6 +145,22 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 60,
+        failure_persistence: None,
+        max_shrink_iters: 500,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn five_to_eight_legs_land_soundly(
+        vehicle in (5..9usize).prop_flat_map(wild_vehicle), scene in wild_scene(), settings in wild_settings()
+    ) {
+        prop_assert_eq!(complaint(&vehicle, &scene, &settings).1, None);
+    }
+}
+
 /// Pads that heavy vehicles wind up to thousands of rad/s against their stops: steps longer than the
 /// last of their way there made them switch to and fro a million times.
 #[test]

@@ -2,7 +2,7 @@
 //! tolerance over whole landings.
 
 use crate::common::bare::{Bare, distance};
-use crate::common::{level_scene, scenes, settings, table_4_1};
+use crate::common::{level_scene, off_center, scenes, settings, table_4_1};
 use nalgebra::Vector3;
 use touchdown_dynamics::land::{land, land_observed};
 use touchdown_dynamics::landing::Instant;
@@ -10,13 +10,13 @@ use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
+use touchdown_dynamics::vehicle::Vehicle;
 
 /// A vehicle just after first contact.
-fn smooth_stretch() -> (Bare, State<f64>) {
-    let vehicle = table_4_1();
+fn smooth_stretch(vehicle: &Vehicle) -> (Bare, State<f64>) {
     let scene = level_scene(170.0, -10.0, 11.0);
-    let mut bare = Bare::new(&vehicle, &scene);
-    let first = touchdown(&vehicle, &scene, &bare.motion);
+    let mut bare = Bare::new(vehicle, &scene);
+    let first = touchdown(vehicle, &scene, &bare.motion);
     let state = scenes::pressed_in(first, [-3.0; 3], Vector3::new(0.4, -0.3, 0.2));
     bare.settle(&state);
     (bare, state)
@@ -38,7 +38,7 @@ fn orders(errors: [f64; 3]) -> [f64; 2] {
 
 #[test]
 fn explicit_steps_are_of_order_five() {
-    let (bare, state) = smooth_stretch();
+    let (bare, state) = smooth_stretch(&table_4_1());
     let time = 0.004;
     let exact = bare.march(&state, time, 1280);
     assert!(distance(&exact, &state) > 0.1, "nothing happened");
@@ -50,7 +50,13 @@ fn explicit_steps_are_of_order_five() {
 
 #[test]
 fn implicit_steps_are_of_order_four() {
-    let (mut bare, mut state) = smooth_stretch();
+    for vehicle in [table_4_1(), off_center(table_4_1())] {
+        check_implicit_order(&vehicle);
+    }
+}
+
+fn check_implicit_order(vehicle: &Vehicle) {
+    let (mut bare, mut state) = smooth_stretch(vehicle);
     for j in 0..3 {
         let mut leg = state.leg(j);
         leg.pad_turn = PAD_AT_REST;
@@ -82,7 +88,7 @@ fn implicit_steps_are_of_order_four() {
 /// Events are looked for in the signals of that evaluation.
 #[test]
 fn implicit_steps_evaluate_the_middle_of_their_continuous_output() {
-    let (bare, state) = smooth_stretch();
+    let (bare, state) = smooth_stretch(&table_4_1());
     let length = 2e-3;
     let (step, midway) = bare.implicit_step_and_middle(&state, length);
     let output = step.motion_at(0.5);
@@ -95,7 +101,7 @@ fn implicit_steps_evaluate_the_middle_of_their_continuous_output() {
 
 #[test]
 fn dense_output_is_of_order_four() {
-    let (bare, state) = smooth_stretch();
+    let (bare, state) = smooth_stretch(&table_4_1());
     for theta in [0.2, 0.5, 0.8] {
         let errors = [5e-5, 2.5e-5, 1.25e-5].map(|length| {
             let exact = bare.march(&state, theta * length, 64);

@@ -1,7 +1,7 @@
 //! Signals and feet over many states.
 
 use crate::common::bare::Bare;
-use crate::common::{level_scene, table_4_1};
+use crate::common::{level_scene, off_center, table_4_1};
 use touchdown_dynamics::motion::Footing;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -33,14 +33,15 @@ fn states(start: &State<f64>) -> Vec<State<f64>> {
 
 #[test]
 fn signals_tell_where_the_feet_stand() {
-    let vehicle = table_4_1();
-    let scene = level_scene(170.0, -10.0, 11.0);
-    let mut bare = Bare::new(&vehicle, &scene);
-    let start = touchdown(&vehicle, &scene, &bare.motion);
-    for state in states(&start) {
-        bare.settle(&state);
-        let seen = bare.motion.footing(&state);
-        let depth = bare.motion.surface().depth(&state.body().position);
-        assert_eq!(Footing::from_signals(&bare.signals(&state), depth), seen);
+    for vehicle in [table_4_1(), off_center(table_4_1())] {
+        let scene = level_scene(170.0, -10.0, 11.0);
+        let mut bare = Bare::new(&vehicle, &scene);
+        let start = touchdown(&vehicle, &scene, &bare.motion);
+        for state in states(&start) {
+            bare.settle(&state);
+            let seen = bare.motion.footing(&state);
+            let depth = bare.motion.surface().depth(&state.body().position);
+            assert_eq!(Footing::from_signals(&bare.signals(&state), depth), seen);
+        }
     }
 }

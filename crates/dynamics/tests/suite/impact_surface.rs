@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::common::{sample_deck, table_4_1};
+use crate::common::{off_center, ring, sample_deck, table_4_1};
 use nalgebra::{Matrix3, Vector3};
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::impact_surface::{Approach, NoSurface, determine};
@@ -36,10 +36,10 @@ fn apart(a: f64, b: f64) -> f64 {
 /// An approach in axes turned by ζ against the customary ones, its impact times by landing on the
 /// slope, and what must be found.
 fn round_trip(index: u32) {
-    let vehicle = if index.is_multiple_of(2) {
-        table_4_1()
-    } else {
-        sample_deck()
+    let vehicle = match index % 3 {
+        0 => table_4_1(),
+        1 => sample_deck(),
+        _ => off_center(table_4_1()),
     };
     let conditions = Conditions {
         vertical_velocity: spread(index, 0.618, 8.0, 16.0),
@@ -121,6 +121,11 @@ fn level_approach(velocity: Vector3<f64>) -> Approach {
 
 /// Contact times of a landing without turning.
 fn impact_times(vehicle: &Vehicle, approach: &Approach, slope: f64) -> [f64; 3] {
+    contact_times(vehicle, approach, slope).try_into().unwrap()
+}
+
+/// The same of any number of legs.
+fn contact_times(vehicle: &Vehicle, approach: &Approach, slope: f64) -> Vec<f64> {
     let velocity = approach.velocity;
     let conditions = Conditions {
         vertical_velocity: velocity.z,
@@ -134,7 +139,9 @@ fn impact_times(vehicle: &Vehicle, approach: &Approach, slope: f64) -> [f64; 3] 
     };
     let settings = Settings::new(1e-10, 1.5, CrushRule::PivotRate).unwrap();
     let landing = land(vehicle, &Scene::new(conditions).unwrap(), &settings);
-    std::array::from_fn(|leg| landing.pad_contact[leg].unwrap())
+    (landing.pad_contact.iter())
+        .map(|time| time.unwrap())
+        .collect()
 }
 
 #[test]
@@ -147,6 +154,30 @@ fn without_horizontal_motion_there_is_no_cross_slope() {
     assert_eq!(found.cross_slope, None);
     assert_eq!(found.horizontal_velocity, 0.0);
     assert!(found.rotation.unwrap().abs() < 1e-6);
+}
+
+/// Of four legs three tell the slope, so that times that are off leave a surface that fits them best.
+#[test]
+fn more_times_than_needed_give_the_surface_that_fits_best() {
+    let vehicle = ring(4);
+    let approach = level_approach(Vector3::new(0.0, 2.0, 10.0));
+    let times = contact_times(&vehicle, &approach, 0.1);
+    let found = determine(&vehicle, &approach, &times).unwrap();
+    assert!(apart(found.slope, 0.1) < 1e-6 && found.residual < 1e-8);
+
+    const ERROR: f64 = 1e-4;
+    let signs = [1.0, -1.0, 1.0, -1.0];
+    let off: Vec<f64> = (times.iter().zip(signs))
+        .map(|(time, sign)| 0.01 + time + ERROR * sign)
+        .collect();
+    let found = determine(&vehicle, &approach, &off).unwrap();
+    assert!(
+        (0.5 * ERROR..4.0 * ERROR).contains(&found.residual),
+        "{}",
+        found.residual
+    );
+    let slope_error = apart(found.slope, 0.1);
+    assert!((1e-5..0.05).contains(&slope_error), "{slope_error}");
 }
 
 #[test]
@@ -249,4 +280,27 @@ fn a_pad_that_never_would_touch_is_told_with_the_landings_end() {
             .contains("stable-subsided 0.000 s after"),
         "{refused}"
     );
+}
+
+/// Times with errors of half a second: steps that hardly help follow one another. Searches went on to 60 landings.
+#[test]
+fn a_search_that_gets_nowhere_is_given_up() {
+    let approach = Approach {
+        velocity: Vector3::new(0.182, 13.496, 0.497),
+        attitude: euler(0.489, 0.0, 0.0),
+        angular_velocity: [0.77, 0.069, 0.347].map(f64::to_radians),
+        friction: 0.228,
+    };
+    for times in [
+        [1.0213, 0.0830, 0.0000],
+        [0.4594, 0.9453, 0.0000],
+        [0.9858, 1.0484, 0.0000],
+    ] {
+        let found = determine(&table_4_1(), &approach, &times);
+        let Err(NoSurface::NotFound { residual, landings }) = found else {
+            panic!("{times:?}: {found:?}");
+        };
+        println!("{times:?}: {landings} landings, {residual} s");
+        assert!(residual > 1e-3 && landings < 45, "{times:?}: {landings}");
+    }
 }

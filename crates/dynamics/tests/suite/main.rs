@@ -6,6 +6,7 @@ mod allocations;
 mod any_scene;
 mod attitude;
 mod batch;
+mod center_of_gravity_offset;
 mod closed_forms;
 mod conservation;
 mod convergence;

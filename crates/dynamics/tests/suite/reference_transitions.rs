@@ -1,6 +1,6 @@
 //! First transitions of the reference: level under both crush rules, and tipped.
 
-use crate::common::boundary::{SCAN_STEP, SCAN_STEPS, Search, Transition};
+use crate::common::boundary::{SCAN_STEP, Search, Transition};
 use crate::common::complaints::Complaints;
 use crate::common::{Row, level, level_scene, reference, settings, table_4_1};
 use rayon::prelude::*;
@@ -79,10 +79,7 @@ fn compare_level(file: &str, rule: CrushRule) {
                 scene,
                 settings,
             };
-            let scan: Vec<Class> = (0..=SCAN_STEPS)
-                .into_par_iter()
-                .map(|k| search.class_at_step(k))
-                .collect();
+            let scan = search.scan();
             let mut complaints = compare(&name, row, search.first_transition(|k| scan[k]));
             let expected = row.text("scan_0_to_25_fps_by_0.25");
             let letters: String = (scan.into_iter().map(letter).zip(expected.chars()))

@@ -1,35 +1,12 @@
 //! The response is what forces do when the motion changes a little.
 
-use crate::common::bare::Bare;
-use crate::common::scenes::pressed_in;
-use crate::common::{level_scene, table_4_1};
+use crate::common::bare::{Bare, pressed};
+use crate::common::{off_center, table_4_1};
 use nalgebra::{Vector3, Vector4};
 use touchdown_dynamics::integrator::rosenbrock::StageEquations;
 use touchdown_dynamics::integrator::step::StateVector;
 use touchdown_dynamics::motion::Signal;
 use touchdown_dynamics::state::{LegState, State, quaternion_rate};
-use touchdown_dynamics::touchdown::touchdown;
-
-/// A vehicle that stands along the slope with all its feet `depth` ft deep, sliding and turning, its struts stroking
-/// and returning.
-fn pressed(depth: f64, sliding: f64) -> (Bare, State<f64>) {
-    let vehicle = table_4_1();
-    let scene = level_scene(170.0, -10.0, 11.0);
-    let mut bare = Bare::new(&vehicle, &scene);
-    let first = touchdown(&vehicle, &scene, &bare.motion);
-    let mut state = pressed_in(first, [-0.8, 0.3, -0.1], Vector3::new(0.2, -0.3, 0.1));
-    let mut body = state.body();
-    let slope = scene.conditions().slope;
-    let (sine, cosine) = (0.5 * slope).sin_cos();
-    body.quaternion = Vector4::new(cosine, -sine, 0.0, 0.0);
-    body.velocity = Vector3::new(sliding, 0.3 * sliding, 0.0);
-    state.set_body(&body);
-    let deep = bare.signals(&state).of(0, Signal::OuterInterference);
-    body.position.z += (depth - deep) / slope.cos();
-    state.set_body(&body);
-    bare.settle(&state);
-    (bare, state)
-}
 
 const STILL: LegState<f64> = LegState {
     link_angle: 0.0,
@@ -96,8 +73,10 @@ fn answered(bare: &Bare, state: &State<f64>, u: &State<f64>) -> State<f64> {
 fn implicit_stages_solve_the_equations_of_small_motions() {
     let tau = 3e-4;
     // Stuck and sliding at either branch of friction; with blocks pressed in as well.
-    for (depth, sliding) in [(0.06, 0.01), (0.06, 0.4), (0.06, 4.0), (0.9, 0.01)] {
-        let (bare, state) = pressed(depth, sliding);
+    let cases = [(0.06, 0.01), (0.06, 0.4), (0.06, 4.0), (0.9, 0.01)];
+    let all = cases.map(|case| [(table_4_1(), case), (off_center(table_4_1()), case)]);
+    for (vehicle, (depth, sliding)) in all.into_iter().flatten() {
+        let (bare, state) = pressed(&vehicle, depth, sliding);
         let response = bare.response(&state);
         let system = response.over(tau);
         let rotations = 9..12;
@@ -130,7 +109,7 @@ fn implicit_stages_solve_the_equations_of_small_motions() {
 
 #[test]
 fn greatest_rate_is_the_trace_of_what_velocities_do() {
-    let (bare, state) = pressed(0.06, 0.01);
+    let (bare, state) = pressed(&table_4_1(), 0.06, 0.01);
     let trace: f64 = changes(&state.body().quaternion)
         .iter()
         .enumerate()
@@ -153,8 +132,10 @@ fn greatest_rate_is_the_trace_of_what_velocities_do() {
 #[test]
 fn signals_said_to_have_rates_change_at_those_rates() {
     const TIME: f64 = 1e-6;
-    for (depth, sliding) in [(0.02, 1.0), (-0.03, 2.0)] {
-        let (bare, state) = pressed(depth, sliding);
+    let cases = [(0.02, 1.0), (-0.03, 2.0)];
+    let all = cases.map(|case| [(table_4_1(), case), (off_center(table_4_1()), case)]);
+    for (vehicle, (depth, sliding)) in all.into_iter().flatten() {
+        let (bare, state) = pressed(&vehicle, depth, sliding);
         let told = bare.signals(&state);
         let mut slope = State::zero(3);
         bare.derivative(&state, &mut slope);

@@ -2,7 +2,7 @@
 
 use crate::common::random::{crush_rule, fixed_list, usual_conditions};
 use crate::common::scenes::history;
-use crate::common::{PRINCIPAL, sample_deck, surveyor, table_4_1};
+use crate::common::{OFFSET, PRINCIPAL, ring, sample_deck, surveyor, table_4_1};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
@@ -62,27 +62,32 @@ const FURTHER: f64 = 10.0;
 
 type Followed = (Landing, Vec<Instant>);
 
-/// Lands from `conditions` and from their `image`. The CG moves to `image_position`, leg `j`
+/// Lands a vehicle from `conditions` and its image from their `image`. The CG moves to `image_position`, leg `j`
 /// becomes leg `image_leg[j]`.
 fn compare(
-    vehicle: &Vehicle,
+    [vehicle, image_vehicle]: [&Vehicle; 2],
     image: impl Fn(&Conditions) -> Conditions + Sync,
     image_position: impl Fn(Vector3<f64>) -> Vector3<f64> + Sync,
-    image_leg: [usize; 3],
+    image_leg: &[usize],
 ) -> Vec<Pair> {
-    touchdowns(200)
+    let same: Vec<usize> = (0..image_leg.len()).collect();
+    // Legs more than three cost more, and the same law is asked of them.
+    touchdowns(if same.len() > 3 { 60 } else { 200 })
         .par_iter()
         .map(|(conditions, rule)| {
             let settings = Settings::new(1e-6, 1.5, *rule).unwrap();
-            let landing = |conditions: Conditions| {
+            let landing = |vehicle: &Vehicle, conditions: Conditions| {
                 history(vehicle, &Scene::new(conditions).unwrap(), &settings, 0.05)
             };
-            let one = landing(*conditions);
-            let other = landing(image(conditions));
-            let (end, class) = (mapped(&one.0.outcome, image_leg), one.0.outcome.class());
-            assert_eq!(class, other.0.outcome.class(), "{conditions:?}");
-            if class != Class::Stable {
-                assert_eq!(end, other.0.outcome, "{conditions:?}");
+            let one = landing(vehicle, *conditions);
+            let other = landing(image_vehicle, image(conditions));
+            // When motion counts as subsided is no symmetric notion: within the time limit it may or may not.
+            let is_over =
+                |outcome: &Outcome| !matches!(outcome.class(), Class::Stable | Class::Undecided);
+            let (end, image_end) = (mapped(&one.0.outcome, image_leg), &other.0.outcome);
+            assert_eq!(is_over(&end), is_over(image_end), "{conditions:?}");
+            if is_over(&end) {
+                assert_eq!(end, *image_end, "{conditions:?}");
             }
             let deviation = apart(&one, &other, &image_position, image_leg);
             let mut astray = Deviation {
@@ -93,11 +98,12 @@ fn compare(
                 for nudge in NUDGES {
                     let horizontal_velocity =
                         conditions.horizontal_velocity * (1.0 + nudge * f64::EPSILON);
-                    let nudged = landing(Conditions {
+                    let nudged = Conditions {
                         horizontal_velocity,
                         ..*conditions
-                    });
-                    astray = astray.max(apart(&one, &nudged, &|position| position, [0, 1, 2]));
+                    };
+                    let nudged = landing(vehicle, nudged);
+                    astray = astray.max(apart(&one, &nudged, &|position| position, &same));
                 }
             }
             Pair { deviation, astray }
@@ -110,14 +116,16 @@ fn apart(
     (one, instants): &Followed,
     (other, images): &Followed,
     image_position: &impl Fn(Vector3<f64>) -> Vector3<f64>,
-    image_leg: [usize; 3],
+    image_leg: &[usize],
 ) -> Deviation {
     let compared = instants.len().min(images.len()) - 1;
     let motion = (instants.iter().zip(images).take(compared))
         .flat_map(|(instant, other)| {
             let position = (image_position(instant.position) - other.position).norm();
-            let links =
-                (0..3).map(|j| instant.legs[j].link_angle - other.legs[image_leg[j]].link_angle);
+            let links = image_leg
+                .iter()
+                .zip(&instant.legs)
+                .map(|(&image, leg)| leg.link_angle - other.legs[image].link_angle);
             links.chain([position, instant.clearance - other.clearance])
         })
         .fold(0.0, |worst: f64, off| worst.max(off.abs()));
@@ -153,7 +161,7 @@ fn check(what: &str, pairs: &[Pair], number: fn(&Deviation) -> f64) {
     );
 }
 
-fn mapped(outcome: &Outcome, image_leg: [usize; 3]) -> Outcome {
+fn mapped(outcome: &Outcome, image_leg: &[usize]) -> Outcome {
     match outcome {
         Outcome::Bottomed { leg } => Outcome::Bottomed {
             leg: image_leg[*leg],
@@ -165,6 +173,13 @@ fn mapped(outcome: &Outcome, image_leg: [usize; 3]) -> Outcome {
         }
         other => other.clone(),
     }
+}
+
+/// Where the CG is off the centreline, ft.
+const OFFSETS: [[f64; 2]; 2] = [[0.0; 2], OFFSET];
+
+fn off_by(vehicle: Vehicle, offset: [f64; 2]) -> Vehicle {
+    vehicle.with_center_of_gravity_offset(offset).unwrap()
 }
 
 #[test]
@@ -184,31 +199,60 @@ fn mirror_images() {
         }
     };
     let flip = |position: Vector3<f64>| Vector3::new(-position.x, position.y, position.z);
-    let pairs = compare(&surveyor(1.445, PRINCIPAL), mirror, flip, [0, 2, 1]);
-    check("motion", &pairs, |d| d.motion);
-    check("end", &pairs, |d| d.end);
+    for offset in OFFSETS {
+        let vehicle = || surveyor(1.445, PRINCIPAL);
+        let vehicles = [
+            off_by(vehicle(), offset),
+            off_by(vehicle(), [-offset[0], offset[1]]),
+        ];
+        let pairs = compare([&vehicles[0], &vehicles[1]], mirror, flip, &[0, 2, 1]);
+        check("motion", &pairs, |d| d.motion);
+        check("end", &pairs, |d| d.end);
+    }
 }
 
 #[test]
-fn a_third_of_a_turn_permutes_the_legs() {
-    let third = 120f64.to_radians();
+fn a_third_of_a_turn_permutes_three_legs() {
+    turns_permute_legs(3);
+}
+
+#[test]
+fn a_quarter_of_a_turn_permutes_four_legs() {
+    turns_permute_legs(4);
+}
+
+#[test]
+fn a_sixth_of_a_turn_permutes_six_legs() {
+    turns_permute_legs(6);
+}
+
+/// The vehicle turned from leg to leg of its own.
+fn turns_permute_legs(legs: usize) {
+    let angle = std::f64::consts::TAU / legs as f64;
+    let image_leg: Vec<usize> = (0..legs).map(|leg| (leg + 1) % legs).collect();
+    let (sine, cosine) = angle.sin_cos();
+    let turned = |x: f64, y: f64| [cosine * x + sine * y, cosine * y - sine * x];
     let turn = |conditions: &Conditions| {
         let tip = conditions.attitude.tip();
         let [x, y, z] = conditions.angular_velocity;
-        let (sine, cosine) = third.sin_cos();
+        let [x, y] = turned(x, y);
         Conditions {
             attitude: Attitude::from_tip(Tip {
-                nominal_roll: tip.nominal_roll + third,
+                nominal_roll: tip.nominal_roll + angle,
                 ..tip
             }),
-            angular_velocity: [cosine * x + sine * y, cosine * y - sine * x, z],
+            angular_velocity: [x, y, z],
             ..*conditions
         }
     };
-    let pairs = compare(&sample_deck(), turn, |position| position, [1, 2, 0]);
-    // Motion counts as subsided by body rates component by component, which do not turn along: the
-    // end of a landing is no symmetric notion.
-    check("motion", &pairs, |d| d.motion);
+    for offset in OFFSETS {
+        let image = off_by(ring(legs), turned(offset[0], offset[1]));
+        let vehicles = [&off_by(ring(legs), offset), &image];
+        let pairs = compare(vehicles, turn, |position| position, &image_leg);
+        // Motion counts as subsided by body rates component by component, which do not turn along: the
+        // end of a landing is no symmetric notion.
+        check("motion", &pairs, |d| d.motion);
+    }
 }
 
 /// The turns and mirrors about the centreline, other than none, that carry every leg to another's place.

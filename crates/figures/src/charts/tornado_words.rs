@@ -13,8 +13,12 @@ pub fn name(slope: &Slope) -> String {
         name += &format!("  {} {unit}", label(value));
     }
     match slope.change {
-        // Angles change by their unit, all else by a tenth.
-        Some(change) if slope.unit.starts_with("deg") => {
+        // Angles change by a degree, all else by a tenth.
+        Some(change)
+            if ["deg", "rad"]
+                .iter()
+                .any(|unit| slope.unit.starts_with(unit)) =>
+        {
             format!("{} ± {} {unit}", name.trim_end(), label(change.span))
         }
         Some(_) => format!("{} ± 10 %", name.trim_end()),

@@ -40,8 +40,14 @@ pub fn axis_title(column: &str) -> String {
     if let Some((_, title)) = TITLES.iter().find(|(name, _)| *name == column) {
         return (*title).to_owned();
     }
-    let words = capitalized(&leg_last(&parameter_words(column)));
-    match split_unit(column).1 {
+    let (bare, unit) = split_unit(column);
+    // The same quantity in another unit.
+    let titled = TITLES.iter().find(|(name, _)| split_unit(name).0 == bare);
+    let words = match titled.and_then(|(_, title)| title.rsplit_once(", ")) {
+        Some((words, _)) => words.to_owned(),
+        None => capitalized(&leg_last(&parameter_words(column))),
+    };
+    match unit {
         "" => words,
         unit => format!("{words}, {unit}"),
     }
@@ -106,6 +112,9 @@ mod tests {
                 "Leg 2 strut preload, lb",
             ),
             ("friction", "Friction coefficient μ"),
+            ("slope_rad", "Slope θ, rad"),
+            ("vertical_velocity_mps", "Vertical velocity V_V, m/s"),
+            ("vehicle.mass_kg", "Mass, kg"),
         ] {
             assert_eq!(axis_title(column), title);
         }

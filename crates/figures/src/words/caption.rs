@@ -21,7 +21,7 @@ pub struct Caption {
     pub statement: Option<String>,
     /// Highest speed searched, ft/s, if known: the upper end of the picture.
     pub searched_to: Option<f64>,
-    /// Whether the vehicle has the feet of the report's: three, at azimuths of 0, 120 and 240 deg.
+    /// Whether the vehicle stands on its feet as the report's does: three, at azimuths of 0, 120 and 240 deg about the CG.
     pub has_report_feet: bool,
 }
 
@@ -58,7 +58,7 @@ impl Caption {
             worst_over: None,
             statement: text(&record["statement"]),
             searched_to,
-            has_report_feet: has_report_feet(&input["vehicle"]["legs"]),
+            has_report_feet: has_report_feet(&input["vehicle"]),
         })
     }
 
@@ -86,8 +86,15 @@ fn listed(words: &[String]) -> String {
     }
 }
 
-fn has_report_feet(legs: &Value) -> bool {
-    let azimuths = legs.as_array().into_iter().flatten();
+fn has_report_feet(vehicle: &Value) -> bool {
+    let offset = ["x", "y"].map(|axis| &vehicle[format!("center_of_gravity_offset_{axis}_ft")]);
+    if offset
+        .iter()
+        .any(|part| part.as_f64().is_some_and(|part| part != 0.0))
+    {
+        return false;
+    }
+    let azimuths = vehicle["legs"].as_array().into_iter().flatten();
     let azimuths: Vec<Option<f64>> = azimuths.map(|leg| leg["azimuth_deg"].as_f64()).collect();
     azimuths == [0.0, 120.0, 240.0].map(Some)
 }
@@ -122,6 +129,7 @@ fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     const RECORD: &str = r#"{"title": "Figure", "statement": "1966: none", "input": {
         "vehicle": {"name": "Surveyor"}, "search": {"to_fps": 25},
@@ -151,19 +159,19 @@ mod tests {
 
     #[test]
     fn the_reports_vehicle_is_known_by_its_feet() {
-        let caption = |legs: &str| {
-            let record = format!("{{\"input\": {{\"vehicle\": {{\"legs\": {legs}}}}}}}");
-            Caption::from_record(&record).unwrap()
-        };
-        let feet = |azimuths: &[f64]| {
+        let has_report_feet = |azimuths: &[f64], offset: f64| {
             let legs = azimuths
                 .iter()
-                .map(|azimuth| format!("{{\"azimuth_deg\": {azimuth:?}}}"));
-            caption(&format!("[{}]", legs.collect::<Vec<_>>().join(",")))
+                .map(|azimuth| json!({"azimuth_deg": azimuth}));
+            let legs: Vec<Value> = legs.collect();
+            let vehicle = json!({"legs": legs, "center_of_gravity_offset_y_ft": offset});
+            let record = json!({"input": {"vehicle": vehicle}}).to_string();
+            Caption::from_record(&record).unwrap().has_report_feet
         };
-        assert!(feet(&[0.0, 120.0, 240.0]).has_report_feet);
-        assert!(!feet(&[0.0, 90.0, 180.0, 270.0]).has_report_feet);
-        assert!(!feet(&[60.0, 180.0, 300.0]).has_report_feet);
+        assert!(has_report_feet(&[0.0, 120.0, 240.0], 0.0));
+        assert!(!has_report_feet(&[0.0, 120.0, 240.0], -0.1));
+        assert!(!has_report_feet(&[0.0, 90.0, 180.0, 270.0], 0.0));
+        assert!(!has_report_feet(&[60.0, 180.0, 300.0], 0.0));
     }
 
     #[test]

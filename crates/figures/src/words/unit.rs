@@ -1,7 +1,7 @@
 //! Units, which the names of columns and parameters end with.
 
-/// Units by the endings of names: the longer of two that fit comes first.
-const UNITS: [(&str, &str); 16] = [
+/// Units by the endings of names. Those of SI are of axes and parameters that were asked for in SI.
+const UNITS: [(&str, &str); 31] = [
     ("_slug_ft2", "slug ft²"),
     ("_lb_per_ft", "lb/ft"),
     ("_per_ft", "1/ft"),
@@ -18,15 +18,33 @@ const UNITS: [(&str, &str); 16] = [
     ("_us", "µs"),
     ("_s", "s"),
     ("_damping", "lb s²/ft²"),
+    ("_kg", "kg"),
+    ("_kg_m2", "kg m²"),
+    ("_m", "m"),
+    ("_cm", "cm"),
+    ("_mm", "mm"),
+    ("_n", "N"),
+    ("_n_per_m", "N/m"),
+    ("_n_s2_per_m2", "N s²/m²"),
+    ("_pa", "Pa"),
+    ("_kpa", "kPa"),
+    ("_mps", "m/s"),
+    ("_mps2", "m/s²"),
+    ("_per_m", "1/m"),
+    ("_rad", "rad"),
+    ("_rad_per_s", "rad/s"),
 ];
 
 /// A name without its unit, and the unit as it is printed; the unit is empty for pure numbers.
 pub fn split_unit(name: &str) -> (&str, &'static str) {
     // Moments of inertia have their axes after the unit.
-    if let Some((bare, _)) = name.rsplit_once("_slug_ft2.") {
-        return (&name[..bare.len()], "slug ft²");
+    for (unit, words) in [("_slug_ft2.", "slug ft²"), ("_kg_m2.", "kg m²")] {
+        if let Some((bare, _)) = name.rsplit_once(unit) {
+            return (bare, words);
+        }
     }
-    match UNITS.iter().find(|(ending, _)| name.ends_with(ending)) {
+    let fitting = UNITS.iter().filter(|(ending, _)| name.ends_with(ending));
+    match fitting.max_by_key(|(ending, _)| ending.len()) {
         // Damping is a part of the name.
         Some(("_damping", unit)) => (name, unit),
         Some((ending, unit)) => (&name[..name.len() - ending.len()], unit),
@@ -55,6 +73,19 @@ mod tests {
             ("rebound_damping", ("rebound_damping", "lb s²/ft²")),
             ("spring_constant_lb_per_ft", ("spring_constant", "lb/ft")),
             ("friction", ("friction", "")),
+            ("roll_rad", ("roll", "rad")),
+            (
+                "angular_velocity_x_rad_per_s",
+                ("angular_velocity_x", "rad/s"),
+            ),
+            ("spring_constant_n_per_m", ("spring_constant", "N/m")),
+            ("rebound_growth_per_m", ("rebound_growth", "1/m")),
+            (
+                "rebound_damping_n_s2_per_m2",
+                ("rebound_damping", "N s²/m²"),
+            ),
+            ("vehicle.inertia_kg_m2.xy", ("vehicle.inertia", "kg m²")),
+            ("preload_n", ("preload", "N")),
         ] {
             assert_eq!(split_unit(name), expected, "{name}");
         }

@@ -12,6 +12,7 @@ use toml::de::{DeTable, DeValue};
 use crate::input_error::{InputError, Place};
 use crate::key_path::KeyPath;
 use crate::source::Source;
+use crate::spelling::{Conversion, conversion};
 
 /// A file and what it says.
 #[derive(Debug, Clone)]
@@ -98,14 +99,14 @@ impl Document {
         &self.root
     }
 
-    /// The number at `path`, if there is one.
+    /// The number at `path` in the program's unit, if there is one.
     pub fn number(&self, path: &KeyPath) -> Option<f64> {
         let (last, tables) = path.steps.split_last()?;
-        let mut entries = &self.root;
-        let find =
-            |entries: &'_ Vec<Entry>, key: &str| entries.iter().position(|entry| entry.key == key);
+        let mut entries = self.root.as_slice();
+        let mut above = Conversion::NONE;
         for step in tables {
-            let mut node = &entries[find(entries, &step.key)?].node;
+            let (found, own) = spelled(entries, &step.key)?;
+            let mut node = &found.node;
             if let Some(index) = step.entry {
                 let Value::List(nodes) = &node.value else {
                     return None;
@@ -115,15 +116,17 @@ impl Document {
             let Value::Table(below) = &node.value else {
                 return None;
             };
+            above = own.or(above);
             entries = below;
         }
-        match entries[find(entries, &last.key)?].node.value {
-            Value::Number(number) => Some(number),
+        let (found, own) = spelled(entries, &last.key)?;
+        match found.node.value {
+            Value::Number(number) => Some(own.or(above).to_program(number)),
             _ => None,
         }
     }
 
-    /// Puts a value in the place of the one at `path`, or adds it there. Tables on the way are
+    /// Puts a value, in the program's unit, in the place of the one at `path`, or adds it there. Tables on the way are
     /// made when they are missing, entries of arrays are not: whether there was a place for it.
     pub fn write(&mut self, path: &KeyPath, value: Value) -> bool {
         let Some((last, tables)) = path.steps.split_last() else {
@@ -159,10 +162,24 @@ impl Document {
     }
 }
 
-/// The entry of a key, added as an empty table when it is not there.
+/// The entry of a key under any of its spellings, and the conversion of its numbers.
+pub(crate) fn spelled<'e>(entries: &'e [Entry], key: &str) -> Option<(&'e Entry, Conversion)> {
+    let find = |entry: &'e Entry| Some((entry, conversion(&entry.key, key)?));
+    entries.iter().find_map(find)
+}
+
+/// The entry of a key in the program's unit, added as an empty table when it is not there.
 fn entry<'e>(entries: &'e mut Vec<Entry>, key: &str, line: usize) -> &'e mut Entry {
-    let index = match entries.iter().position(|entry| entry.key == key) {
-        Some(index) => index,
+    let place = |entry: &Entry| conversion(&entry.key, key);
+    let index = match entries.iter().position(|entry| place(entry).is_some()) {
+        Some(index) => {
+            let found = &mut entries[index];
+            if let Some(conversion) = place(found).filter(|found| found.converts()) {
+                convert(&mut found.node, conversion);
+                key.clone_into(&mut found.key);
+            }
+            index
+        }
         None => {
             entries.push(Entry {
                 key: key.to_owned(),
@@ -176,6 +193,23 @@ fn entry<'e>(entries: &'e mut Vec<Entry>, key: &str, line: usize) -> &'e mut Ent
         }
     };
     &mut entries[index]
+}
+
+/// Brings all numbers of a value to the program's unit.
+fn convert(node: &mut Node, conversion: Conversion) {
+    match &mut node.value {
+        Value::Number(number) => {
+            *number = conversion.to_program(*number);
+            node.written = number.to_string();
+        }
+        Value::List(nodes) => nodes.iter_mut().for_each(|node| convert(node, conversion)),
+        Value::Table(entries) => {
+            for entry in entries {
+                convert(&mut entry.node, conversion);
+            }
+        }
+        Value::Text(_) | Value::Foreign => {}
+    }
 }
 
 /// Turns the parser's tree into ours.
@@ -367,6 +401,21 @@ mod tests {
             panic!("a leg is a table");
         };
         assert_eq!((leg[1].key.as_str(), leg[1].node.line), ("strut", 4));
+    }
+
+    #[test]
+    fn numbers_are_read_and_written_under_any_spelling() {
+        let text = "mass_kg = 1\n[inertia_kg_m2]\nxx = 13.558179483314004\nyy = 0\n";
+        let mut document = Document::parse(Path::new("f"), text).unwrap();
+        let path = |dotted| KeyPath::parse(dotted).unwrap();
+        let [xx, yy] = ["inertia_slug_ft2.xx", "inertia_slug_ft2.yy"].map(path);
+        assert_eq!(document.number(&xx), Some(10.0));
+        assert!(document.write(&yy, Value::Number(3.0)));
+        assert!(document.write(&path("mass_slug"), Value::Number(2.0)));
+        let keys: Vec<_> = document.root().iter().map(|e| e.key.as_str()).collect();
+        assert_eq!(keys, ["mass_slug", "inertia_slug_ft2"]);
+        let numbers = [xx, yy, path("mass_slug")].map(|path| document.number(&path));
+        assert_eq!(numbers, [Some(10.0), Some(3.0), Some(2.0)]);
     }
 
     #[test]

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::Path;
 
+use crate::spelling::meant;
+
 /// A place in the input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
@@ -73,12 +75,12 @@ impl InputError {
         Self::other(format!("{key} is missing: expected {allowed}"))
     }
 
-    /// `key` is not one of the `known` keys; names the nearest of them.
+    /// `key` is no spelling of the `known` keys; names the nearest of them.
     pub fn unknown(key: &str, value: impl fmt::Display, known: &[&str]) -> Self {
         let last = key.rsplit('.').next().unwrap_or(key);
-        let guess = match nearest(last, known) {
-            Some(name) => format!("did you mean {name}? "),
-            None => String::new(),
+        let guess = match meant(last, known).as_slice() {
+            [] => String::new(),
+            names => format!("did you mean {}? ", names.join(" or ")),
         };
         let known = known.join(", ");
         Self::other(format!(
@@ -139,16 +141,6 @@ pub(crate) fn short(value: String) -> String {
     }
 }
 
-/// The known name most similar to `name`, if one is similar enough.
-pub fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
-    let likeness = |candidate: &&str| strsim::jaro_winkler(name, candidate);
-    known
-        .iter()
-        .copied()
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
-        .filter(|candidate| likeness(candidate) > 0.7)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -168,12 +160,5 @@ mod tests {
         let said = |value: f64| InputError::value("x", value, "less").to_string();
         assert_eq!(said(1e300), "x = 1e300: expected less");
         assert_eq!(said(-1e-9), "x = -0.000000001: expected less");
-    }
-
-    #[test]
-    fn nearest_key_ignores_strangers() {
-        let known = ["slope_deg", "friction"];
-        assert_eq!(nearest("slope_rad", &known), Some("slope_deg"));
-        assert_eq!(nearest("xyz", &known), None);
     }
 }

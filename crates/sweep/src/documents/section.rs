@@ -2,11 +2,15 @@
 
 use touchdown_dynamics::invalid::Invalid;
 
-use crate::document::{Document, Entry, Node, Value, dotted};
+use crate::document::{Document, Entry, Node, Value, dotted, spelled};
 use crate::input_error::{InputError, Place};
+use crate::spelling::{Conversion, conversion};
 
 /// A table of a document, or several over each other: what the upper ones say holds, what they
 /// leave out is looked up in the lower ones. One leg's own values stand so over the vehicle's.
+///
+/// Keys are asked for by their names in the program's units and found under any of their spellings. Numbers come in the
+/// program's units, complaints in the words of the file.
 #[derive(Debug, Clone)]
 pub struct Section<'d> {
     place: Place,
@@ -18,6 +22,8 @@ pub(crate) struct Layer<'d> {
     pub(crate) entries: &'d [Entry],
     pub(crate) path: String,
     pub(crate) line: usize,
+    /// Of the numbers of a table whose own key tells the unit.
+    conversion: Conversion,
 }
 
 impl<'d> Section<'d> {
@@ -30,6 +36,7 @@ impl<'d> Section<'d> {
             entries: document.root(),
             path: String::new(),
             line: 1,
+            conversion: Conversion::NONE,
         };
         Self::checked(document.place(), vec![layer], known)
     }
@@ -93,12 +100,19 @@ impl<'d> Section<'d> {
         known: &[&str],
     ) -> Result<Self, InputError> {
         for layer in &layers {
-            for entry in layer.entries {
-                if !known.contains(&entry.key.as_str()) {
-                    let path = dotted(&layer.path, &entry.key);
-                    let error = InputError::unknown(&path, &entry.node.written, known);
-                    return Err(error.at(place.line(entry.node.line)));
-                }
+            for (index, entry) in layer.entries.iter().enumerate() {
+                let is_spelling = |key: &&&str| conversion(&entry.key, key).is_some();
+                let complaint = match known.iter().find(is_spelling) {
+                    None => {
+                        let path = dotted(&layer.path, &entry.key);
+                        InputError::unknown(&path, &entry.node.written, known)
+                    }
+                    Some(key) => match spelled(&layer.entries[..index], key) {
+                        Some((other, _)) => said_twice(layer, entry, other),
+                        None => continue,
+                    },
+                };
+                return Err(complaint.at(place.line(entry.node.line)));
             }
         }
         Ok(Self { place, layers })
@@ -106,11 +120,12 @@ impl<'d> Section<'d> {
 
     fn all(&self, key: &str) -> impl Iterator<Item = LocatedValue<'d>> {
         self.layers.iter().filter_map(move |layer| {
-            let entry = layer.entries.iter().find(|entry| entry.key == key)?;
+            let (entry, conversion) = spelled(layer.entries, key)?;
             Some(LocatedValue {
                 place: self.place.clone(),
-                path: dotted(&layer.path, key),
+                path: dotted(&layer.path, &entry.key),
                 node: &entry.node,
+                conversion: conversion.or(layer.conversion),
             })
         })
     }
@@ -163,7 +178,7 @@ impl<'d> Section<'d> {
         self.value(key, "text in quotes")?.text()
     }
 
-    /// All keys with their values, of the uppermost layer, in the order of the file.
+    /// All keys as they are spelled with their values, of the uppermost layer, in the order of the file.
     pub fn all_values(&self) -> impl Iterator<Item = (&'d str, LocatedValue<'d>)> {
         self.layers.iter().take(1).flat_map(move |layer| {
             layer.entries.iter().map(move |entry| {
@@ -171,6 +186,7 @@ impl<'d> Section<'d> {
                     place: self.place.clone(),
                     path: dotted(&layer.path, &entry.key),
                     node: &entry.node,
+                    conversion: layer.conversion,
                 };
                 (entry.key.as_str(), found)
             })
@@ -194,13 +210,15 @@ impl<'d> Section<'d> {
             )
             .at(self.place.line(line));
         };
-        let value = match found.node.value {
+        match found.node.value {
             // As written, because the physics may have it in another unit.
-            Value::Number(_) if explanation.is_empty() => found.node.written.clone(),
-            _ => invalid.value.to_string(),
-        };
-        let name = format!("{}{explanation}", found.path);
-        InputError::value(&name, value, &invalid.allowed).at(self.place.line(found.node.line))
+            Value::Number(_) if explanation.is_empty() => found.complain(&invalid.allowed),
+            _ => {
+                let name = format!("{}{explanation}", found.path);
+                let value = found.conversion.with_unit(invalid.value);
+                InputError::value(&name, value, &invalid.allowed).at(found.here())
+            }
+        }
     }
 
     fn descend(&self, dotted: &str) -> Option<LocatedValue<'d>> {
@@ -224,6 +242,8 @@ pub struct LocatedValue<'d> {
     pub(crate) place: Place,
     pub(crate) path: String,
     pub(crate) node: &'d Node,
+    /// From the unit of the file to that of the program.
+    pub(crate) conversion: Conversion,
 }
 
 impl<'d> LocatedValue<'d> {
@@ -234,6 +254,10 @@ impl<'d> LocatedValue<'d> {
 
     /// The complaint that this value is not what is `allowed`.
     pub fn complain(&self, allowed: &str) -> InputError {
+        let allowed = match self.node.value {
+            Value::Number(number) => &self.conversion.explain(allowed, number),
+            _ => allowed,
+        };
         InputError::value(&self.path, &self.node.written, allowed).at(self.here())
     }
 
@@ -246,19 +270,17 @@ impl<'d> LocatedValue<'d> {
         .at(self.here())
     }
 
-    /// The complaint that this key is unknown.
-    pub fn unknown(&self, known: &[&str]) -> InputError {
-        InputError::unknown(&self.path, &self.node.written, known).at(self.here())
-    }
-
-    /// The value as a number.
+    /// The value as a number, in the program's unit.
     ///
     /// # Errors
     /// When it is something else.
     pub fn number(&self) -> Result<f64, InputError> {
-        match self.node.value {
-            Value::Number(number) => Ok(number),
-            _ => Err(self.complain("a number")),
+        let Value::Number(number) = self.node.value else {
+            return Err(self.complain("a number"));
+        };
+        match self.conversion.to_program(number) {
+            number if number.is_finite() => Ok(number),
+            _ => Err(self.complain("a finite number")),
         }
     }
 
@@ -285,6 +307,7 @@ impl<'d> LocatedValue<'d> {
             place: self.place.clone(),
             path: format!("{}[{}]", self.path, index + 1),
             node,
+            conversion: self.conversion,
         };
         Ok(nodes.iter().enumerate().map(item).collect())
     }
@@ -300,7 +323,7 @@ impl<'d> LocatedValue<'d> {
         }
     }
 
-    /// The values of this table and of the tables within it, by their dotted names below it.
+    /// The values of this table and of the tables within it, by their dotted names below it, as they are spelled.
     ///
     /// # Errors
     /// When it is no table.
@@ -311,6 +334,7 @@ impl<'d> LocatedValue<'d> {
                 place: self.place.clone(),
                 path: dotted(&self.path, &entry.key),
                 node: &entry.node,
+                conversion: Conversion::NONE,
             };
             match &entry.node.value {
                 Value::Table(_) => leaves.extend(
@@ -331,10 +355,19 @@ impl<'d> LocatedValue<'d> {
                 entries,
                 path: self.path.clone(),
                 line: self.node.line,
+                conversion: self.conversion,
             }),
             _ => Err(self.complain("a table")),
         }
     }
+}
+
+/// The complaint about the second of two spellings of one quantity.
+fn said_twice(layer: &Layer, second: &Entry, first: &Entry) -> InputError {
+    let (path, value) = (dotted(&layer.path, &second.key), &second.node.written);
+    let (line, other) = (first.node.line, &first.key);
+    let allowed = format!("one spelling of a quantity, but line {line} says {other}");
+    InputError::value(&path, value, &allowed)
 }
 
 #[cfg(test)]

@@ -7,6 +7,9 @@ use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::scene::{Conditions, Scene};
 
+use crate::input_error::InputError;
+use crate::section::Section;
+
 /// Names of all touchdown conditions, with their units.
 pub const NAMES: [&str; 15] = [
     "vertical_velocity_fps",
@@ -52,6 +55,17 @@ pub struct SceneFault {
 }
 
 impl NamedConditions {
+    /// Takes conditions from a table [scene].
+    pub(crate) fn read(scene: &Section) -> Result<Self, InputError> {
+        let mut conditions = Self::default();
+        for name in NAMES {
+            if let Some(value) = scene.optional_number(name)? {
+                conditions.set(name, value);
+            }
+        }
+        Ok(conditions)
+    }
+
     /// Index of a name in [`NAMES`], if it is one.
     pub fn position(name: &str) -> Option<usize> {
         NAMES.iter().position(|known| *known == name)

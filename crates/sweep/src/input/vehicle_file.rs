@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::vehicle::{
     Block, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, Vehicle,
 };
 
-use crate::document::Document;
+use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::library::Library;
@@ -19,11 +20,13 @@ const INCHES_PER_FOOT: f64 = 12.0;
 const GREATEST: f64 = 1e9;
 const LEAST_STEP: f64 = 1e-6;
 
-pub(crate) const VEHICLE: [&str; 10] = [
+pub(crate) const VEHICLE: [&str; 12] = [
     "name",
     "mass_slug",
     "gravity_fps2",
     "center_of_gravity_height_ft",
+    "center_of_gravity_offset_x_ft",
+    "center_of_gravity_offset_y_ft",
     "inertia_slug_ft2",
     "linkage",
     "strut",
@@ -71,6 +74,23 @@ pub(crate) const BLOCK: [&str; 5] = [
 ];
 pub(crate) const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
 pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
+/// The keys of all tables.
+pub(crate) const KEYS: [&[&str]; 9] = [
+    &VEHICLE,
+    &INERTIA,
+    &LEG,
+    &LINKAGE,
+    &STRUT,
+    &FOOTPAD,
+    &BLOCK,
+    &MULTIPLIER,
+    &PRESSURE,
+];
+/// Where the CG is off the centreline; 0 when they are left out.
+const OFFSET: [&str; 2] = [
+    "center_of_gravity_offset_x_ft",
+    "center_of_gravity_offset_y_ft",
+];
 /// Factor on the ordinates of a table, 1 when it is left out.
 const SCALE: &str = "scale";
 
@@ -95,8 +115,8 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
             .chain(of_a_leg.iter().map(String::as_str))
             .map(move |key| format!("legs[{leg}].{key}"))
     });
-    let body = ["mass_slug", "gravity_fps2", "center_of_gravity_height_ft"];
-    body.into_iter()
+    let body = ["mass_slug", "gravity_fps2", "center_of_gravity_height_ft"].into_iter();
+    body.chain(OFFSET)
         .map(str::to_owned)
         .chain(INERTIA.map(|key| format!("inertia_slug_ft2.{key}")))
         .chain(of_a_leg.iter().cloned())
@@ -104,17 +124,49 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
         .collect()
 }
 
-/// The number of a vehicle file under a dotted key: a leg's own or else that of all legs; the scale
-/// of a table is 1 when it is left out.
+/// The number of a vehicle file under a dotted key: a leg's own or else that of all legs. When they are left out the
+/// scale of a table is 1 and the offset of the CG 0.
 pub(crate) fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     let of_all = || document.number(&path.of_all_legs()?);
-    let is_scale = path.steps.last().is_some_and(|step| step.key == SCALE);
-    let found = document.number(path).or_else(of_all);
-    found.or_else(|| is_scale.then_some(1.0))
+    let by_default = || match path.steps.last()?.key.as_str() {
+        SCALE => Some(1.0),
+        key if OFFSET.contains(&key) => Some(0.0),
+        _ => None,
+    };
+    document.number(path).or_else(of_all).or_else(by_default)
 }
 
-/// Legs that input files describe.
-pub const LEGS: usize = 3;
+/// Fewest legs of a vehicle; dynamics has room for [`MOST_LEGS`].
+const LEAST_LEGS: usize = 3;
+
+/// Number of legs that the vehicle of a document has, as far as a vehicle can have so many.
+pub(crate) fn leg_count(document: &Document) -> usize {
+    let legs = document.root().iter().find(|entry| entry.key == "legs");
+    let count = legs.map_or(0, |entry| match &entry.node.value {
+        Value::List(legs) => legs.len(),
+        _ => 0,
+    });
+    count.clamp(LEAST_LEGS, MOST_LEGS)
+}
+
+/// Writes the value of a parameter `name` into the document of a vehicle.
+///
+/// # Errors
+/// When the vehicle has no such leg.
+pub(crate) fn write(
+    document: &mut Document,
+    name: &str,
+    path: &KeyPath,
+    value: Value,
+) -> Result<(), InputError> {
+    match document.write(path, value) {
+        true => Ok(()),
+        false => Err(InputError::other(format!(
+            "{name}: the vehicle has {} legs",
+            leg_count(document)
+        ))),
+    }
+}
 
 /// A vehicle with the file that describes it.
 #[derive(Debug, Clone)]
@@ -128,7 +180,7 @@ pub struct VehicleFile {
 }
 
 impl VehicleFile {
-    /// Reads a vehicle with [`LEGS`] legs.
+    /// Reads a vehicle.
     ///
     /// # Errors
     /// Names file, line, key and value of the first thing wrong, and what is allowed.
@@ -156,15 +208,17 @@ impl VehicleFile {
             .iter()
             .map(|entry| leg(entry, &entry.over(&root)))
             .collect::<Result<_, _>>()?;
-        let allowed = format!("{} tables [[legs]], one for each leg", in_words(LEGS));
-        if legs.len() != LEGS {
+        if !(LEAST_LEGS..=MOST_LEGS).contains(&legs.len()) {
+            let allowed = "three to eight tables [[legs]], one for each leg";
             return Err(match root.optional("legs") {
                 Some(found) => {
                     found.complain_that(&format!("{} legs: expected {allowed}", legs.len()))
                 }
-                None => root.missing("legs", &allowed),
+                None => root.missing("legs", allowed),
             });
         }
+        let [x, y] = OFFSET.map(|key| root.optional_number(key));
+        let offset = [x?.unwrap_or(0.0), y?.unwrap_or(0.0)];
         let vehicle = Vehicle::new(
             root.number("mass_slug")?,
             root.number("gravity_fps2")?,
@@ -172,6 +226,7 @@ impl VehicleFile {
             inertia(&root.section("inertia_slug_ft2", &INERTIA)?)?,
             legs,
         )
+        .and_then(|vehicle| vehicle.with_center_of_gravity_offset(offset))
         .map_err(|invalid| match of_a_leg(&invalid) {
             Some((leg, invalid)) if leg < entries.len() => entries[leg].complain(&invalid),
             _ => root.complain(&invalid),
@@ -189,16 +244,6 @@ fn of_a_leg(invalid: &Invalid) -> Option<(usize, Invalid)> {
     let (number, key) = invalid.quantity.strip_prefix("legs[")?.split_once("].")?;
     let leg = number.parse::<usize>().ok()?.checked_sub(1)?;
     Some((leg, Invalid::new(key, invalid.value, &*invalid.allowed)))
-}
-
-fn in_words(legs: usize) -> String {
-    match legs {
-        3 => "three".to_owned(),
-        4 => "four".to_owned(),
-        5 => "five".to_owned(),
-        6 => "six".to_owned(),
-        _ => legs.to_string(),
-    }
 }
 
 fn inertia(section: &Section) -> Result<Inertia, InputError> {

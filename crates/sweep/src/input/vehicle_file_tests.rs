@@ -64,6 +64,23 @@ fn a_scale_multiplies_the_ordinates_of_a_table_for_all_legs_or_one() {
 }
 
 #[test]
+fn the_center_of_gravity_is_on_the_centreline_unless_the_file_says_otherwise() {
+    let offset = |text: &str| read(text).unwrap().vehicle.center_of_gravity_offset();
+    assert_eq!(offset(SURVEYOR), [0.0, 0.0]);
+    let key = "center_of_gravity_offset_y_ft";
+    let aside = SURVEYOR.replace(
+        "[inertia_slug_ft2]",
+        &format!("{key} = -0.25\n[inertia_slug_ft2]"),
+    );
+    assert_eq!(offset(&aside), [0.0, -0.25]);
+    let value = |text: &str| {
+        let document = Document::parse(Path::new("v.toml"), text).unwrap();
+        number(&document, &KeyPath::parse(key).unwrap())
+    };
+    assert_eq!((value(SURVEYOR), value(&aside)), (Some(0.0), Some(-0.25)));
+}
+
+#[test]
 fn every_number_has_a_name() {
     let mut document = Document::parse(Path::new("v.toml"), SURVEYOR).unwrap();
     for name in numbers(3) {
@@ -78,8 +95,38 @@ fn every_number_has_a_name() {
     );
 }
 
+#[test]
+fn the_surveyor_in_si_is_the_surveyor() {
+    const SI: &str = include_str!("../../../../sweeps/vehicles/surveyor-si.toml");
+    // Nothing in it has a unit of 1966.
+    let document = Document::parse(Path::new("v.toml"), SI).unwrap();
+    let numbers: Vec<String> = numbers(3);
+    for name in numbers.iter().filter(|name| !name.starts_with("legs[")) {
+        let unit = crate::unit::unit(&format!("vehicle.{name}"));
+        let is_there = |step: &str| SI.contains(&format!("{step} = "));
+        let key = name.rsplit('.').next().unwrap();
+        assert!(unit == "1" || key.len() == 2 || !is_there(key), "{name}");
+    }
+    let si = VehicleFile::from_document(document).unwrap();
+    let us = read(SURVEYOR).unwrap();
+    assert_eq!(si.vehicle, us.vehicle);
+    for name in numbers {
+        let path = KeyPath::parse(&name).unwrap();
+        let [si, us] = [&si, &us].map(|file| number(&file.document, &path));
+        assert!(si.is_some() && si == us, "{name}: {si:?} {us:?}");
+    }
+}
+
+#[test]
+fn one_leg_may_have_other_units_than_the_rest() {
+    let text = format!("{SURVEYOR}[legs.strut]\npreload_n = 444.82216152605\n");
+    let vehicle = read(&text).unwrap().vehicle;
+    let preload = |leg: usize| vehicle.legs()[leg].design().strut.preload;
+    assert_eq!((preload(0), preload(2)), (185.0, 100.0));
+}
+
 /// What is replaced in the Surveyor's file, by what, and what the complaint must contain.
-const WRONG: [(&str, &str, &[&str]); 16] = [
+const WRONG: [(&str, &str, &[&str]); 24] = [
     (
         "mass_slug = 20",
         "mass_slug = -20",
@@ -87,8 +134,36 @@ const WRONG: [(&str, &str, &[&str]); 16] = [
     ),
     (
         "mass_slug = 20",
-        "mass_kg = 292",
-        &["v.toml:3: mass_kg = 292", "did you mean mass_slug?"],
+        "mass_lb = 640",
+        &[
+            "v.toml:3: mass_lb = 640: unknown key",
+            "did you mean mass_slug or mass_kg?",
+        ],
+    ),
+    (
+        "mass_slug = 20",
+        "mass_slug = 20\nmass_kg = 292",
+        &[
+            "v.toml:4: mass_kg = 292: expected one spelling of a quantity, but line 3 says mass_slug",
+        ],
+    ),
+    (
+        "mass_slug = 20",
+        "mass_kg = -292",
+        &["v.toml:3: mass_kg = -292: expected 0 < value ≤ 1e9 in slug, and this is -20.0084 slug"],
+    ),
+    (
+        "mass_slug = 20",
+        "mass_kg = \"292\"",
+        &["v.toml:3: mass_kg = \"292\": expected a number"],
+    ),
+    (
+        "stroke_in = [0, 0.25, 0.5",
+        "stroke_mm = [0, 12.7, 6.35",
+        &[
+            "v.toml:34: strut.spring_profile.stroke_mm[3] = 6.35",
+            "increasing order in inch, and this is 0.25 inch",
+        ],
     ),
     ("mass_slug = 20", "", &["mass_slug is missing"]),
     (
@@ -100,6 +175,32 @@ const WRONG: [(&str, &str, &[&str]); 16] = [
         "xx = 138.12",
         "xx = 0.2",
         &["v.toml:7: inertia_slug_ft2 (least principal moment)"],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_x_ft = 5\ncenter_of_gravity_offset_y_ft = 0.5\n[inertia_slug_ft2]",
+        &[
+            "v.toml:7: center_of_gravity_offset_x_ft = 5: expected -3.4048 < value < 3.4048",
+            "over the polygon of the feet at center_of_gravity_offset_y_ft = 0.5",
+        ],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_x_ft = 4\ncenter_of_gravity_offset_y_ft = -3.6\n[inertia_slug_ft2]",
+        &["v.toml:8: center_of_gravity_offset_y_ft = -3.6: expected -3.1987 < value < 6.3974"],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_y_ft = -3.4\n[inertia_slug_ft2]",
+        &["v.toml:7: center_of_gravity_offset_y_ft = -3.4: expected -3.1987 < value < 6.3974"],
+    ),
+    (
+        "[inertia_slug_ft2]",
+        "center_of_gravity_offset_x_in = 1\n[inertia_slug_ft2]",
+        &[
+            "v.toml:7: center_of_gravity_offset_x_in = 1",
+            "did you mean center_of_gravity_offset_x_ft or center_of_gravity_offset_x_m or",
+        ],
     ),
     (
         "preload_lb = 185",
@@ -161,7 +262,7 @@ const WRONG: [(&str, &str, &[&str]); 16] = [
     (
         "[[legs]]\nazimuth_deg = 240",
         "",
-        &["2 legs: expected", "three tables [[legs]]"],
+        &["2 legs: expected", "three to eight tables [[legs]]"],
     ),
     (
         "azimuth_deg = 240",

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use csv::StringRecord;
 use serde_json::json;
 use touchdown_dynamics::methods::Method;
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -19,11 +20,10 @@ use crate::landing_table::{self, Cell};
 use crate::library::Library;
 use crate::parameter::{Home, Parameter};
 use crate::resolved_input;
-use crate::scene_input::{NAMES, NamedConditions};
+use crate::scene_input::NamedConditions;
 use crate::section::Section;
 use crate::settings_input::{self, crush_rule_name, friction_profile_name};
-use crate::vehicle_file::LEGS;
-use crate::vehicle_file::VehicleFile;
+use crate::vehicle_file::{self, VehicleFile};
 
 /// Columns that every table of cases must have.
 pub(crate) const REQUIRED: [&str; 5] = [
@@ -143,14 +143,15 @@ fn parse(
     let input = json!({
         "table_of_cases": fingerprint(text),
         "vehicle_files": files,
-        "vehicle": resolved_input::tree(vehicle.document.root()),
+        "vehicle": resolved_input::vehicle(&vehicle.document),
         "solver": resolved_input::solver(settings),
     });
     Ok(CaseTable { rows: cases, input })
 }
 
-/// The columns of a table that change the vehicle or the solver.
+/// The columns of a table that are parameters.
 struct Columns {
+    scene: Vec<(usize, Parameter)>,
     vehicle: Vec<(usize, Parameter)>,
     solver: Vec<(usize, Parameter)>,
 }
@@ -158,6 +159,7 @@ struct Columns {
 impl Columns {
     fn of(heading: &StringRecord) -> Result<Self, InputError> {
         let mut columns = Self {
+            scene: Vec::new(),
             vehicle: Vec::new(),
             solver: Vec::new(),
         };
@@ -166,21 +168,31 @@ impl Columns {
                 let said = format!("column {name} is there twice: expected once");
                 return Err(InputError::other(said));
             }
-            if OWN.contains(&name) || NAMES.contains(&name) {
+            if OWN.contains(&name) {
                 continue;
             }
-            let parameter = Parameter::named(name, LEGS).filter(|known| known.name() == name);
-            match parameter {
-                Some(parameter) if parameter.home() == Home::Vehicle => {
-                    columns.vehicle.push((index, parameter));
-                }
-                Some(parameter) if name.starts_with("solver.") => {
-                    columns.solver.push((index, parameter));
-                }
-                _ => return Err(InputError::other(unknown(name))),
+            let parameter = Parameter::named(name, MOST_LEGS).filter(|known| known.name() == name);
+            let Some(parameter) = parameter else {
+                return Err(InputError::other(unknown(name)));
+            };
+            let same_kind = match parameter.home() {
+                Home::Scene => &mut columns.scene,
+                Home::Vehicle => &mut columns.vehicle,
+                Home::Sweep if name.starts_with("solver.") => &mut columns.solver,
+                Home::Sweep => return Err(InputError::other(unknown(name))),
+            };
+            if let Some((_, before)) = same_kind.iter().find(|(_, before)| *before == parameter) {
+                let before = before.name();
+                let said =
+                    format!("columns {before} and {name}: expected one spelling of a quantity");
+                return Err(InputError::other(said));
             }
+            same_kind.push((index, parameter));
         }
-        let has = |name: &str| heading.iter().any(|column| column == name);
+        let has = |name: &str| {
+            let mut given = columns.scene.iter();
+            given.any(|(_, parameter)| parameter.program_name() == name)
+        };
         match REQUIRED.iter().find(|name| !has(name)) {
             Some(absent) => Err(InputError::other(format!(
                 "column {absent} is missing: expected {}",
@@ -200,13 +212,34 @@ impl Columns {
     ) -> Result<CaseRow, InputError> {
         Ok(CaseRow {
             name: cell(heading, record, NAME_COLUMN).to_owned(),
-            scene: scene(heading, record)?,
+            scene: self.scene(record)?,
             vehicle: vehicles.of_row(
                 cell(heading, record, VEHICLE_COLUMN),
                 &self.vehicle,
                 record,
             )?,
             settings: self.settings(settings, record)?,
+        })
+    }
+
+    fn scene(&self, record: &StringRecord) -> Result<Scene, InputError> {
+        let mut conditions = NamedConditions::default();
+        let given = values(&self.scene, record)?;
+        for (parameter, _, value) in &given {
+            if let Value::Number(number) = value {
+                conditions.set(parameter.program_name(), *number);
+            }
+        }
+        conditions.scene().map_err(|fault| {
+            let given = (given.iter()).find(|(known, ..)| known.program_name() == fault.name);
+            match (fault.value, given) {
+                (Some(value), Some((parameter, text, _))) => {
+                    let allowed = parameter.explain(&fault.allowed, parameter.from_program(value));
+                    InputError::value(parameter.name(), text, &allowed)
+                }
+                (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
+                (None, _) => InputError::missing(fault.name, &fault.allowed),
+            }
         })
     }
 
@@ -244,7 +277,7 @@ impl Columns {
 
 /// The complaint that no column may have this name.
 fn unknown(name: &str) -> String {
-    let mut alike = Parameter::nearest(name, LEGS);
+    let mut alike = Parameter::nearest(name, MOST_LEGS);
     alike.retain(|name| !name.starts_with("search.") && !name.starts_with("scene."));
     let guess = match alike.as_slice() {
         [] => String::new(),
@@ -287,7 +320,13 @@ impl Vehicles<'_> {
         }
         let mut document = file.unwrap_or(self.own).document.clone();
         for (parameter, _, value) in &values {
-            document.write(parameter.path(), value.clone());
+            vehicle_file::write(
+                &mut document,
+                parameter.name(),
+                parameter.path(),
+                value.clone(),
+            )
+            .map_err(|error| at(&values, &error))?;
         }
         VehicleFile::from_document(document)
             .map(|file| Arc::new(file.vehicle))
@@ -307,18 +346,8 @@ fn values<'r>(
         let text = record.get(*index).filter(|text| !text.is_empty())?;
         Some((parameter, text))
     });
-    said.map(|(parameter, text)| {
-        let value = match parameter.words() {
-            [] => Value::Number(number(parameter.name(), text)?),
-            words if words.contains(&text) => Value::Text(text.to_owned()),
-            words => {
-                let allowed = format!("one of {}", words.join(", "));
-                return Err(InputError::value(parameter.name(), text, &allowed));
-            }
-        };
-        Ok((parameter, text, value))
-    })
-    .collect()
+    said.map(|(parameter, text)| Ok((parameter, text, parameter.value(text)?)))
+        .collect()
 }
 
 /// A complaint that arose with these values.
@@ -329,50 +358,34 @@ fn at(values: &[Given], error: &InputError) -> InputError {
     InputError::other(format!("at {}: {error}", said.join(", ")))
 }
 
-fn number(name: &str, text: &str) -> Result<f64, InputError> {
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(InputError::value(name, text, "a finite number")),
-    }
-}
-
 fn cell<'r>(heading: &StringRecord, record: &'r StringRecord, name: &str) -> &'r str {
     let position = heading.iter().position(|column| column == name);
     position.and_then(|index| record.get(index)).unwrap_or("")
 }
 
-fn scene(heading: &StringRecord, record: &StringRecord) -> Result<Scene, InputError> {
-    let mut conditions = NamedConditions::default();
-    for name in NAMES {
-        let text = cell(heading, record, name);
-        if text.is_empty() {
-            continue;
-        }
-        conditions.set(name, number(name, text)?);
-    }
-    conditions.scene().map_err(|fault| match fault.value {
-        Some(value) => InputError::value(fault.name, value, &fault.allowed),
-        None => InputError::missing(fault.name, &fault.allowed),
-    })
-}
-
-/// The results of cases as CSV: `case`, then the columns of [`landing_table`].
+/// The results of cases as CSV: `case`, then the columns of [`landing_table`] for as many legs as any vehicle has.
 ///
 /// # Errors
 /// None but those of memory.
 pub fn table<'r>(
-    rows: impl Iterator<Item = (&'r str, &'r Finding)>,
+    rows: impl Iterator<Item = (&'r str, &'r Finding)> + Clone,
 ) -> Result<Vec<u8>, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_field("case")?;
-    writer.write_record(landing_table::names(LEGS))?;
-    for (name, finding) in rows {
-        writer.write_field(name)?;
-        let cells: &[Cell] = match finding {
+    let cells = |finding: &'r Finding| -> &'r [Cell] {
+        match finding {
             Finding::Landing { cells, .. } => cells,
             _ => &[],
-        };
-        writer.write_record(cells.iter().map(Cell::to_string))?;
+        }
+    };
+    let legs = rows
+        .clone()
+        .map(|(_, finding)| landing_table::leg_count(cells(finding)));
+    let legs = legs.max().unwrap_or(0);
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_field("case")?;
+    writer.write_record(landing_table::names(legs))?;
+    for (name, finding) in rows {
+        writer.write_field(name)?;
+        writer.write_record(landing_table::under_headings(cells(finding), legs))?;
     }
     writer
         .into_inner()

@@ -14,7 +14,6 @@ use crate::sweep::Part;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
 use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
-use crate::vehicle_file::LEGS;
 
 /// Columns of the table after those of the axes.
 pub const COLUMNS: [&str; 10] = [
@@ -69,7 +68,7 @@ pub fn heading(sweep: &Sweep) -> Vec<String> {
             sweep.heading(COLUMNS.into_iter().chain([map_tables::LEVEL]))
         }
         Job::Boundary(_) => sweep.heading(COLUMNS),
-        Job::Outcome { .. } => sweep.heading(landing_table::names(LEGS)),
+        Job::Outcome { .. } => sweep.heading(landing_table::names(sweep.leg_count())),
     }
 }
 

@@ -5,7 +5,8 @@ use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::NamedConditions;
-use crate::vehicle_file::{LEGS, VehicleFile};
+use crate::vehicle_file::{self, VehicleFile};
+use touchdown_dynamics::per_leg::MOST_LEGS;
 
 /// A parameter and the value that replaces the one of the input files.
 #[derive(Debug, Clone)]
@@ -33,8 +34,8 @@ impl Assignment {
     /// # Errors
     /// As [`Assignment::parse`].
     pub fn new(name: &str, text: &str) -> Result<Self, InputError> {
-        let Some(parameter) = Parameter::named(name, LEGS) else {
-            let complaint = Parameter::unknown(name, LEGS);
+        let Some(parameter) = Parameter::named(name, MOST_LEGS) else {
+            let complaint = Parameter::unknown(name, MOST_LEGS);
             return Err(InputError::other(format!("{name} = {text}: {complaint}")));
         };
         let value = parameter.value(text)?;
@@ -88,7 +89,7 @@ pub fn check_once(set: &[Assignment]) -> Result<(), InputError> {
 pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
     for one in set {
         if let (Home::Scene, Value::Number(number)) = (one.parameter.home(), &one.value) {
-            conditions.set(one.parameter.name(), *number);
+            conditions.set(one.parameter.program_name(), *number);
         }
     }
 }
@@ -101,7 +102,13 @@ pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile
     let of_vehicle = || (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
     let mut document = file.document.clone();
     for one in of_vehicle() {
-        document.write(one.path(), one.value());
+        vehicle_file::write(
+            &mut document,
+            one.parameter().name(),
+            one.path(),
+            one.value(),
+        )
+        .map_err(|error| one.refuse(&error.to_string()))?;
     }
     let said = || {
         let said = of_vehicle().map(|one| format!("{}={}", one.parameter.name(), one.text));
@@ -120,6 +127,9 @@ mod tests {
         let preload = Assignment::parse("vehicle.strut.preload_lb=200").unwrap();
         assert_eq!(preload.parameter().name(), "vehicle.strut.preload_lb");
         assert!(matches!(preload.value(), Value::Number(200.0)));
+        let preload = Assignment::parse("vehicle.strut.preload_n=444.82216152605").unwrap();
+        assert_eq!(preload.parameter().name(), "vehicle.strut.preload_n");
+        assert!(matches!(preload.value(), Value::Number(100.0)));
         let slope = Assignment::parse("scene.slope_deg = -5").unwrap();
         assert_eq!(slope.parameter().name(), "slope_deg");
         let rule = Assignment::parse("solver.crush_rule=section").unwrap();
@@ -137,7 +147,7 @@ mod tests {
                 "slope_deg = steep: expected a finite number",
             ),
             ("slope_deg=nan", "a finite number"),
-            ("solver.crush_rule=soft", "pivot-rate or section"),
+            ("solver.crush_rule=soft", "one of pivot-rate, section"),
         ] {
             let complaint = Assignment::parse(text).unwrap_err().to_string();
             assert!(complaint.contains(fragment), "{complaint}");

@@ -10,6 +10,7 @@ use crate::levels::{Fault, Levels};
 use crate::parameter::Parameter;
 use crate::section::LocatedValue;
 use crate::section::{Layer, Section};
+use crate::spelling::Conversion;
 
 pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
 /// Keys of an axis that is sampled.
@@ -71,6 +72,8 @@ fn descend<'d>(
             place: above.place.clone(),
             path: crate::document::dotted(&above.path, &entry.key),
             node: &entry.node,
+            // Values of an axis are in the unit of its name.
+            conversion: Conversion::NONE,
         };
         match found.layer() {
             Ok(below) if is_table_of_axes(below.entries) => {

@@ -2,22 +2,33 @@
 //!
 //! A parameter is a dotted key of the input: `vehicle.strut.compression_damping`, one leg's own
 //! `vehicle.legs[2].strut.preload_lb`, `vehicle.footpad.profile.scale`, `solver.tolerance`. Keys of
-//! the scene go by their short names too, and are always called by them in results.
+//! the scene go by their short names too, and are always called by them in results. A parameter that is asked for in an SI
+//! unit has its values, and its columns in results, in that unit.
 
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::method_input;
 use crate::scene_input::NAMES;
+use crate::spelling::{Conversion, differ_in_unit, dotted_conversion, spellings, with_unit_of};
 use crate::{search_input, settings_input, vehicle_file};
 
 /// A number (or one of a few words) of the input.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct Parameter {
     name: String,
+    program_name: String,
+    conversion: Conversion,
     home: Home,
     path: KeyPath,
     words: &'static [&'static str],
+}
+
+/// Parameters are the same when they are the same quantity, whatever its unit.
+impl PartialEq for Parameter {
+    fn eq(&self, other: &Self) -> bool {
+        self.program_name == other.program_name
+    }
 }
 
 /// The part of the input that a parameter belongs to.
@@ -32,20 +43,27 @@ pub enum Home {
 }
 
 impl Parameter {
-    /// The parameter of a name, for vehicles with `legs` legs.
+    /// The parameter of a name, with any of its units, for vehicles with `legs` legs.
     pub fn named(name: &str, legs: usize) -> Option<Self> {
         let short = name.strip_prefix("scene.").unwrap_or(name);
-        let (name, home, path) = if NAMES.contains(&short) {
-            (short, Home::Scene, short)
-        } else if let Some(path) = name.strip_prefix("vehicle.") {
-            (name, Home::Vehicle, path)
-        } else {
-            (name, Home::Sweep, name)
+        let of_scene = NAMES.iter().find_map(|known| {
+            let conversion = dotted_conversion(short, known)?;
+            Some((short, (*known).to_owned(), conversion))
+        });
+        let others = || {
+            dotted_names(legs).into_iter().find_map(|known| {
+                let conversion = dotted_conversion(name, &known)?;
+                Some((name, known, conversion))
+            })
         };
-        if home != Home::Scene && !dotted_names(legs).iter().any(|known| known == name) {
-            return None;
-        }
-        let words: &[&str] = match name {
+        let is_scene = of_scene.is_some();
+        let (name, program_name, conversion) = of_scene.or_else(others)?;
+        let (home, path) = match program_name.strip_prefix("vehicle.") {
+            _ if is_scene => (Home::Scene, program_name.as_str()),
+            Some(path) => (Home::Vehicle, path),
+            None => (Home::Sweep, program_name.as_str()),
+        };
+        let words: &[&str] = match program_name.as_str() {
             "solver.crush_rule" => &settings_input::CRUSH_RULES,
             "solver.friction_profile" => &settings_input::FRICTION_PROFILES,
             "solver.method" => &method_input::METHODS,
@@ -53,8 +71,10 @@ impl Parameter {
         };
         Some(Self {
             name: name.to_owned(),
-            home,
             path: KeyPath::parse(path)?,
+            program_name,
+            conversion,
+            home,
             words,
         })
     }
@@ -74,12 +94,17 @@ impl Parameter {
             whole.max(key)
         };
         let all = scene.chain(full).chain(dotted_names(legs));
+        let all: Vec<String> = all
+            .filter(|known| !known.starts_with("scene.") || name.starts_with("scene."))
+            .collect();
+        if let Some(known) = all.iter().find(|known| differ_in_unit(name, known)) {
+            return spellings(known);
+        }
         let mut alike: Vec<(f64, String)> = all
+            .iter()
+            .map(|known| with_unit_of(name, known))
             .map(|known| (likeness(&known), known))
-            .filter(|(likeness, known)| {
-                let short = !known.starts_with("scene.") || name.starts_with("scene.");
-                *likeness > LEAST_LIKENESS && short
-            })
+            .filter(|(likeness, _)| *likeness > LEAST_LIKENESS)
             .collect();
         alike.sort_by(|(a, _), (b, _)| b.total_cmp(a));
         let best = alike.first().map_or(0.0, |(likeness, _)| *likeness);
@@ -100,9 +125,29 @@ impl Parameter {
         )
     }
 
-    /// Its name, which heads its column in results.
+    /// Its name as it was asked for, which heads its column in results.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Its name in the unit of the program.
+    pub fn program_name(&self) -> &str {
+        &self.program_name
+    }
+
+    /// A coordinate in the unit of the program.
+    pub fn to_program(&self, coordinate: f64) -> f64 {
+        self.conversion.to_program(coordinate)
+    }
+
+    /// A number of the program in the unit in which the parameter was asked for.
+    pub fn from_program(&self, number: f64) -> f64 {
+        self.conversion.from_program(number)
+    }
+
+    /// What is allowed in the unit of the program, for a coordinate.
+    pub(crate) fn explain(&self, allowed: &str, coordinate: f64) -> String {
+        self.conversion.explain(allowed, coordinate)
     }
 
     /// The part of the input that it belongs to.
@@ -119,7 +164,7 @@ impl Parameter {
     pub fn is_angular(&self) -> bool {
         ["_deg", "_dps"]
             .iter()
-            .any(|unit| self.name.ends_with(unit))
+            .any(|unit| self.program_name.ends_with(unit))
     }
 
     /// The words that it can be; none for a number.
@@ -132,18 +177,23 @@ impl Parameter {
         self.words.get(coordinate as usize).copied()
     }
 
-    /// The value in a text.
+    /// The value in a text, in the unit of the program.
     ///
     /// # Errors
     /// When it is neither a finite number nor, of a parameter that has words, one of them.
     pub(crate) fn value(&self, text: &str) -> Result<Value, InputError> {
         match self.words {
             [] => match text.parse::<f64>() {
-                Ok(number) if number.is_finite() => Ok(Value::Number(number)),
+                Ok(number) if self.to_program(number).is_finite() => {
+                    Ok(Value::Number(self.to_program(number)))
+                }
                 _ => Err(InputError::value(&self.name, text, "a finite number")),
             },
             words if words.contains(&text) => Ok(Value::Text(text.to_owned())),
-            words => Err(InputError::value(&self.name, text, &words.join(" or "))),
+            words => {
+                let allowed = format!("one of {}", words.join(", "));
+                Err(InputError::value(&self.name, text, &allowed))
+            }
         }
     }
 
@@ -230,6 +280,51 @@ mod tests {
             Some("vehicle.strut.compression_damping")
         );
         assert_eq!(Parameter::nearest("wobble", 3), Vec::<String>::new());
+    }
+
+    #[test]
+    fn any_unit_names_the_same_parameter() {
+        for (name, program_name, coordinate, number) in [
+            ("slope_rad", "slope_deg", std::f64::consts::PI, 180.0),
+            (
+                "scene.vertical_velocity_mps",
+                "vertical_velocity_fps",
+                0.3048,
+                1.0,
+            ),
+            (
+                "vehicle.mass_kg",
+                "vehicle.mass_slug",
+                14.593902937206364,
+                1.0,
+            ),
+            (
+                "vehicle.inertia_kg_m2.xx",
+                "vehicle.inertia_slug_ft2.xx",
+                13.558179483314004,
+                10.0,
+            ),
+            (
+                "vehicle.legs[2].strut.preload_n",
+                "vehicle.legs[2].strut.preload_lb",
+                44.482216152605,
+                10.0,
+            ),
+            ("search.to_mps", "search.to_fps", 3.048, 10.0),
+        ] {
+            let [asked, known] =
+                [name, program_name].map(|name| Parameter::named(name, 3).unwrap());
+            assert_eq!(asked, known);
+            assert_eq!(asked.name(), name.trim_start_matches("scene."));
+            assert_eq!(asked.program_name(), program_name);
+            assert_eq!(asked.path(), known.path());
+            assert_eq!(asked.to_program(coordinate), number, "{name}");
+            assert_eq!(known.to_program(coordinate), coordinate);
+        }
+        let nearest = Parameter::nearest("vehicle.mass_lb", 3);
+        assert_eq!(nearest, ["vehicle.mass_slug", "vehicle.mass_kg"]);
+        let nearest = Parameter::nearest("vehicle.strut.prelaod_n", 3);
+        assert_eq!(nearest[0], "vehicle.strut.preload_n");
     }
 
     #[test]

@@ -41,7 +41,7 @@ fn add(parameters: &mut Vec<Parameter>, name: &str, legs: usize) -> Result<(), S
     let Some(parameter) = Parameter::named(name, legs) else {
         return Err(Parameter::unknown(name, legs));
     };
-    if parameter.name() == HORIZONTAL_VELOCITY {
+    if parameter.program_name() == HORIZONTAL_VELOCITY {
         return Err("the search varies it: expected another parameter".to_owned());
     }
     if parameter.home() == Home::Sweep {

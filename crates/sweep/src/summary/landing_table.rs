@@ -121,6 +121,24 @@ pub fn names(legs: usize) -> Vec<String> {
         .collect()
 }
 
+/// Results of a landing as they stand in a table for `legs` legs, of which its vehicle may have fewer: cells of legs that
+/// it lacks are empty.
+pub fn under_headings(cells: &[Cell], legs: usize) -> Vec<String> {
+    let own = names(leg_count(cells));
+    let told = |name: String| {
+        let index = own.iter().position(|known| *known == name);
+        let cell = index.and_then(|index| cells.get(index));
+        cell.map_or_else(String::new, Cell::to_string)
+    };
+    names(legs).into_iter().map(told).collect()
+}
+
+/// Number of legs of the vehicle whose landing has these results.
+pub fn leg_count(cells: &[Cell]) -> usize {
+    let [of_none, of_one] = [0, 1].map(|legs| names(legs).len());
+    cells.len().saturating_sub(of_none) / (of_one - of_none)
+}
+
 fn column(name: &str, cell: Cell) -> Column {
     (name.to_owned(), cell)
 }

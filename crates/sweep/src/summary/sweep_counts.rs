@@ -74,7 +74,7 @@ impl SweepCounts {
         };
         // Open ends can be sorted only where all points are searched over the same range.
         let varies = (sweep.axes.iter())
-            .any(|axis| ["search.from_fps", "search.to_fps"].contains(&axis.name()));
+            .any(|axis| ["search.from_fps", "search.to_fps"].contains(&axis.program_name()));
         let transitions = match (&sweep.job, &sweep.design) {
             (Job::Boundary(search), Design::Sample(_)) if !varies => {
                 Some(TransitionStatistics::none(search))

@@ -89,7 +89,7 @@ impl Sweep {
         self.case_of(&self.axes, coordinates)
     }
 
-    /// The input of a point, but for one parameter that has another value.
+    /// The input of a point, but for one parameter that has another value, in its unit.
     ///
     /// # Errors
     /// When it is not valid.
@@ -102,7 +102,11 @@ impl Sweep {
         let mut axes = self.axes.clone();
         let mut coordinates = self.design.coordinates(point);
         match axes.iter().position(|axis| axis == parameter) {
-            Some(axis) => coordinates[axis] = value,
+            // The value is in the unit of the parameter, which need not be that of the axis.
+            Some(axis) => {
+                axes[axis] = parameter.clone();
+                coordinates[axis] = value;
+            }
             None => {
                 axes.push(parameter.clone());
                 coordinates.push(value);
@@ -111,14 +115,14 @@ impl Sweep {
         self.case_of(&axes, &coordinates)
     }
 
-    /// The value that a number of scene or vehicle has at a point, if it has one.
+    /// The value that a number of scene or vehicle has at a point, if it has one, in the parameter's unit.
     pub fn value(&self, point: usize, parameter: &Parameter) -> Option<f64> {
         let coordinates = self.design.coordinates(point);
-        match parameter.home() {
+        let value = match parameter.home() {
             Home::Scene => {
                 let conditions = self.conditions(&self.axes, &coordinates).resolved();
                 let mut named = conditions.into_iter();
-                named.find_map(|(name, value)| (name == parameter.name()).then_some(value))
+                named.find_map(|(name, value)| (name == parameter.program_name()).then_some(value))
             }
             Home::Vehicle => {
                 let document = &self.vehicle.document;
@@ -126,7 +130,8 @@ impl Sweep {
                 vehicle_file::number(&document, parameter.path())
             }
             Home::Sweep => None,
-        }
+        };
+        value.map(|value| parameter.from_program(value))
     }
 
     fn case_of(&self, axes: &[Parameter], coordinates: &[f64]) -> Result<Case, CaseFault> {
@@ -147,7 +152,7 @@ impl Sweep {
         let mut conditions = self.fixed;
         for (axis, value) in axes.iter().zip(coordinates) {
             if axis.home() == Home::Scene {
-                conditions.set(axis.name(), *value);
+                conditions.set(axis.program_name(), axis.to_program(*value));
             }
         }
         conditions
@@ -210,7 +215,7 @@ pub(crate) fn written(
         }
         let value = match axis.word(*coordinate) {
             Some(word) => Value::Text(word.to_owned()),
-            None => Value::Number(*coordinate),
+            None => Value::Number(axis.to_program(*coordinate)),
         };
         document.write(axis.path(), value);
     }

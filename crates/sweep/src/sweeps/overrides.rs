@@ -6,11 +6,11 @@ use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::parameter::Home;
+use crate::parameter::Parameter;
 use crate::scene_input::HORIZONTAL_VELOCITY;
 use crate::section::Section;
 use crate::sensitivity_input;
 use crate::sweep::{Job, OverrideNames, SWEEP, Sweep};
-use crate::vehicle_file::LEGS;
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
 
@@ -65,10 +65,11 @@ impl Sweep {
         if overrides.vehicle.is_some() || !overrides.set.is_empty() {
             // It was made on what the sweep file describes.
             self.statement = None;
+            self.check_legs()?;
             self.check_points()?;
         }
         if !overrides.sensitivity.is_empty() {
-            self.sensitivity = sensitivity_input::named(&overrides.sensitivity, LEGS)?;
+            self.sensitivity = sensitivity_input::named(&overrides.sensitivity, self.leg_count())?;
         }
         self.check_sensitivity()?;
         let path = |file: &VehicleFile| file.document.path().to_owned();
@@ -87,7 +88,7 @@ impl Sweep {
     fn set(&mut self, set: &[Assignment]) -> Result<(), InputError> {
         assignment::check_once(set)?;
         for one in set {
-            let name = one.parameter().name();
+            let name = one.parameter().program_name();
             if self.axes.contains(one.parameter()) {
                 return Err(one.refuse("this parameter varies in the sweep"));
             }
@@ -102,10 +103,25 @@ impl Sweep {
                 self.document.write(one.path(), one.value());
             }
         }
-        let names: Vec<&str> = set.iter().map(|one| one.parameter().name()).collect();
+        let names: Vec<&str> = (set.iter())
+            .map(|one| one.parameter().program_name())
+            .collect();
         self.fixed.replace_attitude_form(&names);
         assignment::set_conditions(&mut self.fixed, set);
         Ok(())
+    }
+
+    /// Checks that the vehicle has the legs that axes and sensitivities are about.
+    fn check_legs(&self) -> Result<(), InputError> {
+        let legs = self.leg_count();
+        let is_absent = |one: &&Parameter| Parameter::named(one.name(), legs).is_none();
+        match self.axes.iter().chain(&self.sensitivity).find(is_absent) {
+            Some(parameter) => {
+                let said = format!("{}: the vehicle has {legs} legs", parameter.name());
+                Err(InputError::other(said).at(self.document.place()))
+            }
+            None => Ok(()),
+        }
     }
 
     fn check_points(&self) -> Result<(), InputError> {

@@ -5,14 +5,16 @@ use touchdown_dynamics::scene::Settings;
 
 use crate::design::Design;
 use crate::distribution::Distribution;
-use crate::document::{Entry, Value as Read};
+use crate::document::{Document, Entry, Value as Read};
 use crate::levels::Levels;
 use crate::method_input::method_name;
 use crate::parameter::Parameter;
 use crate::sample::SampledAxis;
 use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
 use crate::settings_input::{crush_rule_name, friction_profile_name};
+use crate::spelling::{Conversion, conversion};
 use crate::sweep_file::{Job, Sweep};
+use crate::vehicle_file;
 
 /// Longest axis whose values are listed one by one.
 const MOST_VALUES: usize = 1000;
@@ -24,7 +26,7 @@ impl Sweep {
             .fixed
             .resolved()
             .into_iter()
-            .filter(|(name, _)| self.axes.iter().all(|axis| axis.name() != *name))
+            .filter(|(name, _)| self.axes.iter().all(|axis| axis.program_name() != *name))
             .map(|(name, value)| (name.to_owned(), json!(value)))
             .collect();
         let mut input = json!({
@@ -32,7 +34,7 @@ impl Sweep {
                 Job::Boundary(_) => "boundary",
                 Job::Outcome { .. } => "outcome",
             },
-            "vehicle": tree(self.vehicle.document.root()),
+            "vehicle": vehicle(&self.vehicle.document),
             "scene": scene,
             "axes": self.axes_resolved(),
             "axes_that_move_together": self.together(),
@@ -183,20 +185,31 @@ pub(crate) fn solver(settings: &Settings) -> Value {
     })
 }
 
-/// A document as a tree.
-pub(crate) fn tree(entries: &[Entry]) -> Value {
-    let fields = entries
-        .iter()
-        .map(|entry| (entry.key.clone(), value(&entry.node.value)));
+/// A vehicle file as a tree, in the units of the program.
+pub(crate) fn vehicle(document: &Document) -> Value {
+    tree(document.root(), Conversion::NONE)
+}
+
+fn tree(entries: &[Entry], above: Conversion) -> Value {
+    let fields = entries.iter().map(|entry| {
+        let known = vehicle_file::KEYS.iter().copied().flatten();
+        let (key, own) = known
+            .filter_map(|key| Some((*key, conversion(&entry.key, key)?)))
+            .next()
+            .unwrap_or((&entry.key, Conversion::NONE));
+        (key.to_owned(), value(&entry.node.value, own.or(above)))
+    });
     Value::Object(fields.collect())
 }
 
-fn value(read: &Read) -> Value {
+fn value(read: &Read, conversion: Conversion) -> Value {
     match read {
-        Read::Number(number) => json!(number),
+        Read::Number(number) => json!(conversion.to_program(*number)),
         Read::Text(text) => json!(text),
-        Read::List(nodes) => nodes.iter().map(|node| value(&node.value)).collect(),
-        Read::Table(entries) => tree(entries),
+        Read::List(nodes) => (nodes.iter())
+            .map(|node| value(&node.value, conversion))
+            .collect(),
+        Read::Table(entries) => tree(entries, conversion),
         Read::Foreign => Value::Null,
     }
 }

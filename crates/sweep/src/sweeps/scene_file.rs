@@ -6,6 +6,7 @@
 
 use std::path::{Path, PathBuf};
 
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
 
 use crate::document::{Document, Value};
@@ -17,8 +18,7 @@ use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::{locate_condition, named_vehicle};
-use crate::vehicle_file::LEGS;
-use crate::vehicle_file::VehicleFile;
+use crate::vehicle_file::{self, VehicleFile};
 
 pub(crate) const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver", "case"];
 /// Keys of a case that are no parameters.
@@ -112,11 +112,17 @@ impl<'d> Changes<'d> {
                 (key, _) if key == own_name => changes.name = Some(found),
                 (key, Value::Text(_)) if key == own_vehicle => changes.vehicle = Some(found),
                 _ => {
-                    let parameter = Parameter::named(&name, LEGS)
+                    let parameter = Parameter::named(&name, MOST_LEGS)
                         .filter(|known| !known.name().starts_with("search."));
                     let Some(parameter) = parameter else {
-                        return Err(found.complain_that(&unknown(&name, LEGS)));
+                        return Err(found.complain_that(&unknown(&name, MOST_LEGS)));
                     };
+                    let mut before = changes.parameters.iter();
+                    if let Some((other, _)) = before.find(|(other, _)| *other == parameter) {
+                        let other = other.name();
+                        let said = format!("said twice: expected one of {other} and {name}");
+                        return Err(found.complain_that(&said));
+                    }
                     changes.parameters.push((parameter, found));
                 }
             }
@@ -138,16 +144,16 @@ impl<'d> Changes<'d> {
 
     /// A complaint about the scene that arose with this case.
     fn blame_condition(&self, fault: &SceneFault) -> InputError {
-        let said = self.parameters.iter().find(|(p, _)| p.name() == fault.name);
-        let said = said.map(|(_, found)| found);
+        let said = (self.parameters.iter()).find(|(p, _)| p.program_name() == fault.name);
         let error = match (fault.value, said) {
-            (Some(_), Some(found)) => {
-                InputError::value(fault.name, &found.node.written, &fault.allowed)
+            (Some(value), Some((parameter, found))) => {
+                let allowed = parameter.explain(&fault.allowed, parameter.from_program(value));
+                InputError::value(parameter.name(), &found.node.written, &allowed)
             }
             (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
             (None, _) => InputError::missing(fault.name, &fault.allowed),
         };
-        self.complain(error, said)
+        self.complain(error, said.map(|(_, found)| found))
     }
 
     fn complain(&self, error: InputError, found: Option<&LocatedValue>) -> InputError {
@@ -186,10 +192,7 @@ impl Stack {
         scene: &Section,
     ) -> Result<Self, InputError> {
         let vehicle = named_vehicle(&root.value("vehicle", VEHICLE)?, path, Library::Disk)?;
-        let mut conditions = NamedConditions::default();
-        for (name, found) in scene.all_values() {
-            conditions.set(name, found.number()?);
-        }
+        let conditions = NamedConditions::read(scene)?;
         // Errors in these files are reported for the files, not for the first case.
         settings_input::settings_of_landing(root)?;
         VehicleFile::from_document(vehicle.clone())?;
@@ -209,11 +212,13 @@ impl Stack {
             .parameters
             .iter()
             .filter(|(p, _)| p.home() == Home::Scene);
-        let names: Vec<&str> = scene.map(|(parameter, _)| parameter.name()).collect();
+        let names: Vec<&str> = scene
+            .map(|(parameter, _)| parameter.program_name())
+            .collect();
         self.conditions.replace_attitude_form(&names);
         for (parameter, found) in &changes.parameters {
             let value = match parameter.words() {
-                [] => Value::Number(found.number()?),
+                [] => Value::Number(parameter.to_program(found.number()?)),
                 words => match found.text() {
                     Ok(word) if words.contains(&word) => Value::Text(word.to_owned()),
                     _ => return Err(found.complain(&format!("one of {words:?}"))),
@@ -221,10 +226,16 @@ impl Stack {
             };
             match (parameter.home(), &value) {
                 (Home::Scene, Value::Number(number)) => {
-                    self.conditions.set(parameter.name(), *number);
+                    self.conditions.set(parameter.program_name(), *number);
                 }
                 (Home::Vehicle, _) => {
-                    self.vehicle.write(parameter.path(), value);
+                    vehicle_file::write(
+                        &mut self.vehicle,
+                        parameter.name(),
+                        parameter.path(),
+                        value,
+                    )
+                    .map_err(|error| changes.complain(error, Some(found)))?;
                 }
                 _ => {
                     self.document.write(parameter.path(), value);

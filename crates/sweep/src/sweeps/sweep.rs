@@ -125,6 +125,11 @@ impl Sweep {
         }
     }
 
+    /// Number of legs of its vehicles.
+    pub fn leg_count(&self) -> usize {
+        self.vehicle.vehicle.legs().len()
+    }
+
     /// Where to search, if the sweep searches.
     pub fn search(&self) -> Option<&Search> {
         match &self.job {

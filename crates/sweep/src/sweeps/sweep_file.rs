@@ -17,8 +17,7 @@ use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::sensitivity_input;
 use crate::sweep::{OverrideNames, SWEEP};
-use crate::vehicle_file::LEGS;
-use crate::vehicle_file::VehicleFile;
+use crate::vehicle_file::{self, VehicleFile};
 use crate::{case, map_input, sample_input, search_input, settings_input};
 
 impl Sweep {
@@ -45,7 +44,7 @@ impl Sweep {
         let vehicle = vehicle_document(&root, path, library)?;
         let asked = asked(&root)?;
         let scene = root.section("scene", &NAMES)?;
-        let entries = axis_input::entries(&root, LEGS)?;
+        let entries = axis_input::entries(&root, vehicle_file::leg_count(&vehicle))?;
         check_names(&root, &scene, &entries, asked)?;
         let mut sources = vec![document.source(), vehicle.source()];
         let sampled = sample_input::sampled(&root, &entries, path, library, &mut sources)?;
@@ -90,10 +89,8 @@ impl Sweep {
             document: vehicle,
             ..varied
         };
-        let mut fixed = NamedConditions::default();
-        for (name, found) in scene.all_values() {
-            fixed.set(name, found.number()?);
-        }
+        let legs = vehicle.vehicle.legs().len();
+        let fixed = NamedConditions::read(&scene)?;
         let sweep = Self {
             path: path.to_owned(),
             title,
@@ -104,7 +101,7 @@ impl Sweep {
             design,
             job,
             settings,
-            sensitivity: sensitivity_input::parameters(&root, LEGS)?,
+            sensitivity: sensitivity_input::parameters(&root, legs)?,
             part: None,
             sources,
             overrides: OverrideNames::default(),
@@ -178,7 +175,7 @@ fn check_names(
             );
         }
     }
-    let varied = |name: &str| entries.iter().find(|entry| entry.parameter.name() == name);
+    let varied = |name: &str| (entries.iter()).find(|entry| entry.parameter.program_name() == name);
     if asked == JobWord::Boundary {
         let fixed = scene.optional(HORIZONTAL_VELOCITY);
         let varied = varied(HORIZONTAL_VELOCITY).map(|entry| entry.found.clone());
@@ -188,8 +185,8 @@ fn check_names(
     } else if let Some(found) = root.optional("search") {
         return Err(found.complain_that("not used with job = \"outcome\""));
     }
-    for (name, _) in scene.all_values() {
-        if let Some(entry) = varied(name) {
+    for name in NAMES {
+        if let (Some(entry), Some(_)) = (varied(name), scene.optional(name)) {
             let both = "also in [scene]: expected only one of the two";
             return Err(entry.found.complain_that(both));
         }
@@ -278,13 +275,16 @@ pub(crate) fn locate_condition(
     }
     let entry = entries
         .iter()
-        .find(|entry| entry.parameter.name() == fault.name);
+        .find(|entry| entry.parameter.program_name() == fault.name);
     match (entry, fault.value) {
-        (Some(entry), Some(value)) => entry.found.complain_that(&format!(
-            "includes {}: expected {}",
-            short(value.to_string()),
-            fault.allowed
-        )),
+        (Some(entry), Some(value)) => {
+            let value = entry.parameter.from_program(value);
+            entry.found.complain_that(&format!(
+                "includes {}: expected {}",
+                short(value.to_string()),
+                entry.parameter.explain(&fault.allowed, value)
+            ))
+        }
         _ => scene.missing(fault.name, &fault.allowed),
     }
 }

@@ -225,8 +225,11 @@ fn columns_of_one_file_stay_together() {
 const WRONG: [(&str, &str, &[&str]); 15] = [
     (
         "slope_deg = 15",
-        "slope_rad = 0.26",
-        &[":9: scene.slope_rad = 0.26", "mean slope_deg?"],
+        "slope_grad = 0.26",
+        &[
+            ":9: scene.slope_grad = 0.26",
+            "mean slope_deg or slope_rad?",
+        ],
     ),
     ("friction = 1.0", "", &["scene.friction is missing", "≥ 0"]),
     (

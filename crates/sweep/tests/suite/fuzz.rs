@@ -28,9 +28,10 @@ const CASES: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_sl
                      1,14,2,180,0,0,0,15,1,20\n2,14,13,180,0,0,0,15,1,30\n";
 /// What is put into files: things that mean something there, at the wrong place.
 #[rustfmt::skip]
-const WORDS: [&str; 24] = [
+const WORDS: [&str; 27] = [
     "0", "-1", "1e308", "1e-320", "nan", "inf", "2.5", "[", "]", "{", "}", "\"", "=", "\n", ",", ".",
     "[[legs]]", "zip = \"a\"", "count = 3", "spacing = \"log\"", "scale = 2", "ä", "\0", "[axes]\n",
+    "_kg", "_m", "_rad",
 ];
 
 /// One change of a text: from where, how much is taken away, and what is put there.

@@ -6,3 +6,4 @@ mod hidden_bands;
 mod reference_of_keys;
 mod search_switches;
 mod sensitivity;
+mod si_units;

@@ -88,7 +88,7 @@ impl TouchdownOptions {
     pub fn with(&self, set: &[Assignment]) -> Result<NamedConditions, InputError> {
         let mut conditions = self.named();
         for one in set {
-            let name = one.parameter().name();
+            let name = one.parameter().program_name();
             if conditions.get(name).is_some() {
                 return Err(one.refuse(&format!(
                     "{} is given too: expected one of them",
@@ -112,7 +112,10 @@ impl TouchdownOptions {
                  value,
                  allowed,
              }| {
-                if let Some(one) = set.iter().find(|one| one.parameter().name() == name) {
+                if let Some(one) = set
+                    .iter()
+                    .find(|one| one.parameter().program_name() == name)
+                {
                     return one.refuse(&format!("expected {allowed}"));
                 }
                 let option = option_of(name);

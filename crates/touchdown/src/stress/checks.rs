@@ -3,7 +3,6 @@
 use touchdown_dynamics::outcome::{Failure, Outcome};
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::landing_table::{self, Cell};
-use touchdown_sweep::vehicle_file::LEGS;
 
 /// Largest part of the energy involved by which its account may stay open, in units of the tolerance, for
 /// each so many seconds begun.
@@ -15,7 +14,6 @@ const LITTLE_ENERGY: f64 = 1.0;
 /// What landings are held against.
 #[derive(Debug)]
 pub struct LandingChecks {
-    names: Vec<String>,
     time_limit: f64,
     tolerance: f64,
 }
@@ -24,7 +22,6 @@ impl LandingChecks {
     /// Of landings computed with these settings.
     pub fn of(settings: &Settings) -> Self {
         Self {
-            names: landing_table::names(LEGS),
             time_limit: settings.time_limit(),
             tolerance: settings.tolerance(),
         }
@@ -33,16 +30,16 @@ impl LandingChecks {
     /// The part of the energy involved by which its account stays open; none of landings that ended
     /// without a result, as what broke them may show in the last step.
     pub fn open(&self, outcome: &Outcome, cells: &[Cell]) -> Option<f64> {
-        let involved = self.number(cells, "initial_kinetic_energy_ftlb")
-            + self.number(cells, "potential_energy_change_ftlb").abs()
+        let involved = number(cells, "initial_kinetic_energy_ftlb")
+            + number(cells, "potential_energy_change_ftlb").abs()
             + LITTLE_ENERGY;
-        let open = self.number(cells, "energy_closure_ftlb").abs() / involved;
+        let open = number(cells, "energy_closure_ftlb").abs() / involved;
         (!matches!(outcome, Outcome::Failure(_))).then_some(open)
     }
 
     /// A count among the results.
     pub fn count(&self, cells: &[Cell], name: &str) -> u64 {
-        match self.cell(cells, name) {
+        match cell(cells, name) {
             Some(Cell::Count(count)) => *count,
             _ => 0,
         }
@@ -53,8 +50,8 @@ impl LandingChecks {
         if *outcome == Outcome::Failure(Failure::NonFinite) {
             return Some(Failure::NonFinite.to_string());
         }
-        let end = self.number(cells, "end_time_s");
-        for (name, cell) in self.names.iter().zip(cells) {
+        let end = number(cells, "end_time_s");
+        for (name, cell) in names(cells).iter().zip(cells) {
             let Cell::Number(number) = cell else {
                 continue;
             };
@@ -71,17 +68,22 @@ impl LandingChecks {
         let most = OPEN * self.tolerance * (end / OPEN_IN).ceil().max(1.0);
         (open > most).then(|| format!("{open:.1e} of the energy is not accounted for"))
     }
+}
 
-    fn cell<'c>(&self, cells: &'c [Cell], name: &str) -> Option<&'c Cell> {
-        let place = self.names.iter().position(|known| known == name)?;
-        cells.get(place)
-    }
+/// Names of the results.
+fn names(cells: &[Cell]) -> Vec<String> {
+    landing_table::names(landing_table::leg_count(cells))
+}
 
-    fn number(&self, cells: &[Cell], name: &str) -> f64 {
-        match self.cell(cells, name) {
-            Some(Cell::Number(number)) => *number,
-            _ => f64::NAN,
-        }
+fn cell<'c>(cells: &'c [Cell], name: &str) -> Option<&'c Cell> {
+    let place = names(cells).iter().position(|known| known == name)?;
+    cells.get(place)
+}
+
+fn number(cells: &[Cell], name: &str) -> f64 {
+    match cell(cells, name) {
+        Some(Cell::Number(number)) => *number,
+        _ => f64::NAN,
     }
 }
 
@@ -108,7 +110,7 @@ pub mod tests {
             let change = changes.iter().find(|(changed, _)| *changed == name);
             change.map_or_else(|| customary(&name), |(_, cell)| cell.clone())
         };
-        landing_table::names(LEGS).into_iter().map(cell).collect()
+        landing_table::names(3).into_iter().map(cell).collect()
     }
 
     #[test]

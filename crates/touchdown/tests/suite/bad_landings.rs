@@ -2,7 +2,6 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
 use crate::common::{BASELINE, Bench};
 
 const HEADING: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,\
@@ -92,11 +91,11 @@ fn bad_tables_are_refused() {
         "cases.csv",
         &format!(
             "{}\n{GOOD}\n",
-            HEADING.replace("slope_deg,f", "slope_rad,f")
+            HEADING.replace("slope_deg,f", "slope_grad,f")
         ),
     );
     bench.run(&RUN_CASES).refused(&[
-        "cases.csv:1: column slope_rad: no such column",
+        "cases.csv:1: column slope_grad: no such column",
         "did you mean slope_deg",
     ]);
     bench.write("cases.csv", HEADING);

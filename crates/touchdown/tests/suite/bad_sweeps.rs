@@ -2,7 +2,6 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
 use crate::common::{Bench, SURVEYOR, SWEEP};
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
@@ -10,7 +9,7 @@ use crate::common::{Bench, SURVEYOR, SWEEP};
 const SWEEPS: [(&str, &str, &[&str]); 33] = [
     // Unknown, missing and misplaced keys, and wrong units.
     ("friction = 1.0", "frction = 1.0", &["sweep.toml:7: scene.frction = 1.0", "did you mean friction?"]),
-    ("slope_deg = 15", "slope_rad = 0.26", &["sweep.toml:6: scene.slope_rad = 0.26", "did you mean slope_deg?"]),
+    ("slope_deg = 15", "slope_grad = 16", &["sweep.toml:6: scene.slope_grad = 16", "did you mean slope_deg or slope_rad?"]),
     ("friction = 1.0", "", &["sweep.toml:3: scene.friction is missing", "≥ 0"]),
     ("title", "titel", &["sweep.toml:1: titel", "did you mean title?"]),
     ("[search]", "[serach]", &["sweep.toml:10: serach", "did you mean search?"]),

@@ -4,7 +4,6 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 #![cfg(unix)]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::Command;

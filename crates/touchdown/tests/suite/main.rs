@@ -9,6 +9,7 @@ mod document_examples;
 mod dry_runs;
 mod full_disk;
 mod interruptions;
+mod legs;
 mod maps;
 mod nothing_silent;
 mod output_columns;

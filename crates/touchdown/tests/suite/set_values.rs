@@ -2,7 +2,6 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
 use crate::common::{BASELINE, Bench, SURVEYOR, SWEEP};
 
 /// A vehicle file with another preload.
@@ -39,6 +38,18 @@ fn a_landing_with_a_set_value_is_that_of_a_changed_vehicle_file() {
     let change = "with vehicle.strut.preload_lb = 200\n";
     assert_eq!(done.out.replace(change, ""), expected.out);
     assert_ne!(done.out, expected.out);
+
+    // What the file leaves out: a CG downhill of the centreline topples a lander that stands otherwise.
+    let outcome = |set: &[&str]| {
+        let done = bench.run(&[&BASELINE[..], set].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        done.out.contains("unstable-pitch")
+    };
+    assert!(!outcome(&[]));
+    assert!(outcome(&[
+        "--set",
+        "vehicle.center_of_gravity_offset_y_ft=-0.4"
+    ]));
 
     // A condition of the touchdown, instead of its option.
     let expected = bench.run(&[&BASELINE[..], &["--roll", "20"]].concat());

@@ -43,6 +43,23 @@ fn new_sweeps_name_the_vehicle_that_is_given() {
 }
 
 #[test]
+fn new_vehicles_land_alike_in_either_unit() {
+    let bench = Bench::new();
+    let landed = ["US", "SI"].map(|units| {
+        let file = format!("{units}.toml");
+        let done = bench.run(&["new", "vehicle", &file, "--units", units]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let named = bench.read(&file).contains("mass_kg = ");
+        assert_eq!(named, units == "SI");
+        let landed = bench.run(&[&["land", "--vehicle", &file], &BASELINE[3..]].concat());
+        assert_eq!(landed.code, Some(0), "{}", landed.err);
+        // All but the name of the vehicle.
+        landed.out.split_once('\n').unwrap().1.to_owned()
+    });
+    assert_eq!(landed[0], landed[1]);
+}
+
+#[test]
 fn shells_and_manuals_know_every_command() {
     let bench = Bench::new();
     for shell in ["bash", "zsh", "fish"] {

@@ -2,7 +2,6 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-#[allow(dead_code, reason = "every test file uses its own part")]
 use crate::common::Bench;
 
 #[test]

@@ -4,12 +4,12 @@ use nalgebra::Vector3;
 
 use crate::scalar::Real;
 
-/// A point in the plane of a leg, relative to the CG, ft.
+/// A point in the plane of a leg, relative to the centre, ft.
 #[derive(Debug, Clone, Copy)]
 pub struct PlanePoint<S> {
     /// Distance from the centreline.
     pub reach: S,
-    /// Depth below the CG along the centreline.
+    /// Depth below the centre along the centreline.
     pub drop: S,
 }
 
@@ -62,7 +62,7 @@ impl<S: Real> PlaneDirection<S> {
 }
 
 impl<S: Real> PlanePoint<S> {
-    /// Moment about the CG of a force at this point, leg axes, ft·lb.
+    /// Moment about the centre of a force at this point, leg axes, ft·lb.
     #[inline(always)]
     pub fn moment(&self, force: &Vector3<S>) -> Vector3<S> {
         Vector3::new(

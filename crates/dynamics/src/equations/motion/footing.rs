@@ -1,10 +1,9 @@
-//! Where the feet stand: what stability is verdict_found by.
+//! Where the feet stand, by which stability is judged.
 
 use nalgebra::Vector3;
 
 use super::{Motion, Signal, Signals};
 use crate::per_leg::PerLeg;
-use crate::products::times;
 use crate::state::State;
 
 /// Feet and hardpoints of a vehicle over the surface.
@@ -19,7 +18,7 @@ pub struct Footing {
 }
 
 impl Footing {
-    /// As the signals of all legs tell it, with the CG at a depth (ft) below the surface.
+    /// From the signals of all legs, with the CG at a depth (ft) below the surface.
     pub fn from_signals(signals: &Signals<f64>, depth: f64) -> Self {
         let legs = signals.leg_count();
         let foot = [Signal::FootX, Signal::FootY, Signal::FootZ];
@@ -34,16 +33,17 @@ impl Footing {
 impl Motion<f64> {
     /// Where the feet stand at a state.
     pub fn footing(&self, state: &State<f64>) -> Footing {
-        let body = self.surface.frame(&state.body());
+        let body = state.body();
+        let frame = self.frame(&body);
         Footing {
             feet: PerLeg::from_fn(self.leg_count(), |j| {
                 let pivot = self.legs[j].geometry.pivot(state.leg(j).link_angle);
-                times(&body.rotation, &pivot)
+                frame.seen_from_center_of_gravity(&pivot)
             }),
-            depth: body.depth,
+            depth: self.surface.depth(&body.position),
             hardpoint_depths: self
                 .legs
-                .map(|leg| body.depth + body.normal.dot(&leg.geometry.lower_hardpoint())),
+                .map(|leg| frame.depth + frame.normal.dot(&leg.geometry.lower_hardpoint())),
         }
     }
 }

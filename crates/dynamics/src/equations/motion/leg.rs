@@ -6,7 +6,6 @@ use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
 use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity};
 use crate::lanes::per_lane;
-use crate::products::times;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::LegState;
@@ -67,7 +66,7 @@ impl LegMotion<f64> {
 pub(super) struct LegAction<S> {
     /// Force on the body in vehicle axes, lb.
     pub(super) force: Vector3<S>,
-    /// Torque on the body about the CG in vehicle axes, ft·lb.
+    /// Torque on the body about the centre in vehicle axes, ft·lb.
     pub(super) torque: Vector3<S>,
     pub(super) derivative: LegState<S>,
     pub(super) signals: LegSignals<S>,
@@ -246,7 +245,7 @@ impl<S: Real> LegMotion<S> {
             derivative.link_angle,
             pad_speed,
         );
-        let foot = times(&body.rotation, &self.geometry.off_leg_plane(&pose.pivot));
+        let foot = body.seen_from_center_of_gravity(&self.geometry.off_leg_plane(&pose.pivot));
         let signals = [
             outer,
             inner,

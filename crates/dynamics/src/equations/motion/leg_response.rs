@@ -1,4 +1,4 @@
-//! How the forces on a leg answer small changes of the motion.
+//! Derivatives of the forces on a leg with respect to the motion.
 
 use nalgebra::{Matrix3, Vector3, Vector4, Vector6};
 
@@ -27,11 +27,11 @@ impl<S: Real> Motion<S> {
         }
     }
 
-    /// Writes how the forces answer at a state.
+    /// Writes the derivatives of the forces at a state.
     #[inline(always)]
     pub fn respond(&self, state: &State<S>, pieces: &Pieces<S>, response: &mut Response<S>) {
         let body = state.body();
-        let frame = self.surface.frame(&body);
+        let frame = self.frame(&body);
         response.rotation = frame.rotation;
         response.quaternion = body.quaternion;
         // Landings come and go in lanes, and their bodies with them.
@@ -51,7 +51,7 @@ impl<S: Real> Motion<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Writes how the forces on this leg answer, the pad's turn being its angle: the derivatives of what
+    /// Writes the derivatives of the forces on this leg, the pad's turn being its angle: those of what
     /// [`Self::action`] computes, but for attitude factors and for levers of the body.
     #[inline(always)]
     pub(super) fn respond(
@@ -71,13 +71,14 @@ impl<S: Real> LegMotion<S> {
         response.pad_turn = pieces.hinge.turn_changes(pad_angle);
         response.hinge_gain = pieces.hinge.gain_at(pad_angle);
         response.swings_pads = !response.hinge_gain.is_zero();
-        // Legs that hang in the air answer nothing else.
+        // Legs that hang in the air have no other forces.
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return;
         }
         let frame = geometry.frame(body);
         let pose = geometry.pose(&frame, leg.link_angle, pad_angle);
         let posture = Posture {
+            body,
             frame: &frame,
             pose: &pose,
             leg,
@@ -87,7 +88,7 @@ impl<S: Real> LegMotion<S> {
             self.footpad_responds(&posture, response);
         }
         if pressed.blocks {
-            self.block_responds(&posture, body.upright, response);
+            self.block_responds(&posture, response);
         }
         self.strut_responds(&posture, response);
     }
@@ -97,6 +98,7 @@ impl<S: Real> LegMotion<S> {
     #[inline(always)]
     fn footpad_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {
+            body,
             frame,
             pose,
             leg,
@@ -110,6 +112,7 @@ impl<S: Real> LegMotion<S> {
         let velocity = frame.pivot_velocity(pose, length * leg.link_rate);
         let contact = Contact {
             geometry,
+            body,
             frame,
             point: &pose.pivot,
             velocity: &velocity,
@@ -158,10 +161,11 @@ impl<S: Real> LegMotion<S> {
         response.link_torque = contact.turned(&swing.cross(&force), toward_hardpoint.dot(&force));
     }
 
-    /// Block: normal force (33), friction (39). `upright` is what its interference grows by per depth.
+    /// Block: normal force (33), friction (39).
     #[inline(always)]
-    fn block_responds(&self, posture: &Posture<'_, S>, upright: S, response: &mut LegResponse<S>) {
+    fn block_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {
+            body,
             frame,
             pose,
             pieces,
@@ -172,6 +176,7 @@ impl<S: Real> LegMotion<S> {
         let velocity = frame.velocity_at(point);
         let contact = Contact {
             geometry: &self.geometry,
+            body,
             frame,
             point,
             velocity: &velocity,
@@ -189,7 +194,8 @@ impl<S: Real> LegMotion<S> {
         let per_depth = self.block_force_per_pressure(frame) * pieces.block.slope();
         let along_line = contact.along(&contact.line());
         let mut deeper = contact.along(&frame.normal);
-        deeper.body *= upright;
+        // An interference grows by so much per depth.
+        deeper.body *= body.upright;
         response.push(&ForceDerivative {
             force: contact.force(&along_line, -per_depth, S::zero()),
             velocity: Coordinates::zero(),
@@ -197,7 +203,7 @@ impl<S: Real> LegMotion<S> {
         });
     }
 
-    /// Strut (42)-(45) on the link (68), which may not be free to answer.
+    /// Strut (42)-(45) on the link (68), which may not be free to move.
     #[inline(always)]
     fn strut_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {
@@ -218,6 +224,7 @@ impl<S: Real> LegMotion<S> {
 /// Where a leg is and which pieces of its laws are active.
 #[derive(Clone, Copy)]
 struct Posture<'a, S> {
+    body: &'a BodyFrame<S>,
     frame: &'a LegFrame<S>,
     pose: &'a LegPose<S>,
     leg: &'a LegState<S>,
@@ -227,6 +234,7 @@ struct Posture<'a, S> {
 /// A footpad's pivot or a block's crushed centre, pressed on the surface; vectors in leg axes.
 struct Contact<'a, S> {
     geometry: &'a LegGeometry<S>,
+    body: &'a BodyFrame<S>,
     frame: &'a LegFrame<S>,
     point: &'a PlanePoint<S>,
     velocity: &'a PointVelocity<S>,
@@ -263,13 +271,27 @@ impl<S: Real> Contact<'_, S> {
         }
     }
 
+    /// A quantity that changes with translation of the body (vehicle axes), with its rotation about the centre (leg axes)
+    /// and with the link.
+    #[inline(always)]
+    fn moved(&self, translation: &Vector3<S>, rotation: &Vector3<S>, link: S) -> Coordinates<S> {
+        let mut moved = self.turned(rotation, link);
+        let of_center = self.body.moment_of_center(translation);
+        for i in 0..3 {
+            moved.body[i] = translation[i];
+            moved.body[i + 3] += of_center[i];
+        }
+        moved
+    }
+
     /// Velocity of this point in a direction per velocities; a force in that direction acts by the same numbers.
     #[inline(always)]
     fn along(&self, direction: &Vector3<S>) -> Coordinates<S> {
-        let d = self.geometry.in_vehicle_axes(direction);
-        let mut along = self.turned(&self.point.moment(direction), self.swing.dot(direction));
-        (along.body[0], along.body[1], along.body[2]) = (d.x, d.y, d.z);
-        along
+        self.moved(
+            &self.geometry.in_vehicle_axes(direction),
+            &self.point.moment(direction),
+            self.swing.dot(direction),
+        )
     }
 
     /// What a force (lb) does that acts `along` a direction, with a torque on the pad's hinge.
@@ -290,14 +312,16 @@ impl<S: Real> Contact<'_, S> {
         // The pad tilts with its link, and against its own angle.
         let tilt = centroid.turned().dot(n) * up;
         let moment = self.point.moment(n) + centroid.in_leg_axes().cross(n);
-        let mut deeper = self.turned(&(moment * up), self.swing.dot(n) * up + tilt);
-        let d = self.geometry.in_vehicle_axes(n) * up;
-        (deeper.body[0], deeper.body[1], deeper.body[2]) = (d.x, d.y, d.z);
+        let mut deeper = self.moved(
+            &(self.geometry.in_vehicle_axes(n) * up),
+            &(moment * up),
+            self.swing.dot(n) * up + tilt,
+        );
         deeper.pad = -tilt;
         deeper
     }
 
-    /// How friction under a normal force (lb) answers sliding on and sliding aside. `hinge_lever` is the lever
+    /// Derivatives of friction under a normal force (lb) with respect to sliding along and across. `hinge_lever` is the lever
     /// of the pad's hinge times the normal force.
     #[inline(always)]
     fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [ForceDerivative<S>; 2] {

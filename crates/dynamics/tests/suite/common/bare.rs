@@ -1,16 +1,22 @@
 //! The equations of motion and one Runge-Kutta step without the landing around them.
 
+use nalgebra::{Vector3, Vector4};
 use touchdown_dynamics::contact::{LegLaws, LegMode};
 use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::integrator::rosenbrock::GAMMA;
 use touchdown_dynamics::integrator::step::StateVector;
 use touchdown_dynamics::integrator::step::Step;
 use touchdown_dynamics::lanes::Lanes;
-use touchdown_dynamics::motion::{FreeFlight, Motion, Pieces, Signal, Signals};
+use touchdown_dynamics::motion::{FreeFlight, LegLoads, Motion, Pieces, Signal, Signals};
+use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::response::Response;
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
+use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
+
+use super::level_scene;
+use super::scenes::pressed_in;
 
 /// A vehicle in a scene with fixed pieces of all laws.
 #[derive(Clone)]
@@ -111,6 +117,11 @@ impl Bare {
         self.motion.signals(state, &self.pieces, true)
     }
 
+    /// Loads of all legs.
+    pub fn loads(&self, state: &State<f64>) -> PerLeg<LegLoads<f64>> {
+        self.motion.loads(state, &self.pieces)
+    }
+
     /// How the forces answer at a state.
     pub fn response(&self, state: &State<f64>) -> Response<f64> {
         let mut response = self.motion.response();
@@ -173,6 +184,26 @@ impl Bare {
         let length = time / f64::from(count);
         (0..count).fold(*state, |state, _| self.step(&state, length).after)
     }
+}
+
+/// A vehicle that stands along the slope with all its feet `depth` ft deep, sliding and turning, its struts stroking
+/// and returning.
+pub fn pressed(vehicle: &Vehicle, depth: f64, sliding: f64) -> (Bare, State<f64>) {
+    let scene = level_scene(170.0, -10.0, 11.0);
+    let mut bare = Bare::new(vehicle, &scene);
+    let first = touchdown(vehicle, &scene, &bare.motion);
+    let mut state = pressed_in(first, [-0.8, 0.3, -0.1], Vector3::new(0.2, -0.3, 0.1));
+    let mut body = state.body();
+    let slope = scene.conditions().slope;
+    let (sine, cosine) = (0.5 * slope).sin_cos();
+    body.quaternion = Vector4::new(cosine, -sine, 0.0, 0.0);
+    body.velocity = Vector3::new(sliding, 0.3 * sliding, 0.0);
+    state.set_body(&body);
+    let deep = bare.signals(&state).of(0, Signal::OuterInterference);
+    body.position.z += (depth - deep) / slope.cos();
+    state.set_body(&body);
+    bare.settle(&state);
+    (bare, state)
 }
 
 /// Greatest difference of what moves in two states, relative above 1 and absolute below.

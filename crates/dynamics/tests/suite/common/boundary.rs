@@ -1,5 +1,8 @@
 //! A plain search for the first velocity at which a landing is no longer stable.
 
+use std::sync::Arc;
+
+use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Scene, Settings};
@@ -35,6 +38,27 @@ impl Search<'_> {
     /// Class at step `k` of the scan.
     pub fn class_at_step(&self, k: usize) -> Class {
         self.class(SCAN_STEP * k as f64)
+    }
+
+    /// The class at every step of the scan, landed side by side.
+    pub fn scan(&self) -> Vec<Class> {
+        let vehicle = Arc::new(self.vehicle.clone());
+        let mut steps = 0..=SCAN_STEPS;
+        let mut classes = vec![None; SCAN_STEPS + 1];
+        land_many(
+            &mut || {
+                let k = steps.next()?;
+                let velocity = SCAN_STEP * k as f64;
+                Some(Request {
+                    key: k,
+                    vehicle: Arc::clone(&vehicle),
+                    scene: self.scene.with_horizontal_velocity(velocity).unwrap(),
+                    settings: self.settings,
+                })
+            },
+            &mut |k, landing| classes[k] = Some(landing.outcome.class()),
+        );
+        classes.into_iter().map(Option::unwrap).collect()
     }
 
     /// The first transition of a scan with class `class` at each of its steps.

@@ -112,17 +112,32 @@ pub fn table_4_1() -> Vehicle {
 
 /// The vehicle of the sample deck (3.4.5).
 pub fn sample_deck() -> Vehicle {
-    surveyor(
-        1.5417,
-        Inertia {
-            xx: 142.22,
-            yy: 142.22,
-            zz: 142.22,
-            xy: 0.0,
-            xz: 0.0,
-            yz: 0.0,
-        },
-    )
+    ring(3)
+}
+
+/// That vehicle with so many of its legs, evenly round the centreline.
+pub fn ring(legs: usize) -> Vehicle {
+    let inertia = Inertia {
+        xx: 142.22,
+        yy: 142.22,
+        zz: 142.22,
+        xy: 0.0,
+        xz: 0.0,
+        yz: 0.0,
+    };
+    let azimuths = (0..legs).map(|leg| 360.0 * leg as f64 / legs as f64);
+    let legs: Vec<Leg> = azimuths
+        .map(|azimuth| Leg::new(surveyor_leg(azimuth)).unwrap())
+        .collect();
+    Vehicle::new(20.0, 5.31, 1.5417, inertia, legs).unwrap()
+}
+
+/// Where tests put the CG off the centreline, ft.
+pub const OFFSET: [f64; 2] = [0.31, -0.23];
+
+/// A vehicle with its CG off the centreline.
+pub fn off_center(vehicle: Vehicle) -> Vehicle {
+    vehicle.with_center_of_gravity_offset(OFFSET).unwrap()
 }
 
 /// The report's standard conditions: level, slope 15 deg, friction 1, V_V 14 ft/s.

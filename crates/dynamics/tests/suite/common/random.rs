@@ -138,27 +138,39 @@ pub fn wild_vehicle(count: usize) -> impl Strategy<Value = Vehicle> {
         .collect();
     let moments = prop::array::uniform3(50.0..300.0);
     let products = prop::array::uniform3(-20.0..20.0);
-    (5.0..60.0, 1.5..30.0, 0.3..3.0, moments, products, legs).prop_filter_map(
-        "a vehicle that can be built",
-        |(mass, gravity, height, moments, products, legs)| {
-            // No body has a moment greater than the sum of the other two.
-            let twist: f64 = products.iter().map(|product: &f64| product.abs()).sum();
-            let most = |k: usize| -> f64 {
-                let others: f64 = moments[(k + 1) % 3] + moments[(k + 2) % 3];
-                let spare = (3.0 * twist).min(0.3 * others);
-                f64::min(moments[k], others - spare)
-            };
-            let inertia = Inertia {
-                xx: most(0),
-                yy: most(1),
-                zz: most(2),
-                xy: products[0],
-                xz: products[1],
-                yz: products[2],
-            };
-            Vehicle::new(mass, gravity, height, inertia, legs).ok()
-        },
+    let offset = prop::array::uniform2(-0.5..0.5);
+    (
+        5.0..60.0,
+        1.5..30.0,
+        0.3..3.0,
+        offset,
+        moments,
+        products,
+        legs,
     )
+        .prop_filter_map(
+            "a vehicle that can be built",
+            |(mass, gravity, height, offset, moments, products, legs)| {
+                // No body has a moment greater than the sum of the other two.
+                let twist: f64 = products.iter().map(|product: &f64| product.abs()).sum();
+                let most = |k: usize| -> f64 {
+                    let others: f64 = moments[(k + 1) % 3] + moments[(k + 2) % 3];
+                    let spare = (3.0 * twist).min(0.3 * others);
+                    f64::min(moments[k], others - spare)
+                };
+                let inertia = Inertia {
+                    xx: most(0),
+                    yy: most(1),
+                    zz: most(2),
+                    xy: products[0],
+                    xz: products[1],
+                    yz: products[2],
+                };
+                Vehicle::new(mass, gravity, height, inertia, legs)
+                    .and_then(|vehicle| vehicle.with_center_of_gravity_offset(offset))
+                    .ok()
+            },
+        )
 }
 
 /// Any Euler angles, right angles of yaw not excluded.

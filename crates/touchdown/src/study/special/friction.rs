@@ -7,7 +7,6 @@ use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, Method};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::line_chart::{Axis, Stroke};
-use touchdown_sweep::vehicle_file::LEGS;
 
 use super::chapter::{Chapter, chart, curve, panel};
 use super::runs::{Run, control, sample_run, settings};
@@ -28,7 +27,7 @@ const PROFILES: [(FrictionProfile, &str); 3] = [
 /// Stretches of footpad contact within [`SHOWN`], all legs together.
 fn contacts(moments: &[Instant]) -> usize {
     let shown: Vec<&Instant> = moments.iter().filter(|m| m.time <= SHOWN).collect();
-    (0..LEGS)
+    (0..moments[0].legs.len())
         .map(|leg| {
             let touches = |m: &&Instant| m.legs[leg].pad_normal > 0.0;
             let runs = shown.chunk_by(|a, b| touches(a) == touches(b));

@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use touchdown_dynamics::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
+use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::line_chart::{Axis, Stroke};
-use touchdown_sweep::vehicle_file::LEGS;
 
 use super::chapter::{Chapter, chart, curve, panel};
 use super::runs::{sample_run, settings};
@@ -51,7 +51,7 @@ fn freed(vehicle: &Vehicle) -> Result<Vec<Point>, Failure> {
     let mut stepper = RungeKutta { interval: INTERVAL };
     let mut evaluator = Evaluator {
         system: &model,
-        memory: [[0.0; 3]; LEGS].into(),
+        memory: PerLeg::same(vehicle.legs().len(), [0.0; 3]),
         evaluations: 0,
     };
     let mut points = Vec::new();

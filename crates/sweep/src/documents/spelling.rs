@@ -1,0 +1,251 @@
+//! Spellings of a key: with the unit of the program, or with an SI unit in its place.
+//!
+//! Keys are known by the names that end with the program's units. `mass_kg` is another spelling of `mass_slug`; its numbers
+//! are converted where they are read.
+
+use crate::unit::{UNITS, Unit, program_unit};
+
+/// From the unit of a spelling to that of the program.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Conversion {
+    /// How many units of the spelling make one of the program.
+    factor: f64,
+    /// The unit of the program, in words.
+    words: &'static str,
+}
+
+impl Conversion {
+    /// That of a key in the program's own unit.
+    pub(crate) const NONE: Self = Self {
+        factor: 1.0,
+        words: "",
+    };
+
+    /// Whether the two units differ.
+    pub(crate) fn converts(self) -> bool {
+        self != Self::NONE
+    }
+
+    /// This conversion, or `above` where this key has no unit of its own.
+    pub(crate) fn or(self, above: Self) -> Self {
+        if self.converts() { self } else { above }
+    }
+
+    /// A number as the program has it.
+    pub(crate) fn to_program(self, number: f64) -> f64 {
+        match self.converts() {
+            true => decimal_within_rounding(number / self.factor),
+            false => number,
+        }
+    }
+
+    /// A number of the program in the unit of the spelling.
+    pub(crate) fn from_program(self, number: f64) -> f64 {
+        match self.converts() {
+            true => decimal_within_rounding(number * self.factor),
+            false => number,
+        }
+    }
+
+    /// What is allowed in the unit of the program, for a number in that of the spelling.
+    pub(crate) fn explain(self, allowed: &str, number: f64) -> String {
+        match self.converts() {
+            true => {
+                let (value, words) = (rounded(self.to_program(number), 6), self.words);
+                format!("{allowed} in {words}, and this is {value} {words}")
+            }
+            false => allowed.to_owned(),
+        }
+    }
+
+    /// A number of the program with its unit where that is not the one of the spelling.
+    pub(crate) fn with_unit(self, number: f64) -> String {
+        format!("{number} {}", self.words).trim_end().to_owned()
+    }
+}
+
+/// The number of fifteen digits that a converted number is but for rounding, or else the converted number. 19.05 mm are 0.75
+/// inch, though neither 19.05 nor 25.4 is a binary fraction.
+fn decimal_within_rounding(converted: f64) -> f64 {
+    // The number, the factor, their quotient and the decimal are rounded by half an epsilon each.
+    const ROUNDING: f64 = 2.0 * f64::EPSILON;
+    let decimal = rounded(converted, 15);
+    match (decimal - converted).abs() <= ROUNDING * converted.abs() {
+        true => decimal,
+        false => converted,
+    }
+}
+
+fn rounded(number: f64, digits: usize) -> f64 {
+    let decimal = format!("{number:.*e}", digits - 1);
+    decimal.parse().unwrap_or(number)
+}
+
+/// The conversion of a spelling, if it is one of `key`.
+pub(crate) fn conversion(spelling: &str, key: &str) -> Option<Conversion> {
+    if spelling == key {
+        return Some(Conversion::NONE);
+    }
+    let unit = program_unit(key)?;
+    let ending = spelling.strip_prefix(&key[..key.len() - unit.ending.len()])?;
+    let si = unit.si.iter().find(|si| si.ending == ending)?;
+    Some(Conversion {
+        factor: si.factor,
+        words: unit.words,
+    })
+}
+
+/// The same of dotted keys, of which one step at most has another unit than the program.
+pub(crate) fn dotted_conversion(spelling: &str, key: &str) -> Option<Conversion> {
+    let (mut spelled, mut known) = (spelling.split('.'), key.split('.'));
+    let mut whole = Conversion::NONE;
+    loop {
+        whole = match (spelled.next(), known.next()) {
+            (Some(spelled), Some(known)) => conversion(spelled, known)?.or(whole),
+            (None, None) => return Some(whole),
+            _ => return None,
+        };
+    }
+}
+
+/// All spellings of a key; that of the program comes first.
+pub(crate) fn spellings(key: &str) -> Vec<String> {
+    let mut all = vec![key.to_owned()];
+    if let Some(unit) = program_unit(key) {
+        let bare = &key[..key.len() - unit.ending.len()];
+        all.extend(unit.si.iter().map(|si| format!("{bare}{}", si.ending)));
+    }
+    all
+}
+
+/// What an unknown key may have meant: a known key with any of its units where only the unit is wrong, or the spelling most
+/// like it.
+pub(crate) fn meant(unknown: &str, known: &[&str]) -> Vec<String> {
+    if let Some(key) = known.iter().find(|key| differ_in_unit(unknown, key)) {
+        return spellings(key);
+    }
+    let all: Vec<String> = (known.iter())
+        .map(|key| with_unit_of(unknown, key))
+        .collect();
+    let all: Vec<&str> = all.iter().map(String::as_str).collect();
+    let nearest = nearest(unknown, &all);
+    nearest.map(str::to_owned).into_iter().collect()
+}
+
+/// The spelling of a key with the unit that a name ends with; if there is none, the program's.
+pub(crate) fn with_unit_of(name: &str, key: &str) -> String {
+    let spelled = program_unit(key).and_then(|unit| {
+        let fits = unit.si.iter().filter(|si| name.ends_with(si.ending));
+        let si = fits.max_by_key(|si| si.ending.len())?;
+        Some(format!(
+            "{}{}",
+            &key[..key.len() - unit.ending.len()],
+            si.ending
+        ))
+    });
+    spelled.unwrap_or_else(|| key.to_owned())
+}
+
+/// Whether an unknown key is a known one but for its unit.
+pub(crate) fn differ_in_unit(unknown: &str, key: &str) -> bool {
+    let Some(unit) = program_unit(key) else {
+        return false;
+    };
+    let rest = unknown.strip_prefix(&key[..key.len() - unit.ending.len()]);
+    rest.is_some_and(|rest| rest.starts_with('_') && is_unit(rest))
+}
+
+/// The known name most similar to `name`, if one is similar enough.
+fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
+    let likeness = |candidate: &&str| strsim::jaro_winkler(name, candidate);
+    known
+        .iter()
+        .copied()
+        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
+        .filter(|candidate| likeness(candidate) > 0.7)
+}
+
+/// Whether the end of a key is that of a known unit, or a single word that may be meant for one.
+fn is_unit(ending: &str) -> bool {
+    let known = |unit: &Unit| unit.ending == ending || unit.si.iter().any(|si| si.ending == ending);
+    ending[1..].split('_').count() == 1 || UNITS.iter().any(known)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn converted(spelling: &str, key: &str, number: f64) -> Option<f64> {
+        dotted_conversion(spelling, key).map(|conversion| conversion.to_program(number))
+    }
+
+    #[test]
+    fn decimals_of_the_program_come_back_from_any_unit() {
+        for unit in &UNITS {
+            for si in unit.si {
+                let (spelling, key) = (format!("x{}", si.ending), format!("x{}", unit.ending));
+                let conversion = conversion(&spelling, &key).unwrap();
+                for index in 1..20_000 {
+                    let number = f64::from(index * 7) / 1000.0;
+                    let there = number * si.factor;
+                    assert_eq!(conversion.to_program(there), number, "{spelling} = {there}");
+                    // What is no decimal stays what it is.
+                    let between = there * (1.0 + 1e-15 * std::f64::consts::PI);
+                    let error = conversion.to_program(between) * si.factor / between - 1.0;
+                    assert!(error.abs() < 4.0 * f64::EPSILON, "{spelling} = {between}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_that_are_exact_in_both_units_are_met() {
+        for (spelling, key, number, expected) in [
+            ("height_m", "height_ft", 0.3048, 1.0),
+            ("height_mm", "height_ft", 1524.0, 5.0),
+            ("stroke_mm", "stroke_in", 6.35, 0.25),
+            ("stroke_mm", "stroke_in", 19.05, 0.75),
+            ("preload_n", "preload_lb", 444.82216152605, 100.0),
+            ("velocity_mps", "velocity_fps", 4.2672, 14.0),
+            (
+                "inertia_kg_m2.xx",
+                "inertia_slug_ft2.xx",
+                13.558179483314004,
+                10.0,
+            ),
+            ("slope_rad", "slope_deg", std::f64::consts::PI, 180.0),
+            ("friction", "friction", 0.8, 0.8),
+        ] {
+            assert_eq!(
+                converted(spelling, key, number),
+                Some(expected),
+                "{spelling}"
+            );
+        }
+    }
+
+    #[test]
+    fn other_quantities_and_other_units_are_no_spellings() {
+        for (spelling, key) in [
+            ("mass_n", "mass_slug"),
+            ("mass", "mass_slug"),
+            ("height_m", "diameter_ft"),
+            ("height_ft", "stroke_in"),
+            ("friction_m", "friction"),
+            ("strut.preload_n", "preload_lb"),
+            ("time_limit_ms", "time_limit_s"),
+        ] {
+            assert_eq!(dotted_conversion(spelling, key), None, "{spelling}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_unit_brings_all_allowed_ones_to_mind() {
+        let known = ["name", "mass_slug", "height_ft", "friction"];
+        assert_eq!(meant("mass_lb", &known), ["mass_slug", "mass_kg"]);
+        assert_eq!(meant("mass_tons", &known), ["mass_slug", "mass_kg"]);
+        assert_eq!(meant("hight_mm", &known), ["height_mm"]);
+        assert_eq!(meant("frictoin", &known), ["friction"]);
+        assert!(meant("colour", &["mass_slug"]).is_empty());
+    }
+}
