@@ -147,14 +147,16 @@ fn first_unknown(
     let diagonal = [0, 1, 2, 3, 4, 5].map(|index: usize| matrix[index][index]);
     for pivot in (0..COEFFICIENTS).rev() {
         let whole = matrix[pivot][pivot];
-        // A negated comparison: not-a-number fails too.
-        if !(whole > DEFINITE * diagonal[pivot]) {
+        // Not so where it is not a number.
+        let is_definite = whole > DEFINITE * diagonal[pivot];
+        if !is_definite {
             return None;
         }
+        let last = matrix[pivot];
         for row in 0..pivot {
             let part = matrix[row][pivot] / whole;
-            for column in 0..pivot {
-                matrix[row][column] -= part * matrix[pivot][column];
+            for (cell, below) in matrix[row].iter_mut().zip(last).take(pivot) {
+                *cell -= part * below;
             }
             right[row] -= part * right[pivot];
         }
