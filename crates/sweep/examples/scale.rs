@@ -101,6 +101,7 @@ fn made_up(point: usize) -> Finding {
             to: Class::Unstable,
             low: Some(low),
             high: low + 1.0 / 1024.0,
+            tolerance: 3e-5,
             certainty: Certainty::Certain,
         }),
         landings: 54,

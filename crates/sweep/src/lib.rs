@@ -42,7 +42,7 @@ use input::search_input;
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
 use journal::early_stop;
 pub use journal::{header, merge, point_set, shard};
-use maps::{cell, cell_refinement, located_side, pieces};
+use maps::{cell, cell_refinement, curved, located_side, pieces};
 pub use maps::{edge_lines, height, resampled, rounds, surface_pieces};
 use output::parquet_table;
 pub use output::{

@@ -2,6 +2,7 @@
 
 pub(crate) mod cell;
 pub(crate) mod cell_refinement;
+pub(crate) mod curved;
 pub mod edge_lines;
 pub mod height;
 pub(crate) mod located_side;

@@ -11,6 +11,7 @@ pub mod lattice;
 pub(crate) mod narrowed_scan;
 pub mod refine;
 pub mod scan;
+pub(crate) mod search_again;
 pub mod search_range;
 pub mod skipped;
 pub mod trial;

@@ -10,6 +10,11 @@ pub(crate) fn position(place: Place) -> Position {
     [place[0] as f64, place[1] as f64]
 }
 
+/// The place nearest to a position.
+pub(crate) fn nearest(position: Position) -> Place {
+    position.map(|step| step.round() as usize)
+}
+
 /// The position half-way between two others.
 pub(crate) fn middle(a: Position, b: Position) -> Position {
     [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
@@ -41,6 +46,11 @@ impl Cell {
     pub(crate) fn sides(&self) -> [[Place; 2]; 4] {
         let [a, b, c, d] = self.corners();
         [[a, b], [b, c], [c, d], [d, a]]
+    }
+
+    /// Its area in steps.
+    pub(crate) fn area(&self) -> f64 {
+        self.size[0] as f64 * self.size[1] as f64
     }
 
     pub(crate) fn centre(&self) -> Place {
@@ -95,8 +105,7 @@ mod tests {
             size: [8, 16],
         };
         let quarters = cell.quarters().unwrap();
-        let area = |cell: &Cell| cell.size[0] * cell.size[1];
-        assert_eq!(quarters.iter().map(area).sum::<usize>(), area(&cell));
+        assert_eq!(quarters.iter().map(Cell::area).sum::<f64>(), cell.area());
         assert_eq!(quarters[2].corners()[2], cell.corners()[2]);
         assert_eq!(quarters[0].corners()[2], cell.centre());
         assert_eq!(quarters[0].quarters(), None);

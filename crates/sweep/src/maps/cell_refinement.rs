@@ -1,19 +1,24 @@
 //! Which places of a first-level cell are wanted next, from those that are known in it.
 //!
 //! A cell whose centre lies in the plane of its corners is fine enough. Any other is searched for edges on its sides;
-//! one edge through it is followed to its middle, and what else does not fit is quartered. What is wanted of a cell
+//! one edge through it is followed to its middle, the surface is checked on both sides of it, and what else does not fit is quartered. What is wanted of a cell
 //! depends on the places in it alone, so that the order in which places become known changes nothing.
 
 use std::collections::BTreeMap;
 
-use crate::cell::{Cell, middle, position};
+use crate::cell::{Cell, middle, nearest, position};
 use crate::height::Height;
 use crate::located_side::{BRACKET, edges, located};
 use crate::pieces::{Around, Crossing, Known, Piece};
 use crate::refined_grid::{MapRules, Place};
 
-/// What an unlocated end of transitions counts for, ft/s, when the most urgent places are chosen.
-const END: f64 = 0.5;
+/// What an unlocated end of transitions counts for, beside the square root of an error in ft/s, when the most urgent places
+/// are chosen.
+const END: f64 = 0.3;
+/// Error that a first-level cell may have before its centre is known, ft/s.
+const UNKNOWN: f64 = 1.0;
+/// Least part of a cell that a side of its edge takes up to be checked by itself.
+const CHECKED: f64 = 0.125;
 
 /// A cell that is not divided (or not yet).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +28,8 @@ pub(crate) struct Leaf {
     pub(crate) error: Option<f64>,
     /// Places on either side of an edge in the middle of the cell.
     pub(crate) bend: Option<[Place; 2]>,
+    /// Where the surface was checked beyond the edge, seen from the centre.
+    pub(crate) check: Option<Place>,
 }
 
 /// A first-level cell as far as it is known.
@@ -74,8 +81,13 @@ impl Refinement<'_> {
         known.into_iter().collect()
     }
 
-    fn leaf(&mut self, cell: Cell, error: Option<f64>, bend: Option<[Place; 2]>) {
-        self.refined.leaves.push(Leaf { cell, error, bend });
+    fn leaf(&mut self, cell: Cell, error: Option<f64>) {
+        self.refined.leaves.push(Leaf {
+            cell,
+            error,
+            bend: None,
+            check: None,
+        });
     }
 
     /// Goes through a cell whose corners are known; `parent` is the error of the cell that it is a quarter of.
@@ -84,12 +96,16 @@ impl Refinement<'_> {
             return;
         };
         let share = self.share(cell);
-        // Errors count between their part of the length and of the area, unlocated ends their part of the length.
-        let urgency = |error: f64| error * share * share.sqrt();
-        // A smooth surface would be four times closer to the planes of quarters.
-        let expected = parent.map_or(END, |error| 0.5 * error);
+        // Errors count between their part of the length and of the area, unlocated ends their part of the length. The root keeps
+        // steps of V_H, which hardly fall with the size of cells, from drawing all the points.
+        let urgency = |error: f64| error.sqrt() * share * share.sqrt();
+        // A smooth surface would be four times closer to the planes of quarters. Where nothing is known to end comes last.
+        let expected = match corners.iter().all(|(_, height)| height.speed.is_none()) {
+            true => 0.0,
+            false => parent.map_or(UNKNOWN, |error| 0.5 * error),
+        };
         let Some(centre) = self.ask(&[cell.centre()], urgency(expected)) else {
-            return self.leaf(cell, parent, None);
+            return self.leaf(cell, parent);
         };
         let all = [&corners[..], &centre[..]].concat();
         let is_alike = all.iter().all(|(_, height)| height.is_like(all[0].1));
@@ -98,25 +114,33 @@ impl Refinement<'_> {
             false => spread(&all),
         };
         if is_alike && error <= self.rules.error {
-            return self.leaf(cell, Some(error), None);
+            return self.leaf(cell, Some(error));
         }
         let urgency = match is_alike {
             true => urgency(error),
             false => END * share,
         };
         let Some(ring) = self.ring(&corners, is_alike, urgency) else {
-            return self.leaf(cell, Some(error), None);
+            return self.leaf(cell, Some(error));
         };
         match self.follow(cell, &ring, centre[0], urgency) {
-            Followed::Fits { error, bend } => return self.leaf(cell, error, bend),
-            Followed::Unknown => return self.leaf(cell, Some(error), None),
+            Followed::Fits { error, bend, check } => {
+                let fits = Leaf {
+                    cell,
+                    error,
+                    bend,
+                    check,
+                };
+                return self.refined.leaves.push(fits);
+            }
+            Followed::Unknown => return self.leaf(cell, Some(error)),
             Followed::DoesNotFit => {}
         }
         let Some(quarters) = cell.quarters() else {
-            return self.leaf(cell, Some(error), None);
+            return self.leaf(cell, Some(error));
         };
         if self.ask(&cell.side_middles(), urgency).is_none() {
-            return self.leaf(cell, Some(error), None);
+            return self.leaf(cell, Some(error));
         }
         for quarter in quarters {
             self.visit(quarter, Some(error));
@@ -173,7 +197,7 @@ impl Refinement<'_> {
         };
         let around = Around {
             ring,
-            centre: None,
+            within: &[],
             bend,
         };
         let (pieces, _) = around.pieces(jump);
@@ -185,12 +209,38 @@ impl Refinement<'_> {
             (None, None) => None,
             _ => return Followed::DoesNotFit,
         };
-        match error.is_none_or(|error| error <= self.rules.error) {
-            true => Followed::Fits {
+        if error.is_some_and(|error| error > self.rules.error) {
+            return Followed::DoesNotFit;
+        }
+        let bend = bend.map(|places| places.map(|(place, _)| place));
+        // The centre tells of its own side of the edge only.
+        let beyond = pieces
+            .iter()
+            .filter(|piece| piece.speed_at(position(centre.0)).is_none())
+            .filter(|piece| piece.area() > CHECKED * cell.area())
+            .find_map(|piece| {
+                let place = nearest(piece.apex.at);
+                let expected = piece.speed_at(position(place))?;
+                cell.encloses(place).then_some((place, expected))
+            });
+        let Some((place, expected)) = beyond else {
+            return Followed::Fits {
                 error,
-                bend: bend.map(|places| places.map(|(place, _)| place)),
+                bend,
+                check: None,
+            };
+        };
+        let Some(found) = self.ask(&[place], urgency) else {
+            return Followed::Unknown;
+        };
+        let off = found[0].1.speed.map(|found| (expected - found).abs());
+        match off.filter(|off| *off <= self.rules.error) {
+            Some(off) => Followed::Fits {
+                error: Some(error.map_or(off, |error| error.max(off))),
+                bend,
+                check: Some(place),
             },
-            false => Followed::DoesNotFit,
+            None => Followed::DoesNotFit,
         }
     }
 }
@@ -202,6 +252,7 @@ enum Followed {
     Fits {
         error: Option<f64>,
         bend: Option<[Place; 2]>,
+        check: Option<Place>,
     },
     /// There is no edge, there are several, or it passes elsewhere.
     DoesNotFit,
@@ -245,15 +296,15 @@ fn middle_of_edge(
         };
         usize::from(off(1) < off(0))
     };
-    let nearest = middle(one, other).map(|step| step.round() as usize);
+    let halfway = nearest(middle(one, other));
     let mut last: Option<Known> = None;
     let mut offset = 0;
     let mut upward = true;
     while offset <= FARTHEST {
-        let mut place = nearest;
+        let mut place = halfway;
         place[across] = match upward {
-            true => nearest[across] + offset,
-            false => nearest[across].saturating_sub(offset),
+            true => halfway[across] + offset,
+            false => halfway[across].saturating_sub(offset),
         };
         if !cell.encloses(place) {
             return Middle::Elsewhere;

@@ -35,11 +35,23 @@ pub(crate) struct Cut {
     pub(crate) crossings: Vec<Crossing>,
 }
 
+impl Cut {
+    /// The pieces of its line on both sides of which there are transitions.
+    pub(crate) fn jumps(&self) -> Vec<[Position; 2]> {
+        let at = |[a, b]: &Crossing| middle(position(a.0), position(b.0));
+        let is_jump = |[a, b]: &Crossing| a.1.speed.is_some() && b.1.speed.is_some();
+        let pairs = self.crossings.windows(2);
+        let jumps = pairs.filter(|pair| pair.iter().any(is_jump));
+        jumps.map(|pair| [at(&pair[0]), at(&pair[1])]).collect()
+    }
+}
+
 /// What is known of a cell.
 pub(crate) struct Around<'k> {
     /// Places on its sides, around it.
     pub(crate) ring: &'k [Known],
-    pub(crate) centre: Option<Known>,
+    /// Places within it: the centre first, then where the surface was checked beyond an edge.
+    pub(crate) within: &'k [Known],
     /// Places on either side of an edge half-way through the cell, in the order of its first crossing on the ring.
     pub(crate) bend: Option<Crossing>,
 }
@@ -60,6 +72,16 @@ impl Piece {
         let next = self.ring.iter().cycle().skip(1);
         let sides = self.ring.iter().zip(next);
         sides.map(|(a, b)| [self.apex, *a, *b])
+    }
+
+    /// Its area in steps.
+    pub(crate) fn area(&self) -> f64 {
+        let next = self.ring.iter().cycle().skip(1);
+        let sides = self.ring.iter().zip(next);
+        let twice: f64 = sides
+            .map(|(a, b)| a.at[0] * b.at[1] - a.at[1] * b.at[0])
+            .sum();
+        0.5 * twice.abs()
     }
 
     /// The first transition at a position, ft/s, if the piece lies there.
@@ -130,14 +152,13 @@ impl Around<'_> {
     }
 
     fn whole(&self) -> Vec<Piece> {
-        let centre = self.centre.and_then(corner);
+        let centre = self.within.first().copied().and_then(corner);
         let ring = corners(self.ring).into_iter();
         ring.map(|ring| Piece::new(ring, centre)).collect()
     }
 
     /// The two pieces on either side of an edge.
     fn parted(&self, one: usize, other: usize, crossings: Vec<Crossing>) -> (Vec<Piece>, Vec<Cut>) {
-        let mut centre = self.centre.and_then(corner);
         let mut pieces = Vec::new();
         // Seen from the ring, what follows the first crossing lies on the second side of it.
         for (arc, side) in [
@@ -157,10 +178,8 @@ impl Around<'_> {
                 edge.reverse();
             }
             ring.extend(edge);
-            let within = centre.filter(|known| is_left_of_all(&ring, known.at));
-            if within.is_some() {
-                centre = None;
-            }
+            let known = self.within.iter().copied().filter_map(corner);
+            let within = { known }.find(|known| is_left_of_all(&ring, known.at));
             pieces.push(Piece::new(ring, within));
         }
         (pieces, vec![Cut { crossings }])

@@ -44,7 +44,7 @@ impl MapSurface<'_> {
                     found[row * counts[1] + column].1 = part.error;
                 }
             }
-            for corners in part.pieces.iter().flat_map(|piece| piece.triangles()) {
+            for corners in self.triangles_of(part) {
                 let bound = |axis: usize| {
                     let all = corners.map(|corner| corner.at[axis]);
                     range(

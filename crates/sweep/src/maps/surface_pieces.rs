@@ -1,8 +1,9 @@
-//! The surface of a map: pieces of planes between its points, cut along its edges.
+//! The surface of a map: pieces between its points, cut along its edges, of triangles that follow its curvature.
 
 use std::collections::{BTreeSet, HashMap};
 
-use crate::cell::{Cell, Position};
+use crate::cell::{Cell, Position, position};
+use crate::curved::CurvedSurface;
 use crate::pieces::{Around, Corner, Cut, Known, Piece};
 use crate::refined_grid::{Place, RefinedGrid};
 use crate::rounds::Rounds;
@@ -14,6 +15,7 @@ pub struct MapSurface<'m> {
     /// Number of the map.
     pub(crate) map: usize,
     pub(crate) parts: Vec<CellSurface>,
+    curved: CurvedSurface,
 }
 
 /// The surface over a cell.
@@ -35,34 +37,50 @@ impl<'m> MapSurface<'m> {
         let grid = rounds.map();
         let mut known: Vec<KnownPlaces> =
             (0..grid.maps()).map(|_| KnownPlaces::default()).collect();
-        let mut surfaces: Vec<Self> = (0..grid.maps())
-            .map(|map| Self {
-                grid,
-                map,
-                parts: Vec::new(),
-            })
-            .collect();
         for number in rounds.points() {
             known[grid.map_of(number)].insert(grid.place(number));
         }
+        let mut parts: Vec<Vec<CellSurface>> = (0..grid.maps()).map(|_| Vec::new()).collect();
         for (map, leaf) in rounds.leaves() {
             let height = |place: Place| Some((place, rounds.height(map, place)?));
             let ring: Vec<Known> = known[map].around(&leaf.cell).filter_map(height).collect();
             let bend = leaf.bend.and_then(|[a, b]| Some([height(a)?, height(b)?]));
+            let within = [Some(leaf.cell.centre()), leaf.check];
+            let within: Vec<Known> = within.into_iter().flatten().filter_map(height).collect();
             let around = Around {
                 ring: &ring,
-                centre: height(leaf.cell.centre()),
+                within: &within,
                 bend,
             };
             let (pieces, cuts) = around.pieces(grid.rules.jump);
-            surfaces[map].parts.push(CellSurface {
+            parts[map].push(CellSurface {
                 cell: leaf.cell,
                 error: leaf.error,
                 pieces,
                 cuts,
             });
         }
-        surfaces
+        let surface = |(map, (parts, known)): (usize, (Vec<CellSurface>, &KnownPlaces))| {
+            let corners = known.all().filter_map(|place| {
+                let speed = rounds.height(map, place)?.speed?;
+                let at = position(place);
+                Some(Corner { at, speed })
+            });
+            let jumps = parts.iter().flat_map(|part| &part.cuts);
+            let jumps = jumps.flat_map(Cut::jumps).collect();
+            Self {
+                grid,
+                map,
+                curved: CurvedSurface::new(corners, jumps, grid.parts()),
+                parts,
+            }
+        };
+        parts
+            .into_iter()
+            .zip(&known)
+            .enumerate()
+            .map(surface)
+            .collect()
     }
 
     /// Coordinates of a position along the two refined axes.
@@ -73,9 +91,14 @@ impl<'m> MapSurface<'m> {
     /// The triangles of which the surface consists.
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
         let corner = |corner: Corner| (self.coordinates(corner.at), corner.speed);
-        let pieces = self.parts.iter().flat_map(|part| &part.pieces);
-        let triangles = pieces.flat_map(Piece::triangles);
+        let triangles = self.parts.iter().flat_map(|part| self.triangles_of(part));
         triangles.map(move |corners| corners.map(corner))
+    }
+
+    /// The triangles over a cell.
+    pub(crate) fn triangles_of(&self, part: &CellSurface) -> impl Iterator<Item = [Corner; 3]> {
+        let triangles = part.pieces.iter().flat_map(Piece::triangles);
+        triangles.flat_map(|corners| self.curved.quarters(corners))
     }
 }
 
@@ -91,6 +114,15 @@ impl KnownPlaces {
             let line = self.lines[axis].entry(place[1 - axis]).or_default();
             line.insert(place[axis]);
         }
+    }
+
+    /// All known places.
+    fn all(&self) -> impl Iterator<Item = Place> {
+        let [_, rows] = &self.lines;
+        let row = |(slow, line): (&usize, &BTreeSet<usize>)| -> Vec<Place> {
+            line.iter().map(|fast| [*slow, *fast]).collect()
+        };
+        rows.iter().flat_map(row)
     }
 
     /// Known places between two on one line, the first included, the last not.

@@ -2,10 +2,11 @@
 
 use crate::bands::Band;
 use crate::boundary::Boundary;
+use crate::certainty::tolerance_cell;
 use crate::sweep_file::Sweep;
 
 /// Columns of the table after those of the axes.
-pub const COLUMNS: [&str; 9] = [
+pub const COLUMNS: [&str; 10] = [
     "band",
     "from_fps",
     "to_fps",
@@ -15,6 +16,7 @@ pub const COLUMNS: [&str; 9] = [
     "certainty",
     "disputed_from_fps",
     "disputed_to_fps",
+    "solver_tolerance",
 ];
 
 /// Heading of the table of bands.
@@ -25,12 +27,13 @@ pub fn heading(sweep: &Sweep) -> Vec<String> {
 /// Rows of a point: one for each band, from below.
 ///
 /// `outcome` is the class that the band's landings share, `kind` how the one nearest to its middle
-/// ended; `bracket_width_fps` and `certainty` belong to `to_fps` and are empty at the end of the range.
+/// ended; `bracket_width_fps`, `certainty` and what follows belong to `to_fps` and are empty at the end of the range.
 /// Where `certainty` is `disputed`, small changes decide between the two speeds that follow.
 pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>> {
     let coordinates = sweep.coordinates_written(point);
     let row = |(index, band): (usize, &Band)| {
-        let width = band.bracket_width;
+        let width = band.bracket.map(|bracket| bracket.width);
+        let tolerance = band.bracket.map(|bracket| bracket.tolerance);
         let cells = [
             (index + 1).to_string(),
             band.from.to_string(),
@@ -40,6 +43,7 @@ pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>
             band.outcome.to_string(),
         ];
         let cells = cells.into_iter().chain(band.certainty.cells());
+        let cells = cells.chain([tolerance_cell(tolerance)]);
         coordinates.iter().cloned().chain(cells).collect()
     };
     boundary.bands.iter().enumerate().map(row).collect()
@@ -48,6 +52,7 @@ pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::boundary::Bracket;
     use crate::certainty::Certainty;
     use std::path::Path;
     use touchdown_dynamics::outcome::{Class, Outcome};
@@ -56,13 +61,13 @@ mod tests {
     fn a_row_for_every_band() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
         let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
-        let band = |from, to, class, outcome, bracket_width: Option<f64>| Band {
+        let band = |from, to, class, outcome, bracket: Option<Bracket>| Band {
             from,
             to,
             class,
             outcome,
-            bracket_width,
-            certainty: match bracket_width {
+            bracket,
+            certainty: match bracket {
                 Some(_) => Certainty::Disputed([11.25, 12.0]),
                 None => Certainty::Untested,
             },
@@ -73,7 +78,10 @@ mod tests {
                 11.5,
                 Class::Stable,
                 Outcome::StableSubsided,
-                Some(0.25),
+                Some(Bracket {
+                    width: 0.25,
+                    tolerance: 1e-7,
+                }),
             ),
             band(11.5, 25.0, Class::Unstable, Outcome::UnstableYaw, None),
         ];
@@ -84,14 +92,14 @@ mod tests {
         assert_eq!(
             heading(&sweep).join(","),
             "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind,certainty,\
-             disputed_from_fps,disputed_to_fps"
+             disputed_from_fps,disputed_to_fps,solver_tolerance"
         );
         let rows = rows(&sweep, 0, &boundary).into_iter();
         assert_eq!(
             rows.map(|row| row.join(",")).collect::<Vec<_>>(),
             [
-                "-60,1,0,11.5,stable,0.25,stable-subsided,disputed,11.25,12",
-                "-60,2,11.5,25,unstable,,unstable-yaw,,,"
+                "-60,1,0,11.5,stable,0.25,stable-subsided,disputed,11.25,12,1e-7",
+                "-60,2,11.5,25,unstable,,unstable-yaw,,,,"
             ]
         );
     }

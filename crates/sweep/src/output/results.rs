@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 
 use crate::boundary::Boundary;
-use crate::certainty::Certainty;
+use crate::certainty::{Certainty, tolerance_cell};
 use crate::findings::Finding;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, Cell};
@@ -16,7 +16,7 @@ use crate::sweep_file::{Job, Sweep};
 use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
 
 /// Columns of the table after those of the axes.
-pub const COLUMNS: [&str; 9] = [
+pub const COLUMNS: [&str; 10] = [
     "first_transition_to",
     "first_transition_fps",
     "bracket_low_fps",
@@ -26,6 +26,7 @@ pub const COLUMNS: [&str; 9] = [
     "certainty",
     "disputed_from_fps",
     "disputed_to_fps",
+    "solver_tolerance",
 ];
 
 /// How a sweep was run, which its input does not tell.
@@ -110,6 +111,7 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
         word,
         from,
         to,
+        tolerance_cell(found.map(|found| found.tolerance)),
     ]
 }
 
@@ -138,6 +140,8 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
                 .collect::<Map<String, Value>>(),
             "scan_speeds_skipped": counts.skipped.left_out,
             "certainty_landings": counts.tests,
+            "transitions_searched_again": counts.searched_again,
+            "transitions_disputed": counts.disputed_in_all,
             "sensitivity_landings": counts.sensitivity_landings,
             "landings": counts.landings,
             "derivative_evaluations": counts.evaluations,
@@ -189,6 +193,7 @@ mod tests {
                 to,
                 low: Some(low),
                 high,
+                tolerance: 3e-5,
                 certainty: Certainty::Certain,
             }),
             landings: 50,
@@ -210,6 +215,7 @@ mod tests {
                     to: Class::Failure,
                     low: None,
                     high: 8.0,
+                    tolerance: 3e-5,
                     certainty: Certainty::Untested,
                 }),
                 ..Boundary::default()
@@ -224,7 +230,7 @@ mod tests {
         assert_eq!(
             heading(&sweep).join(","),
             "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
-             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps"
+             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,solver_tolerance"
         );
         let rows = boundaries.iter().enumerate();
         let rows = rows.map(|(point, boundary)| {
@@ -233,10 +239,10 @@ mod tests {
         assert_eq!(
             rows.collect::<Vec<_>>(),
             [
-                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,",
-                "-55,none,,25,,101,2000,above,,",
-                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,",
-                "-45,failure,8,,8,0,0,at-or-below,,"
+                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,,3e-5",
+                "-55,none,,25,,101,2000,above,,,",
+                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,,3e-5",
+                "-45,failure,8,,8,0,0,at-or-below,,,3e-5"
             ]
         );
     }

@@ -14,9 +14,9 @@ pub(crate) const MAP: [&str; 5] = [
     "grid_steps",
 ];
 const EDGE_WIDTH: &str = "a table with two of the axes and a width in the unit of each, such as { roll_deg = 0.5, friction = 0.01 }";
-/// Least difference that makes an edge, in errors sought and without one, ft/s.
+/// Least difference that makes an edge without a word: in errors sought, and in ft/s at least.
 const JUMP_IN_ERRORS: f64 = 4.0;
-const JUMP: f64 = 0.1;
+const JUMP: f64 = 0.5;
 /// Steps of the resampled table along a first-level cell: what holds without a word, and the most.
 const GRID_STEPS: usize = 8;
 const MOST_GRID_STEPS: f64 = 1000.0;
@@ -130,7 +130,7 @@ fn rules(section: &Section) -> Result<MapRules, InputError> {
     }
     let jump = match positive("jump_fps")? {
         Some(jump) => jump,
-        None => error.map_or(JUMP, |error| JUMP_IN_ERRORS * error),
+        None => error.map_or(JUMP, |error| JUMP.max(JUMP_IN_ERRORS * error)),
     };
     Ok(MapRules {
         error: error.unwrap_or(0.0),

@@ -5,9 +5,7 @@
 //! meets becomes a band of its own.
 
 pub use crate::boundary::Band;
-use crate::join_all::join_all;
-
-use crate::boundary::Boundary;
+use crate::boundary::{Boundary, Bracket};
 use touchdown_dynamics::outcome::Outcome;
 
 use crate::certainty::{Certainty, Variation};
@@ -41,27 +39,12 @@ impl Search {
         land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
         let scan = self.narrowed_scan(false, &land).await?;
-        let samples = &scan.samples;
-        let mut boundary = Boundary {
-            bands: bands(samples),
-            ..Boundary::of_scan(&scan)
-        };
-        let changes = || {
-            let pairs = samples.windows(2).map(|pair| [&pair[0], &pair[1]]);
-            pairs.filter(|[low, high]| low.class() != high.class())
-        };
-        let tests = join_all(changes().map(|ends| self.tested(ends, &land))).await?;
-        tests.iter().for_each(|tested| boundary.count(tested));
-        let certainties: Vec<(f64, Certainty)> = (changes().zip(&tests))
-            .map(|([_, high], tested)| (high.speed, tested.certainty))
-            .collect();
-        for (band, (_, certainty)) in boundary.bands.iter_mut().zip(&certainties) {
-            band.certainty = *certainty;
-        }
-        if let Some(first) = &mut boundary.transition
-            && let Some((_, certainty)) = certainties.iter().find(|(high, _)| *high == first.high)
-        {
-            first.certainty = *certainty;
+        let mut boundary = Boundary::of_scan(&scan);
+        let settled = self.settled(&scan.samples, usize::MAX, &land).await?;
+        boundary.settle(&settled);
+        boundary.bands = bands(&settled.samples);
+        for (band, tested) in boundary.bands.iter_mut().zip(&settled.tests) {
+            band.certainty = tested.certainty;
         }
         Ok(boundary)
     }
@@ -90,7 +73,10 @@ fn bands(samples: &[Sample]) -> Vec<Band> {
             to,
             class: first.class(),
             outcome: nearest.trial.outcome.clone(),
-            bracket_width: next.map(|next| next.speed - last.speed),
+            bracket: next.map(|next| Bracket {
+                width: next.speed - last.speed,
+                tolerance: next.trial.tolerance,
+            }),
             certainty: Certainty::default(),
         });
     }

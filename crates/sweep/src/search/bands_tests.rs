@@ -57,9 +57,9 @@ fn bands_cover_the_range_without_gaps() {
     for (pair, at) in found.bands.windows(2).zip([12.1, 16.3, 20.0]) {
         assert_eq!(pair[0].to, pair[1].from);
         assert!((pair[0].to - at).abs() <= 0.0005, "{pair:?}");
-        assert!(pair[0].bracket_width.unwrap() <= 0.001);
+        assert!(pair[0].bracket.unwrap().width <= 0.001);
     }
-    assert_eq!(found.bands[3].bracket_width, None);
+    assert_eq!(found.bands[3].bracket, None);
     assert_eq!(found.bands[1].outcome, Outcome::UnstablePitch);
     assert_eq!(
         (found.landings, found.checks.gaps.checks),

@@ -22,10 +22,19 @@ pub struct Band {
     pub class: Class,
     /// How the computed landing nearest to the middle of the band ended.
     pub outcome: Outcome,
-    /// Width of the bracket of the upper transition, ft/s; `None` at the end of the range.
-    pub bracket_width: Option<f64>,
+    /// Bracket of the upper transition; `None` at the end of the range.
+    pub bracket: Option<Bracket>,
     /// How well the upper transition is determined.
     pub certainty: Certainty,
+}
+
+/// The bracket of a transition between bands.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Bracket {
+    /// Its width, ft/s.
+    pub width: f64,
+    /// Tolerance of the solver at which its ends were landed at.
+    pub tolerance: f64,
 }
 
 /// The first change away from a stable landing.
@@ -38,11 +47,24 @@ pub struct Transition {
     pub low: Option<f64>,
     /// Lowest speed known not to be stable, ft/s.
     pub high: f64,
+    /// Tolerance of the solver at which these two were landed at.
+    pub tolerance: f64,
     /// How well it is determined.
     pub certainty: Certainty,
 }
 
 impl Transition {
+    /// The first change away from a stable landing among landings in order.
+    pub(crate) fn first_of(samples: &[Sample]) -> Option<Self> {
+        first_unstable(samples).map(|index| Self {
+            to: samples[index].class(),
+            low: index.checked_sub(1).map(|below| samples[below].speed),
+            high: samples[index].speed,
+            tolerance: samples[index].trial.tolerance,
+            certainty: Certainty::default(),
+        })
+    }
+
     /// Middle of the bracket, ft/s, or the lowest speed of the search where there is none.
     pub fn speed(&self) -> f64 {
         self.low.map_or(self.high, |low| 0.5 * (low + self.high))
@@ -62,6 +84,10 @@ pub struct Boundary {
     pub checks: HiddenBandChecks,
     /// What skips left out.
     pub skipped: Skipped,
+    /// Transitions that were searched again at a tighter tolerance.
+    pub searched_again: u64,
+    /// Transitions that are disputed.
+    pub disputed: u64,
     /// Landings that put transitions to the test.
     pub tests: u64,
     /// Landings computed, tests included.
@@ -72,6 +98,8 @@ pub struct Boundary {
 
 /// A change that was put to the test.
 pub(crate) struct Tested {
+    /// The ends of its bracket, where it was searched again at a tighter tolerance.
+    pub(crate) ends: Option<[Sample; 2]>,
     /// What came of it.
     pub(crate) certainty: Certainty,
     /// Whether its margins told that there was no need to.
@@ -80,13 +108,33 @@ pub(crate) struct Tested {
     pub(crate) evaluations: u64,
 }
 
+/// Landings in order, and the tests of the lowest changes between them.
+pub(crate) struct Settled {
+    /// The landings, with the brackets that were searched again in the place of those found first.
+    pub(crate) samples: Vec<Sample>,
+    pub(crate) tests: Vec<Tested>,
+}
+
 impl Boundary {
     /// Counts what a test took.
-    pub(crate) fn count(&mut self, tested: &Tested) {
+    fn count(&mut self, tested: &Tested) {
         self.landings += tested.landings;
         self.tests += tested.landings;
         self.evaluations += tested.evaluations;
         self.skipped.untested += u64::from(tested.is_spared);
+        self.searched_again += u64::from(tested.ends.is_some());
+        self.disputed += u64::from(matches!(tested.certainty, Certainty::Disputed(_)));
+    }
+
+    /// What came of the tests of its changes.
+    pub(crate) fn settle(&mut self, settled: &Settled) {
+        settled.tests.iter().for_each(|tested| self.count(tested));
+        self.transition = Transition::first_of(&settled.samples);
+        if let Some(found) = &mut self.transition
+            && let (Some(_), Some(tested)) = (found.low, settled.tests.first())
+        {
+            found.certainty = tested.certainty;
+        }
     }
 
     /// What a narrowed scan found and cost.
@@ -103,14 +151,8 @@ impl Boundary {
 
     /// What a search found that took these landings, in order: the first transition and the cost.
     pub(crate) fn of(samples: &[Sample]) -> Self {
-        let transition = first_unstable(samples).map(|index| Transition {
-            to: samples[index].class(),
-            low: index.checked_sub(1).map(|below| samples[below].speed),
-            high: samples[index].speed,
-            certainty: Certainty::default(),
-        });
         Self {
-            transition,
+            transition: Transition::first_of(samples),
             searched_to: samples.last().map_or(0.0, |highest| highest.speed),
             landings: samples.len() as u64,
             evaluations: samples.iter().map(|sample| sample.trial.evaluations).sum(),

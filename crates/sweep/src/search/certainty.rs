@@ -1,9 +1,9 @@
 //! How well a transition is determined.
 //!
 //! Near a knife edge (an element that just touches, a rate that just grazes zero) the next digit of
-//! anything may decide a landing. Both ends of a bracket are landed at again at a tighter and a
-//! looser tolerance and with conditions changed by next to nothing; where a landing ends otherwise,
-//! the interval is widened until all of them agree.
+//! anything may decide a landing. Both ends of a bracket are landed at again at a tighter
+//! tolerance and with conditions changed by next to nothing; where a landing ends otherwise,
+//! the interval is widened until all of them agree, and searched again (`search_again`).
 //!
 //! Where a margin runs through zero the transition is as certain as the trajectory. It is doubtful
 //! where the margin jumps across the bracket, or where no margin speaks of the change.
@@ -35,7 +35,7 @@ pub enum Certainty {
     Untested,
     /// Small changes move it by less than its bracket.
     Certain,
-    /// Small changes decide between these two speeds, ft/s.
+    /// Small changes decide between these two speeds (ft/s), at the tightest tolerance at which it was searched too.
     Disputed([f64; 2]),
 }
 
@@ -51,6 +51,11 @@ impl Certainty {
     }
 }
 
+/// Cell of a result table for the tolerance of the solver at which a bracket was found.
+pub fn tolerance_cell(tolerance: Option<f64>) -> String {
+    tolerance.map_or(String::new(), |tolerance| format!("{tolerance:e}"))
+}
+
 /// A change by which a landing is put to the test.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Variation {
@@ -62,22 +67,45 @@ pub enum Variation {
     Scan(f64),
     /// A turn about the x axis of the ground, deg.
     Tilt(f64),
+    /// Another tolerance than the solver's, and a turn about the x axis of the ground, deg.
+    At {
+        /// The tolerance.
+        tolerance: f64,
+        /// The turn, deg.
+        tilt: f64,
+    },
 }
 
-/// All changes tested, the dearest last: what one tells the others need not.
-const VARIATIONS: [Variation; 3] = [
-    Variation::Tilt(1e-6),
-    Variation::Tilt(-1e-6),
-    Variation::Tolerance(0.1),
-];
+/// Landings that a test takes at least: three changes at both ends.
+pub const LEAST_LANDINGS: u64 = 6;
 
-/// Landings that a test takes at least: all changes at both ends.
-pub const LEAST_LANDINGS: u64 = 2 * VARIATIONS.len() as u64;
+/// Part of a tolerance that a test compares it with.
+const TIGHTER: f64 = 0.1;
+
+/// Turns by which a landing is put to the test, deg.
+const TILTS: [f64; 2] = [1e-6, -1e-6];
 
 /// Range of tolerances of the solver.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-2];
 
 impl Variation {
+    /// The changes by which a landing is tested, the dearest last: what one tells the others need not. A bracket that was
+    /// searched again is tested by both kinds of change at once.
+    fn changes(self) -> Vec<Self> {
+        let [forth, back] = TILTS;
+        match self {
+            Self::At { tolerance, .. } => vec![Self::At {
+                tolerance: TIGHTER * tolerance,
+                tilt: forth,
+            }],
+            _ => vec![
+                Self::Tilt(forth),
+                Self::Tilt(back),
+                Self::Tolerance(TIGHTER),
+            ],
+        }
+    }
+
     /// A scene and settings, changed.
     ///
     /// # Errors
@@ -85,29 +113,38 @@ impl Variation {
     pub fn of(self, scene: &Scene, settings: &Settings) -> Result<(Scene, Settings), Invalid> {
         let conditions = *scene.conditions();
         let mut settings = *settings;
-        let conditions = match self {
-            Self::Unchanged => conditions,
-            Self::Tolerance(factor) => {
-                settings = at_tolerance(settings, factor)?;
-                conditions
+        let mut tilt = 0.0;
+        match self {
+            Self::Unchanged => {}
+            Self::Tolerance(factor) => settings = at_tolerance(settings, factor)?,
+            Self::Scan(factor) => settings = at_tolerance(settings, factor)?.ending_early(),
+            Self::Tilt(degrees) => tilt = degrees,
+            Self::At {
+                tolerance,
+                tilt: degrees,
+            } => {
+                settings = settings.with_tolerance(tolerance)?;
+                tilt = degrees;
             }
-            Self::Scan(factor) => {
-                settings = at_tolerance(settings, factor)?.ending_early();
-                conditions
-            }
-            Self::Tilt(degrees) => {
-                let tilt = Attitude::from_euler(Euler {
-                    pitch: degrees.to_radians(),
-                    yaw: 0.0,
-                    roll: 0.0,
-                });
-                Conditions {
-                    attitude: tilt.after(&conditions.attitude),
-                    ..conditions
-                }
-            }
+        }
+        let scene = match tilt == 0.0 {
+            true => *scene,
+            false => Scene::new(tilted(conditions, tilt))?,
         };
-        Ok((Scene::new(conditions)?, settings))
+        Ok((scene, settings))
+    }
+}
+
+/// Conditions turned about the x axis of the ground, deg.
+fn tilted(conditions: Conditions, degrees: f64) -> Conditions {
+    let tilt = Attitude::from_euler(Euler {
+        pitch: degrees.to_radians(),
+        yaw: 0.0,
+        roll: 0.0,
+    });
+    Conditions {
+        attitude: tilt.after(&conditions.attitude),
+        ..conditions
     }
 }
 
@@ -117,10 +154,11 @@ fn at_tolerance(settings: Settings, factor: f64) -> Result<Settings, Invalid> {
     settings.with_tolerance((settings.tolerance() * factor).clamp(least, greatest))
 }
 
-/// Puts the change between two neighbouring landings to the test, if it is one that `doubt` means.
-/// The interval is widened by `widest` at most (ft/s) to either side.
+/// Puts the change between two neighbouring landings, which were computed as `given` says, to the test, if it is one that
+/// `doubt` means. The interval is widened by `widest` at most (ft/s) to either side.
 pub(crate) async fn test<Stop>(
     doubt: Doubt,
+    given: Variation,
     [low, high]: [&Sample; 2],
     widest: f64,
     land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
@@ -134,9 +172,9 @@ pub(crate) async fn test<Stop>(
     let mut agreed = [low.speed, high.speed];
     for (end, sample, sign) in [(0, low, -1.0), (1, high, 1.0)] {
         let class = sample.class();
-        let agree = async |speed: f64, given: bool| -> Result<bool, Stop> {
-            let given = given.then_some(Variation::Unchanged);
-            for variation in given.into_iter().chain(VARIATIONS) {
+        let agree = async |speed: f64, is_new: bool| -> Result<bool, Stop> {
+            let itself = is_new.then_some(given);
+            for variation in itself.into_iter().chain(given.changes()) {
                 if land(speed, variation).await?.outcome.class() != class {
                     return Ok(false);
                 }

@@ -19,7 +19,13 @@ fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
         Sample::example(0.9995, jump),
         Sample::example(1.0005, -jump),
     );
-    let Ok(certainty) = block_on(test(doubt, [&low, &high], 0.25, &land));
+    let Ok(certainty) = block_on(test(
+        doubt,
+        Variation::Unchanged,
+        [&low, &high],
+        0.25,
+        &land,
+    ));
     (certainty, landings.get())
 }
 

@@ -1,7 +1,8 @@
 use super::*;
-use crate::certainty::LEAST_LANDINGS;
+use crate::certainty::{Doubt, LEAST_LANDINGS};
 use crate::refine::Refinement;
 use crate::search_range::{Extent, Scan};
+use crate::trial::Sample;
 use futures::executor::block_on;
 use std::convert::Infallible;
 use touchdown_dynamics::outcome::Class;

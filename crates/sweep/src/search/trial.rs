@@ -16,6 +16,8 @@ pub struct Trial {
     pub margins: Margins,
     /// How long it took, in times that the CG falls freely from its height at touchdown.
     pub duration: f64,
+    /// Tolerance of the solver at which it was computed.
+    pub tolerance: f64,
     /// Evaluations of the equations of motion that it took.
     pub evaluations: u64,
 }
@@ -59,8 +61,8 @@ impl Scales {
 }
 
 impl Trial {
-    /// What a search keeps of a landing.
-    pub fn of(landing: Landing, scales: &Scales) -> Self {
+    /// What a search keeps of a landing that was computed at a tolerance.
+    pub fn of(landing: Landing, scales: &Scales, tolerance: f64) -> Self {
         Self {
             margins: Margins {
                 toppling: toppling(&landing, scales),
@@ -68,6 +70,7 @@ impl Trial {
             },
             least_angle: landing.min_stability_angle,
             duration: landing.end_time / scales.fall_time,
+            tolerance,
             evaluations: landing.evaluations,
             outcome: landing.outcome,
         }
@@ -181,6 +184,7 @@ impl Trial {
             least_angle: 0.5,
             margins: Margins::default(),
             duration: 3.0,
+            tolerance: 3e-5,
             evaluations,
         }
     }

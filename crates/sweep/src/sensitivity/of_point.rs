@@ -58,6 +58,10 @@ pub(crate) async fn of_point<Stop>(
         Ok(trial)
     };
     let width = FINER * search.tolerance;
+    let at = Variation::At {
+        tolerance: transition.tolerance,
+        tilt: 0.0,
+    };
     let near = Near {
         around: transition.speed(),
         within: 0.5 * (transition.high - low),
@@ -66,7 +70,7 @@ pub(crate) async fn of_point<Stop>(
         width,
     };
     let sensitivity = match near
-        .follow(&async |speed| Sample::at(speed, counted(case, speed, Variation::Unchanged)).await)
+        .follow(&async |speed| Sample::at(speed, counted(case, speed, at)).await)
         .await?
     {
         // Landings at the ends of the bracket came out differently this time.
@@ -76,7 +80,8 @@ pub(crate) async fn of_point<Stop>(
                 speed,
                 to: transition.to,
                 width,
-                resolution: width + case.settings.tolerance() * speed,
+                resolution: width + transition.tolerance * speed,
+                at,
             };
             let slope = |parameter| followed.slope(sweep, point, search, parameter, &counted);
             let slopes = join_all(sweep.sensitivity.iter().map(slope)).await?;
@@ -104,6 +109,8 @@ struct FollowedTransition {
     width: f64,
     /// Error of transitions, ft/s.
     resolution: f64,
+    /// How its landings are computed.
+    at: Variation,
 }
 
 impl FollowedTransition {
@@ -151,9 +158,7 @@ impl FollowedTransition {
                 width: self.width,
             };
             match near
-                .follow(&async |speed| {
-                    Sample::at(speed, land(&case, speed, Variation::Unchanged)).await
-                })
+                .follow(&async |speed| Sample::at(speed, land(&case, speed, self.at)).await)
                 .await?
             {
                 Some(speed) => speeds[place] = speed,

@@ -113,6 +113,7 @@ mod tests {
                 to: Class::Failure,
                 low: Some(0.1 + 0.2),
                 high: f64::MIN_POSITIVE,
+                tolerance: 1e-9,
                 certainty: Certainty::Disputed([1.0, 2.0]),
             }),
             searched_to: 25.0,
@@ -121,7 +122,7 @@ mod tests {
                 to: 1.0 / 3.0,
                 class: Class::Bottomed,
                 outcome: Outcome::Failure(Failure::PadInclination { leg: 2 }),
-                bracket_width: None,
+                bracket: None,
                 certainty: Certainty::Certain,
             }],
             checks: HiddenBandChecks {
@@ -136,6 +137,8 @@ mod tests {
                 interpolated: i64::MIN,
                 ..Skipped::default()
             },
+            searched_again: 2,
+            disputed: 1,
             tests: 9,
             landings: 1 << 40,
             evaluations: u64::MAX,

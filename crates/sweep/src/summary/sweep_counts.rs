@@ -28,6 +28,10 @@ pub struct SweepCounts {
     pub checks: HiddenBandChecks,
     /// Landings saved by shortcuts of the search.
     pub skipped: Skipped,
+    /// Transitions that were searched again at a tighter tolerance.
+    pub searched_again: u64,
+    /// Transitions that are disputed, of all that were tested.
+    pub disputed_in_all: u64,
     /// Landings that tested transitions.
     pub tests: u64,
     /// Landings for sensitivities.
@@ -125,6 +129,8 @@ impl SweepCounts {
         self.bands += boundary.bands.len();
         self.checks += boundary.checks;
         self.skipped += boundary.skipped;
+        self.searched_again += boundary.searched_again;
+        self.disputed_in_all += boundary.disputed;
         self.tests += boundary.tests;
         if let Some(transitions) = &mut self.transitions {
             transitions.add(boundary);
@@ -181,6 +187,7 @@ mod tests {
                 to,
                 low: Some(speed),
                 high: speed,
+                tolerance: 3e-5,
                 certainty: Certainty::Untested,
             }),
             landings: 10,

@@ -302,6 +302,7 @@ mod tests {
                 to: Class::Bottomed,
                 low: None,
                 high: 5.0,
+                tolerance: 3e-5,
                 certainty: Certainty::Untested,
             }),
             ..Boundary::default()

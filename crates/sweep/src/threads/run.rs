@@ -475,7 +475,8 @@ async fn find(
             }))
         })?;
         let landing = landed(&case.vehicle, varied, settings).await?;
-        Ok(Trial::of(landing, &Scales::of(&case.vehicle)))
+        let scales = Scales::of(&case.vehicle);
+        Ok(Trial::of(landing, &scales, settings.tolerance()))
     };
     let boundary = search
         .boundary(async |speed, variation| trial(&case, speed, variation).await)

@@ -1,5 +1,6 @@
 //! Tests of whole searches and of input files, in one program.
 
+mod disputed;
 mod fuzz;
 mod hidden_bands;
 mod reference_of_keys;

@@ -86,7 +86,14 @@ type Outline = Vec<(f64, f64, Class, Option<f64>)>;
 fn outline(boundary: &Boundary) -> Outline {
     let bands = boundary.bands.iter();
     bands
-        .map(|band| (band.from, band.to, band.class, band.bracket_width))
+        .map(|band| {
+            (
+                band.from,
+                band.to,
+                band.class,
+                band.bracket.map(|bracket| bracket.width),
+            )
+        })
         .collect()
 }
 

@@ -67,7 +67,8 @@ fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
     assert_eq!(
         rows[0],
         "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
-         landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps"
+         landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,\
+         solver_tolerance"
     );
     assert_eq!(rows.len(), 4);
     assert!(rows[1].starts_with("-10,") && rows[2].starts_with("0,") && rows[3].starts_with("10,"));
@@ -117,7 +118,7 @@ fn a_folder_is_swept_file_by_file_with_bands_and_an_overview() {
     assert_eq!(
         rows[0],
         "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind,certainty,disputed_from_fps,\
-         disputed_to_fps"
+         disputed_to_fps,solver_tolerance"
     );
     assert!(rows[1].starts_with("-10,1,10,11."), "{bands}");
     assert!(rows[2].starts_with("-10,2,11.") && rows[2].contains(",12.5,unstable,,unstable-"));

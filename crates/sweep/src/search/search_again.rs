@@ -1,0 +1,167 @@
+//! Disputed transitions are searched again at tighter tolerances.
+//!
+//! A bracket that was found at the solver's tolerance may lie beside the true transition: the trajectory sits on a knife
+//! edge of contact, and its error decides. The interval in which the test of doubt found disagreement is then narrowed down
+//! at 1e-6, 1e-7, ... until a bracket holds at a tenth of its tolerance and for landings that are tilted by next to
+//! nothing. A transition that is still disputed at the last tolerance is chaotic: no tolerance settles it.
+
+use std::cell::Cell;
+
+use touchdown_dynamics::outcome::Class;
+
+use crate::boundary::{Settled, Tested};
+use crate::certainty::{self, Certainty, Doubt, Variation};
+use crate::join_all::join_all;
+use crate::search_range::Search;
+use crate::trial::{Sample, Trial};
+
+/// Tolerances of the solver at which a disputed transition is searched again, in turn. The last bracket is compared
+/// with landings at 1e-10.
+const TOLERANCES: [f64; 4] = [1e-6, 1e-7, 1e-8, 1e-9];
+
+/// Where the interval around a bracket of such a search is cut: beside its middle, where that bracket may have ended, next
+/// to the transition.
+const BESIDE: f64 = 0.45;
+
+impl Search {
+    /// Puts the lowest changes between landings in order, so many of them, to the test.
+    pub(crate) async fn settled<Stop>(
+        &self,
+        samples: &[Sample],
+        most: usize,
+        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Settled, Stop> {
+        let runs: Vec<&[Sample]> = samples.chunk_by(|a, b| a.class() == b.class()).collect();
+        let middle = |run: &[Sample]| 0.5 * (run[0].speed + run[run.len() - 1].speed);
+        let tests = (1..runs.len()).take(most).map(|above| {
+            let [lower, upper] = [runs[above - 1], runs[above]];
+            // Each change has its half of the landings that it shares with the next.
+            let from = if above == 1 { self.from } else { middle(lower) };
+            let to = if above + 1 == runs.len() {
+                self.to
+            } else {
+                middle(upper)
+            };
+            self.tested([&lower[lower.len() - 1], &upper[0]], [from, to], land)
+        });
+        let tests = join_all(tests).await?;
+        Ok(Settled {
+            samples: with_brackets(&runs, &tests),
+            tests,
+        })
+    }
+
+    /// Puts a change between two neighbouring landings to the test, and searches it again where it is disputed, within
+    /// limits (ft/s) beyond which other changes lie.
+    async fn tested<Stop>(
+        &self,
+        ends: [&Sample; 2],
+        limits: [f64; 2],
+        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Tested, Stop> {
+        let spent = Cell::new([0, 0]);
+        let counted = async |speed, variation| {
+            let trial = land(speed, variation).await?;
+            let [landings, evaluations] = spent.get();
+            spent.set([landings + 1, evaluations + trial.evaluations]);
+            Ok(trial)
+        };
+        let unchanged = Variation::Unchanged;
+        let mut certainty =
+            certainty::test(self.doubt, unchanged, ends, self.scan_step, &counted).await?;
+        let is_spared = self.doubt == Doubt::Doubtful && spent.get()[0] == 0;
+        let mut found: Option<[Sample; 2]> = None;
+        let is_tighter = |tolerance: &f64| *tolerance < ends[0].trial.tolerance;
+        for tolerance in TOLERANCES.into_iter().filter(is_tighter) {
+            let Certainty::Disputed(interval) = certainty else {
+                break;
+            };
+            let tighter = Variation::At {
+                tolerance,
+                tilt: 0.0,
+            };
+            let sample = async |speed| Sample::at(speed, counted(speed, tighter)).await;
+            let classes = ends.map(Sample::class);
+            let cut = if found.is_none() { 0.5 } else { BESIDE };
+            let bracket = self.bracket_of(interval, limits, classes, cut, &sample);
+            let Some(again) = bracket.await? else {
+                continue;
+            };
+            let pair = [&again[0], &again[1]];
+            certainty =
+                certainty::test(Doubt::All, tighter, pair, self.scan_step, &counted).await?;
+            if let Certainty::Disputed([low, high]) = &mut certainty {
+                *low = low.min(interval[0]);
+                *high = high.max(interval[1]);
+            }
+            found = Some(again);
+        }
+        let [landings, evaluations] = spent.get();
+        Ok(Tested {
+            ends: found,
+            certainty,
+            is_spared,
+            landings,
+            evaluations,
+        })
+    }
+
+    /// Narrows an interval down to a bracket of a change between two classes. Where its ends are of others, it is widened
+    /// by a step of the scan at most; `None` where the change does not lie between the limits by itself.
+    async fn bracket_of<Stop>(
+        &self,
+        [from, to]: [f64; 2],
+        limits: [f64; 2],
+        classes: [Class; 2],
+        cut: f64,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    ) -> Result<Option<[Sample; 2]>, Stop> {
+        let bounded = |speed: f64| speed.clamp(limits[0], limits[1]);
+        let mut reach = to - from;
+        let (mut low, mut high) = (sample(bounded(from)).await?, sample(bounded(to)).await?);
+        while low.class() != classes[0] || high.class() != classes[1] {
+            if reach > self.scan_step {
+                return Ok(None);
+            }
+            if low.class() != classes[0] {
+                low = sample(bounded(from - reach)).await?;
+            }
+            if high.class() != classes[1] {
+                high = sample(bounded(to + reach)).await?;
+            }
+            reach *= 2.0;
+        }
+        while high.speed - low.speed > self.tolerance {
+            let between = sample(low.speed + cut * (high.speed - low.speed)).await?;
+            match between.class() {
+                class if class == classes[0] => low = between,
+                class if class == classes[1] => high = between,
+                _ => return Ok(None),
+            }
+        }
+        Ok(Some([low, high]))
+    }
+}
+
+/// Runs of landings that end alike, with the brackets that were searched again in the place of those found first.
+fn with_brackets(runs: &[&[Sample]], tests: &[Tested]) -> Vec<Sample> {
+    let bracket = |change: Option<usize>| tests.get(change?)?.ends.as_ref();
+    let mut kept = Vec::new();
+    for (index, run) in runs.iter().enumerate() {
+        let (below, above) = (bracket(index.checked_sub(1)), bracket(Some(index)));
+        let first = below.map(|[_, high]| high);
+        let last = above.map(|[low, _]| low);
+        let is_beyond = |sample: &&Sample| {
+            first.is_none_or(|first| sample.speed > first.speed)
+                && last.is_none_or(|last| sample.speed < last.speed)
+        };
+        kept.extend(first.cloned());
+        kept.extend(run.iter().filter(is_beyond).cloned());
+        kept.extend(last.cloned());
+    }
+    kept
+}
+
+#[cfg(test)]
+#[path = "search_again_tests.rs"]
+mod tests;

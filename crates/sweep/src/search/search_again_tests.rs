@@ -1,0 +1,96 @@
+use std::cell::RefCell;
+use std::convert::Infallible;
+
+use super::*;
+use crate::boundary::{Boundary, Extent};
+use crate::first_transition::tests::SEARCH;
+use futures::executor::block_on;
+
+/// Searches where landings topple from a speed that depends on the tolerance, from there for a `width`, with margins that
+/// tell nothing; the boundary, and the tolerances landed at.
+fn find(extent: Extent, from: impl Fn(f64, f64) -> f64, width: f64) -> (Boundary, Vec<f64>) {
+    let search = Search {
+        extent,
+        doubt: Doubt::Doubtful,
+        ..SEARCH
+    };
+    let seen = RefCell::new(Vec::new());
+    let land = async |speed: f64, variation| {
+        let (tolerance, tilt) = match variation {
+            Variation::At { tolerance, tilt } => (tolerance, tilt),
+            Variation::Tilt(tilt) => (3e-5, tilt),
+            Variation::Tolerance(factor) => (factor * 3e-5, 0.0),
+            _ => (3e-5, 0.0),
+        };
+        if !seen.borrow().contains(&tolerance) {
+            seen.borrow_mut().push(tolerance);
+        }
+        let from = from(tolerance, tilt);
+        let class = match (from..from + width).contains(&speed) {
+            true => Class::Unstable,
+            false => Class::Stable,
+        };
+        let trial = Trial::example(class, 1);
+        Ok::<_, Infallible>(Trial { tolerance, ..trial })
+    };
+    let Ok(found) = block_on(search.boundary(land));
+    (found, seen.into_inner())
+}
+
+#[test]
+fn a_bracket_beside_the_transition_is_found_again_at_the_first_tolerance_that_holds() {
+    for extent in [Extent::First, Extent::All] {
+        // Off by 0.03 ft/s at 3e-5, by 0.003 at 1e-6, then by less than a bracket.
+        let (found, tolerances) = find(extent, |tolerance, _| 11.4 + 1e3 * tolerance, 5.0);
+        let transition = found.transition.unwrap();
+        assert_eq!(transition.certainty, Certainty::Certain);
+        assert!(tolerances.contains(&1e-6), "{tolerances:?}");
+        assert!(transition.tolerance < 1e-6, "{transition:?}");
+        assert!((transition.speed() - 11.4).abs() < 1e-3, "{transition:?}");
+        assert!(transition.high - transition.low.unwrap() <= SEARCH.tolerance);
+        assert_eq!(found.disputed, 0);
+        // The upper end of the toppling band moves as much.
+        let changes = if extent == Extent::All { 2 } else { 1 };
+        assert_eq!(found.searched_again, changes);
+        if let [below, above, _] = found.bands.as_slice() {
+            assert_eq!((below.to, above.from), (transition.speed(), below.to));
+            assert_eq!(below.bracket.unwrap().tolerance, transition.tolerance);
+            assert!((above.to - 16.4).abs() < 1e-3);
+        }
+    }
+}
+
+#[test]
+fn what_the_tolerance_does_not_move_is_not_searched_again() {
+    let (found, tolerances) = find(Extent::All, |_, _| 11.4, 5.0);
+    assert_eq!(tolerances, [3e-5, 0.1 * 3e-5]);
+    assert_eq!((found.searched_again, found.disputed), (0, 0));
+    assert_eq!(found.transition.unwrap().tolerance, 3e-5);
+}
+
+#[test]
+fn what_a_tilt_moves_at_every_tolerance_is_disputed_with_its_interval() {
+    let (found, tolerances) = find(Extent::All, |_, tilt| 11.4 + 1e4 * tilt, 5.0);
+    let transition = found.transition.unwrap();
+    let Certainty::Disputed([low, high]) = transition.certainty else {
+        panic!("{transition:?}");
+    };
+    assert!(low <= 11.39 && 11.41 <= high, "{low} to {high}");
+    assert!(high - low < 0.05, "{low} to {high}");
+    assert_eq!(transition.tolerance, 1e-9);
+    assert!(tolerances.contains(&1e-9));
+    assert_eq!((found.searched_again, found.disputed), (2, 2));
+}
+
+#[test]
+fn a_band_that_vanishes_at_tighter_tolerances_stays_disputed() {
+    // A sliver of two landings of the lattice, which no tilt moves.
+    let width = 0.002;
+    let (found, _) = find(
+        Extent::All,
+        |tolerance, _| if tolerance < 1e-5 { 99.0 } else { 11.249 },
+        width,
+    );
+    assert_eq!(found.bands.len(), 3);
+    assert_eq!((found.searched_again, found.disputed), (0, 2));
+}
