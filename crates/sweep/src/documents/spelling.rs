@@ -52,7 +52,7 @@ impl Conversion {
         match self.converts() {
             true => {
                 let (value, words) = (rounded(self.to_program(number), 6), self.words);
-                format!("{allowed} in {words}, and this is {value} {words}")
+                format!("{allowed} (in {words}: this is {value})")
             }
             false => allowed.to_owned(),
         }

@@ -443,9 +443,7 @@ fn complaints_about_axes_have_their_unit() {
         "pitch_rad = [1000]",
     );
     assert!(
-        steep.contains(
-            "includes 1000: expected -36000 ≤ value ≤ 36000 in deg, and this is 57295.8 deg"
-        ),
+        steep.contains("includes 1000: expected -36000 ≤ value ≤ 36000 (in deg: this is 57295.8)"),
         "{steep}"
     );
     let light = said("[axes]\n", "[axes]\nvehicle.mass_kg = [-5]\n");

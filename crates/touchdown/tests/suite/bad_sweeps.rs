@@ -50,7 +50,7 @@ const SWEEPS: [(&str, &str, &[&str]); 33] = [
 #[rustfmt::skip]
 const VEHICLES: [(&str, &str, &[&str]); 9] = [
     ("mass_slug = 20", "mass_slug = -20", &["surveyor.toml:3: mass_slug = -20", "0 < value"]),
-    ("mass_slug = 20", "mass_kg = 292", &["surveyor.toml:3: mass_kg = 292", "did you mean mass_slug?"]),
+    ("mass_slug = 20", "mass_lb = 643", &["surveyor.toml:3: mass_lb = 643", "did you mean mass_slug or mass_kg?"]),
     ("xy = 6.81", "xy = 400", &["surveyor.toml:7: inertia_slug_ft2", "positive definite"]),
     ("zz = 145.78", "zz = -1", &["surveyor.toml:10: inertia_slug_ft2.zz = -1", "0 < value"]),
     ("preload_lb = 185", "preload_lb = inf", &["surveyor.toml:26: strut.preload_lb = inf", "finite"]),
