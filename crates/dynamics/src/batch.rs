@@ -30,7 +30,7 @@ const LEAST_FILLED: usize = 3;
 /// A landing to be computed.
 #[derive(Debug, Clone)]
 pub struct Request {
-    /// What its result is told by.
+    /// Identifies its result.
     pub key: usize,
     /// What lands.
     pub vehicle: Arc<Vehicle>,
@@ -50,7 +50,7 @@ pub struct Occupancy {
 }
 
 impl Occupancy {
-    /// Share of the lanes that were filled; not a number where nobody landed.
+    /// Share of the lanes that were filled; NaN if there were no steps.
     pub fn share(&self) -> f64 {
         self.steps as f64 / self.lanes as f64
     }
@@ -177,7 +177,7 @@ fn in_batch<R: Transpose<N>, const N: usize>(
 
 /// A landing of a batch.
 struct Member {
-    /// What its result is told by.
+    /// Identifies its result.
     key: usize,
     simulation: Simulation<'static>,
     /// Changes of the coefficients of each leg that its lane has seen.

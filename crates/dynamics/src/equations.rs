@@ -1,4 +1,4 @@
-//! The equations of motion and how their forces answer.
+//! The equations of motion and the derivatives of their forces.
 
 pub mod kinematics;
 pub mod motion;

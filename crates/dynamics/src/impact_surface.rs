@@ -15,8 +15,7 @@ use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::attitude::{Attitude, Euler};
 use crate::invalid::{Invalid, require};
-use crate::land::land;
-use crate::landing::Landing;
+use crate::landing::{Landing, land_until_all_pads_touch};
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
@@ -37,6 +36,10 @@ const DETERMINED: usize = 3;
 /// Step of the tangent below which the least squares of more times are found.
 const SETTLED: f64 = 1e-7;
 const MOST_HALVINGS: usize = 10;
+/// A search for a surface that gives all times gets nowhere when so many steps, one after the other, leave more than this
+/// part of the greatest residual.
+const MOST_IDLE_STEPS: usize = 3;
+const IDLE: f64 = 0.9;
 /// Most landings of a search, several times as many as one takes that finds a surface.
 const MOST_LANDINGS: u64 = 60;
 /// Tangent of the steepest surface looked for, 85 deg.
@@ -111,6 +114,8 @@ pub enum NoSurface {
     NotFound {
         /// Greatest residual of an impact time.
         residual: f64,
+        /// Landings of the search.
+        landings: u64,
     },
 }
 
@@ -132,9 +137,9 @@ impl fmt::Display for NoSurface {
                  before, {outcome} {time:.3} s after first contact",
                 leg + 1
             ),
-            Self::NotFound { residual } => write!(
+            Self::NotFound { residual, landings } => write!(
                 f,
-                "no slope gives these impact times: the nearest misses one by {residual:.2e} s"
+                "no slope gives these impact times: the nearest of {landings} misses one by {residual:.2e} s"
             ),
         }
     }
@@ -259,7 +264,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Free flight through `time` seconds: the approach then, and the way of the CG, ft.
+    /// Free flight through `time` seconds: the approach then, and the displacement of the CG, ft.
     fn fly(&self, time: f64) -> Result<(Approach, Vector3<f64>), Invalid> {
         let scene = self.scene(&self.approach, &Vector2::zeros())?;
         let settings = Settings::new(TOLERANCE, 1.0, CrushRule::default())?;
@@ -323,7 +328,8 @@ impl<'a> Search<'a> {
         let span = last - self.times[self.first];
         let settings = Settings::new(TOLERANCE, 2.0 * span + AFTERWARDS, CrushRule::default())?;
         let (approach, _) = self.fly((self.times[self.first] - self.delay).max(0.0))?;
-        let landing = land(self.vehicle, &self.scene(&approach, tangent)?, &settings);
+        let scene = self.scene(&approach, tangent)?;
+        let landing = land_until_all_pads_touch(self.vehicle, &scene, &settings);
         self.landings += 1;
         let first = landing.pad_contact[self.first];
         let mut residuals = self.times;
@@ -342,8 +348,10 @@ impl<'a> Search<'a> {
     /// Gauss and Newton's steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
+        let is_determined = self.times.len() <= DETERMINED;
         let mut is_at_least = false;
-        while self.landings < MOST_LANDINGS {
+        let mut idle_steps = 0;
+        while self.landings < MOST_LANDINGS && idle_steps < MOST_IDLE_STEPS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
             let mut columns = [self.times; 2];
             for (axis, column) in columns.iter_mut().enumerate() {
@@ -362,7 +370,7 @@ impl<'a> Search<'a> {
                 break;
             };
             let mut step = inverse * -right;
-            is_at_least = self.times.len() > DETERMINED && step.norm() < SETTLED;
+            is_at_least = !is_determined && step.norm() < SETTLED;
             let mut halvings = 0;
             let better = loop {
                 let there = tangent + step;
@@ -387,6 +395,9 @@ impl<'a> Search<'a> {
             let Some((there, found)) = better else {
                 break;
             };
+            // Least squares of more times than needed stay.
+            let is_idle = is_determined && found.worst() > (IDLE * trial.worst()).max(TIMELY);
+            idle_steps = if is_idle { idle_steps + 1 } else { 0 };
             tangent = there;
             trial = found;
             if step.norm() < CLOSE {
@@ -396,6 +407,7 @@ impl<'a> Search<'a> {
         if trial.worst() > TIMELY && !is_at_least {
             return Err(NoSurface::NotFound {
                 residual: trial.worst(),
+                landings: self.landings,
             });
         }
         Ok(tangent)

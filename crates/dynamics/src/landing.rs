@@ -22,6 +22,7 @@ mod trajectory;
 mod verdict;
 mod within;
 
+use crate::outcome::Outcome;
 use crate::scene::{Scene, Settings};
 use crate::vehicle::Vehicle;
 
@@ -49,4 +50,21 @@ pub fn land_located(
     let outcome = simulation.run();
     simulation.report_end();
     simulation.result(outcome)
+}
+
+/// Computes a landing, its events located, until all footpads have touched; as [`Outcome::TimeExpired`] then, if it has
+/// not ended before.
+pub fn land_until_all_pads_touch(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Landing {
+    let mut simulation = Simulation::new(vehicle, scene, settings, None);
+    let mut goes_on = simulation.begin();
+    while goes_on.is_ok()
+        && simulation
+            .trajectory
+            .pad_contact
+            .iter()
+            .any(Option::is_none)
+    {
+        goes_on = simulation.step();
+    }
+    simulation.result(goes_on.err().unwrap_or(Outcome::TimeExpired))
 }

@@ -30,7 +30,7 @@ impl Inertia {
     }
 }
 
-/// What an input file says of one leg.
+/// One leg as an input file describes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LegDesign {
     /// Azimuth θj of the leg about the centreline, rad; leg 1 of the Surveyor is at 0, along y.

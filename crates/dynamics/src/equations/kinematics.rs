@@ -1,4 +1,4 @@
-//! Where everything is: the surface seen from the vehicle, and the geometry of one leg
+//! Positions and velocities: the surface in the vehicle's frame, and the geometry of one leg
 //! (model chapters 1 and 3).
 //!
 //! The inward surface normal and the velocities are turned into the vehicle once, and then into

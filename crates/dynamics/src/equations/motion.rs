@@ -2,7 +2,7 @@
 //!
 //! Which piece of each law is active arrives as coefficients, [`Pieces`]. There is no table search
 //! here and no branch but one: what carries no pressure is passed over. Along with the derivative come the
-//! signals whose ranges tell how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
+//! signals whose ranges limit how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
 //! a lane for each ([`crate::lanes`]); leg follows leg.
 
 mod footing;

@@ -1,4 +1,4 @@
-//! How forces answer small changes of the motion, and (`stage`) the linear equations of an implicit step.
+//! Derivatives of the forces with respect to the motion, and (`stage`) the linear equations of an implicit step.
 //!
 //! What makes the motion stiff acts through few quantities: a foot stuck by friction resists sliding (rates
 //! of thousands per second, model chapter 5), an element pressed into the surface resists going deeper, a
@@ -51,7 +51,7 @@ impl<S: Real> Coordinates<S> {
     }
 }
 
-/// Forces that answer one quantity: sliding in one direction, or an interference.
+/// Forces per unit of one quantity: sliding in one direction, or an interference.
 #[derive(Debug, Clone, Copy)]
 pub struct ForceDerivative<S> {
     /// Forces per unit of the quantity.
@@ -63,7 +63,7 @@ pub struct ForceDerivative<S> {
 }
 
 impl<S: Real> ForceDerivative<S> {
-    /// Answers nothing.
+    /// No force.
     #[inline(always)]
     pub fn none() -> Self {
         Self {
@@ -74,16 +74,16 @@ impl<S: Real> ForceDerivative<S> {
     }
 }
 
-/// How the forces on one leg answer.
+/// Derivatives of the forces on one leg.
 #[derive(Debug, Clone, Copy)]
 pub struct LegResponse<S> {
-    /// Answers of pad and block to sliding along and across and to interference; those of pads, or blocks, that
-    /// carry no pressure in the whole group are not among them.
-    answers: [ForceDerivative<S>; 6],
+    /// Those of pad and block with respect to sliding along and across and to interference; pads, or blocks, that carry no
+    /// pressure in any lane are left out.
+    derivatives: [ForceDerivative<S>; 6],
     count: usize,
-    /// Torque on the link per displacement, not counting the answers, ft·lb.
+    /// Torque on the link per displacement, not counting those, ft·lb.
     pub link_torque: Coordinates<S>,
-    /// Torque on the pad's hinge per displacement, not counting the answers, ft·lb.
+    /// Torque on the pad's hinge per displacement, not counting those, ft·lb.
     pub hinge_torque: Coordinates<S>,
     /// Torque against the link per link rate, ft·lb·s.
     pub link_damping: S,
@@ -100,11 +100,11 @@ pub struct LegResponse<S> {
 }
 
 impl<S: Real> LegResponse<S> {
-    /// A leg that answers nothing.
+    /// A leg without forces.
     pub fn none() -> Self {
         let zero = S::zero();
         Self {
-            answers: [ForceDerivative::none(); 6],
+            derivatives: [ForceDerivative::none(); 6],
             count: 0,
             link_torque: Coordinates::zero(),
             hinge_torque: Coordinates::zero(),
@@ -117,7 +117,7 @@ impl<S: Real> LegResponse<S> {
         }
     }
 
-    /// Forgets all answers and torques.
+    /// Forgets all derivatives and torques.
     #[inline(always)]
     pub fn clear(&mut self) {
         self.count = 0;
@@ -125,21 +125,21 @@ impl<S: Real> LegResponse<S> {
         self.hinge_torque = Coordinates::zero();
     }
 
-    /// Adds an answer.
+    /// Adds a derivative.
     #[inline(always)]
-    pub fn push(&mut self, answer: &ForceDerivative<S>) {
-        self.answers[self.count] = *answer;
+    pub fn push(&mut self, derivative: &ForceDerivative<S>) {
+        self.derivatives[self.count] = *derivative;
         self.count += 1;
     }
 
-    /// The answers.
+    /// The derivatives.
     #[inline(always)]
-    fn answers(&self) -> &[ForceDerivative<S>] {
-        &self.answers[..self.count]
+    fn derivatives(&self) -> &[ForceDerivative<S>] {
+        &self.derivatives[..self.count]
     }
 }
 
-/// How all forces answer at one state.
+/// Derivatives of all forces at one state.
 #[derive(Debug, Clone, Copy)]
 pub struct Response<S> {
     /// Attitude B, vehicle to ground.
@@ -175,8 +175,8 @@ impl<S: Real> Response<S> {
         for leg in &self.legs {
             let per_link = S::one() / leg.inertia[0];
             let mut rates = leg.link_damping.max(S::zero()) * per_link;
-            for answer in leg.answers() {
-                let (force, velocity) = (&answer.force, &answer.velocity);
+            for derivative in leg.derivatives() {
+                let (force, velocity) = (&derivative.force, &derivative.velocity);
                 let mut rate = force.link * velocity.link * per_link;
                 for (i, &per_inertia) in per_inertia.iter().enumerate() {
                     S::keep_rounds_apart();

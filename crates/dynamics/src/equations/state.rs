@@ -364,7 +364,7 @@ impl<S: Real> StateVector<S> for State<S> {
     }
 
     /// What moves is weighed by itself or one, whichever is greater; works are in ft·lb and follow from the motion,
-    /// so that they have no say in the first.
+    /// so that they do not count in the first.
     #[inline(always)]
     fn greatest_error<const TERMS: usize>(
         weights: [S; TERMS],

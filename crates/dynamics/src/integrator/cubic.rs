@@ -1,5 +1,5 @@
 //! Exits of signals whose rates are known: values and rates at both ends of a step are those of a cubic, which
-//! tells where a signal leaves its range, or that it stays, before anything in between is looked at.
+//! shows where a signal leaves its range, or that it stays, before anything in between is evaluated.
 
 use super::event::{CAUTION, Exit, Guard, Sample, SignalValues, locate};
 
@@ -12,18 +12,18 @@ pub trait Rated: SignalValues {
     fn rate(&self, index: usize) -> f64;
 }
 
-/// What the ends of a step tell of the signals between them.
+/// What the ends of a step imply for the signals between them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Prediction {
     /// All stay in their ranges.
     Stays,
     /// One leaves its range for good, and none before it for a while.
     Leaves,
-    /// It takes a look to know.
+    /// Only an evaluation within the step can decide.
     Doubtful,
 }
 
-/// A step of which only the ends have been looked at, all signals being inside at its start.
+/// A step of which only the ends have been evaluated, all signals being inside at its start.
 #[derive(Debug, Clone, Copy)]
 pub struct StepEnds<'a, V> {
     length: f64,
@@ -44,7 +44,7 @@ impl<'a, V: Rated> StepEnds<'a, V> {
         }
     }
 
-    /// What the ends of the step tell.
+    /// What the ends of the step imply.
     pub fn prediction(&self) -> Prediction {
         let mut exit = f64::INFINITY;
         let mut doubt = f64::INFINITY;
@@ -88,7 +88,7 @@ impl<'a, V: Rated> StepEnds<'a, V> {
     }
 }
 
-/// Greatest value of signal `index`, whose rate is known, over a stretch of `length` s between two looks.
+/// Greatest value of signal `index`, whose rate is known, over a stretch of `length` s between two samples.
 pub fn greatest<V: Rated>(index: usize, ends: [&V; 2], length: f64) -> f64 {
     let cubic = Cubic::of(index, ends, length);
     let turns = cubic.turns().map(|turn| cubic.at(turn));
@@ -133,7 +133,7 @@ impl Cubic {
         self.slope + u * (2.0 * self.bend + 3.0 * u * self.twist)
     }
 
-    /// Where it turns so near to the end of a range that it takes a look to know; infinite if nowhere.
+    /// Where it turns so near to the end of a range that only an evaluation can decide; infinite if nowhere.
     fn doubt(&self, guard: &Guard) -> f64 {
         let [least, greatest] = [self.start.min(self.end), self.start.max(self.end)];
         let is_doubtful = |turn: &f64| {
@@ -248,7 +248,7 @@ mod tests {
         StepEnds::new([&start, &end], LENGTH, guards).prediction()
     }
 
-    /// The exit, and the looks it took.
+    /// The exit, and the evaluations it took.
     fn exit(from: f64, guards: &[Guard], resolution: f64) -> (Node<FourSignals>, usize) {
         let ends = [signals_at(from, 0.0), signals_at(from, 1.0)];
         let [start, end] = &ends;
@@ -291,7 +291,7 @@ mod tests {
         assert_eq!(predicted(1.0, &[low, grazed]), Prediction::Leaves);
         let late = guard(1, Bounds::above(0.15));
         assert_eq!(predicted(1.0, &[late, grazed]), Prediction::Doubtful);
-        // A signal without a rate takes a look.
+        // A signal without a rate needs an evaluation.
         assert_eq!(
             predicted(1.0, &[guard(2, Bounds::FREE)]),
             Prediction::Doubtful

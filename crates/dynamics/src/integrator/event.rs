@@ -124,7 +124,7 @@ pub struct Node<V> {
     pub signals: V,
 }
 
-/// Signals seen at one point of a step.
+/// Signals at one point of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<'a, V> {
     /// Fraction of the step, 0 to 1.
@@ -141,7 +141,7 @@ impl<V: Copy> Node<V> {
         }
     }
 
-    /// A look at this node.
+    /// This node as a sample.
     pub fn sample(&self) -> Sample<'_, V> {
         Sample {
             theta: self.theta,
@@ -163,11 +163,11 @@ fn any_outside<V: SignalValues>(signals: &V, guards: &[Guard]) -> bool {
 
 /// How much of a predicted overshoot is believed to be missing from the prediction.
 pub(super) const CAUTION: f64 = 0.5;
-/// Looks taken at one suspected excursion.
+/// Evaluations spent on one suspected excursion.
 const LOOKS: usize = 6;
 
-/// How far a signal can stray between two known values: the change over the step and what the step
-/// before lets expect, `ratio` being this step's length over that one's. Eight times as far as a parabola through the
+/// How far a signal can stray between two known values: the change over the step plus the change that the previous step
+/// suggests; `ratio` is this step's length over the previous one's. This is eight times as far as a parabola through the
 /// three values would turn.
 #[inline(always)]
 pub(super) fn stray<S: Real>(before: S, start: S, end: S, ratio: S) -> S {
@@ -192,7 +192,7 @@ pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bo
 
 /// Finds the first exit of any signal within a step, or a part of it, that was looked at where it starts, where all
 /// signals are inside, between and where it ends. `evaluate` writes the signals at a fraction of the step. Excursions
-/// that begin and end between the looks are looked for where three neighbouring values bend
+/// that begin and end between the samples are sought where three neighbouring values bend
 /// toward an end of the range. Returns where it is just outside, within `resolution` of the exit, and which of
 /// `buffers` has the signals there; the other buffers are overwritten.
 pub fn first_exit<V: SignalValues>(
@@ -308,7 +308,7 @@ fn hidden_excursion<V: SignalValues>(
 const MOST_FAILURES: u32 = 2;
 
 /// Narrows the bracket from the first of three nodes, inside, to the second, outside, until its far end lies
-/// within `resolution` of the exit. `predict` says where that is, from the ends of the bracket and the node
+/// within `resolution` of the exit. `predict` estimates where that is, from the ends of the bracket and the node
 /// that was one last. After predictions that do not halve the bracket it is halved. Returns the far end, and which of
 /// `buffers` has the signals there.
 pub(super) fn locate<V: SignalValues>(
@@ -365,7 +365,7 @@ pub(super) fn locate<V: SignalValues>(
 }
 
 /// Where a signal that is inside at the first of three nodes leaves its range on the parabola through all of
-/// them, if it is outside at the second; infinite if it is not. The nodes' other signals have no say: of two that leave, one may be
+/// them, if it is outside at the second; infinite if it is not. The nodes' other signals do not matter: of two that leave, one may be
 /// far outside where the other has just left.
 fn exit_on_parabola<V: SignalValues>(
     guard: &Guard,

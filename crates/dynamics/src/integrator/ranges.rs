@@ -53,8 +53,8 @@ impl<const QUADS: usize> Ranges<QUADS> {
         farthest.all(|beyond| beyond <= 0.0)
     }
 
-    /// Whether no number can have left its range within a step, as looks before the step before, at the start and
-    /// at the end of the step tell, `ratio` being this step's length over that one's: at both ends of the step it is
+    /// Whether no number can have left its range within a step, judged from its values at the start of the previous step and at
+    /// the start and end of this one; `ratio` is this step's length over the previous one's: at both ends of the step it is
     /// farther inside than it can stray (`event::stray`). How far each can get beyond its range is written to `reach`; negative
     /// where it stays inside.
     #[inline(always)]

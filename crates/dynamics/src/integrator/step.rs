@@ -65,7 +65,7 @@ pub struct Step<S, Y> {
     /// State at a stage between, as far as it moves.
     pub(super) stage: Y,
     /// Derivatives at stages 1, 3, 4, 5, 6 and at the end of an explicit step, which gives its second stage
-    /// no weight; of an implicit step what its weights say, first and last the derivatives at its ends.
+    /// no weight; of an implicit step what its weights combine, first and last the derivatives at its ends.
     pub slopes: [Y; 6],
     /// Length, s.
     pub length: S,

@@ -10,7 +10,7 @@ const LEAST_FACTOR: f64 = 0.2;
 const GREATEST_FACTOR: f64 = 5.0;
 /// Binary logarithm of 1e-4: no smaller error of a step is remembered.
 const SMALL_ERROR: f64 = -13.287_712_379_549_45;
-/// No step is longer than this, s: a step cannot outgrow what its three looks at the signals see.
+/// No step is longer than this, s: a step cannot outgrow what three samples of the signals show.
 pub const LONGEST: f64 = 0.02;
 /// Below this the time no longer advances, s.
 pub const SHORTEST: f64 = 1e-14;
@@ -73,7 +73,7 @@ impl StepControl {
         self.proposed = self.proposed.max(whole);
     }
 
-    /// Takes note of an event after which the motion goes on under other laws.
+    /// Takes note of an event after which other laws hold.
     pub fn restart(&mut self) {
         self.last_error = SMALL_ERROR;
         self.rejected = false;

@@ -6,7 +6,7 @@ pub use crate::rules::CrushRule;
 
 use crate::invalid::{Invalid, bounded, require};
 
-/// Touchdown conditions as an input says them; foot, second, radian.
+/// Touchdown conditions as an input gives them; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conditions {
     /// Downward velocity V_V of the CG, ft/s, ≥ 0.

@@ -1,7 +1,7 @@
 //! The lander: mass properties and legs (model chapter 8), checked once and correct from then on.
 //!
 //! Foot, slug, pound, second and radian throughout. The plain structs ([`LegDesign`] and its
-//! parts) are what an input file says; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
+//! parts) are what an input file describes; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
 //! that every law of the model can use without asking again.
 
 use std::f64::consts::TAU;

@@ -11,7 +11,7 @@ pub struct CriticalFeet {
 
 /// The report's rule for the critical feet: the foot alone on its side with its neighbour, the one
 /// before it when it stands on the positive side and the one after it when on the negative. Both
-/// say the same: the step from a foot on the negative side to the next one on the positive side.
+/// agree: the step from a foot on the negative side to the next one on the positive side.
 /// In this form the rule serves any ring of feet. `None`: all feet on one side, toppling in yaw.
 pub fn critical_feet(positive: &[bool]) -> Option<CriticalFeet> {
     (0..positive.len())

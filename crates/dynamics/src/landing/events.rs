@@ -59,7 +59,7 @@ impl Trajectory<'_> {
                 Prediction::Doubtful
             }
         };
-        // Nothing before tells how signals turn under laws that are new: that takes a look at the middle.
+        // No earlier step shows how signals bend under new laws: the middle has to be evaluated.
         let are_laws_new = self.earlier.is_none();
         let mut prediction = if are_laws_new {
             Prediction::Doubtful
@@ -93,7 +93,7 @@ impl Trajectory<'_> {
     }
 
     /// Puts the laws in place that hold from the present state on. One change can bring another
-    /// with it, so this goes on until every signal lies in its range.
+    /// with it, so this repeats until every signal lies in its range.
     pub(super) fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
             self.evaluate();
@@ -105,7 +105,7 @@ impl Trajectory<'_> {
         Err(Outcome::Failure(Failure::Chattering))
     }
 
-    /// Centres the coefficients of laws that bend gently; the laws themselves stay.
+    /// Recentres the coefficients of laws that bend gently; the laws themselves stay.
     pub(super) fn follow(&mut self) {
         for j in 0..self.leg_count() {
             let stroke = self.signals.start().of(j, Signal::Stroke);
@@ -143,7 +143,7 @@ impl Trajectory<'_> {
         Ok(exits.iter().any(Option::is_some))
     }
 
-    /// Tells the turn of a pad anew whose hinge did something else before.
+    /// Restates the turn of a pad whose hinge has changed its mode.
     fn turn_pad(&mut self, leg: usize, before: &LegMode) {
         let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
         if !mode.has_other_hinge(before) {

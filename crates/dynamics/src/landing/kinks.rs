@@ -14,7 +14,7 @@ use crate::per_leg::{MOST_LEGS, PerLeg};
 
 /// Share of a step within which its end is moved to a kink.
 const WITHIN: [f64; 2] = [0.03, 0.98];
-/// How far past a predicted kink a step goes, in units of its way there.
+/// How far past a predicted kink a step goes, as a share of the distance to it.
 const PAST: f64 = 1e-4;
 /// Share of a step within which a kink is located: so little beyond it does not show in the error of a step.
 const RESOLUTION: f64 = 1e-3;
@@ -71,7 +71,7 @@ impl Trajectory<'_> {
         kink.filter(|theta| *theta > RESOLUTION && *theta < reach)
     }
 
-    /// Whether leg `j` may have run over a gentle kink within the step, as its ends tell.
+    /// Whether leg `j` may have run over a gentle kink within the step, judged from its ends.
     fn may_run_over(&self, j: usize) -> bool {
         let Some(kinks) = &self.kinks[j] else {
             return false;
@@ -81,7 +81,7 @@ impl Trajectory<'_> {
         let length = self.step.length;
         let [start_rate, end_rate] = [start, end].map(|all| all.of(j, Signal::LinkRate));
         let stroking = end.of(j, Signal::StrutLever) * end_rate;
-        // Twice as far as a parabola strays on its way to a turning point and back.
+        // Twice as far as a parabola strays between its ends and its turning point.
         let turning_point = || start_rate + length * first * first / (first - last);
         kinks.strokes.violation(end.of(j, Signal::Stroke)) > RESOLUTION * (length * stroking).abs()
             || kinks.link_rates.violation(end_rate) > RESOLUTION * (length * last).abs()
@@ -132,8 +132,8 @@ impl Trajectory<'_> {
     }
 }
 
-/// When a quantity that goes on from its present value with its first and second derivatives leaves a
-/// range, if that is within so long a time, s.
+/// When a quantity with this value and these first and second derivatives leaves a range, if that is within so long a
+/// time, s.
 fn time_to_leave(range: Bounds, [value, slope, bend]: [f64; 3], within: f64) -> Option<f64> {
     let end = value + (slope + 0.5 * bend * within) * within;
     let way = end.clamp(range.lower, range.upper) - value;

@@ -5,7 +5,7 @@ use super::trajectory::Trajectory;
 use crate::integrator::parabola::Parabola;
 use crate::per_leg::PerLeg;
 
-/// Parabolas laid toward a greatest force between the ends of a step.
+/// Parabolas fitted to find a greatest force between the ends of a step.
 const REFINEMENTS: usize = 2;
 
 impl Trajectory<'_> {

@@ -16,7 +16,7 @@ const QUADS: usize = Signals::RANGED_QUADS;
 /// How far beyond their ranges signals get, while nothing is known of it.
 const NOWHERE: [Quad; QUADS] = [Lanes([0.0; LANES]); QUADS];
 
-/// Signals to be watched, as many as there can be.
+/// Guarded signals, as many as there can be.
 pub(super) type Guards = ArrayVec<Guard, { QUADS * LANES * MOST_LEGS }>;
 
 /// Ranges of all legs' signals.
@@ -69,9 +69,9 @@ impl SignalRanges {
         })
     }
 
-    /// Whether no signal can have left its range within a step of `length` s, as looks before the step before, at the
-    /// start and at the end of the step tell, `ratio` being this step's length over the time between the first
-    /// two. Those that may have are put into `guards`.
+    /// Whether no signal can have left its range within a step of `length` s, judged from the signals at the start of the previous
+    /// step and at the start and end of this one; `ratio` is this step's length over the previous one's. Signals that may have
+    /// left are put into `guards`.
     #[inline(always)]
     pub(super) fn keep(
         &self,
@@ -84,8 +84,7 @@ impl SignalRanges {
         (self.registers).dispatch(Keep(self, looks, Some([ratio, length]), guards))
     }
 
-    /// Puts those signals into `guards` that may have left their ranges within a step, as looks at its start,
-    /// middle and end tell.
+    /// Puts those signals into `guards` that may have left their ranges within a step, judged from its start, middle and end.
     #[inline(always)]
     pub(super) fn guard_suspects(&self, looks: [&Signals<f64>; 3], guards: &mut Guards) {
         guards.clear();
@@ -110,8 +109,8 @@ impl SignalRanges {
     }
 }
 
-/// Whether all signals keep their ranges, by rates where ratio and length of the step are given; those that may not are
-/// watched.
+/// Whether all signals keep their ranges, by rates where ratio and length of the step are given; those that may not become
+/// guards.
 struct Keep<'a>(
     &'a SignalRanges,
     [&'a Signals<f64>; 3],

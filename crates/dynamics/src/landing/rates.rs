@@ -1,5 +1,4 @@
-//! How fast a landing was still on its way when it ended: what tells how far beyond toppling or
-//! bottoming it would have gone.
+//! Rates at the end of a landing, from which a search estimates how far beyond toppling or bottoming it would have gone.
 
 use crate::motion::{Motion, Pieces, Signal};
 use crate::per_leg::PerLeg;

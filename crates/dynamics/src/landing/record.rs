@@ -78,6 +78,18 @@ impl Energies {
         self.legs.iter().map(LegWork::total).sum()
     }
 
+    /// Energy that crushing elements gave to the motion, those that gave more than they took, ft·lb; zero where it is rounding.
+    pub fn given_by_crushing(&self) -> f64 {
+        const LEAST_SHARE: f64 = 1e-9;
+        let works = (self.legs.iter()).flat_map(|leg| [leg.pad_crush, leg.block_crush]);
+        let given: f64 = works.map(|work| (-work).max(0.0)).sum();
+        if given > LEAST_SHARE * self.initial_kinetic.max(1.0) {
+            given
+        } else {
+            0.0
+        }
+    }
+
     /// What the account does not explain, ft·lb; zero but for integration error.
     pub fn closure(&self) -> f64 {
         self.initial_kinetic + self.potential_change - self.dissipated() - self.final_kinetic
@@ -113,7 +125,7 @@ pub struct Landing {
     pub max_strut_force: PerLeg<f64>,
     /// Greatest stroke of each strut, ft.
     pub max_stroke: PerLeg<f64>,
-    /// How fast it was still on its way at the end.
+    /// Rates at the end.
     pub final_rates: FinalRates,
     /// First contact of each footpad, s.
     pub pad_contact: PerLeg<Option<f64>>,
@@ -162,7 +174,7 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// The instant at `time`, with `energies` kinetic and released, and what the laws tell of the `feet`.
+    /// The instant at `time`, with `energies` kinetic and released, and the feet's state that only the laws know.
     pub(crate) fn new(
         time: f64,
         state: &State<f64>,
@@ -208,7 +220,7 @@ impl Instant {
     }
 }
 
-/// What only the laws of a leg can tell of its foot.
+/// State of a foot that only the laws of its leg know.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Foot {
     /// Footpad angle α, rad.

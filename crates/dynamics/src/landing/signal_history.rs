@@ -1,9 +1,9 @@
-//! What the legs' signals were, are and will be: before the last step, at the start of the present one and
-//! at its end. They take turns, so that nothing is copied as steps go on.
+//! The legs' signals at three instants: the start of the previous step, and the start and end of the present one. The three
+//! buffers rotate, so that nothing is copied from step to step.
 
 use crate::motion::Signals;
 
-/// Three signals at the signals.
+/// The signals at three instants.
 pub(crate) struct SignalHistory {
     signals: [Signals<f64>; 3],
     now: usize,

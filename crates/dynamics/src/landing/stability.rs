@@ -1,4 +1,4 @@
-//! Stability angle, critical feet and the quantities outcomes are verdict_found by (2.7, model chapter 7).
+//! Stability angle, critical feet and the quantities that decide outcomes (2.7, model chapter 7).
 
 use arrayvec::ArrayVec;
 use libm::{atan2, hypot};
@@ -31,7 +31,7 @@ const CALM_MARGIN: f64 = 0.5;
 )]
 const ROCKED_UP: f64 = 0.7854;
 const ROCKED_BACK: f64 = 0.874;
-/// Tangent of the angle by which the CG's horizontal velocity may turn from one look to the next. σ follows that
+/// Tangent of the angle by which the CG's horizontal velocity may turn from one observation to the next. σ follows that
 /// direction, and where the CG all but stands still the velocity turns round within milliseconds.
 const MOST_TURN: f64 = 0.05;
 /// Slacks: foot side (ft²/s or ft), stability angle (rad), the rest (ft/s, rad/s, ft).
@@ -44,7 +44,7 @@ pub fn calm_height(vehicle: &Vehicle) -> f64 {
     vehicle.standing_height() + CALM_MARGIN
 }
 
-/// The plane in which toppling is verdict_found.
+/// The plane in which toppling is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Plane {
     /// That of the CG's horizontal velocity.
@@ -53,7 +53,7 @@ pub enum Plane {
     Slope,
 }
 
-/// What outcomes are verdict_found by, at one instant.
+/// The quantities that decide outcomes, at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Observation {
     /// What has a range: σ; what has to calm down; the side of each foot, positive to the left of the plane.
@@ -134,7 +134,7 @@ impl From<Verdict> for Outcome {
     }
 }
 
-/// How stability is being verdict_found: plane, critical feet, and which limits the motion is within.
+/// How stability is judged: plane, critical feet, and which limits the motion is within.
 #[derive(Debug, Clone)]
 pub struct StabilityMonitor {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
@@ -240,8 +240,8 @@ impl StabilityMonitor {
     }
 
     /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
-    /// observed now and the least σ so far. They stay until the next look, but for the end of
-    /// rockback.
+    /// observed now and the least σ so far. They stay until the next choice, except the end of
+    /// rock-back.
     pub fn guard(&mut self, seen: &Observation, least_angle: f64) {
         let highest = if least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
@@ -276,16 +276,16 @@ impl StabilityMonitor {
         }
     }
 
-    /// Whether no range can have been left within a step, as observations before the step before, at the start and
-    /// at the end of the step tell, `ratio` being this step's length over that one's.
+    /// Whether no range can have been left within a step, judged from observations at the start of the previous step and at the
+    /// start and end of this one; `ratio` is this step's length over the previous one's.
     pub fn keep(&self, observations: [&Observation; 3], ratio: f64) -> bool {
         let looks = observations.map(Observation::ranged);
         let mut reach = [Quad::zero(); QUADS];
         self.ranges.keep(looks, ratio, &mut reach)
     }
 
-    /// Share of a stretch of motion in which the plane of judgement turns so little that looks at the ends
-    /// tell what σ does between, the CG's velocity changing evenly from end to end: 1 if it is all of it.
+    /// Share of a stretch of motion in which the plane of motion turns so little that observations at the ends show what σ does
+    /// between, the CG's velocity changing evenly from end to end: 1 if that is all of it.
     pub fn share_within_turn(&self, start: &Observation, end: &Observation) -> f64 {
         let horizontal = |seen: &Observation| (seen.get(FIRST_CALM), seen.get(FIRST_CALM + 1));
         let ((ax, ay), (bx, by)) = (horizontal(start), horizontal(end));

@@ -1,5 +1,5 @@
-//! A step tried, explicit or implicit, for one landing or for several in lanes: the one place where the method of the
-//! integrator, the equations of motion and the registers meet.
+//! An attempted step, explicit or implicit, of one landing or of several in lanes. Here the integrator's method, the equations
+//! of motion and the registers meet.
 
 use pulp::NullaryFnOnce;
 
@@ -37,13 +37,13 @@ impl StepKind {
     }
 }
 
-/// A step to try.
+/// A step to attempt.
 pub(crate) struct TakeStep<'a, R, S> {
     pub(crate) registers: R,
     pub(crate) kind: StepKind,
     pub(crate) motion: &'a Motion<S>,
     pub(crate) pieces: &'a Pieces<S>,
-    /// How forces answer at its start, for an implicit step.
+    /// Derivatives of the forces at its start, for an implicit step.
     pub(crate) response: &'a Response<S>,
     pub(crate) step: &'a mut Step<S, State<S>>,
     /// Length of the step, s.
@@ -141,7 +141,7 @@ impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {
     }
 }
 
-/// How forces answer at a state.
+/// The derivatives of the forces at a state.
 pub(crate) struct Respond<'a, S>(
     pub(crate) &'a Motion<S>,
     pub(crate) &'a State<S>,

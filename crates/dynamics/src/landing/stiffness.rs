@@ -1,4 +1,4 @@
-//! When steps are stiff, and how the forces answer then.
+//! When steps are stiff, and the derivatives of the forces there.
 
 use super::step_attempt::Respond;
 use crate::motion::{Motion, Pieces};
@@ -14,15 +14,15 @@ const STIFF: f64 = 2.5;
 const EXPLICIT_LIMIT: f64 = 6.3;
 /// Share of the limit below which a step is far from stiff.
 const FAR: f64 = 0.5;
-/// Steps from one look to the next, unless a law changes, far from the limit and near it.
+/// Steps from one test to the next, unless a law changes, far from the limit and near it.
 const STEPS_FAR: u32 = 17;
 const STEPS_NEAR: u32 = 4;
 
-/// Whether steps are stiff, looked at as seldom as it may be.
+/// Whether steps are stiff, tested as seldom as possible.
 pub(super) struct Stiffness {
     response: Response<f64>,
     limit: f64,
-    /// Explicit steps to come before looking again.
+    /// Explicit steps left until the next test.
     mild_steps: u32,
 }
 
@@ -35,12 +35,12 @@ impl Stiffness {
         }
     }
 
-    /// Takes note of a change of laws.
+    /// Forgets the last test, as laws have changed.
     pub(super) fn forget(&mut self) {
         self.mild_steps = 0;
     }
 
-    /// How forces answer where a step was found to be stiff last.
+    /// Derivatives of the forces where a step was last found to be stiff.
     pub(super) fn response(&self) -> &Response<f64> {
         &self.response
     }

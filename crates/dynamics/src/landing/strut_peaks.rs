@@ -25,7 +25,7 @@ impl StrutPeaks {
         }
     }
 
-    /// Takes note of a stretch of `length` s by what is seen at its ends.
+    /// Takes note of a stretch of `length` s from the signals at its ends.
     #[inline(always)]
     pub(super) fn note(&mut self, ends: [&Signals<f64>; 2], length: f64) {
         let [start, end] = ends;
@@ -55,7 +55,7 @@ impl StrutPeaks {
         (1.0 + NOTABLE) * self.force[leg]
     }
 
-    /// Whether the force on any strut may have been greater than ever between three looks at a step.
+    /// Whether the force on any strut may have exceeded its greatest value between three samples of a step.
     #[inline(always)]
     pub(super) fn may_be_exceeded(&self, looks: [&Signals<f64>; 3]) -> bool {
         (0..self.force.len()).any(|j| {
@@ -65,8 +65,8 @@ impl StrutPeaks {
         })
     }
 
-    /// Whether it may have been so within a stretch of which only the ends were looked at, as looks before the
-    /// stretch before, at the start and at the end tell, `ratio` being its length over that one's.
+    /// The same for a stretch of which only the ends were evaluated, judged from the signals at the start of the previous stretch and
+    /// at the start and end of this one; `ratio` is its length over the previous one's.
     #[inline(always)]
     pub(super) fn may_be_hidden(&self, looks: [&Signals<f64>; 3], ratio: f64) -> bool {
         let share = ratio / (1.0 + ratio);

@@ -1,4 +1,4 @@
-//! The trajectory of one landing: where it is, which laws hold, and what has been noted on the way.
+//! The trajectory of one landing: its state, the laws in force, and the extremes and contacts so far.
 
 use arrayvec::ArrayVec;
 
@@ -69,13 +69,13 @@ pub(crate) struct Trajectory<'o> {
     pub(crate) step: Step<f64, State<f64>>,
     /// Overwritten by the stages of implicit steps.
     pub(super) stages: [State<f64>; 6],
-    /// How the present step goes on if it is one of free flight.
+    /// The present step in closed form, if it is one of free flight.
     pub(super) free: Option<FreeFlight>,
     pub(crate) signals: SignalHistory,
-    /// The signals in the middle of the step, if it is implicit or was looked into.
+    /// The signals in the middle of the step, if they were evaluated.
     pub(crate) middle: Signals<f64>,
     pub(super) is_middle_seen: bool,
-    /// Signals at the points of the step that an event was closed in by.
+    /// Signals at the points of the step between which an event was located.
     pub(super) buffers: [Signals<f64>; 3],
     /// The step before, if no law has changed since.
     pub(super) earlier: Option<Earlier>,

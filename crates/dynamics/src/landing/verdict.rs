@@ -7,21 +7,21 @@ use crate::motion::{Footing, Signals};
 use crate::stability::{Observation, StabilityMonitor, Verdict};
 use crate::state::Body;
 
-/// Parabolas laid toward a least σ between the nodes of a step.
+/// Parabolas fitted to find a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
 
 /// Stability as it has been followed so far.
 pub(super) struct StabilityTrack {
     monitor: StabilityMonitor,
-    /// What the monitor sees now.
+    /// The present observation.
     seen: Observation,
-    /// What it saw at the start of the step before, and how long ago that is, s. Laws that change leave it: feet
-    /// and velocities go on without a jump.
+    /// The observation at the start of the previous step, and how long ago that was, s. It survives changes of laws: feet and
+    /// velocities do not jump.
     before: Option<(Observation, f64)>,
 }
 
 impl StabilityTrack {
-    /// A monitor and what it sees at touchdown.
+    /// A monitor and its observation at touchdown.
     pub(super) fn new(monitor: StabilityMonitor, seen: Observation) -> Self {
         Self {
             monitor,
@@ -30,7 +30,7 @@ impl StabilityTrack {
         }
     }
 
-    /// Looks round at touchdown.
+    /// Judges the touchdown.
     ///
     /// # Errors
     /// The verdict, if there already is one.

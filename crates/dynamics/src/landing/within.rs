@@ -1,4 +1,4 @@
-//! A step seen from within: states and signals between its ends.
+//! States and signals between the ends of a step.
 
 use pulp::NullaryFnOnce;
 
@@ -8,7 +8,7 @@ use crate::motion::{FreeFlight, Motion, Pieces, Signals};
 use crate::registers::Registers;
 use crate::state::State;
 
-/// The course of a step between its ends.
+/// A step between its ends.
 #[derive(Clone, Copy)]
 pub(super) struct Between<'a> {
     pub(super) step: &'a Step<f64, State<f64>>,
@@ -35,7 +35,7 @@ impl Between<'_> {
     }
 }
 
-/// A look at the signals within a step.
+/// Evaluates the signals within a step.
 pub(super) struct Look<'a> {
     pub(super) motion: &'a Motion<f64>,
     pub(super) pieces: &'a Pieces<f64>,
@@ -74,7 +74,7 @@ impl Trajectory<'_> {
         self.step.before = self.state_at(theta);
     }
 
-    /// The course of the step.
+    /// The step between its ends.
     fn between(&self) -> Between<'_> {
         Between {
             step: &self.step,

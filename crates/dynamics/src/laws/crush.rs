@@ -93,9 +93,9 @@ impl CrushLaw {
             .unwrap_or(last)
     }
 
-    /// How an element with plastic set `set` (ft) answers at an interference, `driven` saying
+    /// The piece of an element with plastic set `set` (ft) at an interference; `driven` says
     /// whether it may crush further: for methods that ask anew at every evaluation.
-    pub fn answer(&self, set: f64, interference: f64, driven: bool) -> CrushState {
+    pub fn state_at(&self, set: f64, interference: f64, driven: bool) -> CrushState {
         let elastic = interference - set;
         let line = |offset, slope| PressureLine { offset, slope };
         if elastic <= self.pressure_threshold {

@@ -48,7 +48,7 @@ pub enum Failure {
     Chattering,
 }
 
-/// Coarse class of an outcome: what a boundary search tells apart.
+/// Coarse class of an outcome: the classes that a boundary search distinguishes.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Class {

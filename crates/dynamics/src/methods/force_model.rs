@@ -22,13 +22,13 @@ pub type Sets = PerLeg<[f64; 3]>;
 pub struct ForceModel {
     motion: Motion<f64>,
     laws: Vec<LegLaws>,
-    /// Pieces for a look at signals that no piece has a say in.
+    /// Pieces with which to evaluate signals that depend on no piece.
     untouched: Pieces<f64>,
     /// A place to start from for the pieces of each leg.
     untouched_legs: PerLeg<LegPieces<f64>>,
 }
 
-/// What the laws say at one state.
+/// What the laws give at one state.
 #[derive(Debug, Clone)]
 pub struct Look {
     /// Derivative of the state.
@@ -68,7 +68,7 @@ impl ForceModel {
         &self.motion
     }
 
-    /// Chooses the pieces at a state and evaluates; the sets grow as the laws say.
+    /// Chooses the pieces at a state and evaluates; the sets grow by the laws.
     pub fn look(&self, state: &State<f64>, sets: &mut Sets) -> Look {
         let mut signals = self.motion.signals(state, &self.untouched, false);
         let mut pieces = self.untouched_legs;

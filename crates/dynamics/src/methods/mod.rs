@@ -34,7 +34,7 @@ use crate::scene::{Scene, Settings};
 use crate::vehicle::Vehicle;
 use flight::Flight;
 
-/// Computes a landing with any of these methods, whatever the settings say of the method.
+/// Computes a landing with any of these methods, whatever method the settings name.
 pub fn land_by(
     stepper: &mut impl Stepper<ForceModel>,
     (vehicle, scene): (&Vehicle, &Scene),

@@ -1,6 +1,6 @@
 //! The integrator of the report (3.2, 3.3): Runge-Kutta over an interval and over its halves.
 //!
-//! The difference of the two results takes the fifth-order error away and tells, over 180, the
+//! The difference of the two results removes the fifth-order error and gives, over 180, the
 //! error that remains. An interval whose error is too great is cut in half, its first half being
 //! known already; after a good one the next is (2 − u) times as long, u being the greatest error
 //! in terms of what is allowed. What is left of the laws' memory by trial stages goes on into the

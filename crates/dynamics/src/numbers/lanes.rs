@@ -159,18 +159,18 @@ impl<const N: usize> Real for Lanes<N> {
     }
 }
 
-/// What can be laid side by side.
+/// Types whose numbers can stand side by side in lanes.
 pub trait PerLane: Sized {
     /// So many of them, their numbers in lanes.
     type Lanes<const N: usize>;
 
-    /// Lays them side by side.
+    /// Puts them side by side.
     fn from_lanes<const N: usize>(ones: [&Self; N]) -> Self::Lanes<N>;
 
     /// The one in a lane.
     fn lane<const N: usize>(wide: &Self::Lanes<N>, lane: usize) -> Self;
 
-    /// Lays itself into a lane in place of what is there.
+    /// Writes itself into a lane.
     fn set_lane<const N: usize>(&self, wide: &mut Self::Lanes<N>, lane: usize);
 
     /// The same in all lanes.

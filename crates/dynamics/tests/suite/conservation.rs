@@ -2,15 +2,17 @@
 
 use crate::common::bare::Bare;
 use crate::common::random::{crush_rule, fixed_list, usual_conditions};
-use crate::common::{level_scene, off_center, sample_deck, table_4_1};
+use crate::common::{
+    PRINCIPAL, level, level_scene, off_center, sample_deck, surveyor_leg, table_4_1,
+};
 use nalgebra::{Vector3, Vector4};
 use rayon::prelude::*;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Outcome;
-use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::state::{Body, State, rotation};
 use touchdown_dynamics::touchdown::extended_legs;
-use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
 /// A tumbling vehicle far above the ground.
 fn tumbling(vehicle: &Vehicle) -> State<f64> {
@@ -60,6 +62,44 @@ fn free_flight_conserves_momentum_and_energy() {
     assert!((l1 - l0).norm() < 1e-12 * l0.norm(), "{l0} became {l1}");
     let (e0, e1) = (energy(&vehicle, &before), energy(&vehicle, &after));
     assert!((e1 - e0).abs() < 1e-12 * e0.abs(), "{e0} became {e1}");
+}
+
+/// Energy that the pads of the Surveyor, crushed at a multiple of their pressure, give to the motion in a landing, ft·lb.
+fn given_by_pads(factor: f64, rule: CrushRule, conditions: Conditions) -> f64 {
+    let legs = [0.0, 120.0, 240.0].map(|azimuth| {
+        let mut design = surveyor_leg(azimuth);
+        design.footpad.crush_pressure *= factor;
+        Leg::new(design).unwrap()
+    });
+    let vehicle = Vehicle::new(20.0, 5.31, 1.445, PRINCIPAL, legs).unwrap();
+    let settings = Settings::new(1e-8, 10.0, rule).unwrap();
+    let landing = land(&vehicle, &Scene::new(conditions).unwrap(), &settings);
+    assert!(landing.energies.closure().abs() < 1e-3);
+    landing.energies.given_by_crushing()
+}
+
+/// Forces act at the pivot, whose way into the ground is counted. A pad that friction tips about its hinge gets deeper
+/// while its pivot stands still, and gives that back as the pivot rises: under either rule, where it is too stiff to crush.
+#[test]
+fn stiff_pads_that_friction_tips_give_more_than_they_took_under_either_rule() {
+    let baseline = level(180.0, 0.0, 11.0);
+    for rule in [CrushRule::PivotRate, CrushRule::Section] {
+        assert_eq!(given_by_pads(1.0, rule, baseline), 0.0);
+        let stiff = given_by_pads(30.0, rule, baseline);
+        assert!(stiff > 100.0, "{rule:?}: {stiff}");
+        let drop = |pad_friction| Conditions {
+            slope: 0.0,
+            pad_friction,
+            ..level(180.0, 0.0, 0.0)
+        };
+        let [rough, slippery] =
+            [1.0, 0.0].map(|friction| given_by_pads(30.0, rule, drop(friction)));
+        println!("{rule:?}: {stiff} {rough} {slippery}");
+        assert!(
+            rough > 200.0 && slippery < 0.02 * rough,
+            "{rule:?}: {rough} {slippery}"
+        );
+    }
 }
 
 /// Greatest gap in the energy account, ft·lb; six times what was found.

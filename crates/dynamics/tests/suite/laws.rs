@@ -1,6 +1,7 @@
 //! The laws of the elements against what the model says of them, written out anew: shock absorber
 //! (42)-(45), friction profile C, and crushing along a path worked by hand.
 
+use crate::common::random::fixed_list;
 use crate::common::surveyor_leg;
 use touchdown_dynamics::contact::LegMode;
 use touchdown_dynamics::crush::{Crush, CrushLaw};
@@ -217,6 +218,43 @@ fn friction_profiles_differ_only_near_rest() {
         let after = coefficient(profile, limit * (1.0 + 1e-9));
         assert!((before - after).abs() < 1e-8, "{before} {after}");
         assert!((coefficient(profile, 0.5 * limit) - 0.5 * after).abs() < 1e-8);
+    }
+}
+
+/// Over its own interference no element gives back more than it took, whenever it may crush.
+#[test]
+fn an_element_gives_back_at_most_what_it_took() {
+    const FINE: u32 = 100;
+    let law = law();
+    let steps = proptest::collection::vec((-0.1..0.1f64, proptest::bool::ANY), 100);
+    for (number, path) in fixed_list(&steps, 50).into_iter().enumerate() {
+        let [
+            mut interference,
+            mut set,
+            mut given,
+            mut taken,
+            mut greatest,
+        ] = [0.0f64; 5];
+        for (step, may_crush) in path {
+            // Fine steps: the set follows the path.
+            for _ in 0..FINE {
+                // Every other path is that of the section rule: an element crushes whenever it gets deeper.
+                let driven = step > 0.0 && (number % 2 == 0 || may_crush);
+                let pressure = |at: f64, set: f64| law.answer(set, at, driven).line.at(at);
+                let next = (interference + step / f64::from(FINE)).clamp(-0.2, 1.0);
+                let before = pressure(interference, set);
+                set = law.answer(set, next, driven).set;
+                let work = 0.5 * (before + pressure(next, set)) * (next - interference);
+                (taken, given) = (taken + work.max(0.0), given + (-work).max(0.0));
+                assert!(given <= taken + 1e-6, "path {number}: {given} of {taken}");
+                interference = next;
+                greatest = greatest.max(set);
+            }
+        }
+        assert!(
+            taken > 0.1 && given > 0.01 && greatest > 0.02,
+            "{taken} {given} {greatest}"
+        );
     }
 }
 

@@ -21,7 +21,7 @@ use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 
 /// Version of the journals that this program writes.
-const FORMAT: u32 = 4;
+const FORMAT: u32 = 5;
 
 /// What lands, how, and how that is computed.
 pub type Landed<'l> = (&'l Vehicle, &'l Scene, &'l Settings);

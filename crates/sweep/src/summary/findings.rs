@@ -19,6 +19,8 @@ pub enum Finding {
         outcome: Outcome,
         /// Its results in the order of [`crate::landing_table`].
         cells: Vec<Cell>,
+        /// Energy that crushing elements gave to the motion ([`touchdown_dynamics::landing::Energies::given_by_crushing`]), ft·lb.
+        given_by_crushing: f64,
     },
     /// The search for the boundary, and sensitivities of the transition.
     Sensitive {
@@ -36,6 +38,7 @@ impl Finding {
         Self::Landing {
             outcome: landing.outcome.clone(),
             cells: columns.map(|(_, cell)| cell).collect(),
+            given_by_crushing: landing.energies.given_by_crushing(),
         }
     }
 
@@ -144,6 +147,7 @@ mod tests {
                 Cell::Number(-0.0),
                 Cell::Count(7),
             ],
+            given_by_crushing: 1.0 / 3.0,
         };
         for finding in [boundary, landing] {
             let bytes = finding.encode();

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::land_files::place_of;
 use crate::print::print;
 use crate::progress::Progress;
-use crate::{interrupt, summary};
+use crate::{interrupt, report, summary};
 
 /// Lands all cases and writes their results to `out`. Until then they are in a journal beside it, from which an
 /// interrupted run goes on.
@@ -58,6 +58,16 @@ pub fn run(
     let written = cases::table(names.zip(&findings)).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
+    for (case, finding) in table.rows.iter().zip(&findings) {
+        if let Finding::Landing {
+            given_by_crushing, ..
+        } = finding
+            && *given_by_crushing > 0.0
+        {
+            let warning = report::given_by_crushing(*given_by_crushing);
+            eprintln!("touchdown: warning: case {}: {warning}", case.name);
+        }
+    }
     if !quiet {
         // The time of a run that went on with another's work says nothing of the whole.
         let seconds = (earlier == 0).then_some(wall_time.as_secs_f64());

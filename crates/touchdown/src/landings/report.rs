@@ -113,17 +113,16 @@ pub fn text(
 
 /// What is to be told of a landing although its account closes: elements that gave back more than they took.
 pub fn warning(landing: &Landing) -> Option<String> {
-    // Less than that is rounding.
-    const LEAST_SHARE: f64 = 1e-9;
-    let energies = &landing.energies;
-    let works = (energies.legs.iter()).flat_map(|leg| [leg.pad_crush, leg.block_crush]);
-    let made: f64 = works.map(|work| (-work).max(0.0)).sum();
-    (made > LEAST_SHARE * energies.initial_kinetic.max(1.0)).then(|| {
-        format!(
-            "crushing footpads or blocks added {made:.4} ft lb to the motion, which no material does: \
-             they are too stiff for the crush laws"
-        )
-    })
+    let given = landing.energies.given_by_crushing();
+    (given > 0.0).then(|| given_by_crushing(given))
+}
+
+/// The warning that crushing elements gave so much energy, ft·lb.
+pub fn given_by_crushing(energy: f64) -> String {
+    format!(
+        "crushing footpads or blocks added {energy:.4} ft lb to the motion, which no material does: \
+         they are too stiff for the crush laws"
+    )
 }
 
 /// Lines of a name and what belongs to it.

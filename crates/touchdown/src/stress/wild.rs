@@ -72,7 +72,7 @@ pub fn run(bench: &Bench, sweep: &Sweep) -> Result<(), Failure> {
     for point in 0..count {
         let bytes = results.result(point)?;
         match bytes.as_deref().and_then(Finding::decode) {
-            Some(Finding::Landing { outcome, cells }) => account.add(point, &outcome, &cells),
+            Some(Finding::Landing { outcome, cells, .. }) => account.add(point, &outcome, &cells),
             _ => {
                 let complaint = format!("there is no result of landing {point}");
                 return Err(Failure::running(complaint));

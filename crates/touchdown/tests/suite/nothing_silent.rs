@@ -345,6 +345,30 @@ fn elements_that_give_back_more_than_they_took_are_told() {
     assert_eq!(done.code, Some(0), "{}", done.err);
     let warning = "warning: crushing footpads or blocks added ";
     assert!(done.err.contains(warning), "{}", done.err);
+
+    // The same in a table of cases, of those rows that are concerned.
+    let cases = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction,\
+                 vehicle.footpad.crush_pressure_psf\nsoft,14,11,180,15,1,1578.8\nstiff,14,11,180,15,1,\n";
+    bench.write("cases.csv", cases);
+    let done = bench.run(&[
+        "land",
+        "--vehicle",
+        "surveyor.toml",
+        "--cases",
+        "cases.csv",
+        "--out",
+        "out.csv",
+    ]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let told: Vec<&str> = (done.err.lines())
+        .filter(|line| line.contains("crushing"))
+        .collect();
+    assert_eq!(told.len(), 1, "{}", done.err);
+    assert!(
+        told[0].contains("warning: case stiff: crushing footpads or blocks added "),
+        "{}",
+        told[0]
+    );
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Where the feet stand: what stability is verdict_found by.
+//! Where the feet stand, by which stability is judged.
 
 use nalgebra::Vector3;
 
@@ -18,7 +18,7 @@ pub struct Footing {
 }
 
 impl Footing {
-    /// As the signals of all legs tell it, with the CG at a depth (ft) below the surface.
+    /// From the signals of all legs, with the CG at a depth (ft) below the surface.
     pub fn from_signals(signals: &Signals<f64>, depth: f64) -> Self {
         let legs = signals.leg_count();
         let foot = [Signal::FootX, Signal::FootY, Signal::FootZ];

@@ -29,7 +29,7 @@ pub struct FreeFlight {
     legs: PerLeg<HangingLeg>,
 }
 
-/// How a leg that hangs goes on.
+/// The motion of a leg that hangs.
 #[derive(Debug, Clone, Copy)]
 struct HangingLeg {
     /// Rate at which the link's rate runs down, 1/s, and what there is of it to run down, rad/s.

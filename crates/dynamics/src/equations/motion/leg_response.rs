@@ -1,4 +1,4 @@
-//! How the forces on a leg answer small changes of the motion.
+//! Derivatives of the forces on a leg with respect to the motion.
 
 use nalgebra::{Matrix3, Vector3, Vector4, Vector6};
 
@@ -27,7 +27,7 @@ impl<S: Real> Motion<S> {
         }
     }
 
-    /// Writes how the forces answer at a state.
+    /// Writes the derivatives of the forces at a state.
     #[inline(always)]
     pub fn respond(&self, state: &State<S>, pieces: &Pieces<S>, response: &mut Response<S>) {
         let body = state.body();
@@ -51,7 +51,7 @@ impl<S: Real> Motion<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Writes how the forces on this leg answer, the pad's turn being its angle: the derivatives of what
+    /// Writes the derivatives of the forces on this leg, the pad's turn being its angle: those of what
     /// [`Self::action`] computes, but for attitude factors and for levers of the body.
     #[inline(always)]
     pub(super) fn respond(
@@ -71,7 +71,7 @@ impl<S: Real> LegMotion<S> {
         response.pad_turn = pieces.hinge.turn_changes(pad_angle);
         response.hinge_gain = pieces.hinge.gain_at(pad_angle);
         response.swings_pads = !response.hinge_gain.is_zero();
-        // Legs that hang in the air answer nothing else.
+        // Legs that hang in the air have no other forces.
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return;
         }
@@ -203,7 +203,7 @@ impl<S: Real> LegMotion<S> {
         });
     }
 
-    /// Strut (42)-(45) on the link (68), which may not be free to answer.
+    /// Strut (42)-(45) on the link (68), which may not be free to move.
     #[inline(always)]
     fn strut_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {
@@ -321,7 +321,7 @@ impl<S: Real> Contact<'_, S> {
         deeper
     }
 
-    /// How friction under a normal force (lb) answers sliding on and sliding aside. `hinge_lever` is the lever
+    /// Derivatives of friction under a normal force (lb) with respect to sliding along and across. `hinge_lever` is the lever
     /// of the pad's hinge times the normal force.
     #[inline(always)]
     fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [ForceDerivative<S>; 2] {

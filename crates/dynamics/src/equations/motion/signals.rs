@@ -20,7 +20,7 @@ pub struct Signals<S> {
 const RANGED: usize = Signal::RANGED.next_multiple_of(LANES);
 
 impl<S: Real> Signals<S> {
-    /// Nothing seen yet: all signals of so many legs are zero.
+    /// All signals of so many legs zero.
     pub fn blank(legs: usize) -> Self {
         Self {
             legs: PerLeg::same(legs, [S::zero(); Signal::COUNT]),

@@ -88,24 +88,24 @@ impl<S: Real> Eliminated<S> {
             [link_inertia + tau * damping, S::zero()],
             [-hinge, pad_inertia - tau * pad_way * hinge_torque.pad],
         ];
-        for answer in leg.answers() {
-            let (velocity, displacement) = (&answer.velocity, &answer.displacement);
+        for derivative in leg.derivatives() {
+            let (velocity, displacement) = (&derivative.velocity, &derivative.displacement);
             let reach = velocity.body + displacement.body * tau;
             let pad_reach = pad_way * displacement.pad;
             let link_reach = velocity.link + link_way * displacement.link + pad_reach;
-            let force = answer.force.body * tau;
+            let force = derivative.force.body * tau;
             for k in 0..6 {
                 for i in 0..6 {
                     S::keep_rounds_apart();
                     body[(i, k)] -= force[i] * reach[k];
                 }
             }
-            let on_link = tau * answer.force.link;
+            let on_link = tau * derivative.force.link;
             columns[0] -= force * link_reach;
             rows[0] -= reach * on_link;
             own[0][0] -= on_link * link_reach;
             if leg.swings_pads {
-                let on_pad = tau * answer.force.pad;
+                let on_pad = tau * derivative.force.pad;
                 columns[1] -= force * pad_reach;
                 rows[1] -= reach * on_pad;
                 own[0][1] -= on_link * pad_reach;
@@ -148,7 +148,7 @@ impl<S: Real> Eliminated<S> {
 }
 
 /// The equations (1/τ − J) u = r of an implicit stage, factored: J is the derivative of the motion as far as
-/// forces answer, u and r are states.
+/// the forces' derivatives are known, u and r are states.
 #[derive(Debug, Clone)]
 pub struct System<'a, S> {
     response: &'a Response<S>,
@@ -248,11 +248,11 @@ impl<S: Real> System<'_, S> {
         let mut on_link = leg.inertia[0] * given.link_rate + leg.link_torque.dot(&known, link, pad);
         let in_link = given.pad_rate - given.link_rate;
         let mut on_pad = leg.inertia[1] * in_link + leg.hinge_torque.dot(&known, link, pad);
-        for answer in leg.answers() {
-            let reached = answer.displacement.dot(&known, link, pad);
-            forces += answer.force.body * reached;
-            on_link += answer.force.link * reached;
-            on_pad += answer.force.pad * reached;
+        for derivative in leg.derivatives() {
+            let reached = derivative.displacement.dot(&known, link, pad);
+            forces += derivative.force.body * reached;
+            on_link += derivative.force.link * reached;
+            on_pad += derivative.force.pad * reached;
         }
         let [[a, b], [c, d]] = eliminated.inverse;
         let link = a * on_link + b * on_pad;

@@ -10,7 +10,7 @@ use crate::rules::CrushRule;
 use crate::signal::{LegSignals, Signal};
 use crate::strut::Stance;
 
-/// What a leg's laws say at one state.
+/// The pieces that a leg's laws choose at one state.
 #[derive(Debug, Clone, Copy)]
 pub struct Choice {
     /// Plastic sets of outboard section, inboard section and block that they leave, ft.
@@ -24,7 +24,7 @@ pub struct Choice {
 
 impl Choice {
     /// Whether the leg rests on its extension stop on the surface: the torque of the surface on
-    /// the link has yet to say whether it is pushed in.
+    /// whether the link is pushed in is not yet known.
     pub fn awaits_torque(&self) -> bool {
         self.stance == Stance::Stopped { pushed: false }
     }
@@ -37,7 +37,7 @@ impl Choice {
 }
 
 impl LegLaws {
-    /// Puts into `pieces` those that hold where the signals say the leg is, its elements having kept
+    /// Writes into `pieces` those that hold at these signals, given that the elements have kept
     /// `sets` (ft).
     pub fn choose(
         &self,
@@ -51,13 +51,13 @@ impl LegLaws {
             |signal: Signal| Sliding::at(self.friction, value(signal)).piece(self.friction);
         let section = |k: usize, signal: Signal| {
             self.pad
-                .answer(sets[k], value(signal), driven(Signal::PivotRate))
+                .state_at(sets[k], value(signal), driven(Signal::PivotRate))
         };
         let pad = [
             section(0, Signal::OuterInterference),
             section(1, Signal::InnerInterference),
         ];
-        let block = self.block.answer(
+        let block = self.block.state_at(
             sets[2],
             value(Signal::BlockInterference),
             driven(Signal::BlockCentreRate),

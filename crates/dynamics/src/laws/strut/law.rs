@@ -146,7 +146,7 @@ impl StrutLaw {
         self.segments[segment].upper <= STOP_STROKE
     }
 
-    /// Whether the law goes on unchanged above the upper end of this segment.
+    /// Whether the law continues unchanged above the upper end of this segment.
     pub(super) fn goes_on_above(&self, segment: usize) -> bool {
         self.segments[segment].goes_on_above
     }

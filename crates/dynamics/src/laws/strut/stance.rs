@@ -54,7 +54,7 @@ impl Stance {
     }
 
     /// What a leg does, on or off the surface, at a stroke δ (ft) and link rate γ̇ (rad/s). On its
-    /// stop on the surface it is not pushed: the torque has yet to say.
+    /// stop on the surface it is not pushed: the sign of the torque decides.
     pub fn at(law: &StrutLaw, on_surface: bool, stroke: f64, link_rate: f64) -> Self {
         if link_rate >= 0.0 && stroke <= STOP_STROKE {
             return Self::extended(on_surface, link_rate);
@@ -218,7 +218,7 @@ impl Stance {
 }
 
 /// First and last of the segments over which a strut that works in `segment` has one law: across gentle kinks,
-/// and on its way off the stop, where only the link must not turn.
+/// and while it leaves the stop, where only the link must not turn.
 fn span(law: &StrutLaw, segment: usize) -> [usize; 2] {
     let first = segment - usize::from(law.is_gentle_below(segment));
     let mut last = segment + usize::from(law.is_gentle_above(segment));
