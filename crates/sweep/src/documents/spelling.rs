@@ -40,7 +40,7 @@ impl Conversion {
     }
 
     /// A number of the program in the unit of the spelling.
-    pub(crate) fn from_program(self, number: f64) -> f64 {
+    pub(crate) fn in_own_unit(self, number: f64) -> f64 {
         match self.converts() {
             true => decimal_within_rounding(number * self.factor),
             false => number,
