@@ -36,10 +36,6 @@ const DETERMINED: usize = 3;
 /// Step of the tangent below which the least squares of more times are found.
 const SETTLED: f64 = 1e-7;
 const MOST_HALVINGS: usize = 10;
-/// A search for a surface that gives all times gets nowhere when so many steps, one after the other, leave more than this
-/// part of the greatest residual.
-const MOST_IDLE_STEPS: usize = 3;
-const IDLE: f64 = 0.9;
 /// Most landings of a search, several times as many as one takes that finds a surface.
 const MOST_LANDINGS: u64 = 60;
 /// Tangent of the steepest surface looked for, 85 deg.
@@ -114,8 +110,6 @@ pub enum NoSurface {
     NotFound {
         /// Greatest residual of an impact time.
         residual: f64,
-        /// Landings of the search.
-        landings: u64,
     },
 }
 
@@ -137,9 +131,9 @@ impl fmt::Display for NoSurface {
                  before, {outcome} {time:.3} s after first contact",
                 leg + 1
             ),
-            Self::NotFound { residual, landings } => write!(
+            Self::NotFound { residual } => write!(
                 f,
-                "no slope gives these impact times: the nearest of {landings} misses one by {residual:.2e} s"
+                "no slope gives these impact times: the nearest misses one by {residual:.2e} s"
             ),
         }
     }
@@ -348,10 +342,8 @@ impl<'a> Search<'a> {
     /// Gauss and Newton's steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
-        let is_determined = self.times.len() <= DETERMINED;
         let mut is_at_least = false;
-        let mut idle_steps = 0;
-        while self.landings < MOST_LANDINGS && idle_steps < MOST_IDLE_STEPS {
+        while self.landings < MOST_LANDINGS {
             self.delay = trial.landing.pad_contact[self.first].unwrap_or(0.0);
             let mut columns = [self.times; 2];
             for (axis, column) in columns.iter_mut().enumerate() {
@@ -370,7 +362,7 @@ impl<'a> Search<'a> {
                 break;
             };
             let mut step = inverse * -right;
-            is_at_least = !is_determined && step.norm() < SETTLED;
+            is_at_least = self.times.len() > DETERMINED && step.norm() < SETTLED;
             let mut halvings = 0;
             let better = loop {
                 let there = tangent + step;
@@ -395,9 +387,6 @@ impl<'a> Search<'a> {
             let Some((there, found)) = better else {
                 break;
             };
-            // Least squares of more times than needed stay.
-            let is_idle = is_determined && found.worst() > (IDLE * trial.worst()).max(TIMELY);
-            idle_steps = if is_idle { idle_steps + 1 } else { 0 };
             tangent = there;
             trial = found;
             if step.norm() < CLOSE {
@@ -407,7 +396,6 @@ impl<'a> Search<'a> {
         if trial.worst() > TIMELY && !is_at_least {
             return Err(NoSurface::NotFound {
                 residual: trial.worst(),
-                landings: self.landings,
             });
         }
         Ok(tangent)
