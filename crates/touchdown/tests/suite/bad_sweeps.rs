@@ -56,7 +56,7 @@ const VEHICLES: [(&str, &str, &[&str]); 9] = [
     ("preload_lb = 185", "preload_lb = inf", &["surveyor.toml:26: strut.preload_lb = inf", "finite"]),
     ("[0, 0.1, 5.75, 7.75]", "[0, 5.75, 0.1, 7.75]", &["surveyor.toml:60: block.profile.interference_in[3] = 0.1", "increasing"]),
     ("[0, 0.1, 5.75, 7.75]\nrelative_pressure = [0, 1, 1, 21]", "[0]\nrelative_pressure = [0]", &["surveyor.toml:60: block.profile.interference_in = [0]", "at least two"]),
-    ("[[legs]]\nazimuth_deg = 240", "", &["surveyor.toml:65: legs", "2 legs", "three tables [[legs]]"]),
+    ("[[legs]]\nazimuth_deg = 240", "", &["surveyor.toml:65: legs", "2 legs", "three to eight tables [[legs]]"]),
     ("azimuth_deg = 240", "azimuth_deg = 240\n[legs.strut]\npreload_lb = -5", &["surveyor.toml:74: legs[3].strut.preload_lb = -5", "0 < value"]),
 ];
 
