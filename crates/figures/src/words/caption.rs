@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use crate::axis_title::column_words;
 use crate::figure_error::FigureError;
+use crate::number::label;
 
 /// Greatest velocity that a search can reach, ft/s.
 const MOST_SEARCHED: f64 = 1e4;
@@ -101,14 +102,15 @@ fn has_report_feet(vehicle: &Value) -> bool {
 
 /// A fixed condition in words, unless it is zero, or follows from another, where that is the rule.
 fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
+    let number = label(value);
     let words = match name {
-        "vertical_velocity_fps" => format!("vertical velocity {value} ft/s"),
-        "horizontal_velocity_fps" => format!("horizontal velocity {value} ft/s"),
-        "cross_slope_deg" => format!("cross-slope {value} deg"),
-        "slope_deg" => format!("slope {value} deg"),
-        "friction" => format!("friction {value}"),
+        "vertical_velocity_fps" => format!("vertical velocity {number} ft/s"),
+        "horizontal_velocity_fps" => format!("horizontal velocity {number} ft/s"),
+        "cross_slope_deg" => format!("cross-slope {number} deg"),
+        "slope_deg" => format!("slope {number} deg"),
+        "friction" => format!("friction {number}"),
         "block_friction" if input["scene"]["friction"].as_f64() == Some(value) => return None,
-        "block_friction" => format!("block friction {value}"),
+        "block_friction" => format!("block friction {number}"),
         _ if value == 0.0 => return None,
         _ => {
             let bare = name
@@ -120,10 +122,10 @@ fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
             } else {
                 "deg"
             };
-            format!("{bare} {value} {unit}")
+            format!("{bare} {number} {unit}")
         }
     };
-    Some(words.replace(" -", " \u{2212}"))
+    Some(words)
 }
 
 #[cfg(test)]

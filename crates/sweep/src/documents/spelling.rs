@@ -40,7 +40,7 @@ impl Conversion {
     }
 
     /// A number of the program in the unit of the spelling.
-    pub(crate) fn from_program(self, number: f64) -> f64 {
+    pub(crate) fn in_own_unit(self, number: f64) -> f64 {
         match self.converts() {
             true => decimal_within_rounding(number * self.factor),
             false => number,
@@ -52,7 +52,7 @@ impl Conversion {
         match self.converts() {
             true => {
                 let (value, words) = (rounded(self.to_program(number), 6), self.words);
-                format!("{allowed} in {words}, and this is {value} {words}")
+                format!("{allowed} (in {words}: this is {value})")
             }
             false => allowed.to_owned(),
         }
@@ -86,8 +86,8 @@ pub(crate) fn conversion(spelling: &str, key: &str) -> Option<Conversion> {
     if spelling == key {
         return Some(Conversion::NONE);
     }
-    let unit = program_unit(key)?;
-    let ending = spelling.strip_prefix(&key[..key.len() - unit.ending.len()])?;
+    let (bare, unit) = program_unit(key)?;
+    let ending = spelling.strip_prefix(bare)?;
     let si = unit.si.iter().find(|si| si.ending == ending)?;
     Some(Conversion {
         factor: si.factor,
@@ -111,8 +111,7 @@ pub(crate) fn dotted_conversion(spelling: &str, key: &str) -> Option<Conversion>
 /// All spellings of a key; that of the program comes first.
 pub(crate) fn spellings(key: &str) -> Vec<String> {
     let mut all = vec![key.to_owned()];
-    if let Some(unit) = program_unit(key) {
-        let bare = &key[..key.len() - unit.ending.len()];
+    if let Some((bare, unit)) = program_unit(key) {
         all.extend(unit.si.iter().map(|si| format!("{bare}{}", si.ending)));
     }
     all
@@ -134,25 +133,18 @@ pub(crate) fn meant(unknown: &str, known: &[&str]) -> Vec<String> {
 
 /// The spelling of a key with the unit that a name ends with; if there is none, the program's.
 pub(crate) fn with_unit_of(name: &str, key: &str) -> String {
-    let spelled = program_unit(key).and_then(|unit| {
+    let spelled = program_unit(key).and_then(|(bare, unit)| {
         let fits = unit.si.iter().filter(|si| name.ends_with(si.ending));
         let si = fits.max_by_key(|si| si.ending.len())?;
-        Some(format!(
-            "{}{}",
-            &key[..key.len() - unit.ending.len()],
-            si.ending
-        ))
+        Some(format!("{bare}{}", si.ending))
     });
     spelled.unwrap_or_else(|| key.to_owned())
 }
 
 /// Whether an unknown key is a known one but for its unit.
 pub(crate) fn differ_in_unit(unknown: &str, key: &str) -> bool {
-    let Some(unit) = program_unit(key) else {
-        return false;
-    };
-    let rest = unknown.strip_prefix(&key[..key.len() - unit.ending.len()]);
-    rest.is_some_and(|rest| rest.starts_with('_') && is_unit(rest))
+    let rest = program_unit(key).and_then(|(bare, _)| unknown.strip_prefix(bare));
+    rest.is_some_and(is_unit)
 }
 
 /// The known name most similar to `name`, if one is similar enough.
@@ -168,7 +160,8 @@ fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
 /// Whether the end of a key is that of a known unit, or a single word that may be meant for one.
 fn is_unit(ending: &str) -> bool {
     let known = |unit: &Unit| unit.ending == ending || unit.si.iter().any(|si| si.ending == ending);
-    ending[1..].split('_').count() == 1 || UNITS.iter().any(known)
+    let is_word = ending.starts_with('_') && ending.matches('_').count() == 1;
+    is_word || UNITS.iter().any(known)
 }
 
 #[cfg(test)]

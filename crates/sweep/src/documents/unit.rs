@@ -109,12 +109,11 @@ pub fn unit(name: &str) -> &'static str {
         .map_or("1", |(_, words)| words)
 }
 
-/// The unit of the program that a name ends with, if it ends with one.
-pub(crate) fn program_unit(name: &str) -> Option<&'static Unit> {
-    const { &UNITS }
-        .iter()
-        .filter(|unit| name.ends_with(unit.ending))
-        .max_by_key(|unit| unit.ending.len())
+/// A name without the unit of the program that it ends with, and this unit, if it ends with one.
+pub(crate) fn program_unit(name: &str) -> Option<(&str, &'static Unit)> {
+    let fitting =
+        (const { &UNITS }.iter()).filter_map(|unit| Some((name.strip_suffix(unit.ending)?, unit)));
+    fitting.max_by_key(|(_, unit)| unit.ending.len())
 }
 
 #[cfg(test)]

@@ -150,7 +150,7 @@ const WRONG: [(&str, &str, &[&str]); 24] = [
     (
         "mass_slug = 20",
         "mass_kg = -292",
-        &["v.toml:3: mass_kg = -292: expected 0 < value ≤ 1e9 in slug, and this is -20.0084 slug"],
+        &["v.toml:3: mass_kg = -292: expected 0 < value ≤ 1e9 (in slug: this is -20.0084)"],
     ),
     (
         "mass_slug = 20",
@@ -162,7 +162,7 @@ const WRONG: [(&str, &str, &[&str]); 24] = [
         "stroke_mm = [0, 12.7, 6.35",
         &[
             "v.toml:34: strut.spring_profile.stroke_mm[3] = 6.35",
-            "increasing order in inch, and this is 0.25 inch",
+            "increasing order (in inch: this is 0.25)",
         ],
     ),
     ("mass_slug = 20", "", &["mass_slug is missing"]),

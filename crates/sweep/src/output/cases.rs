@@ -234,7 +234,7 @@ impl Columns {
             let given = (given.iter()).find(|(known, ..)| known.program_name() == fault.name);
             match (fault.value, given) {
                 (Some(value), Some((parameter, text, _))) => {
-                    let allowed = parameter.explain(&fault.allowed, parameter.from_program(value));
+                    let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
                     InputError::value(parameter.name(), text, &allowed)
                 }
                 (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),

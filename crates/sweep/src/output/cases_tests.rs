@@ -123,6 +123,34 @@ fn rows_may_differ_in_numbers_of_the_vehicle() {
 }
 
 #[test]
+fn columns_may_be_in_si() {
+    let heading = HEADING
+        .replace("slope_deg", "slope_rad")
+        .replace("cross_slope_rad", "cross_slope_deg");
+    let text = format!(
+        "{heading},vehicle.mass_kg\n1,,14,11,180,0,0,0,0.2617993877991494,1,291.8780587441273\n\
+         2,,14,11,180,0,0,0,1.6,1,\n"
+    );
+    let steep = complaint(&text);
+    assert!(
+        steep.ends_with(
+            "row 2: slope_rad = 1.6: expected -90 < value < 90 (in deg: this is 91.6732)"
+        ),
+        "{steep}"
+    );
+    let cases = read_text(&text.replace("1.6", "0.1")).unwrap();
+    assert_eq!(cases[0].scene.conditions().slope, 15f64.to_radians());
+    assert_eq!(cases[0].vehicle.mass(), 20.0);
+    let both = complaint(&format!(
+        "{heading},slope_deg\n1,,14,11,180,0,0,0,0.1,1,15\n"
+    ));
+    assert!(
+        both.contains("columns slope_rad and slope_deg: expected one spelling of a quantity"),
+        "{both}"
+    );
+}
+
+#[test]
 fn complaints_name_line_row_column_and_value() {
     let good = "1,,14,11,180,0,0,0,15,1";
     let row = |bad: &str| complaint(&format!("{HEADING}\n{good}\n{bad}\n"));

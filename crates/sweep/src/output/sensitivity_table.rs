@@ -71,7 +71,7 @@ pub fn rows(
 
 fn span(parameter: &Parameter, value: f64) -> f64 {
     match parameter.is_angular() {
-        true => parameter.from_program(ANGULAR_SPAN),
+        true => parameter.in_own_unit(ANGULAR_SPAN),
         false => SPAN * value.abs(),
     }
 }

@@ -62,6 +62,15 @@ impl Assignment {
         InputError::other(format!("--set {name}={}: {complaint}", self.text))
     }
 
+    /// The complaint that the value is not what is `allowed` in the unit of the program.
+    pub fn refuse_value(&self, allowed: &str) -> InputError {
+        let allowed = match self.text.parse() {
+            Ok(number) => self.parameter.explain(allowed, number),
+            Err(_) => allowed.to_owned(),
+        };
+        self.refuse(&format!("expected {allowed}"))
+    }
+
     pub(crate) fn path(&self) -> &KeyPath {
         self.parameter.path()
     }

@@ -141,8 +141,8 @@ impl Parameter {
     }
 
     /// A number of the program in the unit in which the parameter was asked for.
-    pub fn from_program(&self, number: f64) -> f64 {
-        self.conversion.from_program(number)
+    pub fn in_own_unit(&self, number: f64) -> f64 {
+        self.conversion.in_own_unit(number)
     }
 
     /// What is allowed in the unit of the program, for a coordinate.

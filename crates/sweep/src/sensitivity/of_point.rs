@@ -173,7 +173,7 @@ impl FollowedTransition {
 /// Scale over which V_H changes with a parameter, in its unit; `None` for 0.
 fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
     if parameter.is_angular() {
-        return Some(parameter.from_program(ANGULAR_SCALE));
+        return Some(parameter.in_own_unit(ANGULAR_SCALE));
     }
     (value != 0.0).then(|| value.abs())
 }

@@ -131,7 +131,7 @@ impl Sweep {
             }
             Home::Sweep => None,
         };
-        value.map(|value| parameter.from_program(value))
+        value.map(|value| parameter.in_own_unit(value))
     }
 
     fn case_of(&self, axes: &[Parameter], coordinates: &[f64]) -> Result<Case, CaseFault> {

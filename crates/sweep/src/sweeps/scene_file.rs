@@ -147,7 +147,7 @@ impl<'d> Changes<'d> {
         let said = (self.parameters.iter()).find(|(p, _)| p.program_name() == fault.name);
         let error = match (fault.value, said) {
             (Some(value), Some((parameter, found))) => {
-                let allowed = parameter.explain(&fault.allowed, parameter.from_program(value));
+                let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
                 InputError::value(parameter.name(), &found.node.written, &allowed)
             }
             (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),

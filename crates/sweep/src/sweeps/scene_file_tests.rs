@@ -67,6 +67,37 @@ fn a_case_keeps_what_it_does_not_change() {
 }
 
 #[test]
+fn a_case_may_change_numbers_in_si() {
+    let cases = read_text(
+        "[[case]]\nhorizontal_velocity_mps = 3.048\nvehicle.strut.preload_n = 889.6443230521\n\
+         vehicle.inertia_kg_m2.xx = 189.814512766396\n\"vehicle.legs[2].footpad.height_mm\" = 152.4\n\
+         [[case]]\nroll_rad = 0.3490658503988659\n",
+    )
+    .unwrap();
+    let roll = cases[1].scene.conditions().attitude.euler().roll;
+    assert!((roll.to_degrees() - 20.0).abs() < 1e-12);
+    for case in cases {
+        assert_eq!(case.scene.conditions().horizontal_velocity, 10.0);
+        let vehicle = case.vehicle.vehicle;
+        assert!((vehicle.legs()[0].design().strut.preload - 200.0).abs() < 1e-9);
+        assert!((vehicle.inertia()[(0, 0)] - 140.0).abs() < 1e-9);
+        assert_eq!(vehicle.legs()[1].design().footpad.height, 0.5);
+    }
+    let twice = complaint("[[case]]\nslope_deg = 5\nslope_rad = 0.1\n");
+    assert!(
+        twice.contains("slope_rad = 0.1: said twice: expected one of slope_deg and slope_rad"),
+        "{twice}"
+    );
+    let steep = complaint("[[case]]\nslope_rad = 1.6\n");
+    assert!(
+        steep.contains(
+            "case 1: slope_rad = 1.6: expected -90 < value < 90 (in deg: this is 91.6732)"
+        ),
+        "{steep}"
+    );
+}
+
+#[test]
 fn the_other_form_of_an_attitude_replaces_it() {
     let cases = read_text(
         "[[case]]\ntip_deg = 9\ntip_azimuth_deg = 90\n[[case]]\ntip_deg = 5\n[[case]]\npitch_deg = 2\n",

@@ -278,7 +278,7 @@ pub(crate) fn locate_condition(
         .find(|entry| entry.parameter.program_name() == fault.name);
     match (entry, fault.value) {
         (Some(entry), Some(value)) => {
-            let value = entry.parameter.from_program(value);
+            let value = entry.parameter.in_own_unit(value);
             entry.found.complain_that(&format!(
                 "includes {}: expected {}",
                 short(value.to_string()),

@@ -28,8 +28,11 @@ const SURVEYOR_SI: &str = include_str!("../../../../sweeps/vehicles/surveyor-si.
 const FOOT: f64 = 0.3048;
 const POUND: f64 = 4.4482216152605;
 
+/// The SI number of a value.
+type ToSi = fn(f64) -> f64;
+
 /// A unit of 1966 by the ending of keys, and the endings of its SI units with their numbers of a value.
-type Unit = (&'static str, &'static [(&'static str, fn(f64) -> f64)]);
+type Unit = (&'static str, &'static [(&'static str, ToSi)]);
 
 /// The longer ending of two that fit comes first.
 const UNITS: [Unit; 13] = [
@@ -72,7 +75,7 @@ const UNITS: [Unit; 13] = [
 ];
 
 /// Spellings of a key in SI, each with its number of a value of the key.
-fn in_si(key: &str) -> Vec<(String, fn(f64) -> f64)> {
+fn in_si(key: &str) -> Vec<(String, ToSi)> {
     let Some((ending, si)) = UNITS.iter().find(|(ending, _)| key.ends_with(ending)) else {
         return Vec::new();
     };
@@ -122,7 +125,7 @@ fn table_lines(lines: &[String], header: &str) -> std::ops::Range<usize> {
 }
 
 /// A line `key = number or list` in another spelling.
-fn respelled(line: &str, spelling: &str, convert: fn(f64) -> f64) -> String {
+fn respelled(line: &str, spelling: &str, convert: ToSi) -> String {
     let value = line.split_once('=').unwrap().1;
     let value = value.split('#').next().unwrap().trim();
     let number = |text: &str| convert(text.trim().parse().unwrap());
@@ -443,9 +446,7 @@ fn complaints_about_axes_have_their_unit() {
         "pitch_rad = [1000]",
     );
     assert!(
-        steep.contains(
-            "includes 1000: expected -36000 ≤ value ≤ 36000 in deg, and this is 57295.8 deg"
-        ),
+        steep.contains("includes 1000: expected -36000 ≤ value ≤ 36000 (in deg: this is 57295.8)"),
         "{steep}"
     );
     let light = said("[axes]\n", "[axes]\nvehicle.mass_kg = [-5]\n");

@@ -116,7 +116,7 @@ impl TouchdownOptions {
                     .iter()
                     .find(|one| one.parameter().program_name() == name)
                 {
-                    return one.refuse(&format!("expected {allowed}"));
+                    return one.refuse_value(&allowed);
                 }
                 let option = option_of(name);
                 match value {

@@ -39,6 +39,20 @@ fn a_landing_with_a_set_value_is_that_of_a_changed_vehicle_file() {
     assert_eq!(done.out.replace(change, ""), expected.out);
     assert_ne!(done.out, expected.out);
 
+    // The same in newtons: 200 lb to the last digit.
+    let set = ["--set", "vehicle.strut.preload_n=889.6443230521"];
+    let done = bench.run(&[&BASELINE[..], &set].concat());
+    let change = "with vehicle.strut.preload_n = 889.6443230521\n";
+    assert_eq!(done.out.replace(change, ""), expected.out);
+    let steep = [
+        &BASELINE[..],
+        &["--set", "tip_rad=4", "--set", "tip_azimuth_deg=0"],
+    ]
+    .concat();
+    bench
+        .run(&steep)
+        .refused(&["--set tip_rad=4: expected 0", "(in deg: this is 229.183)"]);
+
     // What the file leaves out: a CG downhill of the centreline topples a lander that stands otherwise.
     let outcome = |set: &[&str]| {
         let done = bench.run(&[&BASELINE[..], set].concat());
