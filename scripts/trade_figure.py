@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draw the example trade: the worst touchdown of every design (needs matplotlib).
 
-    scripts/trade_figure.py results/trade/trade-damping-friction.csv results/trade/trade-damping-friction.png
+    scripts/trade_figure.py results/trade/trade-damping-friction.csv results/trade/worst-of-designs.png
 """
 
 import csv
