@@ -1,8 +1,11 @@
 //! The 400 random reference landings, at the reference's own tolerance and at the default one.
 
+use std::sync::Arc;
+
 use crate::common::complaints::Complaints;
-use crate::common::{Row, landing_case, reference, settings};
+use crate::common::{Row, landing_case, reference, settings, side_by_side};
 use rayon::prelude::*;
+use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::Settings;
@@ -95,10 +98,21 @@ fn compare_all(tolerance: f64) {
     let rows = reference("landings.csv");
     assert_eq!(rows.len(), 400);
     let complaints: Vec<_> = rows
-        .par_iter()
-        .map(|row| {
-            let (vehicle, scene) = landing_case(row);
-            compare(row, &land(&vehicle, &scene, &settings(tolerance)))
+        .par_chunks(50)
+        .flat_map_iter(|rows| {
+            let requests = rows.iter().enumerate().map(|(key, row)| {
+                let (vehicle, scene) = landing_case(row);
+                Request {
+                    key,
+                    vehicle: Arc::new(vehicle),
+                    scene,
+                    settings: settings(tolerance),
+                }
+            });
+            let landings = side_by_side(requests);
+            rows.iter()
+                .zip(landings)
+                .map(|(row, landing)| compare(row, &landing))
         })
         .collect();
     complaints.into_iter().collect::<Complaints>().settle();

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use touchdown_dynamics::batch::{Request, land_many};
+use super::side_by_side;
+use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Scene, Settings};
@@ -43,22 +44,16 @@ impl Search<'_> {
     /// The class at every step of the scan, landed side by side.
     pub fn scan(&self) -> Vec<Class> {
         let vehicle = Arc::new(self.vehicle.clone());
-        let mut steps = 0..=SCAN_STEPS;
-        let mut classes = vec![None; SCAN_STEPS + 1];
-        land_many(
-            &mut || {
-                let k = steps.next()?;
-                let velocity = SCAN_STEP * k as f64;
-                Some(Request {
-                    key: k,
-                    vehicle: Arc::clone(&vehicle),
-                    scene: self.scene.with_horizontal_velocity(velocity).unwrap(),
-                    settings: self.settings,
-                })
-            },
-            &mut |k, landing| classes[k] = Some(landing.outcome.class()),
-        );
-        classes.into_iter().map(Option::unwrap).collect()
+        let requests = (0..=SCAN_STEPS).map(|k| Request {
+            key: k,
+            vehicle: Arc::clone(&vehicle),
+            scene: (self.scene)
+                .with_horizontal_velocity(SCAN_STEP * k as f64)
+                .unwrap(),
+            settings: self.settings,
+        });
+        let landings = side_by_side(requests).into_iter();
+        landings.map(|landing| landing.outcome.class()).collect()
     }
 
     /// The first transition of a scan with class `class` at each of its steps.

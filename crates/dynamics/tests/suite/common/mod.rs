@@ -11,6 +11,8 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 
 use touchdown_dynamics::attitude::{Attitude, Euler};
+use touchdown_dynamics::batch::{Request, land_many};
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::{
@@ -161,6 +163,17 @@ pub fn level(cross_slope_deg: f64, roll_deg: f64, horizontal_velocity: f64) -> C
 /// The checked scene of `level`.
 pub fn level_scene(cross_slope_deg: f64, roll_deg: f64, horizontal_velocity: f64) -> Scene {
     Scene::new(level(cross_slope_deg, roll_deg, horizontal_velocity)).unwrap()
+}
+
+/// Landings computed in lanes, in the order of their keys, which count from 0.
+pub fn side_by_side(mut requests: impl Iterator<Item = Request>) -> Vec<Landing> {
+    let mut landings = Vec::new();
+    land_many(&mut || requests.next(), &mut |key, landing| {
+        let needed = landings.len().max(key + 1);
+        landings.resize(needed, None);
+        landings[key] = Some(landing);
+    });
+    landings.into_iter().map(Option::unwrap).collect()
 }
 
 /// Settings under the listing's crush rule with the report's time limit.
