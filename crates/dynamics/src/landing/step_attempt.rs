@@ -3,12 +3,12 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::integrator::rosenbrock::GAMMA;
+use crate::integrator::rosenbrock::{GAMMA, StageEquations};
 use crate::integrator::step::{Step, Weights};
 use crate::integrator::{dormand_prince, rosenbrock};
 use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::Registers;
-use crate::response::Response;
+use crate::response::{Response, System};
 use crate::scalar::Real;
 use crate::state::State;
 
@@ -93,7 +93,10 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
         match kind {
             StepKind::Explicit => step.take_explicit(length, derivative, last),
             StepKind::Implicit => {
-                let system = response.over(S::constant(GAMMA) * length);
+                let system = Dispatched {
+                    registers,
+                    system: &response.over(S::constant(GAMMA) * length),
+                };
                 let midway = |state: &State<S>, slope: &mut State<S>| {
                     evaluate(state, slope, middle);
                 };
@@ -138,6 +141,45 @@ impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {
     fn call(self) {
         let Self(motion, state, pieces, slope, signals) = self;
         motion.evaluate::<STOPS>(state, pieces, slope, signals);
+    }
+}
+
+/// The equations of the stages of an implicit step, solved in a function of their own: it stays in the cache of
+/// instructions from stage to stage.
+struct Dispatched<'a, R, S> {
+    registers: R,
+    system: &'a System<'a, S>,
+}
+
+impl<R: Registers, S: Real> StageEquations<S, State<S>> for Dispatched<'_, R, S> {
+    #[inline(always)]
+    fn solve(&self, r: &State<S>, u: &mut State<S>) {
+        self.registers.dispatch(Solve(self.system, r, u));
+    }
+
+    #[inline(always)]
+    fn accumulate(
+        &self,
+        before: &State<S>,
+        h: S,
+        slopes: [&State<S>; 3],
+        after: &mut State<S>,
+        error: &mut State<S>,
+    ) {
+        self.system.accumulate(before, h, slopes, after, error);
+    }
+}
+
+/// The solution of a stage.
+struct Solve<'a, S>(&'a System<'a, S>, &'a State<S>, &'a mut State<S>);
+
+impl<S: Real> NullaryFnOnce for Solve<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(system, r, u) = self;
+        system.solve(r, u);
     }
 }
 
