@@ -280,20 +280,15 @@ impl<S: Real> Motion<S> {
     ) -> LegAction<S> {
         let (motion, pieces) = (&self.legs[leg], pieces.leg(leg));
         let leg = state.leg(leg);
+        let posed = if STOPS { at_angle(pieces, leg) } else { leg };
+        let mut action =
+            motion.action::<FORCES, SIGNALS>(frame, &posed, &pieces.leg, pieces.pressed);
         if STOPS && pieces.pressed.stops {
-            let mut action = motion.action::<FORCES, SIGNALS>(
-                frame,
-                &at_angle(pieces, leg),
-                &pieces.leg,
-                pieces.pressed,
-            );
             let turning = &mut action.derivative.pad_turn;
             *turning = pieces.leg.hinge.turning(*turning, leg.pad_rate);
             action.signals[Signal::PadTurn as usize] = leg.pad_turn;
-            action
-        } else {
-            motion.action::<FORCES, SIGNALS>(frame, &leg, &pieces.leg, pieces.pressed)
         }
+        action
     }
 }
 

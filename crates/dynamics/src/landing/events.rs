@@ -7,7 +7,6 @@ use crate::integrator::cubic::{Prediction, StepEnds};
 use crate::integrator::event::{Guard, Sample, first_exit};
 use crate::motion::{Signal, Signals};
 use crate::outcome::{Failure, Outcome};
-use crate::registers::Registers;
 
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
@@ -34,21 +33,19 @@ impl Trajectory<'_> {
             return None;
         }
         let with_torques = self.ranges.has(Signal::LinkTorque);
-        let between = Between {
-            step: &self.step,
-            free: self.free.as_ref(),
+        let within = Look {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            between: Between {
+                step: &self.step,
+                free: self.free.as_ref(),
+            },
+            with_torques,
         };
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Signals<f64>| {
             looks += 1;
-            registers.dispatch(Look {
-                motion: &self.motion,
-                pieces: &self.pieces,
-                between,
-                theta,
-                with_torques,
-                signals,
-            });
+            within.at(registers, theta, signals);
         };
         let resolution = self.event_resolution / length;
         let is_explicit = !self.is_middle_seen;

@@ -5,7 +5,7 @@ use pulp::NullaryFnOnce;
 use super::trajectory::Trajectory;
 use crate::integrator::step::Step;
 use crate::motion::{FreeFlight, Motion, Pieces, Signals};
-use crate::registers::Registers;
+use crate::registers::{Registers, Single};
 use crate::state::State;
 
 /// A step between its ends.
@@ -40,19 +40,28 @@ pub(super) struct Look<'a> {
     pub(super) motion: &'a Motion<f64>,
     pub(super) pieces: &'a Pieces<f64>,
     pub(super) between: Between<'a>,
-    /// Fraction of the step.
-    pub(super) theta: f64,
     pub(super) with_torques: bool,
-    pub(super) signals: &'a mut Signals<f64>,
 }
 
-impl NullaryFnOnce for Look<'_> {
+impl Look<'_> {
+    /// Writes the signals at fraction θ of the step. Compiled once, for all that look: code that is called from
+    /// everywhere stays in the cache of instructions.
+    #[inline(never)]
+    pub(super) fn at(&self, registers: Single, theta: f64, signals: &mut Signals<f64>) {
+        registers.dispatch(LookAt(self, theta, signals));
+    }
+}
+
+struct LookAt<'a>(&'a Look<'a>, f64, &'a mut Signals<f64>);
+
+impl NullaryFnOnce for LookAt<'_> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let state = self.between.motion_at(self.theta);
-        (self.motion).look(&state, self.pieces, self.with_torques, self.signals);
+        let Self(look, theta, signals) = self;
+        let state = look.between.motion_at(theta);
+        (look.motion).look(&state, look.pieces, look.with_torques, signals);
     }
 }
 
@@ -96,14 +105,13 @@ impl Trajectory<'_> {
     pub(super) fn signals_at(&mut self, theta: f64) -> Signals<f64> {
         self.evaluations += 1;
         let mut signals = Signals::blank(self.leg_count());
-        self.registers.dispatch(Look {
+        let look = Look {
             motion: &self.motion,
             pieces: &self.pieces,
             between: self.between(),
-            theta,
             with_torques: false,
-            signals: &mut signals,
-        });
+        };
+        look.at(self.registers, theta, &mut signals);
         signals
     }
 }
