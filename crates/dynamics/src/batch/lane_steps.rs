@@ -3,21 +3,18 @@
 use pulp::NullaryFnOnce;
 
 use crate::integrator::step::Step;
-use crate::landing::{Respond, Simulation, StepKind, TakeStep};
+use crate::landing::{Decay, Simulation, StepKind, TakeStep, Workspace};
 use crate::lanes::Lanes;
 use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::{Registers, Transpose};
-use crate::response::Response;
 use crate::state::State;
 
 /// Steps of one kind, a lane for each landing.
 pub(super) struct LaneSteps<const N: usize> {
     motion: Motion<Lanes<N>>,
     pieces: Pieces<Lanes<N>>,
-    response: Response<Lanes<N>>,
+    workspace: Workspace<Lanes<N>>,
     step: Step<Lanes<N>, State<Lanes<N>>>,
-    /// Overwritten by the stages of implicit steps.
-    stages: [State<Lanes<N>>; 6],
     length: Lanes<N>,
     /// Signals midway through implicit steps, and at the ends.
     middle: Signals<Lanes<N>>,
@@ -43,11 +40,10 @@ impl<const N: usize> LaneSteps<N> {
         let wide: Motion<Lanes<N>> = motion.in_all_lanes();
         let zero = State::zero(legs);
         Self {
-            response: wide.response(),
+            workspace: Workspace::new(&wide),
             motion: wide,
             pieces: Pieces::absent(legs),
             step: Step::from(zero, zero),
-            stages: [zero; 6],
             length: Lanes([0.0; N]),
             middle: Signals::blank(legs),
             signals: Signals::blank(legs),
@@ -102,22 +98,17 @@ impl<const N: usize> LaneSteps<N> {
     /// Takes a step in all lanes.
     pub(super) fn take<R: Registers>(&mut self, registers: R, kind: StepKind) {
         if kind == StepKind::Implicit {
-            self.rate = registers.dispatch(Respond(
-                &self.motion,
-                &self.step.before,
-                &self.pieces,
-                &mut self.response,
-            ));
+            let decay = Decay(&self.motion, &self.step.before, &self.pieces);
+            self.rate = registers.dispatch(decay);
         }
         self.errors = registers.dispatch(TakeStep {
             registers,
             kind,
             motion: &self.motion,
             pieces: &self.pieces,
-            response: &self.response,
             step: &mut self.step,
             length: self.length,
-            stages: &mut self.stages,
+            workspace: &mut self.workspace,
             middle: &mut self.middle,
             signals: &mut self.signals,
         });

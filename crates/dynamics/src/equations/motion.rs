@@ -5,6 +5,8 @@
 //! signals whose ranges limit how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
 //! a lane for each ([`crate::lanes`]); leg follows leg.
 
+mod contact_response;
+mod decay;
 mod footing;
 mod free_flight;
 mod leg;

@@ -154,42 +154,6 @@ pub struct Response<S> {
     pub legs: PerLeg<LegResponse<S>>,
 }
 
-impl<S: Real> Response<S> {
-    /// Rate (1/s) that no decay of a velocity exceeds: the trace of the damping matrix over the inertia.
-    #[inline(always)]
-    pub fn greatest_rate(&self) -> S {
-        let (mass, inertia) = (self.mass, &self.inertia);
-        let body = [
-            mass,
-            mass,
-            mass,
-            inertia[(0, 0)],
-            inertia[(1, 1)],
-            inertia[(2, 2)],
-        ];
-        let mut per_inertia = [S::one(); 6];
-        for i in 0..6 {
-            per_inertia[i] /= body[i];
-        }
-        let mut greatest = S::zero();
-        for leg in &self.legs {
-            let per_link = S::one() / leg.inertia[0];
-            let mut rates = leg.link_damping.max(S::zero()) * per_link;
-            for derivative in leg.derivatives() {
-                let (force, velocity) = (&derivative.force, &derivative.velocity);
-                let mut rate = force.link * velocity.link * per_link;
-                for (i, &per_inertia) in per_inertia.iter().enumerate() {
-                    S::keep_rounds_apart();
-                    rate += force.body[i] * velocity.body[i] * per_inertia;
-                }
-                rates += (-rate).max(S::zero());
-            }
-            greatest += rates;
-        }
-        greatest
-    }
-}
-
 /// Scalar product.
 #[inline(always)]
 fn product<S: Real>(a: &Vector6<S>, b: &Vector6<S>) -> S {

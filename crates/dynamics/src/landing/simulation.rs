@@ -4,7 +4,7 @@ use std::convert::Infallible;
 
 use super::history::History;
 use super::steadiness::Steadiness;
-use super::step_attempt::{StepKind, TakeStep};
+use super::step_attempt::{StepKind, TakeStep, Workspace};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::StabilityTrack;
 use crate::contact::LegMode;
@@ -87,11 +87,11 @@ impl<'o> Simulation<'o> {
     }
 
     /// Follows the landing to its outcome.
-    pub(super) fn run(&mut self) -> Outcome {
+    pub(super) fn run(&mut self, workspace: &mut Workspace<f64>) -> Outcome {
         let mut landing = || {
             self.begin()?;
             loop {
-                self.step()?;
+                self.step(workspace)?;
             }
         };
         let Err(outcome): Result<Infallible, _> = landing();
@@ -125,7 +125,7 @@ impl<'o> Simulation<'o> {
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
-    pub(crate) fn step(&mut self) -> Result<(), Outcome> {
+    pub(crate) fn step(&mut self, workspace: &mut Workspace<f64>) -> Result<(), Outcome> {
         if !self.is_kind_known {
             self.find_kind();
         }
@@ -136,10 +136,9 @@ impl<'o> Simulation<'o> {
             kind: self.kind,
             motion: &trajectory.motion,
             pieces: &trajectory.pieces,
-            response: trajectory.stiffness.response(),
             step: &mut trajectory.step,
-            stages: &mut trajectory.stages,
             length: self.length,
+            workspace,
             middle: &mut trajectory.middle,
             signals: trajectory.signals.end_mut(),
         });

@@ -37,19 +37,33 @@ impl StepKind {
     }
 }
 
+/// What implicit steps write and no one reads after them.
+pub(crate) struct Workspace<S> {
+    /// Derivatives of the forces at the start.
+    response: Response<S>,
+    stages: [State<S>; 6],
+}
+
+impl<S: Real> Workspace<S> {
+    /// For vehicles such as this one.
+    pub(crate) fn new(motion: &Motion<S>) -> Self {
+        Self {
+            response: motion.response(),
+            stages: [State::zero(motion.leg_count()); 6],
+        }
+    }
+}
+
 /// A step to attempt.
 pub(crate) struct TakeStep<'a, R, S> {
     pub(crate) registers: R,
     pub(crate) kind: StepKind,
     pub(crate) motion: &'a Motion<S>,
     pub(crate) pieces: &'a Pieces<S>,
-    /// Derivatives of the forces at its start, for an implicit step.
-    pub(crate) response: &'a Response<S>,
     pub(crate) step: &'a mut Step<S, State<S>>,
     /// Length of the step, s.
     pub(crate) length: S,
-    /// Overwritten by the stages of an implicit step.
-    pub(crate) stages: &'a mut [State<S>; 6],
+    pub(crate) workspace: &'a mut Workspace<S>,
     /// Where the signals in the middle of an implicit step go.
     pub(crate) middle: &'a mut Signals<S>,
     /// Where the signals at its end go.
@@ -67,10 +81,9 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
             kind,
             motion,
             pieces,
-            response,
             step,
             length,
-            stages,
+            workspace: Workspace { response, stages },
             middle,
             signals,
         } = self;
@@ -93,6 +106,7 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
         match kind {
             StepKind::Explicit => step.take_explicit(length, derivative, last),
             StepKind::Implicit => {
+                registers.dispatch(Respond(motion, &step.before, pieces, response));
                 let system = Dispatched {
                     registers,
                     system: &response.over(S::constant(GAMMA) * length),
@@ -184,21 +198,37 @@ impl<S: Real> NullaryFnOnce for Solve<'_, S> {
 }
 
 /// The derivatives of the forces at a state.
-pub(crate) struct Respond<'a, S>(
-    pub(crate) &'a Motion<S>,
-    pub(crate) &'a State<S>,
-    pub(crate) &'a Pieces<S>,
-    pub(crate) &'a mut Response<S>,
+struct Respond<'a, S>(
+    &'a Motion<S>,
+    &'a State<S>,
+    &'a Pieces<S>,
+    &'a mut Response<S>,
 );
 
 impl<S: Real> NullaryFnOnce for Respond<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(motion, state, pieces, response) = self;
+        motion.respond(state, pieces, response);
+    }
+}
+
+/// How fast velocities decay at a state.
+pub(crate) struct Decay<'a, S>(
+    pub(crate) &'a Motion<S>,
+    pub(crate) &'a State<S>,
+    pub(crate) &'a Pieces<S>,
+);
+
+impl<S: Real> NullaryFnOnce for Decay<'_, S> {
     /// Rate (1/s) that no decay of a velocity exceeds.
     type Output = S;
 
     #[inline(always)]
     fn call(self) -> S {
-        let Self(motion, state, pieces, response) = self;
-        motion.respond(state, pieces, response);
-        response.greatest_rate()
+        let Self(motion, state, pieces) = self;
+        motion.greatest_decay(state, pieces)
     }
 }

@@ -123,7 +123,7 @@ fn greatest_rate_is_the_trace_of_what_velocities_do() {
             }
         })
         .sum();
-    let rate = bare.response(&state).greatest_rate();
+    let rate = bare.greatest_decay(&state);
     assert!(rate > 1000.0, "{rate}");
     // Products of inertia are left out.
     assert!((rate / -trace - 1.0).abs() < 0.03, "{rate}, not {trace}");

@@ -139,6 +139,17 @@ impl<S: Real> LegMotion<S> {
         self.pad_strength * (pose.pad_upright + pose.pad_inclination)
     }
 
+    /// Normal forces (29) on the outboard and inboard sections of the footpad, lb.
+    #[inline(always)]
+    pub(super) fn pad_section_forces(&self, pose: &LegPose<S>, pieces: &LegPieces<S>) -> [S; 2] {
+        let per_pressure = self.pad_force_per_pressure(pose);
+        let [outer, inner] = pose.pad_interference;
+        [
+            per_pressure * pieces.pad[0].at(outer),
+            per_pressure * pieces.pad[1].at(inner),
+        ]
+    }
+
     /// Normal force (33) on the block per unit of relative pressure, lb.
     #[inline(always)]
     pub(super) fn block_force_per_pressure(&self, frame: &LegFrame<S>) -> S {

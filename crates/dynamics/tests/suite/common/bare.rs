@@ -129,6 +129,11 @@ impl Bare {
         response
     }
 
+    /// Rate (1/s) that no decay of a velocity exceeds at a state.
+    pub fn greatest_decay(&self, state: &State<f64>) -> f64 {
+        self.motion.greatest_decay(state, &self.pieces)
+    }
+
     /// The flight from a state on, all legs hanging.
     pub fn free_flight(&self, state: &State<f64>) -> FreeFlight {
         self.motion.free_flight(state, &self.pieces)
