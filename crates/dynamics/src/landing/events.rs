@@ -14,6 +14,7 @@ const MOST_CHANGES: usize = 64;
 impl Trajectory<'_> {
     /// The first fraction of the step at which a law changes its active piece, and which of the `buffers` has the
     /// signals there.
+    #[inline(always)]
     pub(super) fn find_event(&mut self) -> Option<(f64, usize)> {
         let [before, start, end] = [
             self.signals.previous(),
@@ -103,6 +104,7 @@ impl Trajectory<'_> {
     }
 
     /// Recentres the coefficients of laws that bend gently; the laws themselves stay.
+    #[inline(always)]
     pub(super) fn follow(&mut self) {
         for j in 0..self.leg_count() {
             let stroke = self.signals.start().of(j, Signal::Stroke);

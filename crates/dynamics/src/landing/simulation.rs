@@ -2,6 +2,8 @@
 
 use std::convert::Infallible;
 
+use pulp::NullaryFnOnce;
+
 use super::history::History;
 use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep, Workspace};
@@ -288,8 +290,14 @@ impl<'o> Simulation<'o> {
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
-    #[inline(always)]
     fn finish_step(&mut self) -> Result<NextStart, Outcome> {
+        let registers = self.trajectory.registers;
+        registers.dispatch(FinishStep(self))
+    }
+
+    /// The same, for whatever registers it is compiled for.
+    #[inline(always)]
+    fn finish_step_in_registers(&mut self) -> Result<NextStart, Outcome> {
         let Self {
             trajectory,
             stability,
@@ -386,6 +394,18 @@ impl<'o> Simulation<'o> {
     /// What the landing came to.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
         self.trajectory.result(outcome)
+    }
+}
+
+/// What follows a step, compiled for the registers of a single landing.
+struct FinishStep<'a, 'o>(&'a mut Simulation<'o>);
+
+impl NullaryFnOnce for FinishStep<'_, '_> {
+    type Output = Result<NextStart, Outcome>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        self.0.finish_step_in_registers()
     }
 }
 

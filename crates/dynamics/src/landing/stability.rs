@@ -75,6 +75,7 @@ const FIRST_SIDE: usize = FIRST_CALM + CALM;
 const QUADS: usize = (FIRST_SIDE + MOST_LEGS).div_ceil(LANES);
 
 impl Observation {
+    #[inline(always)]
     fn new(sides: &[f64], angle: f64, calm: [f64; CALM], clearance: f64) -> Self {
         let mut ranged = [[0.0; LANES]; QUADS];
         let numbers = ranged.as_flattened_mut();
@@ -90,6 +91,7 @@ impl Observation {
     }
 
     /// The quads that hold anything.
+    #[inline(always)]
     fn ranged(&self) -> &[[f64; LANES]] {
         &self.ranged[..(FIRST_SIDE + self.legs).div_ceil(LANES)]
     }
@@ -193,6 +195,7 @@ impl StabilityMonitor {
     }
 
     /// The same where the feet are known to stand like this.
+    #[inline(always)]
     pub fn observe_footing(&self, footing: &Footing, body: &Body<f64>) -> Observation {
         let Footing {
             feet,
@@ -216,6 +219,7 @@ impl StabilityMonitor {
     /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
     /// where the line joining the critical feet meets the plane. A lies in the plane, so its
     /// horizontal part has the direction of motion and σ is a plain polar angle.
+    #[inline(always)]
     fn angle(&self, from: &Vector3<f64>, to: &Vector3<f64>, vx: f64, vy: f64) -> f64 {
         let span = to - from;
         let denominator = match self.plane {
@@ -242,6 +246,7 @@ impl StabilityMonitor {
     /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
     /// observed now and the least σ so far. They stay until the next choice, except the end of
     /// rock-back.
+    #[inline(always)]
     pub fn guard(&mut self, seen: &Observation, least_angle: f64) {
         let highest = if least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
@@ -278,6 +283,7 @@ impl StabilityMonitor {
 
     /// Whether no range can have been left within a step, judged from observations at the start of the previous step and at the
     /// start and end of this one; `ratio` is this step's length over the previous one's.
+    #[inline(always)]
     pub fn keep(&self, observations: [&Observation; 3], ratio: f64) -> bool {
         let looks = observations.map(Observation::ranged);
         let mut reach = [Quad::zero(); QUADS];
@@ -286,6 +292,7 @@ impl StabilityMonitor {
 
     /// Share of a stretch of motion in which the plane of motion turns so little that observations at the ends show what σ does
     /// between, the CG's velocity changing evenly from end to end: 1 if that is all of it.
+    #[inline(always)]
     pub fn share_within_turn(&self, start: &Observation, end: &Observation) -> f64 {
         let horizontal = |seen: &Observation| (seen.get(FIRST_CALM), seen.get(FIRST_CALM + 1));
         let ((ax, ay), (bx, by)) = (horizontal(start), horizontal(end));

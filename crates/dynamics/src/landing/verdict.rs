@@ -57,6 +57,7 @@ impl StabilityTrack {
     }
 
     /// Whether within a step of `length` s that ends like this no verdict can fall.
+    #[inline(always)]
     fn keeps(&self, end: &Observation, length: f64) -> bool {
         self.before
             .as_ref()
@@ -72,6 +73,7 @@ impl StabilityTrack {
 impl Trajectory<'_> {
     /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls. Of an `event` there
     /// one of the `buffers` has the signals.
+    #[inline(always)]
     pub(super) fn judge_step(
         &mut self,
         stability: &mut StabilityTrack,

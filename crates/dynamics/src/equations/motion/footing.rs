@@ -19,6 +19,7 @@ pub struct Footing {
 
 impl Footing {
     /// From the signals of all legs, with the CG at a depth (ft) below the surface.
+    #[inline(always)]
     pub fn from_signals(signals: &Signals<f64>, depth: f64) -> Self {
         let legs = signals.leg_count();
         let foot = [Signal::FootX, Signal::FootY, Signal::FootZ];
