@@ -30,7 +30,7 @@ use history::History;
 
 pub(crate) use rates::final_rates;
 pub(crate) use simulation::{NextStart, Simulation};
-pub(crate) use step_attempt::{Decay, StepKind, TakeStep, Workspace};
+pub(crate) use step_attempt::{StepKind, TakeStep, Workspace};
 
 pub use record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
 

@@ -3,7 +3,7 @@
 use pulp::NullaryFnOnce;
 
 use crate::integrator::step::Step;
-use crate::landing::{Decay, Simulation, StepKind, TakeStep, Workspace};
+use crate::landing::{Simulation, StepKind, TakeStep, Workspace};
 use crate::lanes::Lanes;
 use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::{Registers, Transpose};
@@ -19,8 +19,6 @@ pub(super) struct LaneSteps<const N: usize> {
     /// Signals midway through implicit steps, and at the ends.
     middle: Signals<Lanes<N>>,
     signals: Signals<Lanes<N>>,
-    /// Rates (1/s) that no decay exceeds at the starts of implicit steps.
-    rate: Lanes<N>,
     /// Estimated errors ([`Step::error`]).
     errors: [Lanes<N>; 2],
     /// Where the numbers of lanes go that hold no landing.
@@ -47,7 +45,6 @@ impl<const N: usize> LaneSteps<N> {
             length: Lanes([0.0; N]),
             middle: Signals::blank(legs),
             signals: Signals::blank(legs),
-            rate: Lanes([0.0; N]),
             errors: [Lanes([0.0; N]); 2],
             idle: Box::new(std::array::from_fn(|_| Idle {
                 step: Step::from(State::zero(legs), State::zero(legs)),
@@ -87,7 +84,7 @@ impl<const N: usize> LaneSteps<N> {
 
     /// Rate (1/s) that no decay in a lane exceeds at the start of the implicit step there.
     pub(super) fn rate(&self, lane: usize) -> f64 {
-        self.rate.0[lane]
+        self.workspace.greatest_decay.0[lane]
     }
 
     /// Estimated error of the step in a lane ([`Step::error`]).
@@ -97,10 +94,6 @@ impl<const N: usize> LaneSteps<N> {
 
     /// Takes a step in all lanes.
     pub(super) fn take<R: Registers>(&mut self, registers: R, kind: StepKind) {
-        if kind == StepKind::Implicit {
-            let decay = Decay(&self.motion, &self.step.before, &self.pieces);
-            self.rate = registers.dispatch(decay);
-        }
         self.errors = registers.dispatch(TakeStep {
             registers,
             kind,

@@ -154,6 +154,57 @@ pub struct Response<S> {
     pub legs: PerLeg<LegResponse<S>>,
 }
 
+impl<S: Real> Response<S> {
+    /// Rate (1/s) that no decay of a velocity exceeds ([`crate::motion::Motion::greatest_decay`]).
+    #[inline(always)]
+    pub fn greatest_decay(&self) -> S {
+        let per_body = inverse_inertias(self.mass, &self.inertia);
+        let mut greatest = S::zero();
+        for leg in &self.legs {
+            let per_link = S::one() / leg.inertia[0];
+            let mut decay = leg.link_damping.max(S::zero()) * per_link;
+            for ForceDerivative {
+                force, velocity, ..
+            } in leg.derivatives()
+            {
+                decay += greatest_decay(force, velocity, &per_body, per_link);
+            }
+            greatest += decay;
+        }
+        greatest
+    }
+}
+
+/// Inverses of mass and moments of inertia of a body, for its six coordinates.
+#[inline(always)]
+pub fn inverse_inertias<S: Real>(mass: S, inertia: &Matrix3<S>) -> [S; 6] {
+    let mut inverses = [mass; 6];
+    for i in 0..3 {
+        inverses[3 + i] = inertia[(i, i)];
+    }
+    for inverse in &mut inverses {
+        *inverse = S::one() / *inverse;
+    }
+    inverses
+}
+
+/// Rate (1/s) that no decay of a velocity exceeds which a force brings about that grows with that `velocity`, with these
+/// inverses of the inertias of body and link.
+#[inline(always)]
+pub fn greatest_decay<S: Real>(
+    force: &Coordinates<S>,
+    velocity: &Coordinates<S>,
+    per_body: &[S; 6],
+    per_link: S,
+) -> S {
+    let mut growth = force.link * velocity.link * per_link;
+    for (i, &per_body) in per_body.iter().enumerate() {
+        S::keep_rounds_apart();
+        growth += force.body[i] * velocity.body[i] * per_body;
+    }
+    (-growth).max(S::zero())
+}
+
 /// Scalar product.
 #[inline(always)]
 fn product<S: Real>(a: &Vector6<S>, b: &Vector6<S>) -> S {

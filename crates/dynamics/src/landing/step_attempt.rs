@@ -41,6 +41,8 @@ impl StepKind {
 pub(crate) struct Workspace<S> {
     /// Derivatives of the forces at the start.
     response: Response<S>,
+    /// Rate (1/s) that no decay of a velocity exceeds there.
+    pub(crate) greatest_decay: S,
     stages: [State<S>; 6],
 }
 
@@ -49,6 +51,7 @@ impl<S: Real> Workspace<S> {
     pub(crate) fn new(motion: &Motion<S>) -> Self {
         Self {
             response: motion.response(),
+            greatest_decay: S::zero(),
             stages: [State::zero(motion.leg_count()); 6],
         }
     }
@@ -83,7 +86,12 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
             pieces,
             step,
             length,
-            workspace: Workspace { response, stages },
+            workspace:
+                Workspace {
+                    response,
+                    greatest_decay,
+                    stages,
+                },
             middle,
             signals,
         } = self;
@@ -106,7 +114,8 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
         match kind {
             StepKind::Explicit => step.take_explicit(length, derivative, last),
             StepKind::Implicit => {
-                registers.dispatch(Respond(motion, &step.before, pieces, response));
+                *greatest_decay =
+                    registers.dispatch(Respond(motion, &step.before, pieces, response));
                 let system = Dispatched {
                     registers,
                     system: &response.over(S::constant(GAMMA) * length),
@@ -206,20 +215,22 @@ struct Respond<'a, S>(
 );
 
 impl<S: Real> NullaryFnOnce for Respond<'_, S> {
-    type Output = ();
+    /// Rate (1/s) that no decay of a velocity exceeds.
+    type Output = S;
 
     #[inline(always)]
-    fn call(self) {
+    fn call(self) -> S {
         let Self(motion, state, pieces, response) = self;
         motion.respond(state, pieces, response);
+        response.greatest_decay()
     }
 }
 
 /// How fast velocities decay at a state.
-pub(crate) struct Decay<'a, S>(
-    pub(crate) &'a Motion<S>,
-    pub(crate) &'a State<S>,
-    pub(crate) &'a Pieces<S>,
+pub(super) struct Decay<'a, S>(
+    pub(super) &'a Motion<S>,
+    pub(super) &'a State<S>,
+    pub(super) &'a Pieces<S>,
 );
 
 impl<S: Real> NullaryFnOnce for Decay<'_, S> {

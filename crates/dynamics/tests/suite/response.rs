@@ -108,7 +108,7 @@ fn implicit_stages_solve_the_equations_of_small_motions() {
 }
 
 #[test]
-fn greatest_rate_is_the_trace_of_what_velocities_do() {
+fn greatest_decay_is_the_trace_of_what_velocities_do() {
     let (bare, state) = pressed(&table_4_1(), 0.06, 0.01);
     let trace: f64 = changes(&state.body().quaternion)
         .iter()
@@ -124,6 +124,7 @@ fn greatest_rate_is_the_trace_of_what_velocities_do() {
         })
         .sum();
     let rate = bare.greatest_decay(&state);
+    assert_eq!(rate, bare.response(&state).greatest_decay());
     assert!(rate > 1000.0, "{rate}");
     // Products of inertia are left out.
     assert!((rate / -trace - 1.0).abs() < 0.03, "{rate}, not {trace}");

@@ -8,7 +8,7 @@ use crate::friction::FrictionPiece;
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
 };
-use crate::response::{Coordinates, ForceDerivative};
+use crate::response::{Coordinates, ForceDerivative, greatest_decay};
 use crate::scalar::Real;
 use crate::state::LegState;
 
@@ -204,25 +204,20 @@ impl<'a, S: Real> Contact<'a, S> {
     /// How fast friction under a normal force (lb) lets velocities along and across decay at most, 1/s, with these
     /// inverses of the inertias of body and link.
     #[inline(always)]
-    pub(super) fn decays(&self, force: S, per_inertia: &[S; 6], per_link: S) -> [S; 2] {
+    pub(super) fn decays(&self, force: S, per_body: &[S; 6], per_link: S) -> [S; 2] {
         let [along, across] = self.slidings();
         [
-            self.decay(&along, force, per_inertia, per_link),
-            self.decay(&across, force, per_inertia, per_link),
+            self.decay(&along, force, per_body, per_link),
+            self.decay(&across, force, per_body, per_link),
         ]
     }
 
     /// The same in one direction.
     #[inline(always)]
-    fn decay(&self, sliding: &Sliding<S>, force: S, per_inertia: &[S; 6], per_link: S) -> S {
+    fn decay(&self, sliding: &Sliding<S>, force: S, per_body: &[S; 6], per_link: S) -> S {
         let velocity = self.along(&sliding.direction);
         let force = self.force(&velocity, force * sliding.rate, S::zero());
-        let mut growth = force.link * velocity.link * per_link;
-        for (i, &per_inertia) in per_inertia.iter().enumerate() {
-            S::keep_rounds_apart();
-            growth += force.body[i] * velocity.body[i] * per_inertia;
-        }
-        (-growth).max(S::zero())
+        greatest_decay(&force, &velocity, per_body, per_link)
     }
 
     /// Along and across the sliding velocity.

@@ -5,6 +5,7 @@ use super::leg::LegMotion;
 use super::pieces::Pressed;
 use super::{LegPieces, Motion, Pieces, at_angle};
 use crate::kinematics::BodyFrame;
+use crate::response::inverse_inertias;
 use crate::scalar::Real;
 use crate::state::{LegState, State};
 
@@ -13,20 +14,13 @@ impl<S: Real> Motion<S> {
     #[inline(always)]
     pub fn greatest_decay(&self, state: &State<S>, pieces: &Pieces<S>) -> S {
         let frame = self.frame(&state.body());
-        let (mass, inertia) = (self.mass, &self.inertia);
-        let mut per_inertia = [S::one(); 6];
-        per_inertia[0] /= mass;
-        per_inertia[1] /= mass;
-        per_inertia[2] /= mass;
-        for i in 0..3 {
-            per_inertia[3 + i] /= inertia[(i, i)];
-        }
+        let per_body = inverse_inertias(self.mass, &self.inertia);
         let mut greatest = S::zero();
         for (j, leg) in self.legs.iter().enumerate() {
             let active = pieces.leg(j);
             let state = at_angle(active, state.leg(j));
             let (pieces, pressed) = (&active.leg, active.pressed);
-            greatest += leg.greatest_decay(&frame, &state, pieces, pressed, &per_inertia);
+            greatest += leg.greatest_decay(&frame, &state, pieces, pressed, &per_body);
         }
         greatest
     }
@@ -41,7 +35,7 @@ impl<S: Real> LegMotion<S> {
         leg: &LegState<S>,
         pieces: &LegPieces<S>,
         pressed: Pressed,
-        per_inertia: &[S; 6],
+        per_body: &[S; 6],
     ) -> S {
         let per_link = S::one() / self.link_inertia;
         let run_down = pieces.link.run_down() * self.link_inertia;
@@ -65,14 +59,14 @@ impl<S: Real> LegMotion<S> {
         if pressed.pads {
             let [outer, inner] = self.pad_section_forces(&pose, pieces);
             let contact = Contact::of_pad(self, &posture);
-            let [along, across] = contact.decays(outer + inner, per_inertia, per_link);
+            let [along, across] = contact.decays(outer + inner, per_body, per_link);
             greatest += along;
             greatest += across;
         }
         if pressed.blocks {
             let force = self.block_normal(&frame, &pose, pieces);
             let contact = Contact::of_block(self, &posture);
-            let [along, across] = contact.decays(force, per_inertia, per_link);
+            let [along, across] = contact.decays(force, per_body, per_link);
             greatest += along;
             greatest += across;
         }
