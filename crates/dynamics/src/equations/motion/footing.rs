@@ -22,9 +22,15 @@ impl Footing {
     #[inline(always)]
     pub fn from_signals(signals: &Signals<f64>, depth: f64) -> Self {
         let legs = signals.leg_count();
-        let foot = [Signal::FootX, Signal::FootY, Signal::FootZ];
+        let foot = |j| {
+            Vector3::new(
+                signals.of(j, Signal::FootX),
+                signals.of(j, Signal::FootY),
+                signals.of(j, Signal::FootZ),
+            )
+        };
         Self {
-            feet: PerLeg::from_fn(legs, |j| foot.map(|signal| signals.of(j, signal)).into()),
+            feet: PerLeg::from_fn(legs, foot),
             depth,
             hardpoint_depths: PerLeg::from_fn(legs, |j| signals.of(j, Signal::HardpointDepth)),
         }
