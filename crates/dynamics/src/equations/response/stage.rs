@@ -23,9 +23,9 @@ impl<S: Real> Response<S> {
             }
         }
         let mut legs = ArrayVec::new();
+        let mut body = matrix;
         for leg in &self.legs {
-            let (eliminated, body) = Eliminated::from(leg, tau);
-            legs.push(eliminated);
+            legs.push(Eliminated::from(leg, tau, &mut body));
             for column in 0..6 {
                 for row in 0..6 {
                     S::keep_rounds_apart();
@@ -69,9 +69,9 @@ struct Eliminated<S> {
 }
 
 impl<S: Real> Eliminated<S> {
-    /// Eliminates a leg: what that leaves of it in the body's equations.
+    /// Eliminates a leg; what that leaves of it in the equations of the body is written to `body`.
     #[inline(always)]
-    fn from(leg: &LegResponse<S>, tau: S) -> (Self, Matrix6<S>) {
+    fn from(leg: &LegResponse<S>, tau: S, body: &mut Matrix6<S>) -> Self {
         let [follows, bends] = leg.pad_turn;
         let [link_inertia, pad_inertia] = leg.inertia;
         let squared = tau * tau;
@@ -79,7 +79,7 @@ impl<S: Real> Eliminated<S> {
         let pad_way = tau * follows * bends;
         let (link_torque, hinge_torque) = (&leg.link_torque, &leg.hinge_torque);
 
-        let mut body = Matrix6::from([[S::zero(); 6]; 6]);
+        *body = Matrix6::from([[S::zero(); 6]; 6]);
         let mut columns = [none(); 2];
         let mut rows = [link_torque.body * -squared, hinge_torque.body * -squared];
         let damping = leg.link_damping - link_way * link_torque.link;
@@ -138,12 +138,11 @@ impl<S: Real> Eliminated<S> {
                 }
             }
         }
-        let eliminated = Self {
+        Self {
             columns,
             inverse,
             rows: solved,
-        };
-        (eliminated, body)
+        }
     }
 }
 
