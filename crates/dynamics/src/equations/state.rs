@@ -198,12 +198,14 @@ impl<S: Real> State<S> {
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
     ) -> PerLeg<S> {
-        PerLeg::from_fn(self.legs.len(), |j| {
-            let terms = weights.iter().zip(slopes);
-            terms.fold(self.legs[j][number], |sum, (&weight, slope)| {
-                sum + weight * slope.legs[j][number]
-            })
-        })
+        let mut numbers = PerLeg::same(self.legs.len(), S::zero());
+        for (j, sum) in numbers.iter_mut().enumerate() {
+            *sum = self.legs[j][number];
+            for k in 0..TERMS {
+                *sum += weights[k] * slopes[k].legs[j][number];
+            }
+        }
+        numbers
     }
 
     /// self + Σ weight · slope, number by number.

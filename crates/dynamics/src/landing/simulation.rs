@@ -171,8 +171,14 @@ impl<'o> Simulation<'o> {
     }
 
     /// Goes on to the end of the step, to what comes before, or back to its start; gets ready for the next.
+    fn end_step(&mut self, errors: [f64; 2]) -> Result<NextStart, Outcome> {
+        let registers = self.trajectory.registers;
+        registers.dispatch(EndStep(self, errors))
+    }
+
+    /// The same, for whatever registers it is compiled for.
     #[inline(always)]
-    fn end_step(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
+    fn end_step_in_registers(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
         let trajectory = &mut self.trajectory;
         trajectory.evaluations += self.kind.evaluations();
         trajectory.is_middle_seen = self.kind == StepKind::Implicit;
@@ -397,7 +403,20 @@ impl<'o> Simulation<'o> {
     }
 }
 
-/// What follows a step, compiled for the registers of a single landing.
+/// What follows an attempted step, compiled for the registers of a single landing.
+struct EndStep<'a, 'o>(&'a mut Simulation<'o>, [f64; 2]);
+
+impl NullaryFnOnce for EndStep<'_, '_> {
+    type Output = Result<NextStart, Outcome>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        let Self(simulation, errors) = self;
+        simulation.end_step_in_registers(errors)
+    }
+}
+
+/// What follows an accepted step, compiled for the registers of a single landing.
 struct FinishStep<'a, 'o>(&'a mut Simulation<'o>);
 
 impl NullaryFnOnce for FinishStep<'_, '_> {

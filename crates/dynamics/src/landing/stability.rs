@@ -203,10 +203,13 @@ impl StabilityMonitor {
             hardpoint_depths,
         } = footing;
         let (vx, vy) = (body.velocity.x, body.velocity.y);
-        let sides = feet.map(|foot| match self.plane {
-            Plane::Motion => vy * foot.x - vx * foot.y,
-            Plane::Slope => self.slope_side * foot.x,
-        });
+        let mut sides = PerLeg::same(feet.len(), 0.0);
+        for (side, foot) in sides.iter_mut().zip(feet) {
+            *side = match self.plane {
+                Plane::Motion => vy * foot.x - vx * foot.y,
+                Plane::Slope => self.slope_side * foot.x,
+            };
+        }
         let clearance = hardpoint_depths
             .iter()
             .fold(f64::INFINITY, |least, depth| least.min(-depth));

@@ -1,11 +1,13 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
+use pulp::NullaryFnOnce;
+
 use super::trajectory::Trajectory;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
 use crate::motion::{Footing, Signals};
+use crate::registers::Registers;
 use crate::stability::{Observation, StabilityMonitor, Verdict};
-use crate::state::Body;
 
 /// Parabolas fitted to find a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
@@ -88,21 +90,8 @@ impl Trajectory<'_> {
         while start.theta < reach {
             (stability.monitor).guard(&start.signals, self.least_angle.0);
             let monitor = &stability.monitor;
-            let look = |theta: f64| {
-                let told = |signals: &Signals<f64>, body: &Body<f64>| {
-                    let depth = self.motion.surface().depth(&body.position);
-                    monitor.observe_footing(&Footing::from_signals(signals, depth), body)
-                };
-                if theta == 1.0 {
-                    told(self.signals.end(), &self.step.after.body())
-                } else if let Some(buffer) = event
-                    && theta == reach
-                {
-                    told(&self.buffers[buffer], &self.motion_at(theta).body())
-                } else {
-                    monitor.observe(&self.motion, &self.motion_at(theta))
-                }
-            };
+            let event = event.map(|buffer| (reach, &self.buffers[buffer]));
+            let look = |theta: f64| self.observe(monitor, theta, event);
             let node = |theta: f64| Node {
                 theta,
                 signals: look(theta),
@@ -170,6 +159,17 @@ impl Trajectory<'_> {
         None
     }
 
+    /// What the monitor shows at fraction θ of the step. At an event the signals are known.
+    #[inline(never)]
+    fn observe(
+        &self,
+        monitor: &StabilityMonitor,
+        theta: f64,
+        event: Option<(f64, &Signals<f64>)>,
+    ) -> Observation {
+        (self.registers).dispatch(Observe(self, monitor, theta, event))
+    }
+
     /// Whether within a step of `length` s that ends like this no new least value can hide.
     fn is_plain(&self, stability: &StabilityTrack, end: &Observation, length: f64) -> bool {
         let (start, Some((before, ago))) = (&stability.seen, &stability.before) else {
@@ -224,9 +224,43 @@ impl Trajectory<'_> {
             let Some(theta) = parabola.lowest(least(self)) else {
                 return;
             };
-            let seen = monitor.observe(&self.motion, &self.motion_at(theta));
+            let seen = self.observe(monitor, theta, None);
             self.note_observation(&seen, self.time_at(theta));
             parabola = parabola.about((theta, number(&seen)));
         }
+    }
+}
+
+/// What a monitor shows at fraction θ of a step. At an event the signals are known.
+struct Observe<'a, 'o>(
+    &'a Trajectory<'o>,
+    &'a StabilityMonitor,
+    f64,
+    Option<(f64, &'a Signals<f64>)>,
+);
+
+impl NullaryFnOnce for Observe<'_, '_> {
+    type Output = Observation;
+
+    #[inline(always)]
+    fn call(self) -> Observation {
+        let Self(trajectory, monitor, theta, event) = self;
+        let known = if theta == 1.0 {
+            Some(trajectory.signals.end())
+        } else {
+            event.and_then(|(reach, signals)| (theta == reach).then_some(signals))
+        };
+        let state = if theta == 1.0 {
+            &trajectory.step.after
+        } else {
+            &trajectory.motion_at(theta)
+        };
+        let body = state.body();
+        let motion = &trajectory.motion;
+        let footing = match known {
+            Some(signals) => Footing::from_signals(signals, motion.surface().depth(&body.position)),
+            None => motion.footing(state),
+        };
+        monitor.observe_footing(&footing, &body)
     }
 }
