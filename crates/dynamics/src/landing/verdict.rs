@@ -82,81 +82,97 @@ impl Trajectory<'_> {
         reach: f64,
         event: Option<usize>,
     ) -> Option<(f64, Verdict)> {
-        let resolution = self.event_resolution / self.step.length;
-        let mut start = Node {
-            theta: 0.0,
-            signals: stability.seen,
-        };
-        while start.theta < reach {
-            (stability.monitor).guard(&start.signals, self.least_angle.0);
-            let monitor = &stability.monitor;
+        let mut theta = 0.0;
+        while theta < reach {
+            (stability.monitor).guard(&stability.seen, self.least_angle.0);
             let event = event.map(|buffer| (reach, &self.buffers[buffer]));
-            let look = |theta: f64| self.observe(monitor, theta, event);
-            let node = |theta: f64| Node {
-                theta,
-                signals: look(theta),
-            };
-            let mut end = node(reach);
-            let share = monitor.share_within_turn(&start.signals, &end.signals);
+            let mut end = self.observe(&stability.monitor, reach, event);
+            let mut end_theta = reach;
+            let share = (stability.monitor).share_within_turn(&stability.seen, &end);
             if share < 1.0 {
-                let part = (share * (reach - start.theta)).max(resolution);
-                end = node(reach.min(start.theta + part));
+                let part = (share * (reach - theta)).max(self.event_resolution / self.step.length);
+                end_theta = reach.min(theta + part);
+                end = self.observe(&stability.monitor, end_theta, event);
             }
-            let length = (end.theta - start.theta) * self.step.length;
-            let is_plain = self.is_plain(stability, &end.signals, length);
-            if is_plain && stability.keeps(&end.signals, length) {
-                self.note_observation(&end.signals, self.time_at(end.theta));
-                stability.finish_step(end.signals, length);
-                start = end;
-                continue;
-            }
-            let middle = node(0.5 * (start.theta + end.theta));
-            let nodes = [&start, &middle, &end].map(Node::sample);
-            let mut buffers = [end.signals; 3];
-            let exit = first_exit(
-                nodes,
-                monitor.guards(),
-                resolution,
-                &mut buffers,
-                |theta, signals| *signals = look(theta),
-            );
-            let exit = exit.map(|(theta, buffer)| Node {
-                theta,
-                signals: buffers[buffer],
-            });
-            let Some(exit) = exit else {
-                if is_plain {
-                    self.note_observation(&end.signals, self.time_at(end.theta));
-                } else {
-                    self.note_least(monitor, [&start, &middle, &end]);
-                }
-                stability.finish_step(end.signals, length);
-                start = end;
-                continue;
-            };
-            let middle = node(0.5 * (start.theta + exit.theta));
-            self.note_least(monitor, [&start, &middle, &exit]);
-            if let Some(verdict) = monitor.verdict(&exit.signals, self.least_angle.0) {
-                return Some((exit.theta, verdict));
-            }
-            match (stability.monitor).choose_plane(&self.motion, &self.motion_at(exit.theta)) {
-                Err(verdict) => return Some((exit.theta, verdict)),
-                Ok(observation) => {
-                    self.note_observation(&observation, self.time_at(exit.theta));
-                    let verdict = stability.monitor.verdict(&observation, self.least_angle.0);
-                    if let Some(verdict) = verdict {
-                        return Some((exit.theta, verdict));
-                    }
-                    start = Node {
-                        theta: exit.theta,
-                        signals: observation,
-                    };
-                    stability.seen = observation;
-                    stability.before = None;
+            let length = (end_theta - theta) * self.step.length;
+            let is_plain = self.is_plain(stability, &end, length);
+            if is_plain && stability.keeps(&end, length) {
+                self.note_observation(&end, self.time_at(end_theta));
+                stability.finish_step(end, length);
+                theta = end_theta;
+            } else {
+                let end = Node {
+                    theta: end_theta,
+                    signals: end,
+                };
+                match self.judge_closely(stability, theta, end, is_plain) {
+                    Ok(reached) => theta = reached,
+                    Err(found) => return Some(found),
                 }
             }
         }
         None
+    }
+
+    /// Follows stability from fraction `start` of the step to `end`, between which a verdict may fall or, unless it
+    /// `is_plain`, a least value hide: up to where plane and feet are chosen anew.
+    ///
+    /// # Errors
+    /// The verdict and where, if one falls.
+    #[inline(never)]
+    fn judge_closely(
+        &mut self,
+        stability: &mut StabilityTrack,
+        start: f64,
+        end: Node<Observation>,
+        is_plain: bool,
+    ) -> Result<f64, (f64, Verdict)> {
+        let monitor = &stability.monitor;
+        let start = Node {
+            theta: start,
+            signals: stability.seen,
+        };
+        let node = |theta: f64| Node {
+            theta,
+            signals: self.observe(monitor, theta, None),
+        };
+        let middle = node(0.5 * (start.theta + end.theta));
+        let mut buffers = [end.signals; 3];
+        let exit = first_exit(
+            [start.sample(), middle.sample(), end.sample()],
+            monitor.guards(),
+            self.event_resolution / self.step.length,
+            &mut buffers,
+            |theta, signals| *signals = self.observe(monitor, theta, None),
+        );
+        let Some((theta, buffer)) = exit else {
+            if is_plain {
+                self.note_observation(&end.signals, self.time_at(end.theta));
+            } else {
+                self.note_least(monitor, [&start, &middle, &end]);
+            }
+            stability.finish_step(end.signals, (end.theta - start.theta) * self.step.length);
+            return Ok(end.theta);
+        };
+        let exit = Node {
+            theta,
+            signals: buffers[buffer],
+        };
+        let middle = node(0.5 * (start.theta + theta));
+        self.note_least(monitor, [&start, &middle, &exit]);
+        if let Some(verdict) = monitor.verdict(&exit.signals, self.least_angle.0) {
+            return Err((theta, verdict));
+        }
+        let state = self.motion_at(theta);
+        let seen = (stability.monitor.choose_plane(&self.motion, &state))
+            .map_err(|verdict| (theta, verdict))?;
+        self.note_observation(&seen, self.time_at(theta));
+        stability.seen = seen;
+        stability.before = None;
+        match stability.monitor.verdict(&seen, self.least_angle.0) {
+            Some(verdict) => Err((theta, verdict)),
+            None => Ok(theta),
+        }
     }
 
     /// What the monitor shows at fraction θ of the step. At an event the signals are known.
