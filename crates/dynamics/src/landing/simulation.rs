@@ -18,7 +18,7 @@ use crate::per_leg::PerLeg;
 use crate::record::Landing;
 use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
-use crate::stability::StabilityMonitor;
+use crate::stability::{StabilityMonitor, calm_height};
 use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
@@ -71,12 +71,10 @@ impl<'o> Simulation<'o> {
         settings: &Settings,
         history: Option<History<'o>>,
     ) -> Self {
-        let trajectory = Trajectory::new(vehicle, scene, settings, history);
-        let monitor = StabilityMonitor::new(scene, trajectory.calm_height);
-        let seen = monitor.observe(&trajectory.motion, &trajectory.start);
+        let monitor = StabilityMonitor::new(scene, calm_height(vehicle));
         Self {
-            trajectory,
-            stability: StabilityTrack::new(monitor, seen),
+            trajectory: Trajectory::new(vehicle, scene, settings, history),
+            stability: StabilityTrack::new(monitor, vehicle.legs().len()),
             steadiness: Steadiness::new(vehicle, scene),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,

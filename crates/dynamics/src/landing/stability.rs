@@ -90,6 +90,11 @@ impl Observation {
         }
     }
 
+    /// Nothing yet, of a vehicle with so many legs.
+    pub(super) fn none(legs: usize) -> Self {
+        Self::new(&PerLeg::same(legs, 0.0), 0.0, [0.0; CALM], 0.0)
+    }
+
     /// The quads that hold anything.
     #[inline(always)]
     fn ranged(&self) -> &[[f64; LANES]] {

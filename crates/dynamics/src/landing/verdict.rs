@@ -23,11 +23,11 @@ pub(super) struct StabilityTrack {
 }
 
 impl StabilityTrack {
-    /// A monitor and its observation at touchdown.
-    pub(super) fn new(monitor: StabilityMonitor, seen: Observation) -> Self {
+    /// A monitor that has yet to observe the touchdown of a vehicle with so many legs.
+    pub(super) fn new(monitor: StabilityMonitor, legs: usize) -> Self {
         Self {
             monitor,
-            seen,
+            seen: Observation::none(legs),
             before: None,
         }
     }
