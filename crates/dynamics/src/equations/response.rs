@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector4, Vector6};
 use crate::per_leg::PerLeg;
 use crate::scalar::Real;
 
-pub use stage::System;
+pub use stage::{Factors, System};
 
 /// A small change of displacements or velocities of the body and one leg, or forces on them.
 #[derive(Debug, Clone, Copy)]

@@ -8,7 +8,7 @@ use crate::integrator::step::{Step, Weights};
 use crate::integrator::{dormand_prince, rosenbrock};
 use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::Registers;
-use crate::response::{Response, System};
+use crate::response::{Factors, Response, System};
 use crate::scalar::Real;
 use crate::state::State;
 
@@ -43,6 +43,7 @@ pub(crate) struct Workspace<S> {
     response: Response<S>,
     /// Rate (1/s) that no decay of a velocity exceeds there.
     pub(crate) greatest_decay: S,
+    factors: Factors<S>,
     stages: [State<S>; 6],
 }
 
@@ -52,6 +53,7 @@ impl<S: Real> Workspace<S> {
         Self {
             response: motion.response(),
             greatest_decay: S::zero(),
+            factors: Factors::none(motion.leg_count()),
             stages: [State::zero(motion.leg_count()); 6],
         }
     }
@@ -90,6 +92,7 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
                 Workspace {
                     response,
                     greatest_decay,
+                    factors,
                     stages,
                 },
             middle,
@@ -118,7 +121,7 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
                     registers.dispatch(Respond(motion, &step.before, pieces, response));
                 let system = Dispatched {
                     registers,
-                    system: &response.over(S::constant(GAMMA) * length),
+                    system: &response.over(S::constant(GAMMA) * length, factors),
                 };
                 let midway = |state: &State<S>, slope: &mut State<S>| {
                     evaluate(state, slope, middle);

@@ -8,6 +8,7 @@ use crate::integrator::parabola::Parabola;
 use crate::motion::{Footing, Signals};
 use crate::registers::Registers;
 use crate::stability::{Observation, StabilityMonitor, Verdict};
+use crate::state::State;
 
 /// Parabolas fitted to find a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
@@ -266,13 +267,15 @@ impl NullaryFnOnce for Observe<'_, '_> {
         } else {
             event.and_then(|(reach, signals)| (theta == reach).then_some(signals))
         };
+        let motion = &trajectory.motion;
+        let mut within = State::zero(motion.leg_count());
         let state = if theta == 1.0 {
             &trajectory.step.after
         } else {
-            &trajectory.motion_at(theta)
+            trajectory.between().motion_at(theta, &mut within);
+            &within
         };
         let body = state.body();
-        let motion = &trajectory.motion;
         let footing = match known {
             Some(signals) => Footing::from_signals(signals, motion.surface().depth(&body.position)),
             None => motion.footing(state),

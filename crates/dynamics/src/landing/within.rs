@@ -28,7 +28,7 @@ impl Between<'_> {
 
     /// Writes what moves at fraction θ.
     #[inline(always)]
-    fn motion_at(&self, theta: f64, state: &mut State<f64>) {
+    pub(super) fn motion_at(&self, theta: f64, state: &mut State<f64>) {
         match self.free {
             Some(flight) => *state = flight.at(theta * self.step.length),
             None => self.step.motion_at(theta, state),
@@ -101,7 +101,7 @@ impl Trajectory<'_> {
     }
 
     /// The step between its ends.
-    fn between(&self) -> Between<'_> {
+    pub(super) fn between(&self) -> Between<'_> {
         Between {
             step: &self.step,
             free: self.free.as_ref(),

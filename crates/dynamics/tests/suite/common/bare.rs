@@ -9,7 +9,7 @@ use touchdown_dynamics::integrator::step::Step;
 use touchdown_dynamics::lanes::Lanes;
 use touchdown_dynamics::motion::{FreeFlight, LegLoads, Motion, Pieces, Signal, Signals};
 use touchdown_dynamics::per_leg::PerLeg;
-use touchdown_dynamics::response::Response;
+use touchdown_dynamics::response::{Factors, Response};
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -166,7 +166,8 @@ impl Bare {
             midway = *state;
             derivative(state, slope);
         };
-        let system = response.over(GAMMA * length);
+        let mut factors = Factors::none(state.leg_count());
+        let system = response.over(GAMMA * length, &mut factors);
         let mut stages = [State::zero(3); 6];
         step.take_implicit(length, &system, &mut stages, derivative, middle, derivative);
         (step, midway)
