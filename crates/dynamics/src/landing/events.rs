@@ -46,7 +46,7 @@ impl Trajectory<'_> {
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Signals<f64>| {
             looks += 1;
-            within.at(registers, theta, signals);
+            within.at(registers, theta, &mut self.within, signals);
         };
         let resolution = self.event_resolution / length;
         let is_explicit = !self.is_middle_seen;

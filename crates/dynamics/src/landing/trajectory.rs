@@ -67,6 +67,8 @@ pub(crate) struct Trajectory<'o> {
     pub(super) time: f64,
     /// The present state and its derivative are the start of the step.
     pub(crate) step: Step<f64, State<f64>>,
+    /// What moves where the step was last looked at between its ends.
+    pub(super) within: State<f64>,
     /// The present step in closed form, if it is one of free flight.
     pub(super) free: Option<FreeFlight>,
     pub(crate) signals: SignalHistory,
@@ -133,6 +135,7 @@ impl<'o> Trajectory<'o> {
             kinks: PerLeg::same(legs, None),
             time: 0.0,
             step: Step::from(state, State::zero(legs)),
+            within: State::zero(legs),
             free: None,
             signals: SignalHistory::new(legs),
             middle: Signals::blank(legs),

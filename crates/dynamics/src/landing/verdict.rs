@@ -3,12 +3,12 @@
 use pulp::NullaryFnOnce;
 
 use super::trajectory::Trajectory;
+use super::within::Between;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
-use crate::motion::{Footing, Signals};
+use crate::motion::Footing;
 use crate::registers::Registers;
 use crate::stability::{Observation, StabilityMonitor, Verdict};
-use crate::state::State;
 
 /// Parabolas fitted to find a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
@@ -86,7 +86,7 @@ impl Trajectory<'_> {
         let mut theta = 0.0;
         while theta < reach {
             (stability.monitor).guard(&stability.seen, self.least_angle.0);
-            let event = event.map(|buffer| (reach, &self.buffers[buffer]));
+            let event = event.map(|buffer| (reach, buffer));
             let mut end = self.observe(&stability.monitor, reach, event);
             let mut end_theta = reach;
             let share = (stability.monitor).share_within_turn(&stability.seen, &end);
@@ -133,7 +133,8 @@ impl Trajectory<'_> {
             theta: start,
             signals: stability.seen,
         };
-        let node = |theta: f64| Node {
+        let resolution = self.event_resolution / self.step.length;
+        let mut node = |theta: f64| Node {
             theta,
             signals: self.observe(monitor, theta, None),
         };
@@ -142,7 +143,7 @@ impl Trajectory<'_> {
         let exit = first_exit(
             [start.sample(), middle.sample(), end.sample()],
             monitor.guards(),
-            self.event_resolution / self.step.length,
+            resolution,
             &mut buffers,
             |theta, signals| *signals = self.observe(monitor, theta, None),
         );
@@ -159,7 +160,10 @@ impl Trajectory<'_> {
             theta,
             signals: buffers[buffer],
         };
-        let middle = node(0.5 * (start.theta + theta));
+        let middle = Node {
+            theta: 0.5 * (start.theta + theta),
+            signals: self.observe(monitor, 0.5 * (start.theta + theta), None),
+        };
         self.note_least(monitor, [&start, &middle, &exit]);
         if let Some(verdict) = monitor.verdict(&exit.signals, self.least_angle.0) {
             return Err((theta, verdict));
@@ -176,13 +180,13 @@ impl Trajectory<'_> {
         }
     }
 
-    /// What the monitor shows at fraction θ of the step. At an event the signals are known.
+    /// What the monitor shows at fraction θ of the step. At an event one of the buffers has the signals.
     #[inline(never)]
     fn observe(
-        &self,
+        &mut self,
         monitor: &StabilityMonitor,
         theta: f64,
-        event: Option<(f64, &Signals<f64>)>,
+        event: Option<(f64, usize)>,
     ) -> Observation {
         (self.registers).dispatch(Observe(self, monitor, theta, event))
     }
@@ -248,12 +252,12 @@ impl Trajectory<'_> {
     }
 }
 
-/// What a monitor shows at fraction θ of a step. At an event the signals are known.
+/// What a monitor shows at fraction θ of a step. At an event one of the buffers has the signals.
 struct Observe<'a, 'o>(
-    &'a Trajectory<'o>,
+    &'a mut Trajectory<'o>,
     &'a StabilityMonitor,
     f64,
-    Option<(f64, &'a Signals<f64>)>,
+    Option<(f64, usize)>,
 );
 
 impl NullaryFnOnce for Observe<'_, '_> {
@@ -262,19 +266,22 @@ impl NullaryFnOnce for Observe<'_, '_> {
     #[inline(always)]
     fn call(self) -> Observation {
         let Self(trajectory, monitor, theta, event) = self;
-        let known = if theta == 1.0 {
-            Some(trajectory.signals.end())
-        } else {
-            event.and_then(|(reach, signals)| (theta == reach).then_some(signals))
-        };
-        let motion = &trajectory.motion;
-        let mut within = State::zero(motion.leg_count());
         let state = if theta == 1.0 {
             &trajectory.step.after
         } else {
-            trajectory.between().motion_at(theta, &mut within);
-            &within
+            let between = Between {
+                step: &trajectory.step,
+                free: trajectory.free.as_ref(),
+            };
+            between.motion_at(theta, &mut trajectory.within);
+            &trajectory.within
         };
+        let known = match event {
+            _ if theta == 1.0 => Some(trajectory.signals.end()),
+            Some((reach, buffer)) if theta == reach => Some(&trajectory.buffers[buffer]),
+            _ => None,
+        };
+        let motion = &trajectory.motion;
         let body = state.body();
         let footing = match known {
             Some(signals) => Footing::from_signals(signals, motion.surface().depth(&body.position)),

@@ -45,25 +45,30 @@ pub(super) struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// Writes the signals at fraction θ of the step. Compiled once, for all that look: code that is called from
-    /// everywhere stays in the cache of instructions.
+    /// Writes the signals at fraction θ of the step, and what moves there. Compiled once, for all that look: code that
+    /// is called from everywhere stays in the cache of instructions.
     #[inline(never)]
-    pub(super) fn at(&self, registers: Single, theta: f64, signals: &mut Signals<f64>) {
-        registers.dispatch(LookAt(self, theta, signals));
+    pub(super) fn at(
+        &self,
+        registers: Single,
+        theta: f64,
+        state: &mut State<f64>,
+        signals: &mut Signals<f64>,
+    ) {
+        registers.dispatch(LookAt(self, theta, state, signals));
     }
 }
 
-struct LookAt<'a>(&'a Look<'a>, f64, &'a mut Signals<f64>);
+struct LookAt<'a>(&'a Look<'a>, f64, &'a mut State<f64>, &'a mut Signals<f64>);
 
 impl NullaryFnOnce for LookAt<'_> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self(look, theta, signals) = self;
-        let mut state = State::zero(look.motion.leg_count());
-        look.between.motion_at(theta, &mut state);
-        (look.motion).look(&state, look.pieces, look.with_torques, signals);
+        let Self(look, theta, state, signals) = self;
+        look.between.motion_at(theta, state);
+        (look.motion).look(state, look.pieces, look.with_torques, signals);
     }
 }
 
@@ -101,7 +106,7 @@ impl Trajectory<'_> {
     }
 
     /// The step between its ends.
-    pub(super) fn between(&self) -> Between<'_> {
+    fn between(&self) -> Between<'_> {
         Between {
             step: &self.step,
             free: self.free.as_ref(),
@@ -129,10 +134,13 @@ impl Trajectory<'_> {
         let look = Look {
             motion: &self.motion,
             pieces: &self.pieces,
-            between: self.between(),
+            between: Between {
+                step: &self.step,
+                free: self.free.as_ref(),
+            },
             with_torques: false,
         };
-        look.at(self.registers, theta, &mut signals);
+        look.at(self.registers, theta, &mut self.within, &mut signals);
         signals
     }
 }
