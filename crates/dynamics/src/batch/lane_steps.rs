@@ -18,6 +18,8 @@ pub(super) struct LaneSteps<const N: usize> {
     step: Step<Lanes<N>, State<Lanes<N>>>,
     /// Overwritten by the stages of implicit steps.
     stages: [State<Lanes<N>>; 6],
+    /// When steps start, s after first contact, and their lengths, s.
+    time: Lanes<N>,
     length: Lanes<N>,
     /// Signals midway through implicit steps, and at the ends.
     middle: Signals<Lanes<N>>,
@@ -48,6 +50,7 @@ impl<const N: usize> LaneSteps<N> {
             pieces: Pieces::absent(legs),
             step: Step::from(zero, zero),
             stages: [zero; 6],
+            time: Lanes([0.0; N]),
             length: Lanes([0.0; N]),
             middle: Signals::blank(legs),
             signals: Signals::blank(legs),
@@ -84,8 +87,9 @@ impl<const N: usize> LaneSteps<N> {
         self.step.slopes[0].set_lane(lane, &step.slopes[0]);
     }
 
-    /// Puts the length of a step into a lane.
+    /// Puts time and length of a step into a lane.
     pub(super) fn load_length(&mut self, lane: usize, simulation: &Simulation<'_>) {
+        self.time.0[lane] = simulation.time();
         self.length.0[lane] = simulation.length();
     }
 
@@ -116,6 +120,7 @@ impl<const N: usize> LaneSteps<N> {
             pieces: &self.pieces,
             response: &self.response,
             step: &mut self.step,
+            time: self.time,
             length: self.length,
             stages: &mut self.stages,
             middle: &mut self.middle,

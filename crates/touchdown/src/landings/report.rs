@@ -49,9 +49,13 @@ pub fn text(
     let mut lines = Lines(format!("{name}\n{changes}{}\n\n", wrapped(&given)));
     lines.add(
         "outcome",
-        format!("{} at {:.6} s", landing.outcome, landing.end_time),
+        format!("{} at {:.6} s", landing.outcome, verdict_time(landing)),
     );
     lines.add("why", why(&landing.outcome));
+    if let Some(beyond) = &landing.beyond {
+        let said = format!("to {:.6} s: {}", landing.end_time, beyond.end);
+        lines.add("went on", said);
+    }
     lines.add(
         "least stability angle",
         format!(
@@ -83,6 +87,9 @@ pub fn text(
     );
     lines.energy("kinetic energy at contact", energies.initial_kinetic);
     lines.energy("+ potential energy released", energies.potential_change);
+    if energies.thrust != 0.0 {
+        lines.energy("+ work of the thrust", energies.thrust);
+    }
     lines.energy("- struts", work(|leg| leg.strut));
     lines.energy("- footpads, crushing", work(|leg| leg.pad_crush));
     lines.energy("- footpads, sliding", work(|leg| leg.pad_friction));
@@ -109,6 +116,12 @@ pub fn text(
         ),
     );
     lines.0 + &integration_report::text(integration, legs)
+}
+
+/// When the verdict fell, s.
+fn verdict_time(landing: &Landing) -> f64 {
+    let beyond = landing.beyond.as_ref();
+    beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }
 
 /// What is to be told of a landing although its account closes: elements that gave back more than they took.

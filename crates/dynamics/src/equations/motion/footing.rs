@@ -13,7 +13,7 @@ pub struct Footing {
     pub feet: PerLeg<Vector3<f64>>,
     /// Depth of the CG below the surface, ft (negative above).
     pub depth: f64,
-    /// Depth of the lower hardpoints (6) below the surface, ft (negative above).
+    /// Depth of the lower hardpoints (6) below the ground of the blocks beside them, ft (negative above).
     pub hardpoint_depths: PerLeg<f64>,
 }
 
@@ -41,9 +41,10 @@ impl Motion<f64> {
                 frame.seen_from_center_of_gravity(&pivot)
             }),
             depth: self.surface.depth(&body.position),
-            hardpoint_depths: self
-                .legs
-                .map(|leg| frame.depth + frame.normal.dot(&leg.geometry.lower_hardpoint())),
+            hardpoint_depths: PerLeg::from_fn(self.leg_count(), |j| {
+                let [_, block] = self.ground(j, &frame);
+                block.depth_of(&self.legs[j].geometry.lower_hardpoint())
+            }),
         }
     }
 }

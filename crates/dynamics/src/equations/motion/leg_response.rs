@@ -8,6 +8,7 @@ use super::{LegPieces, Motion, Pieces, at_angle};
 use crate::friction::FrictionPiece;
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
+    SeenAlongLeg,
 };
 use crate::per_leg::PerLeg;
 use crate::response::{Coordinates, ForceDerivative, LegResponse, Response};
@@ -75,7 +76,14 @@ impl<S: Real> LegMotion<S> {
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return;
         }
-        let frame = geometry.frame(body);
+        let seen;
+        let grounds = if self.ground.is_even() {
+            [&body.surface; 2]
+        } else {
+            seen = self.ground.seen(body);
+            [&seen[0], &seen[1]]
+        };
+        let frame = geometry.frame(body, grounds);
         let pose = geometry.pose(&frame, leg.link_angle, pad_angle);
         let posture = Posture {
             body,
@@ -113,7 +121,7 @@ impl<S: Real> LegMotion<S> {
         let contact = Contact {
             geometry,
             body,
-            frame,
+            ground: &frame.pad,
             point: &pose.pivot,
             velocity: &velocity,
             carried: frame.carried_round(&pose.pivot) + swing * leg.link_rate,
@@ -173,11 +181,11 @@ impl<S: Real> LegMotion<S> {
         } = *posture;
         let point = &pose.block_center;
         let none = Vector3::from([S::zero(); 3]);
-        let velocity = frame.velocity_at(point);
+        let velocity = frame.block_velocity(pose);
         let contact = Contact {
             geometry: &self.geometry,
             body,
-            frame,
+            ground: &frame.block,
             point,
             velocity: &velocity,
             carried: frame.carried_round(point),
@@ -193,9 +201,9 @@ impl<S: Real> LegMotion<S> {
         response.push(&across);
         let per_depth = self.block_force_per_pressure(frame) * pieces.block.slope();
         let along_line = contact.along(&contact.line());
-        let mut deeper = contact.along(&frame.normal);
+        let mut deeper = contact.along(&frame.block.normal);
         // An interference grows by so much per depth.
-        deeper.body *= body.upright;
+        deeper.body *= frame.block.upright;
         response.push(&ForceDerivative {
             force: contact.force(&along_line, -per_depth, S::zero()),
             velocity: Coordinates::zero(),
@@ -235,7 +243,7 @@ struct Posture<'a, S> {
 struct Contact<'a, S> {
     geometry: &'a LegGeometry<S>,
     body: &'a BodyFrame<S>,
-    frame: &'a LegFrame<S>,
+    ground: &'a SeenAlongLeg<S>,
     point: &'a PlanePoint<S>,
     velocity: &'a PointVelocity<S>,
     /// Its velocity relative to the CG, ft/s.
@@ -256,7 +264,7 @@ impl<S: Real> Contact<'_, S> {
     #[inline(always)]
     fn line(&self) -> Vector3<S> {
         let per_speed = self.friction.per_speed(self.velocity.sliding_squared);
-        self.frame.normal + self.velocity.sliding * (self.coefficient * per_speed)
+        self.ground.normal + self.velocity.sliding * (self.coefficient * per_speed)
     }
 
     /// A quantity that changes with rotation of the body and with the link.
@@ -307,7 +315,7 @@ impl<S: Real> Contact<'_, S> {
     /// Interference (19) of the pad section at this crushed centroid, per displacement.
     #[inline(always)]
     fn deeper(&self, pose: &LegPose<S>, centroid: &PlaneDirection<S>) -> Coordinates<S> {
-        let n = &self.frame.normal;
+        let n = &self.ground.normal;
         let up = pose.pad_upright;
         // The pad tilts with its link, and against its own angle.
         let tilt = centroid.turned().dot(n) * up;
@@ -325,7 +333,7 @@ impl<S: Real> Contact<'_, S> {
     /// of the pad's hinge times the normal force.
     #[inline(always)]
     fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [ForceDerivative<S>; 2] {
-        let (along, across) = self.frame.tangents(self.velocity);
+        let (along, across) = self.ground.tangents(self.velocity);
         let across_rate = self.friction.per_speed(self.velocity.sliding_squared);
         [
             self.rub_along(&along, self.friction.change(), force, hinge_lever),
