@@ -5,6 +5,8 @@
 //! signals whose ranges limit how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
 //! a lane for each ([`crate::lanes`]); leg follows leg.
 
+mod contact_response;
+mod decay;
 mod footing;
 mod free_flight;
 mod leg;
@@ -344,20 +346,15 @@ impl<S: Real> Motion<S> {
     ) -> LegAction<S> {
         let (motion, pieces) = (&self.legs[leg], pieces.leg(leg));
         let leg = state.leg(leg);
+        let posed = if FULL { at_angle(pieces, leg) } else { leg };
+        let mut action =
+            motion.action::<FORCES, SIGNALS, FULL>(frame, &posed, &pieces.leg, pieces.pressed);
         if FULL && pieces.pressed.stops {
-            let mut action = motion.action::<FORCES, SIGNALS, FULL>(
-                frame,
-                &at_angle(pieces, leg),
-                &pieces.leg,
-                pieces.pressed,
-            );
             let turning = &mut action.derivative.pad_turn;
             *turning = pieces.leg.hinge.turning(*turning, leg.pad_rate);
             action.signals[Signal::PadTurn as usize] = leg.pad_turn;
-            action
-        } else {
-            motion.action::<FORCES, SIGNALS, FULL>(frame, &leg, &pieces.leg, pieces.pressed)
         }
+        action
     }
 }
 

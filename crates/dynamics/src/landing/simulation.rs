@@ -2,9 +2,11 @@
 
 use std::convert::Infallible;
 
+use pulp::NullaryFnOnce;
+
 use super::history::History;
 use super::steadiness::Steadiness;
-use super::step_attempt::{StepKind, TakeStep};
+use super::step_attempt::{StepKind, TakeStep, Workspace};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::StabilityTrack;
 use crate::contact::LegMode;
@@ -16,7 +18,7 @@ use crate::per_leg::PerLeg;
 use crate::record::{Beyond, Landing};
 use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
-use crate::stability::StabilityMonitor;
+use crate::stability::{StabilityMonitor, calm_height};
 use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
@@ -71,12 +73,10 @@ impl<'o> Simulation<'o> {
         settings: &Settings,
         history: Option<History<'o>>,
     ) -> Self {
-        let trajectory = Trajectory::new(vehicle, scene, settings, history);
-        let monitor = StabilityMonitor::new(scene, trajectory.calm_height);
-        let seen = monitor.observe(&trajectory.motion, &trajectory.start);
+        let monitor = StabilityMonitor::new(scene, calm_height(vehicle, scene));
         Self {
-            trajectory,
-            stability: StabilityTrack::new(monitor, seen),
+            trajectory: Trajectory::new(vehicle, scene, settings, history),
+            stability: StabilityTrack::new(monitor, vehicle.legs().len()),
             steadiness: Steadiness::new(vehicle, scene),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
@@ -90,11 +90,11 @@ impl<'o> Simulation<'o> {
     }
 
     /// Follows the landing to its outcome.
-    pub(super) fn run(&mut self) -> Outcome {
+    pub(super) fn run(&mut self, workspace: &mut Workspace<f64>) -> Outcome {
         let mut landing = || {
             self.begin()?;
             loop {
-                self.step()?;
+                self.step(workspace)?;
             }
         };
         let Err(outcome): Result<Infallible, _> = landing();
@@ -149,7 +149,7 @@ impl<'o> Simulation<'o> {
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
-    pub(crate) fn step(&mut self) -> Result<(), Outcome> {
+    pub(crate) fn step(&mut self, workspace: &mut Workspace<f64>) -> Result<(), Outcome> {
         if !self.is_kind_known {
             self.find_kind();
         }
@@ -160,11 +160,10 @@ impl<'o> Simulation<'o> {
             kind: self.kind,
             motion: &trajectory.motion,
             pieces: &trajectory.pieces,
-            response: trajectory.stiffness.response(),
             step: &mut trajectory.step,
             time: trajectory.time,
-            stages: &mut trajectory.stages,
             length: self.length,
+            workspace,
             middle: &mut trajectory.middle,
             signals: trajectory.signals.end_mut(),
         });
@@ -195,8 +194,14 @@ impl<'o> Simulation<'o> {
     }
 
     /// Goes on to the end of the step, to what comes before, or back to its start; gets ready for the next.
+    fn end_step(&mut self, errors: [f64; 2]) -> Result<NextStart, Outcome> {
+        let registers = self.trajectory.registers;
+        registers.dispatch(EndStep(self, errors))
+    }
+
+    /// The same, for whatever registers it is compiled for.
     #[inline(always)]
-    fn end_step(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
+    fn end_step_in_registers(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
         let trajectory = &mut self.trajectory;
         trajectory.evaluations += self.kind.evaluations();
         trajectory.is_middle_seen = self.kind == StepKind::Implicit;
@@ -323,8 +328,14 @@ impl<'o> Simulation<'o> {
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
-    #[inline(always)]
     fn finish_step(&mut self) -> Result<NextStart, Outcome> {
+        let registers = self.trajectory.registers;
+        registers.dispatch(FinishStep(self))
+    }
+
+    /// The same, for whatever registers it is compiled for.
+    #[inline(always)]
+    fn finish_step_in_registers(&mut self) -> Result<NextStart, Outcome> {
         let Self {
             trajectory,
             stability,
@@ -445,6 +456,31 @@ impl<'o> Simulation<'o> {
             }),
             ..self.trajectory.result(verdict.clone())
         }
+    }
+}
+
+/// What follows an attempted step, compiled for the registers of a single landing.
+struct EndStep<'a, 'o>(&'a mut Simulation<'o>, [f64; 2]);
+
+impl NullaryFnOnce for EndStep<'_, '_> {
+    type Output = Result<NextStart, Outcome>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        let Self(simulation, errors) = self;
+        simulation.end_step_in_registers(errors)
+    }
+}
+
+/// What follows an accepted step, compiled for the registers of a single landing.
+struct FinishStep<'a, 'o>(&'a mut Simulation<'o>);
+
+impl NullaryFnOnce for FinishStep<'_, '_> {
+    type Output = Result<NextStart, Outcome>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        self.0.finish_step_in_registers()
     }
 }
 

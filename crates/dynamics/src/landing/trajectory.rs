@@ -5,7 +5,7 @@ use arrayvec::ArrayVec;
 use super::history::History;
 use super::ranges::{Guards, SignalRanges};
 use super::signal_history::SignalHistory;
-use super::step_attempt::Evaluate;
+use super::step_attempt::{Decay, Evaluate};
 use super::stiffness::Stiffness;
 use super::strut_peaks::StrutPeaks;
 use crate::contact::{LegLaws, LegMode};
@@ -70,8 +70,6 @@ pub(crate) struct Trajectory<'o> {
     pub(super) thrust_work: f64,
     /// The present state and its derivative are the start of the step.
     pub(crate) step: Step<f64, State<f64>>,
-    /// Overwritten by the stages of implicit steps.
-    pub(super) stages: [State<f64>; 6],
     /// The present step in closed form, if it is one of free flight.
     pub(super) free: Option<FreeFlight>,
     pub(crate) signals: SignalHistory,
@@ -124,7 +122,7 @@ impl<'o> Trajectory<'o> {
             scene: *scene,
             settings: *settings,
             calm_height: calm_height(vehicle, scene),
-            stiffness: Stiffness::new(&motion, settings.tolerance()),
+            stiffness: Stiffness::new(settings.tolerance()),
             event_resolution: resolution,
             energy,
             motion,
@@ -144,7 +142,6 @@ impl<'o> Trajectory<'o> {
             },
             thrust_work: 0.0,
             step: Step::from(state, State::zero(legs)),
-            stages: [State::zero(legs); 6],
             free: None,
             signals: SignalHistory::new(legs),
             middle: Signals::blank(legs),
@@ -176,15 +173,11 @@ impl<'o> Trajectory<'o> {
 
     /// Whether a step of this length (s) is stiff.
     pub(super) fn is_stiff(&mut self, length: f64) -> bool {
-        let Self {
-            registers,
-            motion,
-            step,
-            pieces,
-            stiffness,
-            ..
-        } = self;
-        stiffness.exceeds(*registers, length, motion, &step.before, pieces)
+        if self.stiffness.is_known_mild() {
+            return false;
+        }
+        let rate = (self.registers).dispatch(Decay(&self.motion, &self.step.before, &self.pieces));
+        self.stiffness.exceeds_at(rate, length)
     }
 
     /// The longest step that the laws allow whatever the error, s.

@@ -144,10 +144,32 @@ impl<S: Real> Touch<S> {
 }
 
 impl<S: Real> LegMotion<S> {
+    /// The body's frame along this leg, over its ground.
+    #[inline(always)]
+    pub(super) fn frame(&self, body: &BodyFrame<S>) -> LegFrame<S> {
+        if self.ground.is_even() {
+            self.geometry.frame(body, [&body.surface; 2])
+        } else {
+            let [pad, block] = self.ground.seen(body);
+            self.geometry.frame(body, [&pad, &block])
+        }
+    }
+
     /// Normal force (29) on the footpad per unit of relative pressure in both sections, lb.
     #[inline(always)]
     pub(super) fn pad_force_per_pressure(&self, pose: &LegPose<S>) -> S {
         self.pad_strength * (pose.pad_upright + pose.pad_inclination)
+    }
+
+    /// Normal forces (29) on the outboard and inboard sections of the footpad, lb.
+    #[inline(always)]
+    pub(super) fn pad_section_forces(&self, pose: &LegPose<S>, pieces: &LegPieces<S>) -> [S; 2] {
+        let per_pressure = self.pad_force_per_pressure(pose);
+        let [outer, inner] = pose.pad_interference;
+        [
+            per_pressure * pieces.pad[0].at(outer),
+            per_pressure * pieces.pad[1].at(inner),
+        ]
     }
 
     /// Normal force (33) on the block per unit of relative pressure, lb.

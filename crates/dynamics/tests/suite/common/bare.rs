@@ -9,7 +9,7 @@ use touchdown_dynamics::integrator::step::Step;
 use touchdown_dynamics::lanes::Lanes;
 use touchdown_dynamics::motion::{FreeFlight, LegLoads, Motion, Pieces, Signal, Signals};
 use touchdown_dynamics::per_leg::PerLeg;
-use touchdown_dynamics::response::Response;
+use touchdown_dynamics::response::{Factors, Response};
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -130,6 +130,11 @@ impl Bare {
         response
     }
 
+    /// Rate (1/s) that no decay of a velocity exceeds at a state.
+    pub fn greatest_decay(&self, state: &State<f64>) -> f64 {
+        self.motion.greatest_decay(state, &self.pieces)
+    }
+
     /// The flight from a state on, all legs hanging.
     pub fn free_flight(&self, state: &State<f64>) -> FreeFlight {
         self.motion.free_flight(state, &self.pieces)
@@ -163,7 +168,8 @@ impl Bare {
             midway = *state;
             derivative(state, slope);
         };
-        let system = response.over(GAMMA * length);
+        let mut factors = Factors::none(state.leg_count());
+        let system = response.over(GAMMA * length, &mut factors);
         let mut stages = [State::zero(3); 6];
         let stage = |_, state: &_, slope: &mut _| derivative(state, slope);
         step.take_implicit(
