@@ -11,6 +11,7 @@ use crate::document::Document;
 use crate::grid::{Grid, GridFault};
 use crate::input_error::{InputError, short};
 use crate::library::Library;
+use crate::output_units::OutputUnits;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
 use crate::section::LocatedValue;
@@ -41,6 +42,7 @@ impl Sweep {
             Some(found) => Some(found.text()?.to_owned()),
             None => None,
         };
+        let units = OutputUnits::read(&root)?;
         let vehicle = vehicle_document(&root, path, library)?;
         let asked = asked(&root)?;
         let scene = root.section("scene", &NAMES)?;
@@ -95,6 +97,7 @@ impl Sweep {
             path: path.to_owned(),
             title,
             statement,
+            units,
             vehicle,
             fixed,
             axes,
