@@ -153,25 +153,23 @@ impl Report<'_> {
             .into_iter()
             .map(|(name, cell)| (name, cell.into()))
             .collect();
-        let energies = |told: &[(&str, f64)]| -> Map<String, Value> {
-            let told = told.iter().map(|(name, value)| {
-                let quantity = self.units.quantity(name);
-                let value = json!(quantity.number(*value));
-                (quantity.name().to_owned(), value)
-            });
-            told.collect()
-        };
         let work = landing.energies.legs.iter().map(|leg| {
-            energies(&[
+            let works = [
                 ("strut_ftlb", leg.strut),
                 ("pad_crush_ftlb", leg.pad_crush),
                 ("pad_friction_ftlb", leg.pad_friction),
                 ("block_crush_ftlb", leg.block_crush),
                 ("block_friction_ftlb", leg.block_friction),
                 ("stop_ftlb", leg.stop),
-            ])
+            ];
+            let works = works.into_iter().map(|(name, value)| {
+                let quantity = self.units.quantity(name);
+                (quantity.name().to_owned(), json!(quantity.number(value)))
+            });
+            works.collect::<Map<String, Value>>()
         });
-        let mut report = json!({
+        let end = self.units.quantity("final_kinetic_energy_ftlb");
+        json!({
             "program": results::program(env!("CARGO_PKG_VERSION")),
             "commit": results::COMMIT,
             "vehicle_file": vehicle.document.path().display().to_string(),
@@ -192,13 +190,9 @@ impl Report<'_> {
             "min_stability_time_s": landing.min_stability_time,
             "events": landing.events,
             "work_by_leg": work.collect::<Vec<_>>(),
+            (end.name()): end.number(landing.energies.final_kinetic),
             "integration": integration_report::json(self.integration, landing.leg_count()),
-        });
-        if let Value::Object(report) = &mut report {
-            let end = landing.energies.final_kinetic;
-            report.extend(energies(&[("final_kinetic_energy_ftlb", end)]));
-        }
-        report
+        })
     }
 }
 
