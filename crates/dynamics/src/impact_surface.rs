@@ -14,6 +14,7 @@ use libm::{atan, atan2, hypot, sincos};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::attitude::{Attitude, Euler};
+use crate::contact;
 use crate::invalid::{Invalid, require};
 use crate::landing::{Landing, land_until_all_pads_touch};
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
@@ -269,7 +270,7 @@ impl<'a> Search<'a> {
         state.set_body(&body);
         let mut evaluator = Evaluator {
             system: &model,
-            memory: PerLeg::same(self.times.len(), [0.0; 3]),
+            memory: PerLeg::same(self.times.len(), contact::Sets::default()),
             evaluations: 0,
         };
         let mut stepper = RungeKutta {

@@ -20,7 +20,7 @@
 //! | `equations` | where everything is and how it moves | [`state`], [`kinematics`], [`motion`], [`response`] |
 //! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`settings`], [`method`], [`error_control`] |
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], [`signal`], [`outcome`] |
-//! | `design` | plain data of a lander | [`parts`], [`profile`], [`attitude`], [`rules`], [`invalid`] |
+//! | `design` | plain data of a lander | [`parts`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
 //! | `numbers` | scalars, lanes, registers, one item a leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], [`products`] |
 
@@ -40,7 +40,7 @@ pub mod landing;
 pub mod methods;
 pub mod model_version;
 
-pub use design::{attitude, invalid, parts, profile, rules};
+pub use design::{attitude, crush_load, invalid, parts, profile, rules};
 pub use equations::{kinematics, motion, response, state};
 pub use lander::{error_control, method, scene, settings, vehicle};
 pub use landing::{critical_feet, energy, record, stability, touchdown};

@@ -4,6 +4,7 @@
 
 use nalgebra::Matrix3;
 
+use crate::crush_load::CrushLoad;
 use crate::profile::Profile;
 
 /// Moments and products of inertia about the CG in vehicle axes, slug·ft², products as the
@@ -41,8 +42,8 @@ pub struct LegDesign {
     pub strut: Strut,
     /// The crushable footpad.
     pub footpad: Footpad,
-    /// The crushable body block.
-    pub block: Block,
+    /// The crushable body block, if the leg has one.
+    pub block: Option<Block>,
 }
 
 /// The lower link and the hinges it shares with the strut (Figures 2-4 and 2-5 of the report).
@@ -60,21 +61,47 @@ pub struct Linkage {
     pub inertia: f64,
 }
 
-/// The shock absorber (42)-(45).
+/// The strut: its travel, its friction and what carries the load along it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strut {
     /// Length l_D0 when extended, ft.
     pub extended_length: f64,
     /// Least length l_Dmin, ft: bottoming ends the landing.
     pub minimum_length: f64,
+    /// Friction ν, a fraction of the load that the element carries.
+    pub friction_fraction: f64,
+    /// What carries the load.
+    pub element: StrutElement,
+}
+
+impl Strut {
+    /// The shock absorber, if it has one.
+    pub fn damper(&self) -> Option<&Damper> {
+        match &self.element {
+            StrutElement::Damper(damper) => Some(damper),
+            StrutElement::Honeycomb(_) => None,
+        }
+    }
+}
+
+/// What carries the load along a strut.
+#[derive(Debug, Clone, PartialEq)]
+pub enum StrutElement {
+    /// The Surveyor's shock absorber.
+    Damper(Damper),
+    /// A crushable cartridge.
+    Honeycomb(Honeycomb),
+}
+
+/// The shock absorber (42)-(45).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Damper {
     /// Structural stiffness K_s below the preload, lb/ft.
     pub structural_stiffness: f64,
     /// Preload F_p, lb.
     pub preload: f64,
     /// Spring constant K_D above the preload, lb/ft.
     pub spring_constant: f64,
-    /// Seal friction ν, a fraction of the spring force.
-    pub friction_fraction: f64,
     /// Compression damping R_c, lb·s²/ft².
     pub compression_damping: f64,
     /// Rebound damping R_R, lb·s²/ft².
@@ -85,6 +112,16 @@ pub struct Strut {
     pub spring_profile: Profile,
     /// Multiplier S_D of the compression damping against stroke in ft.
     pub damping_profile: Profile,
+}
+
+/// A honeycomb cartridge: it crushes at the load of its table, unloads and reloads along a straight line, never pulls and
+/// keeps its set.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Honeycomb {
+    /// Stiffness of unloading and reloading, lb/ft.
+    pub unloading_stiffness: f64,
+    /// Crush load against stroke.
+    pub crush_load: CrushLoad,
 }
 
 /// The crushable footpad, hinged at the end of the lower link.

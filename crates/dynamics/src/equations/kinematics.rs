@@ -216,7 +216,14 @@ impl<S: Real> LegGeometry<S> {
     /// Geometry of a leg whose hardpoints lie `hardpoint_depth` (ΔCG, ft) below the CG.
     pub fn new(leg: &Leg, hardpoint_depth: f64) -> Self {
         let design = leg.design();
-        let (linkage, footpad, block) = (&design.linkage, &design.footpad, &design.block);
+        let (linkage, footpad) = (&design.linkage, &design.footpad);
+        // Without a block its place is at the hardpoint; nothing presses there.
+        let [block_radius, block_height] = design
+            .block
+            .as_ref()
+            .map_or([linkage.lower_hardpoint_radius, 0.0], |block| {
+                [block.radius, block.height]
+            });
         let (a, l) = (linkage.hardpoint_distance, linkage.lower_link_length);
         let constant = S::constant;
         let (sin_azimuth, cos_azimuth) = sincos(design.azimuth);
@@ -233,8 +240,8 @@ impl<S: Real> LegGeometry<S> {
             extended_length: constant(design.strut.extended_length),
             centroid: constant(2.0 * footpad.diameter / (3.0 * std::f64::consts::PI)),
             pad_height: constant(footpad.height),
-            block_radius: constant(block.radius),
-            block_depth: constant(hardpoint_depth + block.height),
+            block_radius: constant(block_radius),
+            block_depth: constant(hardpoint_depth + block_height),
         }
     }
 

@@ -10,7 +10,9 @@ use libm::{asin, cos, sin, sincos};
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use crate::contact::LegLaws;
-pub use crate::parts::{Block, Footpad, Inertia, LegDesign, Linkage, Strut};
+pub use crate::parts::{
+    Block, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
+};
 
 use super::footprint::check_offset;
 use crate::invalid::{Invalid, bounded, non_negative, positive, require};
@@ -80,21 +82,21 @@ impl Leg {
             "positive and below strut.extended_length_ft",
             |v| v > 0.0 && v < extended,
         )?;
-        positive(
-            "strut.structural_stiffness_lb_per_ft",
-            strut.structural_stiffness,
-        )?;
-        positive("strut.preload_lb", strut.preload)?;
-        non_negative("strut.spring_constant_lb_per_ft", strut.spring_constant)?;
         require(
             "strut.friction_fraction",
             strut.friction_fraction,
             "0 ≤ value < 1",
             |v| (0.0..1.0).contains(&v),
         )?;
-        non_negative("strut.compression_damping", strut.compression_damping)?;
-        non_negative("strut.rebound_damping", strut.rebound_damping)?;
-        non_negative("strut.rebound_growth_per_ft", strut.rebound_growth)?;
+        match &strut.element {
+            StrutElement::Damper(damper) => check_damper(damper)?,
+            StrutElement::Honeycomb(honeycomb) => {
+                positive(
+                    "strut.unloading_stiffness_lb_per_ft",
+                    honeycomb.unloading_stiffness,
+                )?;
+            }
+        }
 
         positive("footpad.diameter_ft", footpad.diameter)?;
         positive("footpad.height_ft", footpad.height)?;
@@ -102,11 +104,13 @@ impl Leg {
         positive("footpad.inertia_slug_ft2", footpad.inertia)?;
         crush_profile("footpad.profile", &footpad.profile)?;
 
-        positive("block.radius_ft", block.radius)?;
-        bounded("block.height_ft", block.height)?;
-        positive("block.diameter_ft", block.diameter)?;
-        positive("block.crush_pressure_psf", block.crush_pressure)?;
-        crush_profile("block.profile", &block.profile)?;
+        if let Some(block) = block {
+            positive("block.radius_ft", block.radius)?;
+            bounded("block.height_ft", block.height)?;
+            positive("block.diameter_ft", block.diameter)?;
+            positive("block.crush_pressure_psf", block.crush_pressure)?;
+            crush_profile("block.profile", &block.profile)?;
+        }
 
         let extended_angle = extended_angle(linkage, strut)?;
         let (minimum, maximum) = (footpad.minimum_angle, footpad.maximum_angle);
@@ -159,6 +163,19 @@ impl Leg {
         let design = &self.design;
         design.linkage.lower_link_length * sin(self.extended_angle) + design.footpad.height
     }
+}
+
+fn check_damper(damper: &Damper) -> Result<(), Invalid> {
+    positive(
+        "strut.structural_stiffness_lb_per_ft",
+        damper.structural_stiffness,
+    )?;
+    positive("strut.preload_lb", damper.preload)?;
+    non_negative("strut.spring_constant_lb_per_ft", damper.spring_constant)?;
+    non_negative("strut.compression_damping", damper.compression_damping)?;
+    non_negative("strut.rebound_damping", damper.rebound_damping)?;
+    non_negative("strut.rebound_growth_per_ft", damper.rebound_growth)?;
+    Ok(())
 }
 
 /// A crush profile starts at zero pressure, and no later segment is steeper than the first, which

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::attitude::Attitude;
+use crate::contact::Sets;
 use crate::motion::{LegLoads, Signal, Signals};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
@@ -199,7 +200,7 @@ impl Instant {
             potential_change,
             legs: PerLeg::from_fn(feet.len(), |j| {
                 let leg = state.leg(j);
-                let [outer, inner, block] = feet[j].sets;
+                let sets = feet[j].sets;
                 LegInstant {
                     link_angle: leg.link_angle,
                     link_rate: leg.link_rate,
@@ -211,8 +212,8 @@ impl Instant {
                     pad_friction: loads[j].pad_friction,
                     block_normal: loads[j].block_normal,
                     block_friction: loads[j].block_friction,
-                    pad_sets: [outer, inner],
-                    block_set: block,
+                    pad_sets: sets.pad,
+                    block_set: sets.block,
                     work: LegWork::from_state(leg.work),
                 }
             }),
@@ -225,8 +226,8 @@ impl Instant {
 pub(crate) struct Foot {
     /// Footpad angle α, rad.
     pub(crate) pad_angle: f64,
-    /// Plastic sets of outboard section, inboard section and block, ft.
-    pub(crate) sets: [f64; 3],
+    /// Plastic sets of its elements.
+    pub(crate) sets: Sets,
 }
 
 /// One leg at one instant.

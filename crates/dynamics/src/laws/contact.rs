@@ -13,7 +13,7 @@ use crate::hinge::{Hinge, Stops};
 use crate::integrator::event::{Bounds, Exit};
 use crate::leg_pieces::LegPieces;
 use crate::outcome::{Failure, Outcome};
-use crate::parts::LegDesign;
+use crate::parts::{LegDesign, StrutElement};
 use crate::rules::CrushRule;
 use crate::signal::{LegSignals, Signal};
 use crate::strut::{GentleKinks, Stance, StrutLaw};
@@ -34,6 +34,8 @@ pub struct LegLaws {
     pad: CrushLaw,
     block: CrushLaw,
     strut: StrutLaw,
+    /// Of the strut: absent in a shock absorber.
+    cartridge: CrushLaw,
     stops: Stops,
     rule: CrushRule,
     friction: FrictionProfile,
@@ -44,8 +46,17 @@ impl LegLaws {
     pub fn of(design: &LegDesign) -> Self {
         Self {
             pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
-            block: CrushLaw::new(&design.block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD),
+            block: design
+                .block
+                .as_ref()
+                .map_or_else(CrushLaw::absent, |block| {
+                    CrushLaw::new(&block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD)
+                }),
             strut: StrutLaw::new(&design.strut),
+            cartridge: match &design.strut.element {
+                StrutElement::Damper(_) => CrushLaw::absent(),
+                StrutElement::Honeycomb(honeycomb) => CrushLaw::of_cartridge(honeycomb),
+            },
             stops: Stops {
                 inner: design.footpad.minimum_angle,
                 outer: design.footpad.maximum_angle,
@@ -80,11 +91,23 @@ impl LegLaws {
     }
 }
 
+/// Plastic sets of the elements of a leg, ft.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Sets {
+    /// Outboard and inboard pad section.
+    pub pad: [f64; 2],
+    /// Block.
+    pub block: f64,
+    /// Cartridge of the strut.
+    pub strut: f64,
+}
+
 /// The discrete state of one leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LegMode {
     pad: [Crush; 2],
     block: Crush,
+    cartridge: Crush,
     /// Whether any section has touched the surface yet.
     pad_has_touched: bool,
     block_has_touched: bool,
@@ -100,6 +123,7 @@ impl LegMode {
         Self {
             pad: [Crush::untouched(&laws.pad); 2],
             block: Crush::untouched(&laws.block),
+            cartridge: Crush::untouched(&laws.cartridge),
             pad_has_touched: false,
             block_has_touched: false,
             pad_sliding: Sliding::Steady,
@@ -179,7 +203,8 @@ impl LegMode {
 
     /// Coefficients of the active pieces.
     pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
-        let (strut, link) = self.stance.pieces(&laws.strut);
+        let load = self.cartridge.line(&laws.cartridge);
+        let (strut, link) = self.stance.pieces(&laws.strut, &load);
         LegPieces {
             pad: self.pad.map(|section| section.line(&laws.pad)),
             block: self.block.line(&laws.block),
@@ -191,14 +216,18 @@ impl LegMode {
         }
     }
 
-    /// Plastic sets of outboard section, inboard section and block, ft.
-    pub fn sets(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 3] {
-        [
-            self.pad[0].set_at(&laws.pad, signals[Signal::OuterInterference as usize]),
-            self.pad[1].set_at(&laws.pad, signals[Signal::InnerInterference as usize]),
-            self.block
-                .set_at(&laws.block, signals[Signal::BlockInterference as usize]),
-        ]
+    /// Plastic sets at these signals.
+    pub fn sets(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> Sets {
+        let value = |signal: Signal| signals[signal as usize];
+        let [outer, inner] = &self.pad;
+        Sets {
+            pad: [
+                outer.set_at(&laws.pad, value(Signal::OuterInterference)),
+                inner.set_at(&laws.pad, value(Signal::InnerInterference)),
+            ],
+            block: (self.block).set_at(&laws.block, value(Signal::BlockInterference)),
+            strut: (self.cartridge).set_at(&laws.cartridge, value(Signal::Stroke)),
+        }
     }
 
     /// Centres the coefficients of laws that only bend a little on a stroke δ (ft), where the leg is now;
@@ -226,11 +255,11 @@ impl LegMode {
             interference(outer, &laws.pad, self.pad_has_touched),
             interference(inner, &laws.pad, self.pad_has_touched),
             interference(&self.block, &laws.block, self.block_has_touched),
-            self.stance.stroke_bounds(&laws.strut),
+            (self.stance.stroke_bounds(&laws.strut)).meet(self.cartridge_bounds(laws)),
             outer.rate_bounds(),
             inner.rate_bounds(),
             self.block.rate_bounds(),
-            Bounds::FREE,
+            self.cartridge.rate_bounds(),
             only(by_pivot, outer.drive_bounds().meet(inner.drive_bounds())),
             only(by_pivot, self.block.drive_bounds()),
             only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
@@ -245,6 +274,11 @@ impl LegMode {
             self.hinge.speed_bounds(),
             only(pad_loaded, Bounds::above(LEAST_PAD_INCLINATION)),
         ]
+    }
+
+    /// Range of the stroke over which the cartridge of the strut keeps its line.
+    fn cartridge_bounds(&self, laws: &LegLaws) -> Bounds {
+        (self.cartridge).interference_bounds(&laws.cartridge, false)
     }
 
     /// Puts the next piece in place after `signal` left its range. `leg` is this leg's index.
@@ -309,9 +343,13 @@ impl LegMode {
                 if exit == Exit::Above && value(signal) >= laws.strut.bottoming_stroke() {
                     return Err(Outcome::Bottomed { leg });
                 }
-                let rate = value(Signal::LinkRate);
-                self.stance
-                    .cross_stroke(&laws.strut, exit, before.on_surface(), rate);
+                if let Some(exit) = self.cartridge_bounds(laws).exit(value(signal)) {
+                    (self.cartridge).cross_interference(&laws.cartridge, exit, value(signal), true);
+                } else {
+                    let rate = value(Signal::LinkRate);
+                    self.stance
+                        .cross_stroke(&laws.strut, exit, before.on_surface(), rate);
+                }
             }
             Signal::LinkRate => {
                 let stroke = value(Signal::Stroke);
@@ -323,8 +361,10 @@ impl LegMode {
             Signal::PadTurn => self.hinge.cross_turn(exit),
             Signal::PadRate => self.hinge.cross_rate(),
             Signal::HingeSpeed => self.hinge.cross_speed(exit),
-            Signal::StrokeRate
-            | Signal::StrutForce
+            Signal::StrokeRate => {
+                (self.cartridge).leave_front(&laws.cartridge, value(Signal::Stroke));
+            }
+            Signal::StrutForce
             | Signal::StrutLever
             | Signal::FootX
             | Signal::FootY

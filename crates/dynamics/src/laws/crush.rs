@@ -1,4 +1,4 @@
-//! Crushing of footpad sections and body blocks (model chapter 4).
+//! Crushing of footpad sections, body blocks (model chapter 4) and the cartridges of struts.
 //!
 //! An element's pressure profile p(I) is its crushing front; unloading and reloading run along
 //! the elastic line E (I − P) with E the slope of the first segment and P the plastic set. Between
@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use crate::integrator::event::{Bounds, Exit};
 use crate::lanes::per_lane;
+use crate::parts::Honeycomb;
 use crate::profile::{Profile, Segment};
 use crate::scalar::Real;
 
@@ -71,12 +72,31 @@ impl CrushLaw {
 
     /// The law of a profile, with the least I − P (ft) that gives pressure.
     pub fn new(profile: &Profile, pressure_threshold: f64) -> Self {
-        let segments: Arc<[Segment]> = profile.segments().into();
+        Self::of_segments(profile.segments(), pressure_threshold)
+    }
+
+    /// The law of an element that is not there.
+    pub fn absent() -> Self {
+        Self::of_segments(Vec::new(), 0.0)
+    }
+
+    /// The law of a front, its first segment elastic.
+    fn of_segments(segments: Vec<Segment>, pressure_threshold: f64) -> Self {
         Self {
-            elastic_slope: segments[0].slope,
-            segments,
+            elastic_slope: segments.first().map_or(0.0, |elastic| elastic.slope),
+            segments: segments.into(),
             pressure_threshold,
         }
+    }
+
+    /// The law of a strut's cartridge: load (lb) stands for pressure, stroke for interference.
+    pub fn of_cartridge(honeycomb: &Honeycomb) -> Self {
+        let front = honeycomb.crush_load.front(honeycomb.unloading_stiffness);
+        Self::of_segments(front, 0.0)
+    }
+
+    fn is_absent(&self) -> bool {
+        self.segments.is_empty()
     }
 
     /// Plastic set that the crushing front leaves at interference I: I − p(I)/E.
@@ -97,6 +117,13 @@ impl CrushLaw {
     /// whether it may crush further: for methods that ask anew at every evaluation.
     pub fn state_at(&self, set: f64, interference: f64, driven: bool) -> CrushState {
         let elastic = interference - set;
+        if self.is_absent() {
+            return CrushState {
+                line: PressureLine::slack(),
+                set,
+                in_contact: false,
+            };
+        }
         let line = |offset, slope| PressureLine { offset, slope };
         if elastic <= self.pressure_threshold {
             return CrushState {
@@ -137,6 +164,8 @@ pub struct CrushState {
 /// Where an element is on its law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Stage {
+    /// There is no such element.
+    Absent,
     /// Not in contact: I − P ≤ 1e-6 ft.
     Clear,
     /// In contact, not yet pressed.
@@ -164,6 +193,14 @@ pub struct Crush {
 impl Crush {
     /// An element that nothing has touched.
     pub fn untouched(law: &CrushLaw) -> Self {
+        if law.is_absent() {
+            return Self {
+                stage: Stage::Absent,
+                set: 0.0,
+                onset: 0.0,
+                onset_segment: 0,
+            };
+        }
         Self {
             stage: Stage::Clear,
             set: 0.0,
@@ -175,12 +212,12 @@ impl Crush {
     /// Whether the element is in contact: I − P > 1e-6 ft. Where contact is not watched this is as
     /// of the last [`Self::update_contact`].
     pub fn in_contact(&self) -> bool {
-        self.stage != Stage::Clear
+        !matches!(self.stage, Stage::Absent | Stage::Clear)
     }
 
     /// Finds out about contact at an interference, if the element carries no pressure.
     pub fn update_contact(&mut self, interference: f64) {
-        if !self.is_loaded() {
+        if matches!(self.stage, Stage::Clear | Stage::Touching) {
             self.stage = if interference - self.set > CONTACT_THRESHOLD {
                 Stage::Touching
             } else {
@@ -203,17 +240,14 @@ impl Crush {
         match self.stage {
             Stage::Front(_) => Bounds::above(0.0).widened(RATE_SLACK),
             Stage::Overdriven => Bounds::below(0.0).widened(RATE_SLACK),
-            Stage::Clear | Stage::Touching | Stage::Elastic => Bounds::FREE,
+            Stage::Absent | Stage::Clear | Stage::Touching | Stage::Elastic => Bounds::FREE,
         }
     }
 
     /// The active line of pressure.
     pub fn line(&self, law: &CrushLaw) -> PressureLine<f64> {
         match self.stage {
-            Stage::Clear | Stage::Touching => PressureLine {
-                offset: 0.0,
-                slope: 0.0,
-            },
+            Stage::Absent | Stage::Clear | Stage::Touching => PressureLine::slack(),
             Stage::Elastic | Stage::Overdriven => PressureLine {
                 offset: -law.elastic_slope * self.set,
                 slope: law.elastic_slope,
@@ -237,6 +271,7 @@ impl Crush {
     /// pressure is watched, over which contact stays gained or lost.
     pub fn interference_bounds(&self, law: &CrushLaw, is_contact_watched: bool) -> Bounds {
         match self.stage {
+            Stage::Absent => Bounds::FREE,
             Stage::Clear | Stage::Touching if !is_contact_watched => {
                 Bounds::below(self.set + law.pressure_threshold)
             }
@@ -271,6 +306,7 @@ impl Crush {
     ) {
         let touching_is_empty = law.pressure_threshold <= CONTACT_THRESHOLD;
         self.stage = match (self.stage, exit) {
+            (Stage::Absent, _) => Stage::Absent,
             (Stage::Clear, _) if interference - self.set > law.pressure_threshold => Stage::Elastic,
             (Stage::Clear, _) => Stage::Touching,
             (Stage::Touching, Exit::Above) => Stage::Elastic,

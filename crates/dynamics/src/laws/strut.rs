@@ -1,4 +1,4 @@
-//! The shock absorber (42)-(45) and what it does to the lower link: working, or on its extension
+//! The strut, shock absorber (42)-(45) or honeycomb, and what it does to the lower link: working, or on its extension
 //! stop on or off the surface (model chapter 5).
 
 mod law;
@@ -151,7 +151,7 @@ impl<S: Real> StrutPiece<S> {
 
 /// What the strut force is made of.
 struct Parts<S> {
-    /// Spring force F_s (42), (43), lb.
+    /// Spring force F_s (42), (43), or load of the cartridge, lb.
     spring: S,
     /// Damping of the present direction, lb·s²/ft².
     damping: S,

@@ -1,5 +1,6 @@
 //! A landing by one of these methods: outcomes are looked for at the starts of intervals only.
 
+use crate::contact;
 use crate::energy::{kinetic, released};
 use crate::landing::final_rates;
 use crate::motion::{Pieces, Signal};
@@ -72,7 +73,7 @@ impl<'a> Flight<'a> {
     pub(super) fn run(mut self, stepper: &mut impl Stepper<ForceModel>) -> Landing {
         let mut evaluator = Evaluator {
             system: self.model,
-            memory: PerLeg::same(self.first.leg_count(), [0.0; 3]),
+            memory: PerLeg::same(self.first.leg_count(), contact::Sets::default()),
             evaluations: 0,
         };
         let mut state = self.first;

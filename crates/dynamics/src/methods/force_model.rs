@@ -3,7 +3,7 @@
 //!
 //! This is the only place where these methods touch laws and motion.
 
-use crate::contact::{Choice, LegLaws, LegMode};
+use crate::contact::{self, Choice, LegLaws, LegMode};
 use crate::motion::{LegLoads, LegPieces, Motion, Pieces, Signal, Signals};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
@@ -14,8 +14,8 @@ use crate::vehicle::Vehicle;
 use super::system::System;
 use super::variables;
 
-/// Plastic sets of outboard section, inboard section and block of each leg, ft.
-pub type Sets = PerLeg<[f64; 3]>;
+/// Plastic sets of the elements of each leg.
+pub type Sets = PerLeg<contact::Sets>;
 
 /// A vehicle in a scene.
 #[derive(Debug, Clone)]

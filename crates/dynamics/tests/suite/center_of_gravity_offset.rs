@@ -47,7 +47,7 @@ fn section(vehicle: &Vehicle, leg: usize, side: f64, state: &State<f64>) -> Vect
 
 /// Centre of a block of which so much (ft) has been crushed.
 fn block(vehicle: &Vehicle, leg: usize, crushed: f64, state: &State<f64>) -> Vector3<f64> {
-    let block = &vehicle.legs()[leg].design().block;
+    let block = &vehicle.legs()[leg].design().block.as_ref().unwrap();
     let drop = vehicle.center_of_gravity_height() + block.height - crushed;
     point(vehicle, leg, block.radius, drop, state)
 }

@@ -250,7 +250,7 @@ fn area_under(profile: &Profile, depth: f64) -> (f64, f64) {
 #[test]
 fn a_vehicle_dropped_on_its_blocks() {
     let vehicle = on_its_blocks();
-    let block = vehicle.legs()[0].design().block.clone();
+    let block = vehicle.legs()[0].design().block.clone().unwrap();
     // 14 ft/s ends on the plateau of the profile, 20 ft/s on the steep rise beyond it.
     for speed in [14.0, 20.0] {
         let scene = Scene::new(Conditions {

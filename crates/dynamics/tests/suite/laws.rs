@@ -4,7 +4,7 @@
 use crate::common::random::fixed_list;
 use crate::common::surveyor_leg;
 use touchdown_dynamics::contact::LegMode;
-use touchdown_dynamics::crush::{Crush, CrushLaw};
+use touchdown_dynamics::crush::{Crush, CrushLaw, PressureLine};
 use touchdown_dynamics::friction::{FrictionProfile, Sliding};
 use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::motion::Signal;
@@ -25,12 +25,13 @@ fn look_up(profile: &Profile, x: f64) -> f64 {
 
 /// Strut force at stroke δ (ft), link rate γ̇ (rad/s) and dl_D/dt (ft/s), as the model states it.
 fn strut_force(strut: &Strut, stroke: f64, link_rate: f64, length_rate: f64) -> f64 {
-    let elastic = strut.preload / strut.structural_stiffness;
+    let damper = strut.damper().unwrap();
+    let elastic = damper.preload / damper.structural_stiffness;
     let spring = if stroke <= elastic {
-        strut.structural_stiffness * stroke
+        damper.structural_stiffness * stroke
     } else {
-        let stiffness = strut.spring_constant * look_up(&strut.spring_profile, stroke);
-        stiffness * (stroke - elastic) + strut.preload
+        let stiffness = damper.spring_constant * look_up(&damper.spring_profile, stroke);
+        stiffness * (stroke - elastic) + damper.preload
     };
     let fraction = (link_rate.abs() / 0.2).min(1.0);
     let engaged = 1.0 - (1.0 - fraction).powi(3);
@@ -40,11 +41,11 @@ fn strut_force(strut: &Strut, stroke: f64, link_rate: f64, length_rate: f64) -> 
         let multiplier = if stroke < 0.0 {
             1.0
         } else {
-            look_up(&strut.damping_profile, stroke)
+            look_up(&damper.damping_profile, stroke)
         };
-        spring + engaged * (dry + strut.compression_damping * multiplier * squared)
+        spring + engaged * (dry + damper.compression_damping * multiplier * squared)
     } else {
-        let damping = strut.rebound_damping * (1.0 + strut.rebound_growth * stroke);
+        let damping = damper.rebound_damping * (1.0 + damper.rebound_growth * stroke);
         spring - engaged * (dry + damping * squared)
     }
 }
@@ -70,7 +71,7 @@ fn strut_force_of_the_model() {
             if stroke < 1e-6 && link_rate > 0.0 {
                 continue;
             }
-            let (piece, link) = working(&law, stroke).pieces(&law);
+            let (piece, link) = working(&law, stroke).pieces(&law, &PressureLine::slack());
             let force = piece.force(stroke, link_rate, lever);
             let expected = strut_force(&strut, stroke, link_rate, lever * link_rate);
             let off = (force - expected).abs() / expected.abs().max(1.0);

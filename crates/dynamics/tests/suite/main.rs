@@ -13,6 +13,7 @@ mod convergence;
 mod early_end;
 mod extremes;
 mod footing;
+mod honeycomb;
 mod impact_surface;
 mod laws;
 mod methods_of_1966;

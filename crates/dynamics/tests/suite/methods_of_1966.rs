@@ -3,6 +3,7 @@
 use crate::common::scenes::pressed_in;
 use crate::common::{level_scene, settings, table_4_1};
 use nalgebra::Vector3;
+use touchdown_dynamics::contact::Sets;
 use touchdown_dynamics::methods::{
     BouncingBall, ErrorCheck, Evaluator, ForceModel, Intervals, Milne, RungeKutta, Start,
     StepDoubling, Stepper, System, Trapezoidal, Vector,
@@ -96,7 +97,7 @@ fn held_pad_acceleration_makes_the_report_first_order() {
     let first = touchdown(&vehicle, &scene, model.motion());
     let state = pressed_in(first, [-1.0; 3], Vector3::new(0.4, -0.3, 0.2));
     let time = 5e-5;
-    let sets = [[0.0; 3]; 3].into();
+    let sets = [Sets::default(); 3].into();
     let end =
         |stepper: &mut dyn FnMut(f64) -> State<f64>, count: u32| stepper(time / f64::from(count));
     let mut runge_kutta = |interval: f64| {

@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
+use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::vehicle::{
-    Block, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, Vehicle,
+    Block, Damper, Footpad, Honeycomb, Inertia, LEAST_LEGS, Leg, LegDesign, Linkage, Strut,
+    StrutElement, Vehicle,
 };
 
 use crate::document::{Document, Value};
@@ -43,19 +45,36 @@ pub(crate) const LINKAGE: [&str; 5] = [
     "hardpoint_angle_deg",
     "inertia_slug_ft2",
 ];
-pub(crate) const STRUT: [&str; 11] = [
+pub(crate) const STRUT: [&str; 14] = [
+    "kind",
     "extended_length_ft",
     "minimum_length_ft",
+    "friction_fraction",
     "structural_stiffness_lb_per_ft",
     "preload_lb",
     "spring_constant_lb_per_ft",
-    "friction_fraction",
+    "compression_damping",
+    "rebound_damping",
+    "rebound_growth_per_ft",
+    "spring_profile",
+    "damping_profile",
+    "unloading_stiffness_lb_per_ft",
+    "crush_load",
+];
+/// Kinds of struts, and the keys of [`STRUT`] that only struts of this kind have. The first is the default.
+pub(crate) const STRUT_KINDS: [(&str, &[&str]); 2] =
+    [("damper", &DAMPER), ("honeycomb", &HONEYCOMB)];
+const DAMPER: [&str; 8] = [
+    "structural_stiffness_lb_per_ft",
+    "preload_lb",
+    "spring_constant_lb_per_ft",
     "compression_damping",
     "rebound_damping",
     "rebound_growth_per_ft",
     "spring_profile",
     "damping_profile",
 ];
+const HONEYCOMB: [&str; 2] = ["unloading_stiffness_lb_per_ft", "crush_load"];
 pub(crate) const FOOTPAD: [&str; 7] = [
     "diameter_ft",
     "height_ft",
@@ -74,8 +93,9 @@ pub(crate) const BLOCK: [&str; 5] = [
 ];
 pub(crate) const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
 pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
+pub(crate) const LOAD: [&str; 3] = ["stroke_in", "load_lb", SCALE];
 /// The keys of all tables.
-pub(crate) const KEYS: [&[&str]; 9] = [
+pub(crate) const KEYS: [&[&str]; 10] = [
     &VEHICLE,
     &INERTIA,
     &LEG,
@@ -85,12 +105,17 @@ pub(crate) const KEYS: [&[&str]; 9] = [
     &BLOCK,
     &MULTIPLIER,
     &PRESSURE,
+    &LOAD,
 ];
 /// Where the CG is off the centreline; 0 when they are left out.
 const OFFSET: [&str; 2] = [
     "center_of_gravity_offset_x_ft",
     "center_of_gravity_offset_y_ft",
 ];
+/// Tables of a strut, footpad or block.
+const TABLES: [&str; 4] = ["spring_profile", "damping_profile", "profile", "crush_load"];
+/// What stands in place of a table `[block]` where there is none.
+const NO_BLOCK: &str = "none";
 /// Factor on the ordinates of a table, 1 when it is left out.
 const SCALE: &str = "scale";
 
@@ -104,7 +129,8 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
         ("block", &BLOCK),
     ];
     let of_a_leg = parts.iter().flat_map(|(part, keys)| {
-        keys.iter().map(move |key| match key.ends_with("profile") {
+        let numbers = keys.iter().filter(|key| **key != "kind");
+        numbers.map(move |key| match TABLES.contains(key) {
             true => format!("{part}.{key}.{SCALE}"),
             false => format!("{part}.{key}"),
         })
@@ -135,9 +161,6 @@ pub(crate) fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     };
     document.number(path).or_else(of_all).or_else(by_default)
 }
-
-/// Fewest legs of a vehicle; dynamics has room for [`MOST_LEGS`].
-const LEAST_LEGS: usize = 3;
 
 /// Number of legs that the vehicle of a document has, as far as a vehicle can have so many.
 pub(crate) fn leg_count(document: &Document) -> usize {
@@ -264,7 +287,7 @@ fn leg(own: &Section, entry: &Section) -> Result<Leg, InputError> {
         linkage: linkage(&entry.section("linkage", &LINKAGE)?)?,
         strut: strut(&entry.section("strut", &STRUT)?)?,
         footpad: footpad(&entry.section("footpad", &FOOTPAD)?)?,
-        block: block(&entry.section("block", &BLOCK)?)?,
+        block: block(entry)?,
     };
     Leg::new(design).map_err(|invalid| entry.complain(&invalid))
 }
@@ -280,13 +303,42 @@ fn linkage(section: &Section) -> Result<Linkage, InputError> {
 }
 
 fn strut(section: &Section) -> Result<Strut, InputError> {
+    let kind = match section.optional("kind") {
+        None => STRUT_KINDS[0].0,
+        Some(found) => {
+            let is_meant = |word: &str| STRUT_KINDS.iter().find(|(kind, _)| *kind == word);
+            match found.text().map(is_meant) {
+                Ok(Some((kind, _))) => kind,
+                _ => return Err(found.complain("\"damper\" or \"honeycomb\"")),
+            }
+        }
+    };
+    for (other, keys) in STRUT_KINDS.iter().filter(|(other, _)| *other != kind) {
+        if let Some(found) = keys.iter().find_map(|key| section.optional(key)) {
+            return Err(found.complain_that(&format!(
+                "only struts of kind \"{other}\" have this, and this one is of kind \"{kind}\""
+            )));
+        }
+    }
     Ok(Strut {
         extended_length: section.number("extended_length_ft")?,
         minimum_length: section.number("minimum_length_ft")?,
+        friction_fraction: section.number("friction_fraction")?,
+        element: match kind {
+            "honeycomb" => StrutElement::Honeycomb(Honeycomb {
+                unloading_stiffness: section.number("unloading_stiffness_lb_per_ft")?,
+                crush_load: crush_load(section)?,
+            }),
+            _ => StrutElement::Damper(damper(section)?),
+        },
+    })
+}
+
+fn damper(section: &Section) -> Result<Damper, InputError> {
+    Ok(Damper {
         structural_stiffness: section.number("structural_stiffness_lb_per_ft")?,
         preload: section.number("preload_lb")?,
         spring_constant: section.number("spring_constant_lb_per_ft")?,
-        friction_fraction: section.number("friction_fraction")?,
         compression_damping: section.number("compression_damping")?,
         rebound_damping: section.number("rebound_damping")?,
         rebound_growth: section.number("rebound_growth_per_ft")?,
@@ -307,14 +359,55 @@ fn footpad(section: &Section) -> Result<Footpad, InputError> {
     })
 }
 
-fn block(section: &Section) -> Result<Block, InputError> {
-    Ok(Block {
+fn block(entry: &Section) -> Result<Option<Block>, InputError> {
+    if let Some(found) = entry.optional("block")
+        && let Ok(word) = found.text()
+    {
+        return match word {
+            NO_BLOCK => Ok(None),
+            _ => Err(found.complain("a table [block], or \"none\"")),
+        };
+    }
+    let section = entry.section("block", &BLOCK)?;
+    Ok(Some(Block {
         radius: section.number("radius_ft")?,
         height: section.number("height_ft")?,
         diameter: section.number("diameter_ft")?,
         crush_pressure: section.number("crush_pressure_psf")?,
-        profile: profile(section, "profile", PRESSURE)?,
-    })
+        profile: profile(&section, "profile", PRESSURE)?,
+    }))
+}
+
+/// The table of a honeycomb cartridge: strokes may repeat, where its load steps.
+fn crush_load(section: &Section) -> Result<CrushLoad, InputError> {
+    let table = section.section("crush_load", &LOAD)?;
+    let scale = scale(&table)?;
+    let [strokes, loads] = ["stroke_in", "load_lb"].map(|key| column(&table, key));
+    let (strokes, loads) = (strokes?, loads?);
+    let list = table.value("load_lb", "a list of numbers")?;
+    if strokes.len() != loads.len() {
+        return Err(list.complain_that(&format!(
+            "{} numbers: expected as many as strokes, {}",
+            loads.len(),
+            strokes.len()
+        )));
+    }
+    for (load, item) in loads.iter().zip(list.items("a list of numbers")?) {
+        if !(0.0..=GREATEST).contains(&(scale * load)) {
+            return Err(item.complain("0 ≤ value ≤ 1e9, the scale included"));
+        }
+    }
+    let items = table.value("stroke_in", "a list of numbers")?;
+    for (stroke, item) in strokes.iter().zip(items.items("a list of numbers")?) {
+        if !(0.0..=GREATEST).contains(stroke) {
+            return Err(item.complain("0 ≤ value ≤ 1e9"));
+        }
+    }
+    let knots = strokes
+        .iter()
+        .zip(loads)
+        .map(|(stroke, load)| [stroke / INCHES_PER_FOOT, scale * load]);
+    CrushLoad::new(knots.collect()).map_err(|invalid| items.complain(&invalid.allowed))
 }
 
 /// A table whose abscissas are in inches, as the report prints them.

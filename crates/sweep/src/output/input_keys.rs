@@ -40,6 +40,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("vehicle.linkage", &vehicle_file::LINKAGE),
         table("vehicle.strut", &vehicle_file::STRUT),
         table("vehicle.strut.profile", &vehicle_file::MULTIPLIER),
+        table("vehicle.strut.crush_load", &vehicle_file::LOAD),
         table("vehicle.footpad", &vehicle_file::FOOTPAD),
         table("vehicle.block", &vehicle_file::BLOCK),
         table("vehicle.profile", &vehicle_file::PRESSURE),
@@ -68,6 +69,7 @@ pub fn word_choices() -> Vec<WordChoice> {
     }
     let choice = |key, words| WordChoice { key, words };
     vec![
+        choice("kind", words(&vehicle_file::STRUT_KINDS)),
         choice("distribution", words(&sample_input::DISTRIBUTIONS)),
         choice("bands", words(&search_input::EXTENTS)),
         choice("scan", words(&search_input::SCANS)),

@@ -50,8 +50,8 @@ fn a_case_keeps_what_it_does_not_change() {
         .map(|case| case.scene.conditions().block_friction);
     assert_eq!(friction.collect::<Vec<_>>(), [1.0, 1.0, 0.8, 0.8]);
     let leg = |case: usize, leg: usize| cases[case].vehicle.vehicle.legs()[leg].design().clone();
-    assert_eq!(leg(0, 0).strut.preload, 185.0);
-    assert_eq!(leg(2, 0).strut.preload, 200.0);
+    assert_eq!(leg(0, 0).strut.damper().unwrap().preload, 185.0);
+    assert_eq!(leg(2, 0).strut.damper().unwrap().preload, 200.0);
     assert_eq!(
         (leg(2, 1).footpad.height, leg(2, 2).footpad.height),
         (0.5, 0.54167)
@@ -61,7 +61,10 @@ fn a_case_keeps_what_it_does_not_change() {
     assert_eq!(cases[3].settings.tolerance(), 1e-4);
     // Another vehicle file stands for itself.
     assert_eq!(
-        (cases[3].vehicle.vehicle.mass(), leg(3, 0).strut.preload),
+        (
+            cases[3].vehicle.vehicle.mass(),
+            leg(3, 0).strut.damper().unwrap().preload
+        ),
         (18.0, 185.0)
     );
 }
@@ -79,7 +82,7 @@ fn a_case_may_change_numbers_in_si() {
     for case in cases {
         assert_eq!(case.scene.conditions().horizontal_velocity, 10.0);
         let vehicle = case.vehicle.vehicle;
-        assert!((vehicle.legs()[0].design().strut.preload - 200.0).abs() < 1e-9);
+        assert!((vehicle.legs()[0].design().strut.damper().unwrap().preload - 200.0).abs() < 1e-9);
         assert!((vehicle.inertia()[(0, 0)] - 140.0).abs() < 1e-9);
         assert_eq!(vehicle.legs()[1].design().footpad.height, 0.5);
     }

@@ -84,7 +84,14 @@ fn any_number_of_the_input_is_an_axis() {
     assert_eq!(sweep.design.count(), 64 * 25);
     let case = sweep.case(sweep.design.count() - 1).unwrap();
     assert_eq!(case.vehicle.center_of_gravity_height(), 1.6);
-    let damping = |leg: usize| case.vehicle.legs()[leg].design().strut.compression_damping;
+    let damping = |leg: usize| {
+        case.vehicle.legs()[leg]
+            .design()
+            .strut
+            .damper()
+            .unwrap()
+            .compression_damping
+    };
     assert_eq!((damping(0), damping(1)), (54.0, 60.0));
     let pad = &case.vehicle.legs()[2].design().footpad;
     assert_eq!(pad.profile.knots()[9][1], 1.5);

@@ -25,6 +25,17 @@ use touchdown_sweep::{cases, scene_file};
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SURVEYOR_SI: &str = include_str!("../../../../sweeps/vehicles/surveyor-si.toml");
 
+const HONEYCOMB: &str = "[strut]\nkind = \"honeycomb\"\nextended_length_ft = 3.1275\n\
+     minimum_length_ft = 2.7525\nfriction_fraction = 0.05\nunloading_stiffness_lb_per_ft = 40000\n\
+     [strut.crush_load]\nstroke_in = [0, 2, 2, 4]\nload_lb = [900, 900, 1500, 1700]\n";
+
+/// The Surveyor with honeycomb struts.
+fn honeycomb() -> String {
+    let (before, rest) = SURVEYOR.split_once("[strut]").unwrap();
+    let (_, after) = rest.split_once("[footpad]").unwrap();
+    format!("{before}{HONEYCOMB}[footpad]{after}")
+}
+
 const FOOT: f64 = 0.3048;
 const POUND: f64 = 4.4482216152605;
 
@@ -270,7 +281,13 @@ fn every_key_with_a_unit_is_read_in_si() {
         checked += match table.name {
             "vehicle" => check(SURVEYOR, "", all, &vehicle),
             "vehicle.linkage" => check(SURVEYOR, "[linkage]", all, &vehicle),
-            "vehicle.strut" => check(SURVEYOR, "[strut]", all, &vehicle),
+            "vehicle.strut" => {
+                let cartridge = keys(&|key| HONEYCOMB.contains(&format!("\n{key} = ")));
+                let damper = keys(&|key| !key.starts_with("unloading"));
+                check(SURVEYOR, "[strut]", &damper, &vehicle)
+                    + check(&honeycomb(), "[strut]", &cartridge, &vehicle)
+            }
+            "vehicle.strut.crush_load" => check(&honeycomb(), "[strut.crush_load]", all, &vehicle),
             "vehicle.strut.profile" => check(SURVEYOR, "[strut.damping_profile]", all, &vehicle),
             "vehicle.footpad" => check(SURVEYOR, "[footpad]", all, &vehicle),
             "vehicle.block" => check(SURVEYOR, "[block]", all, &vehicle),
@@ -395,6 +412,8 @@ fn a_sweep_in_si_goes_on_from_its_journal() {
         sweep.case(0).unwrap().vehicle.legs()[0]
             .design()
             .strut
+            .damper()
+            .unwrap()
             .preload
     };
     assert!((preload(&sweep) - 890.0 / POUND).abs() < 1e-12);

@@ -42,7 +42,7 @@ per_lane!(LegMotion {
 impl LegMotion<f64> {
     pub(super) fn new(leg: &Leg, hardpoint_depth: f64, scene: &Scene) -> Self {
         let design = leg.design();
-        let (pad, block) = (&design.footpad, &design.block);
+        let pad = &design.footpad;
         let quarter_circle = std::f64::consts::FRAC_PI_4;
         Self {
             geometry: LegGeometry::new(leg, hardpoint_depth),
@@ -51,11 +51,9 @@ impl LegMotion<f64> {
             pad_inertia: pad.inertia,
             inverse_pad_inertia: 1.0 / pad.inertia,
             pad_strength: 0.25 * quarter_circle * pad.diameter * pad.diameter * pad.crush_pressure,
-            block_strength: 0.5
-                * quarter_circle
-                * block.diameter
-                * block.diameter
-                * block.crush_pressure,
+            block_strength: design.block.as_ref().map_or(0.0, |block| {
+                0.5 * quarter_circle * block.diameter * block.diameter * block.crush_pressure
+            }),
             pad_friction: scene.conditions().pad_friction,
             block_friction: scene.conditions().block_friction,
         }

@@ -1,6 +1,7 @@
 //! The pieces of a leg's laws chosen afresh from a state, for methods that locate no events.
 
-use super::LegLaws;
+use super::{LegLaws, Sets};
+use crate::crush::PressureLine;
 use crate::friction::Sliding;
 use crate::hinge::Hinge;
 use crate::integrator::event::Exit;
@@ -13,8 +14,8 @@ use crate::strut::Stance;
 /// The pieces that a leg's laws choose at one state.
 #[derive(Debug, Clone, Copy)]
 pub struct Choice {
-    /// Plastic sets of outboard section, inboard section and block that they leave, ft.
-    pub sets: [f64; 3],
+    /// Plastic sets that they leave.
+    pub sets: Sets,
     /// Whether a section of the footpad is in contact.
     pub pad_in_contact: bool,
     /// Whether the block is in contact.
@@ -32,16 +33,15 @@ impl Choice {
     /// The torque of the surface pushes the link off its stop.
     pub fn push(&mut self, laws: &LegLaws, pieces: &mut LegPieces<f64>) {
         self.stance.cross_torque(Exit::Below);
-        pieces.link = self.stance.pieces(&laws.strut).1;
+        pieces.link = self.stance.pieces(&laws.strut, &PressureLine::slack()).1;
     }
 }
 
 impl LegLaws {
-    /// Writes into `pieces` those that hold at these signals, given that the elements have kept
-    /// `sets` (ft).
+    /// Writes into `pieces` those that hold at these signals, given that the elements have kept `sets`.
     pub fn choose(
         &self,
-        sets: [f64; 3],
+        sets: Sets,
         signals: &LegSignals<f64>,
         pieces: &mut LegPieces<f64>,
     ) -> Choice {
@@ -51,16 +51,21 @@ impl LegLaws {
             |signal: Signal| Sliding::at(self.friction, value(signal)).piece(self.friction);
         let section = |k: usize, signal: Signal| {
             self.pad
-                .state_at(sets[k], value(signal), driven(Signal::PivotRate))
+                .state_at(sets.pad[k], value(signal), driven(Signal::PivotRate))
         };
         let pad = [
             section(0, Signal::OuterInterference),
             section(1, Signal::InnerInterference),
         ];
         let block = self.block.state_at(
-            sets[2],
+            sets.block,
             value(Signal::BlockInterference),
             driven(Signal::BlockCentreRate),
+        );
+        let cartridge = self.cartridge.state_at(
+            sets.strut,
+            value(Signal::Stroke),
+            value(Signal::StrokeRate) >= 0.0,
         );
         let pad_in_contact = pad.iter().any(|section| section.in_contact);
         let stance = Stance::at(
@@ -70,7 +75,7 @@ impl LegLaws {
             value(Signal::LinkRate),
         );
         let hinge = Hinge::at(self.stops, value(Signal::PadTurn), value(Signal::PadRate));
-        let (strut, link) = stance.pieces(&self.strut);
+        let (strut, link) = stance.pieces(&self.strut, &cartridge.line);
         *pieces = LegPieces {
             pad: pad.map(|section| section.line),
             block: block.line,
@@ -81,7 +86,11 @@ impl LegLaws {
             hinge: hinge.piece_as_written(self.stops),
         };
         Choice {
-            sets: [pad[0].set, pad[1].set, block.set],
+            sets: Sets {
+                pad: [pad[0].set, pad[1].set],
+                block: block.set,
+                strut: cartridge.set,
+            },
             pad_in_contact,
             block_in_contact: block.in_contact,
             stance,

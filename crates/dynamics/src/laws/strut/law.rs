@@ -1,9 +1,11 @@
-//! The law of one strut (42)-(45), cut into stretches of stroke over which it keeps one piece.
+//! The law of one strut, cut into stretches of stroke over which it keeps one piece: the Surveyor's shock absorber (42)-(45),
+//! or friction alone where a cartridge, which has a law of its own ([`crate::crush`]), carries the load.
 
 use std::sync::Arc;
 
 use super::{Kinked, STOP_STROKE, StrutPiece};
-use crate::parts;
+use crate::crush::PressureLine;
+use crate::parts::{self, StrutElement};
 use crate::profile::Profile;
 
 /// A stretch of stroke over which tables and spring law keep one piece.
@@ -26,16 +28,46 @@ struct StrokeSegment {
 #[derive(Debug, Clone, PartialEq)]
 pub struct StrutLaw {
     segments: Arc<[StrokeSegment]>,
+    spring: Spring,
+    friction_fraction: f64,
+    bottoming_stroke: f64,
+    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
+    turning_slack: f64,
+}
+
+/// Spring and damper of a strut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Spring {
     structural_stiffness: f64,
     preload: f64,
     spring_constant: f64,
     elastic_limit: f64,
     /// Rebound damping R_R (1 + SRL δ) = offset + slope δ.
     rebound: [f64; 2],
-    friction_fraction: f64,
-    bottoming_stroke: f64,
-    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
-    turning_slack: f64,
+}
+
+impl Spring {
+    /// No spring and no damper.
+    const NONE: Self = Self {
+        structural_stiffness: 0.0,
+        preload: 0.0,
+        spring_constant: 0.0,
+        elastic_limit: 0.0,
+        rebound: [0.0; 2],
+    };
+
+    fn of(damper: &parts::Damper) -> Self {
+        Self {
+            structural_stiffness: damper.structural_stiffness,
+            preload: damper.preload,
+            spring_constant: damper.spring_constant,
+            elastic_limit: damper.preload / damper.structural_stiffness,
+            rebound: [
+                damper.rebound_damping,
+                damper.rebound_damping * damper.rebound_growth,
+            ],
+        }
+    }
 }
 
 /// Turning slack: at least this (rad/s), and this times the tolerance. Where the link turns round,
@@ -47,55 +79,19 @@ const TURNING_SLACK_PER_TOLERANCE: f64 = 10.0;
 impl StrutLaw {
     /// The law of a strut, cut where any of its pieces changes.
     pub fn new(strut: &parts::Strut) -> Self {
-        let elastic_limit = strut.preload / strut.structural_stiffness;
-        let tables = [&strut.spring_profile, &strut.damping_profile];
-        let mut knots: Vec<f64> = tables
-            .iter()
-            .flat_map(|p| p.knots()[1..p.knots().len() - 1].iter().map(|k| k[0]))
-            .chain([0.0, STOP_STROKE, elastic_limit, f64::INFINITY])
-            .collect();
-        let bends_at = |stroke: f64| {
-            let mut bends = tables.iter().flat_map(|p| p.knots());
-            stroke == elastic_limit || bends.any(|knot| knot[0] == stroke)
+        let (segments, spring) = match &strut.element {
+            StrutElement::Damper(damper) => {
+                let spring = Spring::of(damper);
+                (segments_of(damper, spring.elastic_limit), spring)
+            }
+            StrutElement::Honeycomb(_) => {
+                let uppers = [STOP_STROKE, f64::INFINITY];
+                (uppers.map(StrokeSegment::slack).into(), Spring::NONE)
+            }
         };
-        knots.sort_by(f64::total_cmp);
-        knots.dedup();
-        let mut lower = f64::NEG_INFINITY;
-        let segments = knots
-            .into_iter()
-            .map(|upper| {
-                let line = |profile: &Profile, factor: f64| {
-                    let s = profile.segment_at(lower);
-                    [factor * s.offset, factor * s.slope]
-                };
-                let segment = StrokeSegment {
-                    upper,
-                    is_plastic: lower >= elastic_limit,
-                    is_gentle_above: upper.is_finite()
-                        && (lower >= elastic_limit
-                            || upper == 0.0 && strut.damping_profile.knots()[0][1] == 1.0),
-                    goes_on_above: upper == STOP_STROKE && !bends_at(upper),
-                    multiplier: line(&strut.spring_profile, 1.0),
-                    compression: if upper <= 0.0 {
-                        [strut.compression_damping, 0.0]
-                    } else {
-                        line(&strut.damping_profile, strut.compression_damping)
-                    },
-                };
-                lower = upper;
-                segment
-            })
-            .collect();
         Self {
             segments,
-            structural_stiffness: strut.structural_stiffness,
-            preload: strut.preload,
-            spring_constant: strut.spring_constant,
-            elastic_limit,
-            rebound: [
-                strut.rebound_damping,
-                strut.rebound_damping * strut.rebound_growth,
-            ],
+            spring,
             friction_fraction: strut.friction_fraction,
             bottoming_stroke: strut.extended_length - strut.minimum_length,
             turning_slack: TURNING_SLACK,
@@ -182,21 +178,78 @@ impl StrutLaw {
         }
     }
 
-    /// Coefficients over a segment.
-    pub(super) fn piece(&self, segment: usize) -> StrutPiece<f64> {
-        let (base, growth) = if self.segments[segment].is_plastic {
-            ([self.preload, 0.0], self.spring_constant)
+    /// Coefficients over a segment of a strut whose cartridge, if it has one, is on this line of load (lb) against stroke.
+    pub(super) fn piece(&self, segment: usize, load: &PressureLine<f64>) -> StrutPiece<f64> {
+        let spring = &self.spring;
+        let ([offset, slope], growth) = if self.segments[segment].is_plastic {
+            ([spring.preload, 0.0], spring.spring_constant)
         } else {
-            ([0.0, self.structural_stiffness], 0.0)
+            ([0.0, spring.structural_stiffness], 0.0)
         };
         StrutPiece {
-            base,
+            base: [offset + load.at(0.0), slope + load.slope()],
             growth,
             multiplier: self.kinked(segment, |s| s.multiplier),
-            elastic_limit: self.elastic_limit,
+            elastic_limit: spring.elastic_limit,
             friction_fraction: self.friction_fraction,
             compression: self.kinked(segment, |s| s.compression),
-            rebound: self.rebound,
+            rebound: spring.rebound,
         }
     }
+}
+
+impl StrokeSegment {
+    /// Without spring and damper.
+    fn slack(upper: f64) -> Self {
+        Self {
+            upper,
+            is_plastic: false,
+            is_gentle_above: false,
+            goes_on_above: upper == STOP_STROKE,
+            multiplier: [0.0; 2],
+            compression: [0.0; 2],
+        }
+    }
+}
+
+/// The segments of a shock absorber with this elastic limit δ_E (ft).
+fn segments_of(damper: &parts::Damper, elastic_limit: f64) -> Arc<[StrokeSegment]> {
+    let tables = [&damper.spring_profile, &damper.damping_profile];
+    let mut knots: Vec<f64> = tables
+        .iter()
+        .flat_map(|p| p.knots()[1..p.knots().len() - 1].iter().map(|k| k[0]))
+        .chain([0.0, STOP_STROKE, elastic_limit, f64::INFINITY])
+        .collect();
+    let bends_at = |stroke: f64| {
+        let mut bends = tables.iter().flat_map(|p| p.knots());
+        stroke == elastic_limit || bends.any(|knot| knot[0] == stroke)
+    };
+    knots.sort_by(f64::total_cmp);
+    knots.dedup();
+    let mut lower = f64::NEG_INFINITY;
+    knots
+        .into_iter()
+        .map(|upper| {
+            let line = |profile: &Profile, factor: f64| {
+                let s = profile.segment_at(lower);
+                [factor * s.offset, factor * s.slope]
+            };
+            let segment = StrokeSegment {
+                upper,
+                is_plastic: lower >= elastic_limit,
+                is_gentle_above: upper.is_finite()
+                    && (lower >= elastic_limit
+                        || upper == 0.0 && damper.damping_profile.knots()[0][1] == 1.0),
+                goes_on_above: upper == STOP_STROKE && !bends_at(upper),
+                multiplier: line(&damper.spring_profile, 1.0),
+                compression: if upper <= 0.0 {
+                    [damper.compression_damping, 0.0]
+                } else {
+                    line(&damper.damping_profile, damper.compression_damping)
+                },
+            };
+            lower = upper;
+            segment
+        })
+        .collect()
 }

@@ -2,6 +2,7 @@
 
 use super::law::StrutLaw;
 use super::{LinkPiece, RESIDUAL_RATE, SMOOTHING_RATE, STOP_STROKE, StrutPiece};
+use crate::crush::PressureLine;
 use crate::integrator::event::{Bounds, Exit};
 
 /// Rate at which an airborne link's γ̇ runs down, 1/s.
@@ -74,8 +75,12 @@ impl Stance {
         !matches!(self, Self::Working { .. })
     }
 
-    /// Coefficients of the active pieces.
-    pub fn pieces(&self, law: &StrutLaw) -> (StrutPiece<f64>, LinkPiece<f64>) {
+    /// Coefficients of the active pieces, the cartridge, if there is one, on this line of load (lb) against stroke.
+    pub fn pieces(
+        &self,
+        law: &StrutLaw,
+        load: &PressureLine<f64>,
+    ) -> (StrutPiece<f64>, LinkPiece<f64>) {
         match *self {
             Self::Hanging { running_down } => (
                 StrutPiece::slack(),
@@ -94,7 +99,7 @@ impl Stance {
                 },
             ),
             Self::Working { segment } => (
-                law.piece(segment),
+                law.piece(segment, load),
                 LinkPiece {
                     free: 1.0,
                     run_down: 0.0,

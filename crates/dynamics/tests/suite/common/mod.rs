@@ -16,7 +16,7 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::{
-    Block, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, Vehicle,
+    Block, Damper, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, StrutElement, Vehicle,
 };
 
 /// A table given in inches.
@@ -56,15 +56,17 @@ pub fn surveyor_leg(azimuth_deg: f64) -> LegDesign {
         strut: Strut {
             extended_length: 3.1275,
             minimum_length: 2.7525,
-            structural_stiffness: 1e5,
-            preload: 185.0,
-            spring_constant: 3600.0,
             friction_fraction: 0.05,
-            compression_damping: 54.0,
-            rebound_damping: 864.0,
-            rebound_growth: 1.776,
-            spring_profile: inches(&stroke, &spring),
-            damping_profile: inches(&stroke, &damping),
+            element: StrutElement::Damper(Damper {
+                structural_stiffness: 1e5,
+                preload: 185.0,
+                spring_constant: 3600.0,
+                compression_damping: 54.0,
+                rebound_damping: 864.0,
+                rebound_growth: 1.776,
+                spring_profile: inches(&stroke, &spring),
+                damping_profile: inches(&stroke, &damping),
+            }),
         },
         footpad: Footpad {
             diameter: 1.0,
@@ -75,13 +77,21 @@ pub fn surveyor_leg(azimuth_deg: f64) -> LegDesign {
             maximum_angle: 45f64.to_radians(),
             profile: inches(&pad_interference, &pad_pressure),
         },
-        block: Block {
+        block: Some(Block {
             radius: 2.4167,
             height: 0.66667,
             diameter: 0.58333,
             crush_pressure: 5425.6,
             profile: inches(&[0.0, 0.1, 5.75, 7.75], &[0.0, 1.0, 1.0, 21.0]),
-        },
+        }),
+    }
+}
+
+/// The shock absorber of a strut that has one.
+pub fn damper(strut: &mut Strut) -> &mut Damper {
+    match &mut strut.element {
+        StrutElement::Damper(damper) => damper,
+        StrutElement::Honeycomb(_) => panic!("a strut with a shock absorber"),
     }
 }
 

@@ -9,7 +9,7 @@ use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene};
 use touchdown_dynamics::vehicle::{Inertia, Leg, LegDesign, Vehicle};
 
-use super::surveyor_leg;
+use super::{damper, surveyor_leg};
 
 /// The first `count` values of a strategy, the same in every run.
 pub fn fixed_list<S: Strategy>(strategy: &S, count: usize) -> Vec<S::Value> {
@@ -95,37 +95,40 @@ fn wild_leg(azimuth_deg: f64) -> impl Strategy<Value = Leg> {
     let pad = (factor(), factor(), factor(), factor());
     let block = (factor(), factor(), factor(), factor());
     (link, strut, pad, block).prop_filter_map("a leg that can be built", move |all| {
-        let (link, strut, pad, block) = all;
+        let (link, resistance, pad, cushion) = all;
         let LegDesign {
             azimuth,
             mut linkage,
-            strut: mut damper,
+            mut strut,
             mut footpad,
-            block: mut cushion,
+            mut block,
         } = surveyor_leg(azimuth_deg);
         linkage.lower_hardpoint_radius *= link.0;
         linkage.lower_link_length *= link.1;
         linkage.inertia *= link.2;
-        damper.preload *= strut.0;
-        damper.spring_constant *= strut.1;
-        damper.structural_stiffness *= strut.2;
-        damper.friction_fraction = strut.3;
-        damper.compression_damping *= strut.4;
-        damper.rebound_damping *= strut.5;
+        strut.friction_fraction = resistance.3;
+        let element = damper(&mut strut);
+        element.preload *= resistance.0;
+        element.spring_constant *= resistance.1;
+        element.structural_stiffness *= resistance.2;
+        element.compression_damping *= resistance.4;
+        element.rebound_damping *= resistance.5;
         footpad.diameter *= pad.0;
         footpad.height *= pad.1;
         footpad.crush_pressure *= pad.2;
         footpad.inertia *= pad.3;
-        cushion.radius *= block.0;
-        cushion.height *= block.1;
-        cushion.diameter *= block.2;
-        cushion.crush_pressure *= block.3;
+        if let Some(block) = &mut block {
+            block.radius *= cushion.0;
+            block.height *= cushion.1;
+            block.diameter *= cushion.2;
+            block.crush_pressure *= cushion.3;
+        }
         Leg::new(LegDesign {
             azimuth,
             linkage,
-            strut: damper,
+            strut,
             footpad,
-            block: cushion,
+            block,
         })
         .ok()
     })

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use touchdown_dynamics::contact::Sets;
 use touchdown_dynamics::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::state::State;
@@ -51,7 +52,7 @@ fn freed(vehicle: &Vehicle) -> Result<Vec<Point>, Failure> {
     let mut stepper = RungeKutta { interval: INTERVAL };
     let mut evaluator = Evaluator {
         system: &model,
-        memory: PerLeg::same(vehicle.legs().len(), [0.0; 3]),
+        memory: PerLeg::same(vehicle.legs().len(), Sets::default()),
         evaluations: 0,
     };
     let mut points = Vec::new();
