@@ -18,6 +18,7 @@ use crate::header::Header;
 use crate::input_error::{InputError, Place};
 use crate::landing_table::{self, Cell};
 use crate::library::Library;
+use crate::output_units::{OutputUnits, Quantity};
 use crate::parameter::{Home, Parameter};
 use crate::resolved_input;
 use crate::scene_input::NamedConditions;
@@ -371,12 +372,14 @@ fn cell<'r>(heading: &StringRecord, record: &'r StringRecord, name: &str) -> &'r
     position.and_then(|index| record.get(index)).unwrap_or("")
 }
 
-/// The results of cases as CSV: `case`, then the columns of [`landing_table`] for as many legs as any vehicle has.
+/// The results of cases as CSV, in these units: `case`, then the columns of [`landing_table`] for as many legs as any
+/// vehicle has.
 ///
 /// # Errors
 /// None but those of memory.
 pub fn table<'r>(
     rows: impl Iterator<Item = (&'r str, &'r Finding)> + Clone,
+    units: OutputUnits,
 ) -> Result<Vec<u8>, csv::Error> {
     let cells = |finding: &'r Finding| -> &'r [Cell] {
         match finding {
@@ -390,10 +393,14 @@ pub fn table<'r>(
     let legs = legs.max().unwrap_or(0);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_field("case")?;
-    writer.write_record(landing_table::names(legs))?;
+    let names = landing_table::names(legs);
+    let quantities: Vec<Quantity> = names.iter().map(|name| units.quantity(name)).collect();
+    writer.write_record(quantities.iter().map(Quantity::name))?;
     for (name, finding) in rows {
         writer.write_field(name)?;
-        writer.write_record(landing_table::under_headings(cells(finding), legs))?;
+        let row = landing_table::under_headings(cells(finding), legs);
+        let row = quantities.iter().zip(&row);
+        writer.write_record(row.map(|(quantity, cell)| quantity.cell(cell)))?;
     }
     writer
         .into_inner()

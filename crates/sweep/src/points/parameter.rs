@@ -147,7 +147,7 @@ impl Parameter {
     }
 
     /// What is allowed in the unit of the program, for a coordinate.
-    pub(crate) fn explain(&self, allowed: &str, coordinate: f64) -> String {
+    pub fn explain(&self, allowed: &str, coordinate: f64) -> String {
         self.conversion.explain(allowed, coordinate)
     }
 

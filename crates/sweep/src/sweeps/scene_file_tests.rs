@@ -14,7 +14,7 @@ fn read_text(cases: &str) -> Result<Vec<SceneCase>, InputError> {
     fs::write(folder.path().join("light.toml"), light).unwrap();
     let path = folder.path().join("deck.toml");
     fs::write(&path, format!("{SCENE}{cases}")).unwrap();
-    read(&path)
+    read(&path).map(|file| file.cases)
 }
 
 fn complaint(cases: &str) -> String {

@@ -13,6 +13,7 @@ use crate::document::Document;
 use crate::grid::{Grid, GridFault};
 use crate::input_error::{InputError, short};
 use crate::library::Library;
+use crate::output_units::OutputUnits;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{self, HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
 use crate::section::LocatedValue;
@@ -43,6 +44,7 @@ impl Sweep {
             Some(found) => Some(found.text()?.to_owned()),
             None => None,
         };
+        let units = OutputUnits::read(&root)?;
         let vehicle = vehicle_document(&root, path, library)?;
         let asked = asked(&root)?;
         let scene = root.section("scene", &scene_input::scene_keys())?;
@@ -103,6 +105,7 @@ impl Sweep {
             path: path.to_owned(),
             title,
             statement,
+            units,
             vehicle,
             fixed,
             axes,

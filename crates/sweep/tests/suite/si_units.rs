@@ -246,8 +246,8 @@ fn every_key_with_a_unit_is_read_in_si() {
     };
     let scene = |text: &str| {
         std::fs::write(path("s.toml"), text).unwrap();
-        let cases = scene_file::read(&path("s.toml")).map_err(|error| error.to_string())?;
-        Ok((cases[0].scene, cases[0].settings))
+        let file = scene_file::read(&path("s.toml")).map_err(|error| error.to_string())?;
+        Ok((file.cases[0].scene, file.cases[0].settings))
     };
     let map = |text: &str| {
         let sweep = read_sweep(text, SURVEYOR)?;
