@@ -17,6 +17,7 @@ mod steadiness;
 mod step_attempt;
 mod stiffness;
 mod strut_peaks;
+mod thrust;
 pub mod touchdown;
 mod trajectory;
 mod verdict;

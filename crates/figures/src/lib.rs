@@ -19,4 +19,4 @@ use page::{canvas, frame, palette, sheet, style, text, thinning, ticks};
 pub use tables::{bands_table, boundary_table, history_table, map_table, sensitivity_table};
 use tables::{profile_points, table};
 use words::unit;
-pub use words::{axis_title, caption, figure_error, number, parameter_words};
+pub use words::{axis_title, caption, figure_error, number, parameter_words, speed_unit};

@@ -5,4 +5,5 @@ pub mod caption;
 pub mod figure_error;
 pub mod number;
 pub mod parameter_words;
+pub mod speed_unit;
 pub mod unit;

@@ -36,7 +36,8 @@ pub mod sensitivity;
 
 use documents::spelling;
 pub use documents::{
-    document, file_writer, fingerprint, input_error, key_path, library, section, source, unit,
+    document, file_writer, fingerprint, input_error, key_path, library, output_units, section,
+    source, unit,
 };
 use input::search_input;
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};

@@ -1,6 +1,7 @@
 //! A whole sweep, the cases of a scene file, and the input of every point.
 
 pub mod case;
+mod input_in_units;
 pub mod measured_scenes;
 pub mod overrides;
 pub(crate) mod resolved_input;

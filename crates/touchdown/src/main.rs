@@ -24,7 +24,7 @@ use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_sweep::results::COMMIT;
 
 use landings::{cases, integration_report, land, land_files, report, scene_cases};
-use options::{overrides, solver_options, touchdown_options};
+use options::{overrides, solver_options, touchdown_options, units};
 use pictures::plot;
 use sweeps::{
     axis_words, dry_run, estimate, journal_files, merge, overview, sweep, sweep_files,

@@ -4,16 +4,19 @@ use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 use touchdown_sweep::input_error::{InputError, Place};
 
 use crate::failure::Failure;
 use crate::print::print;
+use crate::units::Units;
 
 const VEHICLE: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const VEHICLE_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");
 const SWEEP: &str = include_str!("new/sweep.toml");
+const SWEEP_SI: &str = include_str!("new/sweep-si.toml");
 const SCENE: &str = include_str!("new/scene.toml");
+const SCENE_SI: &str = include_str!("new/scene-si.toml");
 /// Placeholder of the templates for the path of the vehicle file.
 const VEHICLE_PATH: &str = "VEHICLE";
 
@@ -38,7 +41,7 @@ pub struct Options {
 #[derive(Debug, Subcommand)]
 enum Kind {
     /// A vehicle file: the Surveyor, with an explanation of each number
-    Vehicle(NewVehicle),
+    Vehicle(NewFile),
     /// A sweep file: V_H over roll and cross-slope
     Sweep(NamesVehicle),
     /// A scene file: a touchdown and two cases that differ from it
@@ -50,26 +53,9 @@ struct NewFile {
     /// File to write; an existing file is not replaced
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
-}
-
-#[derive(Debug, Args)]
-struct NewVehicle {
-    #[command(flatten)]
-    new: NewFile,
     /// Units of the file; the keys of either may be mixed
     #[arg(long, value_enum, default_value = "US", ignore_case = true)]
     units: Units,
-}
-
-/// Units of a new file.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum Units {
-    /// Foot, slug, pound and degree
-    #[value(name = "US")]
-    Us,
-    /// Metre, kilogram, newton and radian
-    #[value(name = "SI")]
-    Si,
 }
 
 #[derive(Debug, Args)]
@@ -83,16 +69,18 @@ struct NamesVehicle {
 
 /// Runs `new`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    match &options.kind {
-        Kind::Vehicle(vehicle) => {
-            let text = match vehicle.units {
-                Units::Us => VEHICLE,
-                Units::Si => VEHICLE_SI,
-            };
-            write(&vehicle.new.file, text)
-        }
-        Kind::Sweep(named) => write(&named.new.file, &naming(SWEEP, &named.vehicle)),
-        Kind::Scene(named) => write(&named.new.file, &naming(SCENE, &named.vehicle)),
+    let (new, us, si, vehicle) = match &options.kind {
+        Kind::Vehicle(new) => (new, VEHICLE, VEHICLE_SI, None),
+        Kind::Sweep(named) => (&named.new, SWEEP, SWEEP_SI, Some(&named.vehicle)),
+        Kind::Scene(named) => (&named.new, SCENE, SCENE_SI, Some(&named.vehicle)),
+    };
+    let template = match new.units {
+        Units::Us => us,
+        Units::Si => si,
+    };
+    match vehicle {
+        Some(vehicle) => write(&new.file, &naming(template, vehicle)),
+        None => write(&new.file, template),
     }
 }
 

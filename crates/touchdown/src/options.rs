@@ -3,3 +3,4 @@
 pub mod overrides;
 pub mod solver_options;
 pub mod touchdown_options;
+pub mod units;

@@ -11,8 +11,11 @@ use rand_pcg::Pcg64;
 use serde_json::{Value, json};
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::impact_surface::{Approach, ImpactSurface, NoSurface, determine};
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::parameter::Parameter;
 use touchdown_sweep::run::Observer;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -22,6 +25,7 @@ use crate::print::print;
 use crate::progress::Progress;
 use crate::report::degrees;
 use crate::touchdown_options::{finite, triple};
+use crate::units::UnitsOption;
 
 /// Seed of the timing errors: the same command gives the same numbers.
 const SEED: u64 = 1966;
@@ -51,8 +55,13 @@ pub struct Options {
           allow_hyphen_values = true)]
     impact_times: Vec<f64>,
     /// Velocity of the CG at time zero, ft/s, in any axes whose Z points down
-    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true)]
-    velocity: [f64; 3],
+    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true,
+          required_unless_present = "velocity_mps")]
+    velocity: Option<[f64; 3]>,
+    /// The same in m/s
+    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true,
+          conflicts_with = "velocity")]
+    velocity_mps: Option<[f64; 3]>,
     /// Pitch angle at time zero in the same axes
     #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = finite,
           allow_hyphen_values = true)]
@@ -80,8 +89,19 @@ pub struct Options {
           value_parser = clap::value_parser!(u32).range(2..=i64::from(MOST_SAMPLES)))]
     samples: u32,
     /// Print the result as JSON
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    units: UnitsOption,
+}
+
+impl Options {
+    /// Velocity of the CG at time zero, ft/s.
+    fn velocity(&self) -> [f64; 3] {
+        let in_si = Parameter::named("vertical_velocity_mps", MOST_LEGS).zip(self.velocity_mps);
+        let given = in_si.map(|(speed, parts)| parts.map(|part| speed.to_program(part)));
+        given.or(self.velocity).unwrap_or_default()
+    }
 }
 
 /// What timing errors do to the result.
@@ -108,7 +128,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         }
     }
     let approach = Approach {
-        velocity: Vector3::from(options.velocity),
+        velocity: Vector3::from(options.velocity()),
         attitude: Attitude::from_euler(Euler {
             pitch: options.pitch.to_radians(),
             yaw: options.yaw.to_radians(),
@@ -117,7 +137,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         angular_velocity: options.angular_velocity.map(f64::to_radians),
         friction: options.friction,
     };
-    let surface = determine(&vehicle.vehicle, &approach, &options.impact_times).map_err(refused)?;
+    let surface = determine(&vehicle.vehicle, &approach, &options.impact_times);
+    let surface = surface.map_err(|why| refused(why, options))?;
     let uncertainty = match options.timing_sigma {
         Some(sigma) => Some(uncertainty(
             options,
@@ -128,22 +149,28 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         )?),
         None => None,
     };
+    let units = options.units.given().unwrap_or_default();
     print(&if options.json {
-        format!("{:#}\n", as_json(&surface, uncertainty.as_ref()))
+        format!("{:#}\n", as_json(&surface, uncertainty.as_ref(), units))
     } else {
-        text(&vehicle.name, &surface, uncertainty.as_ref())
+        text(&vehicle.name, &surface, uncertainty.as_ref(), units)
     })?;
     Ok(())
 }
 
 /// The complaint in the words of the command line.
-fn refused(why: NoSurface) -> Failure {
+fn refused(why: NoSurface, options: &Options) -> Failure {
     match why {
         NoSurface::Input(invalid) => {
             let option = match invalid.quantity.as_str() {
                 name if name.starts_with("impact_time_s") => "--impact-times",
                 "friction" => "--friction",
                 "angular_velocity_dps" => "--angular-velocity",
+                _ if options.velocity_mps.is_some() => {
+                    let (value, allowed) = (invalid.value, &invalid.allowed);
+                    let said = format!("{allowed} (in ft/s: this is {value})");
+                    return InputError::other(format!("--velocity-mps: expected {said}")).into();
+                }
                 _ => "--velocity",
             };
             InputError::value(option, invalid.value, &invalid.allowed).into()
@@ -219,7 +246,14 @@ fn moments(values: &[f64]) -> Option<(f64, f64)> {
     Some((mean, (squares / (count - 1.0)).sqrt()))
 }
 
-fn text(vehicle: &str, surface: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> String {
+fn text(
+    vehicle: &str,
+    surface: &ImpactSurface,
+    uncertainty: Option<&Uncertainty>,
+    units: OutputUnits,
+) -> String {
+    let [speed, length] = ["velocity_fps", "place_ft"].map(|name| units.quantity(name));
+    let velocity = |value: f64| format!("{:.6} {}", speed.number(value), speed.unit());
     let angle_or = |angle: Option<f64>, why: &str| match angle {
         Some(angle) => format!("{} deg", degrees(angle, 6)),
         None => why.to_owned(),
@@ -244,19 +278,20 @@ fn text(vehicle: &str, surface: &ImpactSurface, uncertainty: Option<&Uncertainty
         line("pitch", &angle_or(Some(surface.attitude.pitch), "")),
         line("yaw", &angle_or(Some(surface.attitude.yaw), "")),
         line("roll", &angle_or(Some(surface.attitude.roll), "")),
-        line(
-            "vertical velocity",
-            &format!("{:.6} ft/s", surface.vertical_velocity),
-        ),
+        line("vertical velocity", &velocity(surface.vertical_velocity)),
         line(
             "horizontal velocity",
-            &format!("{:.6} ft/s", surface.horizontal_velocity),
+            &velocity(surface.horizontal_velocity),
         ),
         String::new(),
-        "points of impact in the given axes, from the CG at time zero, ft".to_owned(),
+        format!(
+            "points of impact in the given axes, from the CG at time zero, {}",
+            length.unit()
+        ),
     ];
     for (leg, point) in surface.impact_points.iter().enumerate() {
-        let place = format!("{:>10.5} {:>10.5} {:>10.5}", point.x, point.y, point.z);
+        let [x, y, z] = [point.x, point.y, point.z].map(|part| length.number(part));
+        let place = format!("{x:>10.5} {y:>10.5} {z:>10.5}");
         lines.push(line(&format!("footpad {}", leg + 1), &place));
     }
     lines.push(String::new());
@@ -294,8 +329,19 @@ fn line(name: &str, value: &str) -> String {
     format!("{name:<28} {value}")
 }
 
-fn as_json(surface: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> Value {
+fn as_json(
+    surface: &ImpactSurface,
+    uncertainty: Option<&Uncertainty>,
+    units: OutputUnits,
+) -> Value {
     let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
+    let [vertical, horizontal, points] = [
+        "vertical_velocity_fps",
+        "horizontal_velocity_fps",
+        "impact_points_ft",
+    ]
+    .map(|name| units.quantity(name));
+    let place = |point: &Vector3<f64>| [point.x, point.y, point.z].map(|part| points.number(part));
     json!({
         "slope_deg": surface.slope.to_degrees(),
         "cross_slope_deg": degrees(surface.cross_slope),
@@ -303,9 +349,9 @@ fn as_json(surface: &ImpactSurface, uncertainty: Option<&Uncertainty>) -> Value 
         "pitch_deg": surface.attitude.pitch.to_degrees(),
         "yaw_deg": surface.attitude.yaw.to_degrees(),
         "roll_deg": surface.attitude.roll.to_degrees(),
-        "vertical_velocity_fps": surface.vertical_velocity,
-        "horizontal_velocity_fps": surface.horizontal_velocity,
-        "impact_points_ft": surface.impact_points.map(|point| [point.x, point.y, point.z]).to_vec(),
+        (vertical.name()): vertical.number(surface.vertical_velocity),
+        (horizontal.name()): horizontal.number(surface.horizontal_velocity),
+        (points.name()): surface.impact_points.iter().map(place).collect::<Vec<_>>(),
         "residual_s": surface.residual,
         "timing": uncertainty.map(|u| json!({
             "sigma_s": u.sigma,

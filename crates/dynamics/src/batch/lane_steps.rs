@@ -15,6 +15,8 @@ pub(super) struct LaneSteps<const N: usize> {
     pieces: Pieces<Lanes<N>>,
     workspace: Workspace<Lanes<N>>,
     step: Step<Lanes<N>, State<Lanes<N>>>,
+    /// When steps start, s after first contact, and their lengths, s.
+    time: Lanes<N>,
     length: Lanes<N>,
     /// Signals midway through implicit steps, and at the ends.
     middle: Signals<Lanes<N>>,
@@ -42,6 +44,7 @@ impl<const N: usize> LaneSteps<N> {
             motion: wide,
             pieces: Pieces::absent(legs),
             step: Step::from(zero, zero),
+            time: Lanes([0.0; N]),
             length: Lanes([0.0; N]),
             middle: Signals::blank(legs),
             signals: Signals::blank(legs),
@@ -77,8 +80,9 @@ impl<const N: usize> LaneSteps<N> {
         self.step.slopes[0].set_lane(lane, &step.slopes[0]);
     }
 
-    /// Puts the length of a step into a lane.
+    /// Puts time and length of a step into a lane.
     pub(super) fn load_length(&mut self, lane: usize, simulation: &Simulation<'_>) {
+        self.time.0[lane] = simulation.time();
         self.length.0[lane] = simulation.length();
     }
 
@@ -100,6 +104,7 @@ impl<const N: usize> LaneSteps<N> {
             motion: &self.motion,
             pieces: &self.pieces,
             step: &mut self.step,
+            time: self.time,
             length: self.length,
             workspace: &mut self.workspace,
             middle: &mut self.middle,

@@ -15,7 +15,7 @@ use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
 use crate::motion::{FreeFlight, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
-use crate::record::Landing;
+use crate::record::{Beyond, Landing};
 use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
 use crate::stability::{StabilityMonitor, calm_height};
@@ -54,6 +54,8 @@ pub(crate) struct Simulation<'o> {
     attempts: u64,
     /// Number of events and time (s) from which a burst is counted.
     burst: (u64, f64),
+    /// The verdict beyond which the landing goes on, and when it fell, s.
+    noted: Option<(Outcome, f64)>,
     /// Length that error control and the laws allow to the step, s.
     whole: f64,
     /// Its length, s.
@@ -71,7 +73,7 @@ impl<'o> Simulation<'o> {
         settings: &Settings,
         history: Option<History<'o>>,
     ) -> Self {
-        let monitor = StabilityMonitor::new(scene, calm_height(vehicle));
+        let monitor = StabilityMonitor::new(scene, calm_height(vehicle, scene));
         Self {
             trajectory: Trajectory::new(vehicle, scene, settings, history),
             stability: StabilityTrack::new(monitor, vehicle.legs().len()),
@@ -79,6 +81,7 @@ impl<'o> Simulation<'o> {
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (0, 0.0),
+            noted: None,
             whole: 0.0,
             length: 0.0,
             kind: StepKind::Explicit,
@@ -104,16 +107,37 @@ impl<'o> Simulation<'o> {
     /// The outcome, if there already is one.
     pub(crate) fn begin(&mut self) -> Result<(), Outcome> {
         let trajectory = &mut self.trajectory;
-        self.stability.begin(trajectory)?;
+        if let Err(verdict) = self.stability.begin(trajectory) {
+            if !trajectory.settings.goes_on() {
+                return Err(verdict.into());
+            }
+            self.noted = Some((verdict.into(), 0.0));
+        }
+        self.follow_thrust();
+        let trajectory = &mut self.trajectory;
         trajectory.settle()?;
         self.burst = (trajectory.events, trajectory.time);
         self.plan_step()?;
         Ok(())
     }
 
+    /// Puts the line in place on which the thrust is from now on; whether it is another.
+    fn follow_thrust(&mut self) -> bool {
+        let is_other = self.trajectory.follow_thrust();
+        if is_other {
+            self.stability.follow_thrust(&self.trajectory);
+        }
+        is_other
+    }
+
     /// Kind of the next step.
     pub(crate) fn kind(&self) -> StepKind {
         self.kind
+    }
+
+    /// When the next step starts, s after first contact.
+    pub(crate) fn time(&self) -> f64 {
+        self.trajectory.time
     }
 
     /// Length of the next step, s.
@@ -137,6 +161,7 @@ impl<'o> Simulation<'o> {
             motion: &trajectory.motion,
             pieces: &trajectory.pieces,
             step: &mut trajectory.step,
+            time: trajectory.time,
             length: self.length,
             workspace,
             middle: &mut trajectory.middle,
@@ -195,25 +220,31 @@ impl<'o> Simulation<'o> {
         } else {
             NextStart::StepStart
         };
-        let flew = self.plan_step()?;
-        Ok(if flew { NextStart::Elsewhere } else { next })
+        let goes_elsewhere = self.plan_step()?;
+        Ok(if goes_elsewhere {
+            NextStart::Elsewhere
+        } else {
+            next
+        })
     }
 
-    /// Flies while all legs hang, then chooses the next step; whether it flew.
+    /// Flies while all legs hang, then chooses the next step; whether it starts elsewhere than the one before ended.
     ///
     /// # Errors
     /// The outcome, if no further step is to be taken.
     #[inline(always)]
     fn plan_step(&mut self) -> Result<bool, Outcome> {
-        let mut flew = false;
-        while self.trajectory.all_legs_hang() {
-            flew = true;
+        let mut goes_elsewhere = self.follow_thrust();
+        while self.trajectory.flies_freely() {
+            goes_elsewhere = true;
             self.fly()?;
+            self.follow_thrust();
         }
         let left = self.time_left()?;
         let trajectory = &mut self.trajectory;
         self.whole = (self.control.proposed())
             .min(trajectory.longest_step())
+            .min(trajectory.time_to_knot())
             .min(left);
         self.length = if trajectory.locates_kinks {
             trajectory.past_kink(self.whole)
@@ -228,7 +259,7 @@ impl<'o> Simulation<'o> {
         if self.kind == StepKind::Explicit {
             self.find_kind();
         }
-        Ok(flew)
+        Ok(goes_elsewhere)
     }
 
     /// Finds out of what kind the next step is.
@@ -280,7 +311,10 @@ impl<'o> Simulation<'o> {
         let longest = LONGEST
             .min(turn / trajectory.step.before.body().rate.norm())
             .min(trajectory.longest_step());
-        let length = flight.reach(longest).min(left);
+        let length = flight
+            .reach(longest)
+            .min(left)
+            .min(trajectory.time_to_knot());
         if length < SHORTEST {
             return Err(Outcome::Failure(Failure::StepCollapse));
         }
@@ -308,6 +342,7 @@ impl<'o> Simulation<'o> {
             steadiness,
             control,
             burst,
+            noted,
             ..
         } = self;
         let length = trajectory.step.length;
@@ -324,10 +359,21 @@ impl<'o> Simulation<'o> {
         };
         let event = event.filter(|_| kink.is_none());
         let reach = kink.unwrap_or(reach);
-        let verdict_found =
-            trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer));
+        let judged = if noted.is_some() {
+            None
+        } else {
+            trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer))
+        };
+        // A landing that goes on takes note of its verdict and of nothing else.
+        if let Some((theta, verdict)) = judged
+            && trajectory.settings.goes_on()
+        {
+            *noted = Some((verdict.into(), trajectory.time_at(theta)));
+        }
+        let verdict_found = judged.filter(|_| noted.is_none());
         let reach = verdict_found.map_or(reach, |(theta, _)| theta);
         trajectory.report(reach);
+        trajectory.add_thrust_work(reach);
         if verdict_found.is_some() || kink.is_some() {
             trajectory.buffers[0] = trajectory.signals_at(reach);
             trajectory.note_struts(Some(0), reach);
@@ -379,7 +425,10 @@ impl<'o> Simulation<'o> {
         steadiness.note(trajectory.time, stability.angle());
         let ends_early = trajectory.settings.ends_early();
         let body = trajectory.step.before.body();
-        if let Some(outcome) = steadiness.end(trajectory.time, &body, ends_early) {
+        if let Some(outcome) = steadiness.end(trajectory.time, &body, ends_early)
+            && !trajectory.settings.goes_on()
+            && trajectory.pieces.thrust().is_none()
+        {
             return Err(outcome);
         }
         trajectory.follow();
@@ -395,9 +444,18 @@ impl<'o> Simulation<'o> {
         self.trajectory.report_end();
     }
 
-    /// What the landing came to.
+    /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
-        self.trajectory.result(outcome)
+        let Some((verdict, time)) = &self.noted else {
+            return self.trajectory.result(outcome);
+        };
+        Landing {
+            beyond: Some(Beyond {
+                verdict_time: *time,
+                end: outcome,
+            }),
+            ..self.trajectory.result(verdict.clone())
+        }
     }
 }
 
@@ -427,10 +485,10 @@ impl NullaryFnOnce for FinishStep<'_, '_> {
 }
 
 impl Trajectory<'_> {
-    /// Whether all legs hang in the air.
+    /// Whether all legs hang in the air, and no thrust acts.
     #[inline(always)]
-    fn all_legs_hang(&self) -> bool {
-        self.modes.iter().all(LegMode::is_hanging)
+    fn flies_freely(&self) -> bool {
+        self.modes.iter().all(LegMode::is_hanging) && self.pieces.thrust().is_none()
     }
 
     /// Starts a step of free flight of this length (s): where it ends is known.

@@ -39,9 +39,12 @@ const SIDE_SLACK: f64 = 1e-9;
 const ANGLE_SLACK: f64 = 1e-12;
 const CALM_SLACK: f64 = 1e-11;
 
-/// Height of the CG over the surface above which motion has not subsided, ft.
-pub fn calm_height(vehicle: &Vehicle) -> f64 {
-    vehicle.standing_height() + CALM_MARGIN
+/// Height of the CG over the surface above which motion has not subsided, ft: over the highest ground under a footpad.
+pub fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
+    let ground = &scene.conditions().ground;
+    let heights = (0..vehicle.legs().len()).map(|leg| ground.leg(leg).pad.height);
+    let highest = heights.fold(f64::NEG_INFINITY, f64::max);
+    vehicle.standing_height() + CALM_MARGIN + highest
 }
 
 /// The plane in which toppling is judged.
@@ -169,6 +172,12 @@ impl StabilityMonitor {
             ranges: Ranges::free(),
             guards: ArrayVec::new(),
         }
+    }
+
+    /// Judges motion from now on as subsided only while the CG is within `calm_height` (ft) of the surface.
+    pub fn set_calm_height(&mut self, calm_height: f64) {
+        self.calm_height = calm_height;
+        self.guards.clear();
     }
 
     /// Chooses plane and critical feet anew; σ is then measured against them until a signal

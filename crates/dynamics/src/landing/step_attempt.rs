@@ -3,7 +3,7 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::integrator::rosenbrock::{GAMMA, StageEquations};
+use crate::integrator::rosenbrock::{GAMMA, StageEquations, TIMES};
 use crate::integrator::step::{Step, Weights};
 use crate::integrator::{dormand_prince, rosenbrock};
 use crate::motion::{Motion, Pieces, Signals};
@@ -66,6 +66,8 @@ pub(crate) struct TakeStep<'a, R, S> {
     pub(crate) motion: &'a Motion<S>,
     pub(crate) pieces: &'a Pieces<S>,
     pub(crate) step: &'a mut Step<S, State<S>>,
+    /// When it starts, s after first contact.
+    pub(crate) time: S,
     /// Length of the step, s.
     pub(crate) length: S,
     pub(crate) workspace: &'a mut Workspace<S>,
@@ -87,6 +89,7 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
             motion,
             pieces,
             step,
+            time,
             length,
             workspace:
                 Workspace {
@@ -98,22 +101,30 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
             middle,
             signals,
         } = self;
-        let stops = pieces.press_stops();
-        let derivative = |state: &State<S>, slope: &mut State<S>| {
-            if stops {
-                registers.dispatch(Derive::<true, S>(motion, state, pieces, slope));
+        let is_full = motion.is_full(pieces);
+        let at = |fraction: f64| time + S::constant(fraction) * length;
+        let derivative = |fraction: f64, state: &State<S>, slope: &mut State<S>| {
+            let time = at(fraction);
+            if is_full {
+                registers.dispatch(Derive::<true, S>(motion, time, state, pieces, slope));
             } else {
-                registers.dispatch(Derive::<false, S>(motion, state, pieces, slope));
+                registers.dispatch(Derive::<false, S>(motion, time, state, pieces, slope));
             }
         };
-        let evaluate = |state: &State<S>, slope: &mut State<S>, signals: &mut Signals<S>| {
-            if stops {
-                registers.dispatch(Evaluate::<true, S>(motion, state, pieces, slope, signals));
-            } else {
-                registers.dispatch(Evaluate::<false, S>(motion, state, pieces, slope, signals));
-            }
-        };
-        let last = |state: &State<S>, slope: &mut State<S>| evaluate(state, slope, signals);
+        let evaluate =
+            |fraction: f64, state: &State<S>, slope: &mut State<S>, signals: &mut Signals<S>| {
+                let time = at(fraction);
+                if is_full {
+                    registers.dispatch(Evaluate::<true, S>(
+                        motion, time, state, pieces, slope, signals,
+                    ));
+                } else {
+                    registers.dispatch(Evaluate::<false, S>(
+                        motion, time, state, pieces, slope, signals,
+                    ));
+                }
+            };
+        let last = |state: &State<S>, slope: &mut State<S>| evaluate(1.0, state, slope, signals);
         match kind {
             StepKind::Explicit => step.take_explicit(length, derivative, last),
             StepKind::Implicit => {
@@ -124,49 +135,65 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
                     system: &response.over(S::constant(GAMMA) * length, factors),
                 };
                 let midway = |state: &State<S>, slope: &mut State<S>| {
-                    evaluate(state, slope, middle);
+                    evaluate(0.5, state, slope, middle);
                 };
-                step.take_implicit(length, &system, stages, derivative, midway, last);
+                let start = (!pieces.thrust().is_none()).then(|| {
+                    let more = pieces.thrust().rate() * S::constant(TIMES[0]) * length;
+                    let mut start = step.slopes[0];
+                    motion.add_thrust(more, &step.before, &mut start);
+                    start
+                });
+                step.take_implicit(
+                    length,
+                    &system,
+                    stages,
+                    start.as_ref(),
+                    derivative,
+                    midway,
+                    last,
+                );
             }
         }
         step.error()
     }
 }
 
-/// The derivative at a state.
-struct Derive<'a, const STOPS: bool, S>(
+/// The derivative at a time and a state.
+struct Derive<'a, const FULL: bool, S>(
     &'a Motion<S>,
+    S,
     &'a State<S>,
     &'a Pieces<S>,
     &'a mut State<S>,
 );
 
-impl<const STOPS: bool, S: Real> NullaryFnOnce for Derive<'_, STOPS, S> {
+impl<const FULL: bool, S: Real> NullaryFnOnce for Derive<'_, FULL, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self(motion, state, pieces, slope) = self;
-        motion.derivative::<STOPS>(state, pieces, slope);
+        let Self(motion, time, state, pieces, slope) = self;
+        motion.derivative::<FULL>(time, state, pieces, slope);
     }
 }
 
-/// The derivative and the signals at a state.
-pub(super) struct Evaluate<'a, const STOPS: bool, S>(
+/// The derivative and the signals at a time and a state.
+pub(super) struct Evaluate<'a, const FULL: bool, S>(
     pub(super) &'a Motion<S>,
+    pub(super) S,
     pub(super) &'a State<S>,
     pub(super) &'a Pieces<S>,
     pub(super) &'a mut State<S>,
     pub(super) &'a mut Signals<S>,
 );
 
-impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {
+impl<const FULL: bool, S: Real> NullaryFnOnce for Evaluate<'_, FULL, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self(motion, state, pieces, slope, signals) = self;
-        motion.evaluate::<STOPS>(state, pieces, slope, signals);
+        let Self(motion, time, state, pieces, slope, signals) = self;
+        motion.evaluate::<FULL>(time, state, pieces, slope, signals);
     }
 }
 

@@ -65,6 +65,9 @@ pub(crate) struct Trajectory<'o> {
     /// The gentle kinks next to each strut that works.
     pub(super) kinks: PerLeg<Option<GentleKinks>>,
     pub(super) time: f64,
+    /// When the thrust changes its line next, s, and its work so far, ft·lb.
+    pub(super) next_knot: f64,
+    pub(super) thrust_work: f64,
     /// The present state and its derivative are the start of the step.
     pub(crate) step: Step<f64, State<f64>>,
     /// What moves where the step was last looked at between its ends.
@@ -120,7 +123,7 @@ impl<'o> Trajectory<'o> {
             registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
-            calm_height: calm_height(vehicle),
+            calm_height: calm_height(vehicle, scene),
             stiffness: Stiffness::new(settings.tolerance()),
             event_resolution: resolution,
             energy,
@@ -134,6 +137,12 @@ impl<'o> Trajectory<'o> {
             suspects: Guards::new(),
             kinks: PerLeg::same(legs, None),
             time: 0.0,
+            next_knot: if scene.conditions().thrust.is_none() {
+                f64::INFINITY
+            } else {
+                0.0
+            },
+            thrust_work: 0.0,
             step: Step::from(state, State::zero(legs)),
             within: State::zero(legs),
             free: None,
@@ -192,6 +201,7 @@ impl<'o> Trajectory<'o> {
         let [.., last] = &mut self.step.slopes;
         self.registers.dispatch(Evaluate::<true, f64>(
             &self.motion,
+            self.time + self.step.length,
             &self.step.after,
             &self.pieces,
             last,
@@ -205,6 +215,7 @@ impl<'o> Trajectory<'o> {
         let [first, ..] = &mut self.step.slopes;
         self.registers.dispatch(Evaluate::<true, f64>(
             &self.motion,
+            self.time,
             &self.step.before,
             &self.pieces,
             first,

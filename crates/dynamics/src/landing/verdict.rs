@@ -54,6 +54,12 @@ impl StabilityTrack {
         }
     }
 
+    /// Takes note that the thrust is on another line.
+    pub(super) fn follow_thrust(&mut self, trajectory: &Trajectory<'_>) {
+        self.monitor
+            .set_calm_height(trajectory.calm_height_under_thrust());
+    }
+
     /// Stability angle σ now, rad.
     pub(super) fn angle(&self) -> f64 {
         self.seen.angle

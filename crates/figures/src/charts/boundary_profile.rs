@@ -38,10 +38,10 @@ pub fn draw(
         )));
     };
     let points = profile_points::along(table, bands);
-    let entries = legend(&points, caption.searched_to);
+    let entries = legend(&points, caption);
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
-    draw_body(&mut canvas, body, axis, &points, caption.searched_to);
+    draw_body(&mut canvas, body, axis, &points, caption);
     Ok(canvas.into_svg())
 }
 
@@ -50,10 +50,10 @@ fn draw_body(
     body: Area,
     axis: &str,
     points: &[ProfilePoint],
-    searched_to: Option<f64>,
+    caption: &Caption,
 ) {
     let across = profile_points::horizontal_range(points);
-    let (low, high) = profile_points::vertical_range(points, searched_to);
+    let (low, high) = profile_points::vertical_range(points, caption.searched_to);
     let scale = |column: &str, (from, to): (f64, f64), count| Scale {
         title: axis_title(column),
         ends: (from, to),
@@ -62,7 +62,8 @@ fn draw_body(
             .map(|value| (value, label(value)))
             .collect(),
     };
-    let speeds = scale("horizontal_velocity_fps", (low, high), 11);
+    let speed = format!("horizontal_velocity{}", caption.speed_unit.ending());
+    let speeds = scale(&speed, (low, high), 11);
     let frame = Frame::new(body, scale(axis, across, 13), speeds);
     // Regions in which landings are not stable.
     let regions = shading::regions(points, high);
@@ -137,7 +138,7 @@ fn draw_words(
     }
 }
 
-fn legend(points: &[ProfilePoint], searched_to: Option<f64>) -> Vec<(Mark, String)> {
+fn legend(points: &[ProfilePoint], caption: &Caption) -> Vec<(Mark, String)> {
     let meanings = [
         (Kind::Unstable, "first transition: topples"),
         (Kind::Bottomed, "first transition: a strut bottoms"),
@@ -165,7 +166,7 @@ fn legend(points: &[ProfilePoint], searched_to: Option<f64>) -> Vec<(Mark, Strin
         );
         (Mark::AtOrBelow(kind), meaning)
     }));
-    let high = profile_points::vertical_range(points, searched_to).1;
+    let high = profile_points::vertical_range(points, caption.searched_to).1;
     let regions = shading::regions(points, high);
     // Regions too narrow for their word.
     let wordless = Kind::ALL.into_iter().filter(|kind| {
@@ -177,8 +178,8 @@ fn legend(points: &[ProfilePoint], searched_to: Option<f64>) -> Vec<(Mark, Strin
         (region, palette::word(kind).to_owned())
     }));
     if points.iter().any(|point| point.transition.is_none()) {
-        let meaning = match searched_to {
-            Some(speed) => format!("stable up to {speed} ft/s"),
+        let meaning = match caption.searched_to {
+            Some(speed) => format!("stable up to {speed} {}", caption.speed_unit),
             None => "no transition".to_owned(),
         };
         entries.push((Mark::NoTransition, meaning));

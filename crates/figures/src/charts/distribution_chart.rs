@@ -35,7 +35,7 @@ pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
     let interval = "95 % interval";
     line_chart::draw(&LineChart {
         caption: caption.clone(),
-        abscissa: Axis::linear("Transition velocity V_H, ft/s"),
+        abscissa: Axis::linear(&format!("Transition velocity V_H, {}", caption.speed_unit)),
         panels: vec![
             Panel {
                 ordinate: Axis::linear("Share of points at or below"),
@@ -59,7 +59,7 @@ pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
 
 /// A row of the table.
 struct Bin {
-    /// Ends, ft/s, where it has them.
+    /// Ends, where it has them.
     from: Option<f64>,
     to: Option<f64>,
     share: f64,

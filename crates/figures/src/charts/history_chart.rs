@@ -13,6 +13,7 @@ use crate::palette;
 use crate::sheet::{self, Height, Sheet};
 use crate::style::Style;
 use crate::ticks::round_values;
+use crate::unit::in_si;
 
 /// Width of the picture, and height of its panels where there are few and where there are many, pixels.
 const WIDTH: f64 = 900.0;
@@ -31,7 +32,7 @@ const FREE: f64 = 4.0;
 /// circles.
 ///
 /// # Errors
-/// When no table has a chosen column.
+/// When no table has a chosen column, or tables have a quantity in different units.
 pub fn draw(
     tables: &[(String, HistoryTable)],
     columns: &[String],
@@ -42,6 +43,12 @@ pub fn draw(
         if !quantities.contains(name) {
             quantities.push(name.clone());
         }
+    }
+    let other = |name: &String| in_si(name).filter(|other| quantities.contains(other));
+    if let Some(other) = quantities.iter().find_map(other) {
+        return Err(FigureError::Table(format!(
+            "{other} and the same in other units: expected histories in the same units"
+        )));
     }
     let panels = match columns {
         [] => history_page::panels(&quantities),

@@ -2,7 +2,7 @@
 
 use crate::axis_title::{axis_title, column_words};
 use crate::figure_error::FigureError;
-use crate::unit::split_unit;
+use crate::unit::{in_si, split_unit};
 
 /// A panel.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,15 +25,15 @@ pub struct Curve {
 /// Tables of no more columns than this have a panel for each of them.
 const FEW: usize = 6;
 
-/// The panels that a landing is judged by: title, and name and columns of each curve. A `#` stands for the number of a
-/// leg.
+/// The panels that a landing is judged by: quantity, and name and columns of each curve, as they are called in the units of
+/// 1966. A `#` stands for the number of a leg.
 type PagePanel = (
     &'static str,
     &'static [(&'static str, &'static [&'static str])],
 );
 const PAGE: [PagePanel; 6] = [
     (
-        "Velocity, ft/s",
+        "Velocity",
         &[
             ("across", &["x_rate_fps"]),
             ("up the slope", &["y_rate_fps"]),
@@ -41,18 +41,18 @@ const PAGE: [PagePanel; 6] = [
         ],
     ),
     (
-        "Attitude, deg",
+        "Attitude",
         &[
             ("pitch Ψ", &["psi_deg"]),
             ("yaw Φ", &["phi_deg"]),
             ("roll Ξ", &["xi_deg"]),
         ],
     ),
-    ("Stability angle σ, deg", &[("σ", &["sigma_deg"])]),
-    ("Strut force, lb", &[("leg #", &["strut_force_#_lb"])]),
-    ("Footpad load, lb", &[("leg #", &["pad_normal_#_lb"])]),
+    ("Stability angle σ", &[("σ", &["sigma_deg"])]),
+    ("Strut force", &[("leg #", &["strut_force_#_lb"])]),
+    ("Footpad load", &[("leg #", &["pad_normal_#_lb"])]),
     (
-        "Energy, ft lb",
+        "Energy",
         &[
             ("kinetic", &["kinetic_energy_ftlb"]),
             ("released by gravity", &["potential_energy_change_ftlb"]),
@@ -91,7 +91,10 @@ fn of_page(quantities: &[String], (title, curves): &PagePanel) -> Option<Panel> 
     for (name, patterns) in *curves {
         let columns: Vec<String> = patterns
             .iter()
-            .flat_map(|pattern| matching(quantities, pattern))
+            .flat_map(|pattern| {
+                let in_si = in_si(pattern).unwrap_or_default();
+                [matching(quantities, pattern), matching(quantities, &in_si)].concat()
+            })
             .collect();
         if name.contains('#') {
             found.extend(columns.into_iter().enumerate().map(|(leg, column)| Curve {
@@ -105,8 +108,9 @@ fn of_page(quantities: &[String], (title, curves): &PagePanel) -> Option<Panel> 
             });
         }
     }
-    (!found.is_empty()).then(|| Panel {
-        title: (*title).to_owned(),
+    let unit = split_unit(found.first()?.columns.first()?).1;
+    Some(Panel {
+        title: format!("{title}, {unit}"),
         curves: found,
     })
 }
@@ -154,10 +158,10 @@ fn of_unit(unit: &str) -> String {
     let quantity = match unit {
         "deg" => "Angle",
         "deg/s" => "Angular velocity",
-        "ft" => "Length",
-        "ft/s" => "Velocity",
-        "lb" => "Force",
-        "ft lb" => "Energy and work",
+        "ft" | "m" => "Length",
+        "ft/s" | "m/s" => "Velocity",
+        "lb" | "N" => "Force",
+        "ft lb" | "J" => "Energy and work",
         "" => return "Number".to_owned(),
         unit => return unit.to_owned(),
     };
@@ -233,6 +237,19 @@ mod tests {
             ]
         );
         assert_eq!(panels[3].curves[1].name, "leg 2");
+        let in_si: Vec<String> = (columns.iter())
+            .map(|column| in_si(column).unwrap_or_else(|| column.clone()))
+            .collect();
+        assert_eq!(
+            titles(&super::panels(&in_si)),
+            [
+                ("Velocity, m/s", 2),
+                ("Attitude, deg", 1),
+                ("Stability angle σ, deg", 1),
+                ("Strut force, N", 2),
+                ("Energy, J", 2)
+            ]
+        );
         let work = &panels[4].curves[1];
         assert_eq!(work.columns, ["strut_work_1_ftlb", "strut_work_2_ftlb"]);
         let few = super::panels(&columns[..3]);

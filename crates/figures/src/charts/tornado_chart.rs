@@ -26,7 +26,7 @@ const ROW: f64 = 28.0;
 const NAMES: f64 = 344.0;
 /// Part of a row that its bar fills.
 const FILLED: f64 = 0.6;
-/// Where nothing changes anything, the axis reaches so far to either side, ft/s.
+/// Where nothing changes anything, the axis reaches so far to either side.
 const LEAST_EXTENT: f64 = 1e-3;
 /// A parameter that grows, and one that falls; they differ in grey.
 const GROWS: Colour = Colour(0, 90, 160);
@@ -50,7 +50,7 @@ pub fn draw(table: &SensitivityTable, caption: &Caption) -> Result<String, Figur
     let count = rows.len() as f64;
     let ticks = round_values(-reach, reach, 11).into_iter();
     let across = Scale {
-        title: title(&table.points[lowest]),
+        title: title(&table.points[lowest], caption.speed_unit),
         ends: (-reach, reach),
         ticks: ticks.map(|value| (value, label(value))).collect(),
     };
@@ -80,7 +80,7 @@ pub fn draw(table: &SensitivityTable, caption: &Caption) -> Result<String, Figur
     Ok(canvas.into_svg())
 }
 
-/// A parameter: its dependence at the lowest point, and its changes at the others, ft/s.
+/// A parameter: its dependence at the lowest point, and its changes at the others.
 struct Row<'t> {
     slope: &'t Slope,
     others: Vec<f64>,
@@ -106,7 +106,7 @@ fn rows(table: &SensitivityTable, lowest: usize) -> Vec<Row<'_>> {
     rows
 }
 
-/// How far the axis reaches to either side, ft/s.
+/// How far the axis reaches to either side.
 fn reach(rows: &[Row]) -> f64 {
     let of_row = |row: &Row| {
         let bar = row.slope.change.map_or(0.0, |c| c.speed.abs() + c.error);

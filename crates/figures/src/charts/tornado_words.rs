@@ -3,6 +3,7 @@
 use crate::number::label;
 use crate::parameter_words::parameter_words;
 use crate::sensitivity_table::{Point, Slope};
+use crate::speed_unit::SpeedUnit;
 use crate::unit::{printed_unit, split_unit};
 
 /// Name, value and change of a parameter.
@@ -47,7 +48,7 @@ pub fn reason(slope: &Slope) -> String {
 }
 
 /// What the axis shows: a change from the transition of a point.
-pub fn title(lowest: &Point) -> String {
+pub fn title(lowest: &Point, speed_unit: SpeedUnit) -> String {
     let place = lowest.place.iter();
     let place = place.map(|(name, value)| {
         let unit = split_unit(name).1;
@@ -60,5 +61,6 @@ pub fn title(lowest: &Point) -> String {
     let speed = lowest
         .speed
         .map_or(0.0, |speed| (speed * 1e3).round() / 1e3);
-    format!("Change of V_H, ft/s, from {} ft/s at {place}", label(speed))
+    let speed = label(speed);
+    format!("Change of V_H, {speed_unit}, from {speed} {speed_unit} at {place}")
 }

@@ -5,6 +5,7 @@ use crate::frame::Area;
 use crate::levels::Levels;
 use crate::number;
 use crate::palette;
+use crate::speed_unit::SpeedUnit;
 use crate::style::Style;
 use crate::surface::Surface;
 use crate::text::{Anchor, Font};
@@ -20,13 +21,13 @@ const STEP: f64 = 34.0;
 const BELOW: f64 = 60.0;
 
 /// Draws the bands of colour that a surface reaches, the highest on top.
-pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels) {
+pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels, unit: SpeedUnit) {
     let Some((least, greatest)) = surface.range() else {
         return;
     };
     let (left, top) = (area.left + LEFT, area.top + TOP);
     let font = Font::new(12.0, palette::TEXT).anchor(Anchor::Start);
-    for (text, y) in [("V_H,", top - 34.0), ("ft/s", top - 18.0)] {
+    for (text, y) in [("V_H,", top - 34.0), (&unit.to_string(), top - 18.0)] {
         canvas.text(text, (left, y), font);
     }
     let mut bands = levels.bands();

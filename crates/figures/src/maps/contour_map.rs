@@ -58,7 +58,7 @@ pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) 
         map.draw_leading_feet(&mut canvas);
     }
     map.draw_marks(&mut canvas);
-    colour_bar::draw(&mut canvas, right, surface, levels);
+    colour_bar::draw(&mut canvas, right, surface, levels, caption.speed_unit);
     canvas.into_svg()
 }
 

@@ -9,7 +9,7 @@ use crate::surface::{Cell, Surface};
 /// A place on the map: slow and fast coordinate.
 pub type Place = [f64; 2];
 
-/// A corner of a triangle: place and height, ft/s.
+/// A corner of a triangle: place and height.
 pub type Corner = (Place, f64);
 
 /// The four corners of a whole cell, and the place and mean height of its middle.

@@ -4,7 +4,7 @@ use crate::style::Colour;
 use crate::surface::Surface;
 use crate::ticks::round_step;
 
-/// Borders between bands of colour, rising, ft/s. There are at most [`Levels::MOST`].
+/// Borders between bands of colour, rising. There are at most [`Levels::MOST`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Levels(Vec<f64>);
 
@@ -51,7 +51,7 @@ impl Levels {
         Self(levels)
     }
 
-    /// These levels, ft/s.
+    /// These levels.
     ///
     /// # Errors
     /// When there are none or too many, or when they do not rise from one to the next.
@@ -62,17 +62,17 @@ impl Levels {
             return Ok(Self(levels.to_vec()));
         }
         Err(format!(
-            "expected 1 to {} velocities in ft/s, each greater than the one before",
+            "expected 1 to {} velocities, each greater than the one before",
             Self::MOST
         ))
     }
 
-    /// The levels, rising, ft/s.
+    /// The levels, rising.
     pub fn values(&self) -> &[f64] {
         &self.0
     }
 
-    /// Lower and upper end of every band of colour, ft/s.
+    /// Lower and upper end of every band of colour.
     pub fn bands(&self) -> Vec<[f64; 2]> {
         let ends = || self.0.iter().copied();
         let lows = std::iter::once(f64::NEG_INFINITY).chain(ends());
@@ -80,7 +80,7 @@ impl Levels {
         lows.zip(highs).map(|(low, high)| [low, high]).collect()
     }
 
-    /// Colour of a velocity, ft/s: that of the band it lies in.
+    /// Colour of a velocity: that of the band it lies in.
     pub fn colour(&self, speed: f64) -> Colour {
         let below = self.0.partition_point(|level| *level <= speed);
         let part = below as f64 / self.0.len().max(1) as f64;

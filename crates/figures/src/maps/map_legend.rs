@@ -19,7 +19,7 @@ pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     }
     let has_jump = surface.cells().any(|(_, cell)| cell == Cell::Jump);
     if has_jump {
-        entries.push((Mark::Jump, jump_words(surface)));
+        entries.push((Mark::Jump, jump_words(surface, caption)));
         let jump_cells = Mark::Area(Style::fill(palette::JUMP_CELL));
         entries.push((jump_cells, "not interpolated across a jump".to_owned()));
     }
@@ -31,7 +31,7 @@ pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
 pub fn of_perspective(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let mut entries = Vec::new();
     if !surface.jump_edges().is_empty() {
-        let words = format!("{}; left open", jump_words(surface));
+        let words = format!("{}; left open", jump_words(surface, caption));
         entries.push((Mark::Line(jump()), words));
     }
     entries.extend(of_points(surface, caption));
@@ -54,9 +54,9 @@ pub fn has_leading_feet(surface: &Surface, caption: &Caption) -> bool {
     surface.axes == ["cross_slope_deg", "roll_deg"] && caption.has_report_feet
 }
 
-fn jump_words(surface: &Surface) -> String {
-    let least = number::label(surface.jump);
-    format!("V_H jumps by more than {least} ft/s between points")
+fn jump_words(surface: &Surface, caption: &Caption) -> String {
+    let (least, unit) = (number::label(surface.jump), caption.speed_unit);
+    format!("V_H jumps by more than {least} {unit} between points")
 }
 
 /// Marks of single points.
@@ -64,7 +64,11 @@ fn of_points(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     if surface.gaps().next().is_some() {
         let words = match caption.searched_to {
-            Some(speed) => format!("stable up to {} ft/s", number::label(speed)),
+            Some(speed) => format!(
+                "stable up to {} {}",
+                number::label(speed),
+                caption.speed_unit
+            ),
             None => "no transition".to_owned(),
         };
         entries.push((Mark::NoTransition, words));

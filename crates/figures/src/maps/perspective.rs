@@ -7,6 +7,7 @@ use crate::frame::Area;
 use crate::legend::{Mark, draw_mark};
 use crate::levels::Levels;
 use crate::sheet::{self, Height, Sheet};
+use crate::speed_unit::SpeedUnit;
 use crate::style::Style;
 use crate::surface::{Cell, Surface};
 use crate::text::{Anchor, Font};
@@ -33,7 +34,13 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
             ..body
         };
         let point = ViewPoint::on(area, surface, heights);
-        draw_box(&mut canvas, surface, &point, (heights, step));
+        draw_box(
+            &mut canvas,
+            surface,
+            &point,
+            (heights, step),
+            caption.speed_unit,
+        );
         draw_floor_marks(&mut canvas, surface, &point, heights[0]);
         draw_cells(&mut canvas, surface, levels, &point);
     }
@@ -41,11 +48,11 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
         left: border,
         ..body
     };
-    colour_bar::draw(&mut canvas, bar, surface, levels);
+    colour_bar::draw(&mut canvas, bar, surface, levels, caption.speed_unit);
     canvas.into_svg()
 }
 
-/// Heights of floor and top of the box around a surface, and the step between the lines on its walls, ft/s.
+/// Heights of floor and top of the box around a surface, and the step between the lines on its walls.
 pub fn heights(surface: &Surface) -> Option<([f64; 2], f64)> {
     let (least, greatest) = surface.range()?;
     let step = round_step((greatest - least) / HEIGHT_LINES);
@@ -110,6 +117,7 @@ pub fn draw_box(
     surface: &Surface,
     point: &ViewPoint,
     ([floor, top], step): ([f64; 2], f64),
+    unit: SpeedUnit,
 ) {
     let line = |canvas: &mut Canvas, ends: [Point; 2]| {
         canvas.curve(&ends, Style::stroke(palette::GRID, 1.0));
@@ -147,7 +155,8 @@ pub fn draw_box(
         );
     }
     let (x, y) = point.pixel(front_s, back_f, top);
-    canvas.text("V_H, ft/s", (x, y - 18.0), Font::new(13.0, palette::TEXT));
+    let speed = format!("V_H, {unit}");
+    canvas.text(&speed, (x, y - 18.0), Font::new(13.0, palette::TEXT));
     // Titles begin, or end, beyond the numbers, however long they are.
     let title = Font::new(14.0, palette::TEXT);
     let place = point.outside(0.5 * (s0 + s1), front_f, floor, [0.0, 0.14]);

@@ -50,7 +50,7 @@ pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> S
     for edge in &map.edges {
         canvas.curve(&places(&edge.places), style(edge.kind));
     }
-    colour_bar::draw(&mut canvas, right, &extent, &levels);
+    colour_bar::draw(&mut canvas, right, &extent, &levels, caption.speed_unit);
     canvas.into_svg()
 }
 
@@ -74,10 +74,16 @@ pub fn perspective(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -
     ];
     if let Some((heights, step)) = perspective::heights(&extent) {
         let point = ViewPoint::on(left, &extent, heights);
-        perspective::draw_box(&mut canvas, &extent, &point, (heights, step));
+        perspective::draw_box(
+            &mut canvas,
+            &extent,
+            &point,
+            (heights, step),
+            caption.speed_unit,
+        );
         draw_surface(&mut canvas, map, &levels, &point);
     }
-    colour_bar::draw(&mut canvas, right, &extent, &levels);
+    colour_bar::draw(&mut canvas, right, &extent, &levels, caption.speed_unit);
     canvas.into_svg()
 }
 
@@ -163,7 +169,11 @@ fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
     .map(|(kind, words)| (Mark::Line(style(kind)), words.to_owned()))
     .collect();
     let words = match caption.searched_to {
-        Some(speed) => format!("white: stable up to {} ft/s", number::label(speed)),
+        Some(speed) => format!(
+            "white: stable up to {} {}",
+            number::label(speed),
+            caption.speed_unit
+        ),
         None => "white: no transition".to_owned(),
     };
     entries.push((

@@ -19,12 +19,12 @@ pub struct Surface {
     pub slow: Vec<f64>,
     /// Values of the fast axis, increasing.
     pub fast: Vec<f64>,
-    /// Velocities, ft/s, one row for each value of the slow axis; `None` without a transition.
+    /// Velocities, one row for each value of the slow axis; `None` without a transition.
     pub speeds: Vec<Vec<Option<f64>>>,
     /// Points whose transition is no boundary between stable landings and others: where landings cannot
     /// be computed or are undecided, or where those at the lowest speed searched are not stable.
     pub doubtful: Vec<([f64; 2], Mark)>,
-    /// Neighbours whose transitions differ by more, ft/s, belong to different kinds of motion: the
+    /// Neighbours whose transitions differ by more, belong to different kinds of motion: the
     /// boundary jumps between them, and nothing between them is known.
     pub jump: f64,
 }
@@ -157,13 +157,13 @@ impl Surface {
         edges
     }
 
-    /// Lowest and highest transition, ft/s, if there is any.
+    /// Lowest and highest transition, if there is any.
     pub fn range(&self) -> Option<(f64, f64)> {
         let least = self.heights().reduce(f64::min)?;
         Some((least, self.heights().reduce(f64::max)?))
     }
 
-    /// All transitions, ft/s.
+    /// All transitions.
     pub fn heights(&self) -> impl Iterator<Item = f64> {
         self.speeds.iter().flatten().flatten().copied()
     }
@@ -206,7 +206,7 @@ fn doubt(found: Transition) -> Option<Mark> {
     }
 }
 
-/// By how much neighbours differ where the boundary jumps, ft/s: far more than neighbours mostly do, and
+/// By how much neighbours differ where the boundary jumps: far more than neighbours mostly do, and
 /// a good part of the whole range; a round number.
 fn jump(speeds: &[Vec<Option<f64>>]) -> f64 {
     let along = |row: &[Option<f64>], next: &[Option<f64>]| -> Vec<f64> {

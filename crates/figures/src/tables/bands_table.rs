@@ -10,9 +10,9 @@ const COLUMNS: [&str; 4] = ["band", "from_fps", "to_fps", "outcome"];
 /// A range of speeds at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Band {
-    /// Lower end, ft/s.
+    /// Lower end.
     pub from: f64,
-    /// Upper end, ft/s.
+    /// Upper end.
     pub to: f64,
     /// How landings end in it; `None` where they are stable.
     pub kind: Option<Kind>,

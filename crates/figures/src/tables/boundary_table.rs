@@ -51,17 +51,17 @@ impl Kind {
     }
 }
 
-/// A transition, ft/s.
+/// A transition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transition {
     /// What begins there.
     pub kind: Kind,
-    /// Speed, ft/s.
+    /// Speed.
     pub speed: f64,
-    /// Lower end of its bracket, ft/s; `None` where landings at the lowest speed searched were not stable already, so
+    /// Lower end of its bracket; `None` where landings at the lowest speed searched were not stable already, so
     /// that the transition lies at or below it.
     pub low: Option<f64>,
-    /// Upper end of its bracket, ft/s.
+    /// Upper end of its bracket.
     pub high: f64,
 }
 
@@ -75,7 +75,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Velocity of the first transition, ft/s; infinite where there is none.
+    /// Velocity of the first transition; infinite where there is none.
     fn velocity(&self) -> f64 {
         self.transition.map_or(f64::INFINITY, |found| found.speed)
     }

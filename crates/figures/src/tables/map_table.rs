@@ -8,7 +8,7 @@ const SPEED: &str = "first_transition_fps";
 const EDGE: &str = "edge";
 const KIND: &str = "edge_kind";
 
-/// A place on a map, along the slower and the faster axis, and the first transition there, ft/s.
+/// A place on a map, along the slower and the faster axis, and the first transition there.
 pub type Corner = ([f64; 2], f64);
 
 /// What an edge of a map parts.

@@ -3,6 +3,7 @@
 
 use crate::figure_error::FigureError;
 use crate::table::{Row, Table};
+use crate::unit::in_si;
 
 /// The column that makes a table one of sensitivities.
 const DERIVATIVE: &str = "dvh_dp_fps_per_unit";
@@ -20,7 +21,7 @@ pub struct SensitivityTable {
 pub struct Point {
     /// Names and coordinates of the point, as written.
     pub place: Vec<(String, String)>,
-    /// First transition, ft/s, if there is one.
+    /// First transition, if there is one.
     pub speed: Option<f64>,
     /// One for each parameter, in the same order at every point.
     pub slopes: Vec<Slope>,
@@ -48,16 +49,17 @@ pub struct Slope {
 pub struct Change {
     /// Change of the parameter, in its unit.
     pub span: f64,
-    /// Change of the transition velocity, ft/s.
+    /// Change of the transition velocity.
     pub speed: f64,
-    /// Its estimated error, ft/s.
+    /// Its estimated error.
     pub error: f64,
 }
 
 /// Whether the heading of a table is one of sensitivities.
 pub fn is_one(csv: &str) -> bool {
     let heading = csv.lines().next().unwrap_or_default();
-    heading.split(',').any(|column| column == DERIVATIVE)
+    let in_si = in_si(DERIVATIVE);
+    (heading.split(',')).any(|column| column == DERIVATIVE || Some(column) == in_si.as_deref())
 }
 
 impl SensitivityTable {

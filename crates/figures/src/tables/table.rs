@@ -3,8 +3,9 @@
 use csv::StringRecord;
 
 use crate::figure_error::FigureError;
+use crate::unit::in_si;
 
-/// Greatest number in a table, and greatest velocity of a transition, ft/s. What is beyond them is a
+/// Greatest number in a table, and greatest velocity of a transition, ft/s or m/s. What is beyond them is a
 /// damaged table: no picture has room for it.
 const GREATEST: f64 = 1e12;
 const GREATEST_VELOCITY: f64 = 1e4;
@@ -34,12 +35,13 @@ impl Table {
         self.heading.iter().collect()
     }
 
-    /// The column of a name, if there is one.
+    /// The column of a name, or of what results in SI call it, if there is one.
     pub fn find(&self, name: &str) -> Option<usize> {
-        self.heading.iter().position(|known| known == name)
+        let named = |name: &str| self.heading.iter().position(|known| known == name);
+        named(name).or_else(|| named(&in_si(name)?))
     }
 
-    /// The column of a name.
+    /// The column of a name, or of what results in SI call it.
     ///
     /// # Errors
     /// When there is none.
@@ -92,7 +94,7 @@ impl<'t> Row<'t> {
         self.number_within(column, -GREATEST, GREATEST)
     }
 
-    /// The velocity in a column, ft/s.
+    /// The velocity in a column, in its unit.
     ///
     /// # Errors
     /// When it is no velocity that a search can find.

@@ -5,8 +5,10 @@ use serde_json::Value;
 use crate::axis_title::column_words;
 use crate::figure_error::FigureError;
 use crate::number::label;
+use crate::speed_unit::SpeedUnit;
+use crate::unit::split_unit;
 
-/// Greatest velocity that a search can reach, ft/s.
+/// Greatest velocity that a search can reach, ft/s; in m/s it is less.
 const MOST_SEARCHED: f64 = 1e4;
 
 /// What stands above a picture.
@@ -20,18 +22,20 @@ pub struct Caption {
     pub worst_over: Option<String>,
     /// What the report of 1966 states about this figure.
     pub statement: Option<String>,
-    /// Highest speed searched, ft/s, if known: the upper end of the picture.
+    /// Highest speed searched, if known: the upper end of the picture.
     pub searched_to: Option<f64>,
+    /// Unit of the speeds of the picture.
+    pub speed_unit: SpeedUnit,
     /// Whether the vehicle stands on its feet as the report's does: three, at azimuths of 0, 120 and 240 deg about the CG.
     pub has_report_feet: bool,
 }
 
 impl Caption {
-    /// Reads the caption from the record that a sweep writes beside its table.
+    /// Reads the caption from the record that a sweep writes beside its table, whose speeds are in this unit.
     ///
     /// # Errors
-    /// When the record is not JSON. What it leaves out is left out of the picture.
-    pub fn from_record(record: &str) -> Result<Self, FigureError> {
+    /// When the record is not JSON, or is in other units than the table. What it leaves out is left out of the picture.
+    pub fn from_record(record: &str, speed_unit: SpeedUnit) -> Result<Self, FigureError> {
         let record: Value = serde_json::from_str(record)
             .map_err(|error| FigureError::Table(format!("record: {error}")))?;
         let text = |value: &Value| value.as_str().map(str::to_owned);
@@ -47,10 +51,16 @@ impl Caption {
         if input["solver"]["crush_rule"] == "section" {
             parts.push("section crush rule".to_owned());
         }
-        let searched_to = input["search"]["to_fps"].as_f64();
+        let searched_to = input["search"][format!("to{}", speed_unit.ending())].as_f64();
+        if searched_to.is_none() && input["search"].is_object() {
+            return Err(FigureError::Table(format!(
+                "record: expected speeds in {speed_unit}, as in the table"
+            )));
+        }
         if let Some(speed) = searched_to.filter(|speed| !(0.0..=MOST_SEARCHED).contains(speed)) {
             return Err(FigureError::Table(format!(
-                "record: to_fps = {speed}: expected a number from 0 to {MOST_SEARCHED}"
+                "record: to{} = {speed}: expected a number from 0 to {MOST_SEARCHED}",
+                speed_unit.ending()
             )));
         }
         Ok(Self {
@@ -59,6 +69,7 @@ impl Caption {
             worst_over: None,
             statement: text(&record["statement"]),
             searched_to,
+            speed_unit,
             has_report_feet: has_report_feet(&input["vehicle"]),
         })
     }
@@ -88,7 +99,8 @@ fn listed(words: &[String]) -> String {
 }
 
 fn has_report_feet(vehicle: &Value) -> bool {
-    let offset = ["x", "y"].map(|axis| &vehicle[format!("center_of_gravity_offset_{axis}_ft")]);
+    let offset = ["x_ft", "y_ft", "x_m", "y_m"];
+    let offset = offset.map(|axis| &vehicle[format!("center_of_gravity_offset_{axis}")]);
     if offset
         .iter()
         .any(|part| part.as_f64().is_some_and(|part| part != 0.0))
@@ -104,8 +116,13 @@ fn has_report_feet(vehicle: &Value) -> bool {
 fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
     let number = label(value);
     let words = match name {
-        "vertical_velocity_fps" => format!("vertical velocity {number} ft/s"),
-        "horizontal_velocity_fps" => format!("horizontal velocity {number} ft/s"),
+        "vertical_velocity_fps"
+        | "horizontal_velocity_fps"
+        | "vertical_velocity_mps"
+        | "horizontal_velocity_mps" => {
+            let (bare, unit) = split_unit(name);
+            format!("{} {number} {unit}", bare.replace('_', " "))
+        }
         "cross_slope_deg" => format!("cross-slope {number} deg"),
         "slope_deg" => format!("slope {number} deg"),
         "friction" => format!("friction {number}"),
@@ -113,16 +130,8 @@ fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
         "block_friction" => format!("block friction {number}"),
         _ if value == 0.0 => return None,
         _ => {
-            let bare = name
-                .trim_end_matches("_deg")
-                .trim_end_matches("_dps")
-                .replace('_', " ");
-            let unit = if name.ends_with("_dps") {
-                "deg/s"
-            } else {
-                "deg"
-            };
-            format!("{bare} {number} {unit}")
+            let (bare, unit) = split_unit(name);
+            format!("{} {number} {unit}", bare.replace('_', " "))
         }
     };
     Some(words)
@@ -141,7 +150,7 @@ mod tests {
 
     #[test]
     fn conditions_are_told_in_words_where_they_say_something() {
-        let caption = Caption::from_record(RECORD).unwrap();
+        let caption = Caption::from_record(RECORD, SpeedUnit::default()).unwrap();
         assert_eq!(
             caption.conditions,
             "Surveyor · vertical velocity 14 ft/s · friction 1 · nominal roll \u{2212}10 deg · \
@@ -168,7 +177,9 @@ mod tests {
             let legs: Vec<Value> = legs.collect();
             let vehicle = json!({"legs": legs, "center_of_gravity_offset_y_ft": offset});
             let record = json!({"input": {"vehicle": vehicle}}).to_string();
-            Caption::from_record(&record).unwrap().has_report_feet
+            Caption::from_record(&record, SpeedUnit::default())
+                .unwrap()
+                .has_report_feet
         };
         assert!(has_report_feet(&[0.0, 120.0, 240.0], 0.0));
         assert!(!has_report_feet(&[0.0, 120.0, 240.0], -0.1));
@@ -178,8 +189,28 @@ mod tests {
 
     #[test]
     fn a_record_that_tells_little_is_no_fault_but_one_that_is_none_is() {
-        assert_eq!(Caption::from_record("{}").unwrap(), Caption::default());
-        let complaint = Caption::from_record("{").unwrap_err().to_string();
+        let read = |record| Caption::from_record(record, SpeedUnit::default());
+        assert_eq!(read("{}").unwrap(), Caption::default());
+        let complaint = read("{").unwrap_err().to_string();
         assert!(complaint.contains("record:"), "{complaint}");
+    }
+
+    #[test]
+    fn a_record_has_the_units_of_its_table() {
+        let in_si = RECORD.replace("to_fps\": 25", "to_mps\": 7.62").replace(
+            "vertical_velocity_fps\": 14.0",
+            "vertical_velocity_mps\": 4.2672",
+        );
+        let caption = Caption::from_record(&in_si, SpeedUnit::MetresPerSecond).unwrap();
+        assert_eq!(caption.searched_to, Some(7.62));
+        assert!(caption.conditions.contains("vertical velocity 4.2672 m/s"));
+        for (record, unit) in [
+            (in_si.as_str(), SpeedUnit::FeetPerSecond),
+            (RECORD, SpeedUnit::MetresPerSecond),
+        ] {
+            let complaint = Caption::from_record(record, unit).unwrap_err().to_string();
+            let expected = format!("record: expected speeds in {unit}, as in the table");
+            assert!(complaint.contains(&expected), "{complaint}");
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Units, which the names of columns and parameters end with.
 
-/// Units by the endings of names. Those of SI are of axes and parameters that were asked for in SI.
-const UNITS: [(&str, &str); 31] = [
+/// Units by the endings of names: those of 1966, then those of SI.
+const UNITS: [(&str, &str); 32] = [
     ("_slug_ft2", "slug ft²"),
     ("_lb_per_ft", "lb/ft"),
     ("_per_ft", "1/ft"),
@@ -29,6 +29,7 @@ const UNITS: [(&str, &str); 31] = [
     ("_pa", "Pa"),
     ("_kpa", "kPa"),
     ("_mps", "m/s"),
+    ("_j", "J"),
     ("_mps2", "m/s²"),
     ("_per_m", "1/m"),
     ("_rad", "rad"),
@@ -50,6 +51,23 @@ pub fn split_unit(name: &str) -> (&str, &'static str) {
         Some((ending, unit)) => (&name[..name.len() - ending.len()], unit),
         None => (name, ""),
     }
+}
+
+/// Endings of columns of results in the units of 1966 and in SI, those first that end with another.
+const IN_SI: [(&str, &str); 4] = [
+    ("_ftlb", "_j"),
+    ("_lb", "_n"),
+    ("_fps", "_mps"),
+    ("_ft", "_m"),
+];
+
+/// What a column of the units of 1966 is called in results in SI, if it is called otherwise.
+pub fn in_si(name: &str) -> Option<String> {
+    const PER_UNIT: &str = "_per_unit";
+    if let Some(bare) = name.strip_suffix(PER_UNIT) {
+        return in_si(bare).map(|column| column + PER_UNIT);
+    }
+    (IN_SI.iter()).find_map(|(us, si)| Some(format!("{}{si}", name.strip_suffix(us)?)))
 }
 
 /// A unit of a table as it is printed: nothing for pure numbers, powers raised.
@@ -91,5 +109,16 @@ mod tests {
         }
         assert_eq!(printed_unit("lb s2/ft2"), "lb s²/ft²");
         assert_eq!(printed_unit("1"), "");
+        for (us, si) in [
+            ("from_fps", Some("from_mps")),
+            ("dvh_dp_fps_per_unit", Some("dvh_dp_mps_per_unit")),
+            ("strut_work_#_ftlb", Some("strut_work_#_j")),
+            ("strut_force_#_lb", Some("strut_force_#_n")),
+            ("z_ft", Some("z_m")),
+            ("z_m", None),
+            ("roll_deg", None),
+        ] {
+            assert_eq!(in_si(us).as_deref(), si);
+        }
     }
 }

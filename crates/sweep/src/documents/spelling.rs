@@ -117,6 +117,25 @@ pub(crate) fn spellings(key: &str) -> Vec<String> {
     all
 }
 
+/// The spelling of a name, dotted perhaps, that results in SI have: with the first SI unit, but angles and rates of turn in
+/// degrees.
+pub(crate) fn spelling_for_results(name: &str) -> String {
+    let step = |key: &str| match program_unit(key) {
+        Some((
+            bare,
+            Unit {
+                ending,
+                si: [si, ..],
+                ..
+            },
+        )) if !["_deg", "_dps"].contains(ending) => {
+            format!("{bare}{}", si.ending)
+        }
+        _ => key.to_owned(),
+    };
+    name.split('.').map(step).collect::<Vec<_>>().join(".")
+}
+
 /// What an unknown key may have meant: a known key with any of its units where only the unit is wrong, or the spelling most
 /// like it.
 pub(crate) fn meant(unknown: &str, known: &[&str]) -> Vec<String> {

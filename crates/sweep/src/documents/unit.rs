@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-/// A unit of the program, and the SI units that input files may have in its place.
+/// A unit of the program, and the SI units that input files may have in its place; results in SI have the first of them.
 pub(crate) struct Unit {
     /// What names end with.
     pub(crate) ending: &'static str,
@@ -86,7 +86,7 @@ pub(crate) const UNITS: [Unit; 15] = [
         "lb s2/ft2",
         &[si("_damping_n_s2_per_m2", "N s2/m2", 47.880258980335846)],
     ),
-    unit_of("_ftlb", "ft lb", &[]),
+    unit_of("_ftlb", "ft lb", &[si("_j", "J", 1.3558179483314003)]),
     unit_of("_s", "s", &[]),
 ];
 
@@ -182,6 +182,7 @@ mod tests {
             ("_per_m", ratio(1, FOOT, 4)),
             ("_mps", ratio(FOOT, 1, -4)),
             ("_mps2", ratio(FOOT, 1, -4)),
+            ("_j", ratio(POUND * FOOT, 1, -17)),
         ] {
             assert_eq!(factor(ending), expected, "{ending}");
         }

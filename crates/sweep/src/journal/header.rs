@@ -186,6 +186,7 @@ impl Header {
                 .map(assignment)
                 .collect::<Result<_, _>>()?,
             sensitivity: overrides.sensitivity.clone(),
+            units: overrides.units,
         };
         Sweep::read_from(sweep, library)?.with(&with).map(Some)
     }

@@ -18,6 +18,7 @@ use crate::header::Header;
 use crate::input_error::{InputError, Place};
 use crate::landing_table::{self, Cell};
 use crate::library::Library;
+use crate::output_units::{OutputUnits, Quantity};
 use crate::parameter::{Home, Parameter};
 use crate::resolved_input;
 use crate::scene_input::NamedConditions;
@@ -210,19 +211,24 @@ impl Columns {
         vehicles: &mut Vehicles,
         settings: &Settings,
     ) -> Result<CaseRow, InputError> {
+        let named = cell(heading, record, VEHICLE_COLUMN);
+        let vehicle = vehicles.of_row(named, &self.vehicle, record)?;
+        let settings = self.settings(settings, record)?;
         Ok(CaseRow {
             name: cell(heading, record, NAME_COLUMN).to_owned(),
-            scene: self.scene(record)?,
-            vehicle: vehicles.of_row(
-                cell(heading, record, VEHICLE_COLUMN),
-                &self.vehicle,
-                record,
-            )?,
-            settings: self.settings(settings, record)?,
+            scene: self.scene(record, vehicle.legs().len(), &settings.method())?,
+            vehicle,
+            settings,
         })
     }
 
-    fn scene(&self, record: &StringRecord) -> Result<Scene, InputError> {
+    /// The scene of a row, for a vehicle with so many legs and a method.
+    fn scene(
+        &self,
+        record: &StringRecord,
+        legs: usize,
+        method: &Method,
+    ) -> Result<Scene, InputError> {
         let mut conditions = NamedConditions::default();
         let given = values(&self.scene, record)?;
         for (parameter, _, value) in &given {
@@ -230,7 +236,7 @@ impl Columns {
                 conditions.set(parameter.program_name(), *number);
             }
         }
-        conditions.scene().map_err(|fault| {
+        conditions.scene_for(legs, method).map_err(|fault| {
             let given = (given.iter()).find(|(known, ..)| known.program_name() == fault.name);
             match (fault.value, given) {
                 (Some(value), Some((parameter, text, _))) => {
@@ -262,6 +268,9 @@ impl Columns {
             crush_rule_name(given.crush_rule()),
             friction_profile_name(given.friction_profile())
         );
+        if given.goes_on() {
+            text += "stop = \"time\"\n";
+        }
         if values.iter().all(is_located) {
             text += &format!("tolerance = {}\n", given.tolerance());
         }
@@ -363,12 +372,14 @@ fn cell<'r>(heading: &StringRecord, record: &'r StringRecord, name: &str) -> &'r
     position.and_then(|index| record.get(index)).unwrap_or("")
 }
 
-/// The results of cases as CSV: `case`, then the columns of [`landing_table`] for as many legs as any vehicle has.
+/// The results of cases as CSV, in these units: `case`, then the columns of [`landing_table`] for as many legs as any
+/// vehicle has.
 ///
 /// # Errors
 /// None but those of memory.
 pub fn table<'r>(
     rows: impl Iterator<Item = (&'r str, &'r Finding)> + Clone,
+    units: OutputUnits,
 ) -> Result<Vec<u8>, csv::Error> {
     let cells = |finding: &'r Finding| -> &'r [Cell] {
         match finding {
@@ -382,10 +393,14 @@ pub fn table<'r>(
     let legs = legs.max().unwrap_or(0);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_field("case")?;
-    writer.write_record(landing_table::names(legs))?;
+    let names = landing_table::names(legs);
+    let quantities: Vec<Quantity> = names.iter().map(|name| units.quantity(name)).collect();
+    writer.write_record(quantities.iter().map(Quantity::name))?;
     for (name, finding) in rows {
         writer.write_field(name)?;
-        writer.write_record(landing_table::under_headings(cells(finding), legs))?;
+        let row = landing_table::under_headings(cells(finding), legs);
+        let row = quantities.iter().zip(&row);
+        writer.write_record(row.map(|(quantity, cell)| quantity.cell(cell)))?;
     }
     writer
         .into_inner()

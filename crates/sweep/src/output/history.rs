@@ -2,36 +2,42 @@
 
 use touchdown_dynamics::landing::{Instant, LegInstant};
 
+use crate::output_units::{OutputUnits, Quantity};
+
 /// A history in the making.
 #[derive(Debug)]
 pub struct History {
     writer: csv::Writer<Vec<u8>>,
-    is_empty: bool,
-}
-
-impl Default for History {
-    fn default() -> Self {
-        Self {
-            writer: csv::Writer::from_writer(Vec::new()),
-            is_empty: true,
-        }
-    }
+    units: OutputUnits,
+    /// Of the columns, once there is an instant.
+    quantities: Vec<Quantity>,
 }
 
 impl History {
+    /// An empty history.
+    pub fn new(units: OutputUnits) -> Self {
+        Self {
+            writer: csv::Writer::from_writer(Vec::new()),
+            units,
+            quantities: Vec::new(),
+        }
+    }
+
     /// Adds an instant.
     ///
     /// # Errors
     /// None but those of memory.
     pub fn add(&mut self, instant: &Instant) -> Result<(), csv::Error> {
         let columns = columns(instant);
-        if self.is_empty {
+        if self.quantities.is_empty() {
+            let names = columns.iter().map(|(name, _)| name);
+            self.quantities = names.map(|name| self.units.quantity(name)).collect();
             self.writer
-                .write_record(columns.iter().map(|(name, _)| name))?;
-            self.is_empty = false;
+                .write_record(self.quantities.iter().map(Quantity::name))?;
         }
-        self.writer
-            .write_record(columns.iter().map(|(_, value)| value.to_string()))
+        let values = self.quantities.iter().zip(&columns);
+        let values = values.map(|(quantity, (_, value))| quantity.number(*value).to_string());
+        self.writer.write_record(values)
     }
 
     /// The table as CSV.
@@ -146,10 +152,17 @@ mod tests {
             potential_change: 3.0,
             legs: [leg; 3].into(),
         };
-        let mut history = History::default();
-        history.add(&instant).unwrap();
-        history.add(&instant).unwrap();
-        let text = String::from_utf8(history.table().unwrap()).unwrap();
+        let written = |units| {
+            let mut history = History::new(units);
+            history.add(&instant).unwrap();
+            history.add(&instant).unwrap();
+            String::from_utf8(history.table().unwrap()).unwrap()
+        };
+        let si = written(OutputUnits::Si);
+        assert!(si.starts_with("t_s,x_m,y_m,z_m,x_rate_mps"), "{si}");
+        assert!(si.contains(",stroke_1_m,strut_force_1_n,") && si.contains(",stop_work_3_j\n"));
+        assert!(si.contains(",0.0381,822.9209988231925,"), "{si}");
+        let text = written(OutputUnits::Us);
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 3);
         assert!(lines[0].starts_with("t_s,x_ft,y_ft,z_ft,x_rate_fps"));

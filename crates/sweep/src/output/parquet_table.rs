@@ -97,7 +97,7 @@ impl ParquetTable {
         let metadata = [
             ("title", Some(sweep.title.clone())),
             ("units", Some(json!(units).to_string())),
-            ("input", Some(sweep.resolved().to_string())),
+            ("input", Some(sweep.resolved_in(sweep.units).to_string())),
             ("input_fingerprint", Some(results::input_fingerprint(sweep))),
             ("program", Some(program.to_string())),
             ("commit", results::COMMIT.map(str::to_owned)),

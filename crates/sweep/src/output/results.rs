@@ -122,7 +122,9 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
         "sweep_file": sweep.path.display().to_string(),
         "vehicle_file": sweep.vehicle.document.path().display().to_string(),
     });
-    if let (Value::Object(input), Value::Object(resolved)) = (&mut input, sweep.resolved()) {
+    if let (Value::Object(input), Value::Object(resolved)) =
+        (&mut input, sweep.resolved_in(sweep.units))
+    {
         input.extend(resolved);
     }
     let mut record = json!({

@@ -1,14 +1,14 @@
 //! Sensitivities as a table: one row for each point and parameter.
 //!
 //! `vh_change_fps` is what the derivative makes of a change by `span`: 10 % of the parameter, or 1 deg
-//! (deg/s) of an angle (rate of turn). The numbers of a dependence that is not `smooth` are empty.
+//! (deg/s) of an angle (rate of turn). The numbers of a dependence that is not `smooth` are empty. What is told of the
+//! parameter is in the units of results, what is told of V_H in those of the program until the table is written.
 
 use crate::boundary::Boundary;
 use crate::parameter::Parameter;
 use crate::results::transition_name;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::sweep_file::Sweep;
-use crate::unit::unit;
 
 /// Columns of the table after those of the axes.
 pub const COLUMNS: [&str; 12] = [
@@ -47,23 +47,31 @@ pub fn rows(
     let slopes = sweep.sensitivity.iter().zip(&sensitivity.slopes);
     let row = |(parameter, slope): (&Parameter, &Slope)| {
         let value = sweep.value(point, parameter);
+        let own = sweep.units.quantity(parameter.name());
         let cells = [
-            parameter.name().to_owned(),
-            unit(parameter.name()).to_owned(),
-            number(value),
+            own.name().to_owned(),
+            own.unit().to_owned(),
+            number(value.map(|value| own.number(value))),
             transition_name(boundary),
             number(sensitivity.speed),
             slope.dependence.word().to_owned(),
-            number(slope.step),
+            number(slope.step.map(|step| own.number(step))),
         ];
         let numbers = match (slope.dependence, value.map(|value| span(parameter, value))) {
             (Dependence::Smooth { derivative, error }, Some(span)) => {
-                let numbers = [derivative, error, span, derivative * span, error * span];
-                numbers.map(|number| number.to_string())
+                let per_unit = [derivative, error].map(|slope| Some(own.derivative(slope)));
+                let changes = [derivative * span, error * span].map(Some);
+                [
+                    per_unit[0],
+                    per_unit[1],
+                    Some(own.number(span)),
+                    changes[0],
+                    changes[1],
+                ]
             }
-            _ => std::array::from_fn(|_| String::new()),
+            _ => [None; 5],
         };
-        let cells = cells.into_iter().chain(numbers);
+        let cells = cells.into_iter().chain(numbers.map(number));
         coordinates.iter().cloned().chain(cells).collect()
     };
     slopes.map(row).collect()

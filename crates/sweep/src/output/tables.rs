@@ -8,6 +8,7 @@ use crate::boundary::Extent;
 use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
+use crate::output_units::Quantity;
 use crate::parquet_table::ParquetTable;
 use crate::refined_grid::RefinedGrid;
 use crate::rounds::Rounds;
@@ -89,12 +90,7 @@ impl Tables {
     ) -> Result<Self, TablesError> {
         let stem = sweep.stem();
         let begin = |end: &str, heading: &[String]| {
-            Table::begin(
-                folder,
-                &format!("{stem}{end}"),
-                heading,
-                has_parquet.then_some(sweep),
-            )
+            Table::begin(folder, &format!("{stem}{end}"), heading, sweep, has_parquet)
         };
         let mut points = begin("", &results::heading(sweep))?;
         let has_bands = sweep
@@ -217,8 +213,9 @@ pub fn rounds<'m>(
     })
 }
 
-/// A table under way.
+/// A table under way. Rows come in the units of the program and are written in those of results.
 struct Table {
+    quantities: Vec<Quantity>,
     writer: csv::Writer<Draft>,
     path: PathBuf,
     parquet: Option<(ParquetTable, PathBuf)>,
@@ -229,31 +226,38 @@ impl Table {
         folder: &Folder,
         stem: &str,
         heading: &[String],
-        parquet_of: Option<&Sweep>,
+        sweep: &Sweep,
+        has_parquet: bool,
     ) -> Result<Self, WriteError> {
         let name = |ending: &str| format!("{stem}.{ending}");
-        let parquet = match parquet_of {
-            None => None,
-            Some(sweep) => {
+        let quantities = heading.iter().map(|name| sweep.units.quantity(name));
+        let quantities: Vec<Quantity> = quantities.collect();
+        let heading: Vec<String> = quantities.iter().map(|one| one.name().to_owned()).collect();
+        let parquet = match has_parquet {
+            false => None,
+            true => {
                 let path = folder.path(&name("parquet"));
-                let table = ParquetTable::begin(folder.draft(&name("parquet"))?, sweep, heading);
+                let table = ParquetTable::begin(folder.draft(&name("parquet"))?, sweep, &heading);
                 Some((table.map_err(|error| refuse(&path, error))?, path))
             }
         };
         let mut table = Self {
+            quantities,
             writer: csv::Writer::from_writer(folder.draft(&name("csv"))?),
             path: folder.path(&name("csv")),
             parquet,
         };
-        table.write(heading)?;
+        table.write(&heading)?;
         Ok(table)
     }
 
     fn add(&mut self, row: &[String]) -> Result<(), WriteError> {
+        let row = self.quantities.iter().zip(row);
+        let row: Vec<String> = row.map(|(quantity, cell)| quantity.cell(cell)).collect();
         if let Some((table, path)) = &mut self.parquet {
-            table.add(row).map_err(|error| refuse(path, error))?;
+            table.add(&row).map_err(|error| refuse(path, error))?;
         }
-        self.write(row)
+        self.write(&row)
     }
 
     fn write(&mut self, row: &[String]) -> Result<(), WriteError> {

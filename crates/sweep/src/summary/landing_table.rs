@@ -7,6 +7,8 @@ use serde_json::Value;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Outcome;
 
+use crate::output_units::OutputUnits;
+
 /// A result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Cell {
@@ -51,7 +53,21 @@ impl From<Cell> for Value {
 /// Name of a result, with the result.
 pub type Column = (String, Cell);
 
-/// All results of a landing, in the order of the columns.
+/// All results of a landing in these units, in the order of the columns.
+pub fn columns_in(units: OutputUnits, landing: &Landing) -> Vec<Column> {
+    let columns = columns(landing).into_iter();
+    let told = |(name, cell): Column| {
+        let quantity = units.quantity(&name);
+        let cell = match cell {
+            Cell::Number(number) => Cell::Number(quantity.number(number)),
+            other => other,
+        };
+        (quantity.name().to_owned(), cell)
+    };
+    columns.map(told).collect()
+}
+
+/// All results of a landing in the units of the program, in the order of the columns.
 pub fn columns(landing: &Landing) -> Vec<Column> {
     let mut columns = vec![column("outcome", Cell::Word(landing.outcome.to_string()))];
     let mut number = |name: &str, value| columns.push(column(name, Cell::from(value)));
@@ -160,6 +176,7 @@ pub(crate) mod tests {
     /// A landing made up for tests of tables.
     pub fn example() -> Landing {
         Landing {
+            beyond: None,
             outcome: Outcome::Failure(Failure::PadInclination { leg: 1 }),
             end_time: 1.5,
             min_stability_angle: std::f64::consts::PI / 6.0,
@@ -177,6 +194,7 @@ pub(crate) mod tests {
             energies: Energies {
                 initial_kinetic: 100.0,
                 potential_change: 10.0,
+                thrust: 0.0,
                 legs: [LegWork::default(); 3].into(),
                 final_kinetic: 109.5,
             },

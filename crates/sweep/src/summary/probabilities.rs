@@ -192,8 +192,10 @@ impl Probabilities {
         let everywhere = [String::new(), String::new()];
         let mut rows = vec![row("all", &everywhere, &self.overall)];
         for (axis, bins) in sweep.axes.iter().zip(&self.axes) {
+            let axis = sweep.units.quantity(axis.name());
             for (ends, count) in bins.ends.iter().zip(&bins.counts) {
-                rows.push(row(axis.name(), ends, count));
+                let ends = ends.each_ref().map(|end| axis.cell(end));
+                rows.push(row(axis.name(), &ends, count));
             }
         }
         rows

@@ -5,6 +5,7 @@ use crate::case;
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
+use crate::output_units::OutputUnits;
 use crate::parameter::Home;
 use crate::parameter::Parameter;
 use crate::scene_input::HORIZONTAL_VELOCITY;
@@ -25,6 +26,8 @@ pub struct Overrides {
     pub set: Vec<Assignment>,
     /// Parameters of sensitivities; those of the file if empty.
     pub sensitivity: Vec<String>,
+    /// Units of what comes out.
+    pub units: Option<OutputUnits>,
 }
 
 impl Sweep {
@@ -72,6 +75,7 @@ impl Sweep {
             self.sensitivity = sensitivity_input::named(&overrides.sensitivity, self.leg_count())?;
         }
         self.check_sensitivity()?;
+        self.units = overrides.units.unwrap_or(self.units);
         let path = |file: &VehicleFile| file.document.path().to_owned();
         self.overrides = OverrideNames {
             vehicle: overrides.vehicle.as_ref().map(path),
@@ -80,6 +84,7 @@ impl Sweep {
                 .map(|one| (one.parameter().name().to_owned(), one.text().to_owned()))
                 .collect(),
             sensitivity: overrides.sensitivity.clone(),
+            units: overrides.units,
         };
         Ok(self)
     }
@@ -149,13 +154,11 @@ mod tests {
         let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
         let word = |key: &str, word: &str| (key.to_owned(), word.to_owned());
         let mut overrides = Overrides {
-            vehicle: None,
-            set: Vec::new(),
-            sensitivity: Vec::new(),
             words: vec![
                 word("solver.crush_rule", "section"),
                 word("search.bands", "first"),
             ],
+            ..Overrides::default()
         };
         let mut changed = sweep.with(&overrides).unwrap();
         assert_eq!(changed.search().unwrap().extent, Extent::First);

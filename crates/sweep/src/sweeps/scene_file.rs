@@ -12,20 +12,30 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use crate::document::{Document, Value};
 use crate::input_error::{InputError, Place};
 use crate::library::Library;
+use crate::output_units::{OutputUnits, UNITS};
 use crate::parameter::{Home, Parameter};
-use crate::scene_input::{NAMES, NamedConditions, SceneFault};
+use crate::scene_input::{self, NamedConditions, SceneFault};
 use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::{locate_condition, named_vehicle};
 use crate::vehicle_file::{self, VehicleFile};
 
-pub(crate) const SCENE_FILE: [&str; 5] = ["title", "vehicle", "scene", "solver", "case"];
+pub(crate) const SCENE_FILE: [&str; 6] = ["title", UNITS, "vehicle", "scene", "solver", "case"];
 /// Keys of a case that are no parameters.
 pub(crate) const CASE: [&str; 2] = ["name", "vehicle"];
 const VEHICLE: &str = "the path of a vehicle file, relative to this file";
 const CASES: &str = "tables [[case]]";
 const NAME: &str = "letters, digits, - and _ in quotes, not the name of a case before";
+
+/// A scene file.
+#[derive(Debug, Clone)]
+pub struct SceneFile {
+    /// The units of what is written and printed of it.
+    pub units: OutputUnits,
+    /// Its cases in their order, or the one touchdown of a file without any.
+    pub cases: Vec<SceneCase>,
+}
 
 /// One landing of a scene file.
 #[derive(Debug, Clone)]
@@ -40,21 +50,26 @@ pub struct SceneCase {
     pub settings: Settings,
 }
 
-/// Reads a scene file and the vehicle files that it names: its cases in their order, or the one
-/// touchdown of a file without any.
+/// Reads a scene file and the vehicle files that it names.
 ///
 /// # Errors
 /// Names file, line, case, key and value of the first thing wrong, and what is allowed.
-pub fn read(path: &Path) -> Result<Vec<SceneCase>, InputError> {
+pub fn read(path: &Path) -> Result<SceneFile, InputError> {
     let document = Library::Disk.document(path)?;
     let root = Section::root(&document, &SCENE_FILE)?;
     if let Some(title) = root.optional("title") {
         title.text()?;
     }
-    let scene = root.section("scene", &NAMES)?;
-    let mut stack = Stack::of(path, &document, &root, &scene)?;
+    let units = OutputUnits::read(&root)?;
+    let scene = root.section("scene", &scene_input::scene_keys())?;
+    let stack = Stack::of(path, &document, &root, &scene)?;
+    let cases = cases(&root, &scene, stack)?;
+    Ok(SceneFile { units, cases })
+}
+
+fn cases(root: &Section, scene: &Section, mut stack: Stack) -> Result<Vec<SceneCase>, InputError> {
     let Some(found) = root.optional("case") else {
-        return Ok(vec![stack.case("1".to_owned(), None, &scene)?]);
+        return Ok(vec![stack.case("1".to_owned(), None, scene)?]);
     };
     let entries = found.items(CASES)?;
     if entries.is_empty() {
@@ -83,7 +98,7 @@ pub fn read(path: &Path) -> Result<Vec<SceneCase>, InputError> {
             }
         };
         stack.change(&changes)?;
-        cases.push(stack.case(name, Some(&changes), &scene)?);
+        cases.push(stack.case(name, Some(&changes), scene)?);
     }
     Ok(cases)
 }
@@ -257,18 +272,22 @@ impl Stack {
                 None => error,
             }
         };
-        let touchdown = self.conditions.scene().map_err(|fault| match changes {
+        let vehicle = VehicleFile::from_document(self.vehicle.clone());
+        let vehicle = vehicle.map_err(blame(Home::Vehicle))?;
+        let settings = Section::root(&self.document, &SCENE_FILE)
+            .and_then(|root| settings_input::settings_of_landing(&root));
+        let settings = settings.map_err(blame(Home::Sweep))?;
+        let legs = vehicle.vehicle.legs().len();
+        let touchdown = self.conditions.scene_for(legs, &settings.method());
+        let touchdown = touchdown.map_err(|fault| match changes {
             Some(changes) => changes.blame_condition(&fault),
             None => locate_condition(&fault, scene, &[]),
         })?;
-        let vehicle = VehicleFile::from_document(self.vehicle.clone());
-        let settings = Section::root(&self.document, &SCENE_FILE)
-            .and_then(|root| settings_input::settings_of_landing(&root));
         Ok(SceneCase {
             name,
-            vehicle: vehicle.map_err(blame(Home::Vehicle))?,
+            vehicle,
             scene: touchdown,
-            settings: settings.map_err(blame(Home::Sweep))?,
+            settings,
         })
     }
 }

@@ -7,6 +7,7 @@ use touchdown_dynamics::scene::Settings;
 
 use crate::design::Design;
 use crate::document::Document;
+use crate::output_units::{OutputUnits, UNITS};
 use crate::parameter::Parameter;
 use crate::refined_grid::RefinedGrid;
 use crate::scene_input::NamedConditions;
@@ -15,9 +16,10 @@ use crate::source::Source;
 use crate::vehicle_file::VehicleFile;
 
 /// Keys of a sweep file.
-pub(crate) const SWEEP: [&str; 11] = [
+pub(crate) const SWEEP: [&str; 12] = [
     "title",
     "statement",
+    UNITS,
     "job",
     "vehicle",
     "scene",
@@ -50,6 +52,8 @@ pub struct Sweep {
     pub title: String,
     /// An earlier statement, which pictures show for comparison.
     pub statement: Option<String>,
+    /// The units of what is written and printed of it.
+    pub units: OutputUnits,
     /// The vehicle; what varies of it has its first value.
     pub vehicle: VehicleFile,
     /// Conditions that do not vary.
@@ -90,6 +94,8 @@ pub(crate) struct OverrideNames {
     pub(crate) set: Vec<(String, String)>,
     #[serde(default)]
     pub(crate) sensitivity: Vec<String>,
+    #[serde(default)]
+    pub(crate) units: Option<OutputUnits>,
 }
 
 /// Name of the results of a part of the points of the sweep `stem`.
@@ -151,13 +157,14 @@ impl Sweep {
         varied.map(|(axis, value)| axis.written(value)).collect()
     }
 
-    /// The coordinates of a point as text.
+    /// The coordinates of a point as text, in the units of results.
     pub fn place(&self, point: usize) -> String {
         let written = self.coordinates_written(point);
         let varied = self.axes.iter().zip(written);
-        let equations: Vec<String> = varied
-            .map(|(axis, value)| format!("{} = {value}", axis.name()))
-            .collect();
-        equations.join(", ")
+        let equation = |(axis, value): (&Parameter, String)| {
+            let quantity = self.units.quantity(axis.name());
+            format!("{} = {}", quantity.name(), quantity.cell(&value))
+        };
+        varied.map(equation).collect::<Vec<_>>().join(", ")
     }
 }

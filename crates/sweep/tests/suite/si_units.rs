@@ -246,8 +246,8 @@ fn every_key_with_a_unit_is_read_in_si() {
     };
     let scene = |text: &str| {
         std::fs::write(path("s.toml"), text).unwrap();
-        let cases = scene_file::read(&path("s.toml")).map_err(|error| error.to_string())?;
-        Ok((cases[0].scene, cases[0].settings))
+        let file = scene_file::read(&path("s.toml")).map_err(|error| error.to_string())?;
+        Ok((file.cases[0].scene, file.cases[0].settings))
     };
     let map = |text: &str| {
         let sweep = read_sweep(text, SURVEYOR)?;
@@ -297,6 +297,16 @@ fn every_key_with_a_unit_is_read_in_si() {
                 let euler = keys(&|key| !is_tip(key));
                 check(&format!("{SCENE}{EULER}"), "[scene]", &euler, &scene)
                     + check(&format!("{SCENE}{TIP}"), "[scene]", &keys(&is_tip), &scene)
+            }
+            "scene.thrust" => {
+                let text = format!(
+                    "{SCENE}[scene.thrust]\ntime_s = [0, 0.5]\nforce_lb = [80, 0]\nscale = 0.5\n"
+                );
+                check(&text, "[scene.thrust]", all, &scene)
+            }
+            "scene.footing" => {
+                let text = format!("{SCENE}[[scene.footing]]\n");
+                check(&text, "[[scene.footing]]", all, &scene)
             }
             "map" => check(MAP, "[map]", all, &map),
             "search" => check(MAP, "[search]", all, &map),

@@ -6,6 +6,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::cases::{self, CaseTable};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -24,6 +25,7 @@ pub fn run(
     settings: &Settings,
     table: &Path,
     out: &Path,
+    units: OutputUnits,
 ) -> Result<(), Failure> {
     let table = cases::read(table, vehicle, settings)?;
     let (folder, name) = place_of(out)?;
@@ -55,7 +57,7 @@ pub fn run(
     let mut results = InOrder::new(vec![records], count, &folder.path("."))?;
     let findings = findings(&table, &mut results)?;
     let names = table.rows.iter().map(|case| case.name.as_str());
-    let written = cases::table(names.zip(&findings)).map_err(Failure::running)?;
+    let written = cases::table(names.zip(&findings), units).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
     for (case, finding) in table.rows.iter().zip(&findings) {
@@ -64,7 +66,7 @@ pub fn run(
         } = finding
             && *given_by_crushing > 0.0
         {
-            let warning = report::given_by_crushing(*given_by_crushing);
+            let warning = report::given_by_crushing(*given_by_crushing, units);
             eprintln!("touchdown: warning: case {}: {warning}", case.name);
         }
     }

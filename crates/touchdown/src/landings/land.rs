@@ -11,6 +11,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -19,9 +20,11 @@ use crate::failure::Failure;
 use crate::land_files::{interval, is_case_table, is_history, place_of};
 use crate::output_guard::OutputGuard;
 use crate::print::print;
+use crate::report::{self, Report};
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
-use crate::{cases, report, scene_cases};
+use crate::units::UnitsOption;
+use crate::{cases, scene_cases};
 
 const USAGE: &str = "\
 touchdown land --vehicle <FILE> [OPTIONS]
@@ -105,6 +108,8 @@ pub struct Options {
     /// Print the result as JSON
     #[arg(long, conflicts_with = "cases", help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    units: UnitsOption,
     /// Compute one landing for each row of this CSV table
     #[arg(
         long,
@@ -136,8 +141,10 @@ pub struct Options {
 /// Runs `land`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let (Some(scene), Some(out)) = (&options.scene, &options.out) {
-        return scene_cases::run(scene, out, options.interval, options.overwrite);
+        let units = options.units.given();
+        return scene_cases::run(scene, out, options.interval, options.overwrite, units);
     }
+    let units = options.units.given().unwrap_or_default();
     let settings = options.solver.settings()?;
     let Some(vehicle_path) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());
@@ -170,7 +177,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         (Some(cases), Some(out)) => {
             let workers = Workers::start(options.threads)?;
             guard.check(out, is_case_table)?;
-            cases::run(&workers, options.quiet, &vehicle, &settings, cases, out)
+            let (quiet, vehicle) = (options.quiet, &vehicle);
+            cases::run(&workers, quiet, vehicle, &settings, cases, out, units)
         }
         (None, Some(_)) => {
             let complaint = "--out requires --cases or a scene file";
@@ -180,14 +188,24 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             if let Some(history) = &options.history {
                 guard.check(history, is_history)?;
             }
-            land_once(options, &vehicle, &settings)
+            land_once(options, &vehicle, &settings, units)
         }
     }
 }
 
-fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> Result<(), Failure> {
+fn land_once(
+    options: &Options,
+    vehicle: &VehicleFile,
+    settings: &Settings,
+    units: OutputUnits,
+) -> Result<(), Failure> {
     let conditions = options.touchdown.with(&options.set)?;
-    let scene = options.touchdown.scene(&conditions, &options.set)?;
+    let scene = options.touchdown.scene(
+        &conditions,
+        &options.set,
+        vehicle.vehicle.legs().len(),
+        &settings.method(),
+    )?;
     // No observations are needed without a history.
     let interval = match options.history {
         Some(_) => interval(options.interval, settings.time_limit())?,
@@ -195,7 +213,7 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
     };
     let history_place = options.history.as_deref().map(place_of).transpose()?;
 
-    let mut history = History::default();
+    let mut history = History::new(units);
     let mut written = Ok(());
     let mut observe = |instant: &Instant| {
         if history_place.is_some() && written.is_ok() {
@@ -210,29 +228,20 @@ fn land_once(options: &Options, vehicle: &VehicleFile, settings: &Settings) -> R
         let table = history.table().map_err(Failure::running)?;
         folder.write_files(&[(name, table)])?;
     }
-    print(&if options.json {
-        format!(
-            "{:#}\n",
-            report::json(
-                vehicle,
-                &options.set,
-                &conditions,
-                settings,
-                &landing,
-                &integration
-            )
-        )
-    } else {
-        report::text(
-            vehicle,
-            &options.set,
-            &conditions,
-            settings,
-            &landing,
-            &integration,
-        )
+    let report = Report {
+        vehicle,
+        set: &options.set,
+        conditions: &conditions,
+        settings,
+        landing: &landing,
+        integration: &integration,
+        units,
+    };
+    print(&match options.json {
+        true => format!("{:#}\n", report.json()),
+        false => report.text(),
     })?;
-    if let Some(warning) = report::warning(&landing) {
+    if let Some(warning) = report::warning(&landing, units) {
         eprintln!("touchdown: warning: {warning}");
     }
     match &landing.outcome {

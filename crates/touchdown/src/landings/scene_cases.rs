@@ -7,7 +7,8 @@ use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::history::History;
-use touchdown_sweep::scene_file::{self, SceneCase};
+use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::scene_file::{self, SceneCase, SceneFile};
 use touchdown_sweep::{cases, method_input::method_words};
 
 use crate::failure::Failure;
@@ -17,9 +18,17 @@ use crate::print::print;
 use crate::report::{self, degrees};
 use crate::summary;
 
-/// Lands all cases and writes their histories, every `seconds`, and their results to a folder.
-pub fn run(scene: &Path, out: &Path, seconds: f64, overwrite: bool) -> Result<(), Failure> {
-    let cases = scene_file::read(scene)?;
+/// Lands all cases and writes their histories, every `seconds`, and their results to a folder, in the units of the file or
+/// those given.
+pub fn run(
+    scene: &Path,
+    out: &Path,
+    seconds: f64,
+    overwrite: bool,
+    units: Option<OutputUnits>,
+) -> Result<(), Failure> {
+    let SceneFile { units: own, cases } = scene_file::read(scene)?;
+    let units = units.unwrap_or(own);
     for case in &cases {
         interval(seconds, case.settings.time_limit())?;
     }
@@ -39,18 +48,18 @@ pub fn run(scene: &Path, out: &Path, seconds: f64, overwrite: bool) -> Result<()
     let mut files = Vec::new();
     let mut landings = Vec::new();
     for case in &cases {
-        let (landing, history) = land(case, seconds)?;
+        let (landing, history) = land(case, seconds, units)?;
         files.push((format!("{stem}-{}.csv", case.name), history));
         landings.push(landing);
     }
     let findings: Vec<Finding> = landings.iter().map(Finding::of).collect();
     let names = cases.iter().map(|case| case.name.as_str());
-    let results = cases::table(names.zip(&findings)).map_err(Failure::running)?;
+    let results = cases::table(names.zip(&findings), units).map_err(Failure::running)?;
     files.push((format!("{stem}.csv"), results));
     let written = folder.write_files(&files)?;
-    print(&text(&cases, &landings))?;
+    print(&text(&cases, &landings, units))?;
     for (case, landing) in cases.iter().zip(&landings) {
-        if let Some(warning) = report::warning(landing) {
+        if let Some(warning) = report::warning(landing, units) {
             eprintln!("touchdown: warning: case {}: {warning}", case.name);
         }
     }
@@ -58,8 +67,8 @@ pub fn run(scene: &Path, out: &Path, seconds: f64, overwrite: bool) -> Result<()
     Ok(())
 }
 
-fn land(case: &SceneCase, seconds: f64) -> Result<(Landing, Vec<u8>), Failure> {
-    let mut history = History::default();
+fn land(case: &SceneCase, seconds: f64, units: OutputUnits) -> Result<(Landing, Vec<u8>), Failure> {
+    let mut history = History::new(units);
     let mut written = Ok(());
     let (vehicle, scene) = (&case.vehicle.vehicle, &case.scene);
     let mut observe = |instant: &Instant| {
@@ -73,29 +82,28 @@ fn land(case: &SceneCase, seconds: f64) -> Result<(Landing, Vec<u8>), Failure> {
 }
 
 /// The results in columns.
-fn text(cases: &[SceneCase], landings: &[Landing]) -> String {
+fn text(cases: &[SceneCase], landings: &[Landing], units: OutputUnits) -> String {
+    let [length, force] = ["clearance_ft", "force_lb"].map(|name| units.quantity(name));
     let heading = [
         "case",
         "outcome",
         "end, s",
         "least angle, deg",
-        "clearance, ft",
-        "strut force, lb",
+        &format!("clearance, {}", length.unit()),
+        &format!("strut force, {}", force.unit()),
         "computed by",
     ];
     let mut lines = vec![heading.map(str::to_owned)];
     for (case, landing) in cases.iter().zip(landings) {
-        let force = landing
-            .max_strut_force
-            .iter()
-            .fold(0.0f64, |a, b| a.max(*b));
+        let forces = landing.max_strut_force.iter();
+        let greatest = forces.fold(0.0f64, |a, b| a.max(*b));
         lines.push([
             case.name.clone(),
             landing.outcome.to_string(),
             format!("{:.4}", landing.end_time),
             degrees(landing.min_stability_angle, 3),
-            format!("{:.4}", landing.min_clearance),
-            format!("{force:.1}"),
+            format!("{:.4}", length.number(landing.min_clearance)),
+            format!("{:.1}", force.number(greatest)),
             method_words(&case.settings.method(), case.settings.tolerance()),
         ]);
     }

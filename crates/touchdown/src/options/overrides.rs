@@ -12,6 +12,7 @@ use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::solver_options::rule;
+use crate::units::UnitsOption;
 
 /// What replaces the values of the sweep files.
 #[derive(Debug, Args)]
@@ -39,6 +40,8 @@ pub struct OverrideOptions {
     /// point; with a tornado chart
     #[arg(long, value_name = "PARAMETERS", value_delimiter = ',')]
     sensitivity: Vec<String>,
+    #[command(flatten)]
+    units: UnitsOption,
 }
 
 /// Extents of a search by name.
@@ -88,6 +91,7 @@ impl OverrideOptions {
             set: self.set.clone(),
             words: words.into_iter().filter_map(given).collect(),
             sensitivity: self.sensitivity.clone(),
+            units: self.units.given(),
         };
         sweeps
             .into_iter()

@@ -1,9 +1,12 @@
 //! Touchdown conditions on the command line.
 
 use clap::Args;
+use touchdown_dynamics::method::Method;
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::Scene;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::parameter::Parameter;
 use touchdown_sweep::scene_input::{NamedConditions, SceneFault};
 
 /// The conditions of a single touchdown.
@@ -13,9 +16,17 @@ pub struct TouchdownOptions {
     /// Downward velocity V_V of the CG
     #[arg(long, value_name = "FT/S", value_parser = finite, allow_hyphen_values = true)]
     vertical_velocity: Option<f64>,
+    /// The same in m/s
+    #[arg(long, value_name = "M/S", value_parser = finite, allow_hyphen_values = true,
+          conflicts_with = "vertical_velocity")]
+    vertical_velocity_mps: Option<f64>,
     /// Horizontal velocity V_H of the CG
     #[arg(long, value_name = "FT/S", value_parser = finite, allow_hyphen_values = true)]
     horizontal_velocity: Option<f64>,
+    /// The same in m/s
+    #[arg(long, value_name = "M/S", value_parser = finite, allow_hyphen_values = true,
+          conflicts_with = "horizontal_velocity")]
+    horizontal_velocity_mps: Option<f64>,
     /// Direction of the horizontal velocity across the slope: 180 is straight downhill, 0 uphill
     #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
     cross_slope: Option<f64>,
@@ -81,7 +92,20 @@ impl TouchdownOptions {
                 conditions.set(name, value);
             }
         }
+        for (parameter, value) in self.in_si() {
+            conditions.set(parameter.program_name(), parameter.to_program(value));
+        }
         conditions
+    }
+
+    /// What is given in SI units.
+    fn in_si(&self) -> impl Iterator<Item = (Parameter, f64)> {
+        let given = [
+            ("vertical_velocity_mps", self.vertical_velocity_mps),
+            ("horizontal_velocity_mps", self.horizontal_velocity_mps),
+        ];
+        let parameter = |name| Parameter::named(name, MOST_LEGS);
+        (given.into_iter()).filter_map(move |(name, value)| Some((parameter(name)?, value?)))
     }
 
     /// The conditions by name, with those that `--set` gives.
@@ -100,13 +124,15 @@ impl TouchdownOptions {
         Ok(conditions)
     }
 
-    /// The scene of the conditions, with complaints in the words of the command line.
+    /// The scene of the conditions for a vehicle with so many legs and a method, with complaints in the words of the command line.
     pub fn scene(
         &self,
         conditions: &NamedConditions,
         set: &[Assignment],
+        legs: usize,
+        method: &Method,
     ) -> Result<Scene, InputError> {
-        conditions.scene().map_err(
+        conditions.scene_for(legs, method).map_err(
             |SceneFault {
                  name,
                  value,
@@ -118,6 +144,13 @@ impl TouchdownOptions {
                 {
                     return one.refuse_value(&allowed);
                 }
+                let mut in_si = self.in_si();
+                if let Some((parameter, value)) =
+                    in_si.find(|(parameter, _)| parameter.program_name() == name)
+                {
+                    let option = option_of(parameter.name());
+                    return InputError::value(&option, value, &parameter.explain(&allowed, value));
+                }
                 let option = option_of(name);
                 match value {
                     Some(value) => InputError::value(&option, value, &in_options(&allowed)),
@@ -128,7 +161,7 @@ impl TouchdownOptions {
     }
 }
 
-/// The option that gives a condition: its name without the unit.
+/// The option that gives a condition: its name without the unit of the program.
 fn option_of(name: &str) -> String {
     let bare = ["_fps", "_deg", "_x_dps", "_y_dps", "_z_dps"]
         .into_iter()

@@ -49,7 +49,7 @@ pub struct Options {
     /// all others: of the points that agree in them, the one with the lowest first transition
     #[arg(long, alias = "least-over", value_name = "AXES", value_delimiter = ',')]
     worst_by: Vec<String>,
-    /// Levels of the contour map, ft/s (commas between them) [default: round ones from the data]
+    /// Levels of the contour map, in the unit of the table (commas between them) [default: round ones from the data]
     #[arg(long, value_name = "LEVELS", value_delimiter = ',')]
     levels: Vec<f64>,
     /// Columns of a history (commas between them; # stands for every leg), those of one unit in one

@@ -9,9 +9,10 @@ const LISTED_OF_LONGER: usize = 3;
 
 /// A line for each axis: its values, or how they are distributed; then axes that move together.
 pub fn text(sweep: &Sweep) -> String {
-    let input = sweep.resolved();
+    let input = sweep.resolved_in(sweep.units);
     let mut text = String::new();
     for axis in &sweep.axes {
+        let axis = sweep.units.quantity(axis.name());
         let name = axis.name();
         text += &format!("  {name}: {}\n", values(&input["axes"][name]));
     }

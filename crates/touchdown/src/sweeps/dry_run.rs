@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::journal::{self, JournalError, Records};
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::point_set::PointSet;
 use touchdown_sweep::refined_grid::{MapRules, RefinedGrid};
 use touchdown_sweep::results;
@@ -121,14 +122,14 @@ impl Points {
 }
 
 /// What is known beforehand of the refinement of a map whose first level is estimated.
-fn refinement(map: &RefinedGrid) -> String {
+fn refinement(map: &RefinedGrid, units: OutputUnits) -> String {
     let MapRules { error, budget, .. } = map.rules;
+    let speed = units.quantity("error_fps");
+    let below = format!("errors are below {} {}", speed.number(error), speed.unit());
     let until = match (budget, error > 0.0) {
-        (Some(budget), true) => {
-            format!("until errors are below {error} ft/s or {budget} landings are spent")
-        }
+        (Some(budget), true) => format!("until {below} or {budget} landings are spent"),
         (Some(budget), false) => format!("until {budget} landings are spent"),
-        (None, _) => format!("until errors are below {error} ft/s, however many points that takes"),
+        (None, _) => format!("until {below}, however many points that takes"),
     };
     format!("  these points are the first level of a map, which is refined {until}\n")
 }
@@ -154,7 +155,9 @@ impl Looked {
         let points = self.points;
         let mut text = format!("{}\n  {}\n", sweep.title, number(points, "point"));
         text += &axis_words::text(sweep);
-        text += &sweep.map().map(refinement).unwrap_or_default();
+        text += &(sweep.map())
+            .map(|map| refinement(map, sweep.units))
+            .unwrap_or_default();
         text += &match self.checked {
             all if all == points => "  the input of all points was checked\n".to_owned(),
             some => format!("  the input of {} was checked\n", number(some, "point")),

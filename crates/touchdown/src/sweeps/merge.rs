@@ -14,6 +14,7 @@ use touchdown_sweep::tables;
 use crate::failure::Failure;
 use crate::print::print;
 use crate::sweep_results::Format;
+use crate::units::UnitsOption;
 use crate::{journal_files, summary, sweep_results};
 
 const EXAMPLE: &str = "\
@@ -42,6 +43,8 @@ pub struct Options {
     /// Form of the tables
     #[arg(long, value_name = "FORMAT", default_value = "csv")]
     format: Format,
+    #[command(flatten)]
+    units: UnitsOption,
     /// Replace files that are no earlier results of a sweep
     #[arg(long)]
     overwrite: bool,
@@ -92,6 +95,7 @@ fn merge(shards: Shards, folder: &Folder, options: &Options) -> Result<String, F
     let Some(mut sweep) = header.sweep()? else {
         return Ok(String::new());
     };
+    sweep.units = options.units.given().unwrap_or(sweep.units);
     let mut points = header.points;
     let mut results = InOrder::new(journals, points, &folder.path("."))?;
     let missing = match sweep.map() {

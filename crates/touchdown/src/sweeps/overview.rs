@@ -3,17 +3,20 @@
 use std::path::Path;
 use std::time::Duration;
 
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::Sweep;
 
 use crate::summary;
 
+/// A speed of the table.
+const SPEED: &str = "speed_fps";
 const HEADING: [&str; 7] = [
     "sweep",
     "points",
     "first transition to",
-    "lowest V_H, ft/s, at",
+    "lowest V_H, UNIT, at",
     "landings",
     "checks",
     "s",
@@ -26,11 +29,17 @@ pub struct Line {
 }
 
 impl Line {
-    /// The line of a sweep that was run.
-    pub fn of(sweep: &Sweep, counts: &SweepCounts, circumstances: Circumstances) -> Self {
+    /// The line of a sweep that was run, with speeds in the units of the table.
+    pub fn of(
+        sweep: &Sweep,
+        counts: &SweepCounts,
+        circumstances: Circumstances,
+        units: OutputUnits,
+    ) -> Self {
         let lowest = match counts.lowest {
             Some((point, transition)) => {
-                format!("{:.3} ({})", transition.speed(), sweep.place(point))
+                let number = units.quantity(SPEED).number(transition.speed());
+                format!("{number:.3} ({})", sweep.place(point))
             }
             None => "-".to_owned(),
         };
@@ -54,8 +63,9 @@ impl Line {
 }
 
 /// The table of all sweeps.
-pub fn table(lines: &[Line], wall_time: Duration, out: &Path) -> String {
-    let heading = HEADING.map(str::to_owned);
+pub fn table(lines: &[Line], wall_time: Duration, out: &Path, units: OutputUnits) -> String {
+    let unit = units.quantity(SPEED).unit();
+    let heading = HEADING.map(|name| name.replace("UNIT", unit));
     let rows: Vec<&[String; HEADING.len()]> = std::iter::once(&heading)
         .chain(lines.iter().map(|line| &line.cells))
         .collect();

@@ -10,6 +10,7 @@ use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::shard::Shard;
@@ -117,6 +118,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     };
     let mut lines = Vec::with_capacity(sweeps.len());
     let mut told = String::new();
+    // One table tells of sweeps in either unit.
+    let units = sweeps.first().map_or(OutputUnits::Us, |sweep| sweep.units);
     for sweep in &sweeps {
         // Results of one sweep are kept whatever becomes of the next.
         let done = night.sweep(sweep, shard).inspect_err(|_| {
@@ -135,6 +138,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
                     sweep,
                     &results.counts,
                     results.circumstances,
+                    units,
                 ));
             }
             Done::Shard(text) => told += &text,
@@ -146,7 +150,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     match lines.as_slice() {
         [] | [_] => print(&told),
-        lines => print(&overview::table(lines, wall_time, &options.out)),
+        lines => print(&overview::table(lines, wall_time, &options.out, units)),
     }
 }
 

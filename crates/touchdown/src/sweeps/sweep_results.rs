@@ -10,6 +10,7 @@ use touchdown_sweep::design::Design;
 use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::InOrder;
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::results::{self, Circumstances};
 use touchdown_sweep::sweep::partial;
 use touchdown_sweep::sweep_counts::SweepCounts;
@@ -73,7 +74,10 @@ const PICTURES: [&str; 7] = [
 
 /// Whether a file that begins with this line is a table of a sweep: the one of its points is one of landings too.
 fn is_table(line: &str, column: &str) -> bool {
-    let has = |name: &str| line.split(',').any(|known| known == name);
+    let has = |name: &str| {
+        let in_si = OutputUnits::Si.quantity(name);
+        (line.split(',')).any(|known| known == name || known == in_si.name())
+    };
     has(column) || column == TABLES[0].1 && has("outcome") && has("end_time_s")
 }
 
@@ -260,6 +264,7 @@ fn pictures(
         let [.., slow, fast] = sweep.axes.as_slice() else {
             return String::new();
         };
+        let [slow, fast] = [slow, fast].map(|axis| sweep.units.quantity(axis.name()));
         format!(
             "pictures show V_H at worst over all axes but two: `touchdown plot {} --worst-by {},{}` \
              and the like draw others",

@@ -7,6 +7,7 @@ use touchdown_sweep::boundary::{Extent, Transition};
 use touchdown_sweep::certainty::{Certainty, LEAST_LANDINGS};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::hidden_band_checks::HiddenBandChecks;
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::skipped::Skipped;
@@ -61,10 +62,10 @@ pub fn sweep(
         Some(probabilities) => text += &outcomes(probabilities.overall, sweep.design.count()),
     }
     if let Some((point, transition)) = &counts.lowest {
-        text += &lowest(transition, &sweep.place(*point));
+        text += &lowest(transition, &sweep.place(*point), sweep.units);
     }
     if let Some(transitions) = &counts.transitions {
-        text += &quantiles(transitions);
+        text += &quantiles(transitions, sweep.units);
     }
     text += &warnings(sweep, counts);
     let Circumstances {
@@ -93,25 +94,31 @@ pub fn sweep(
 }
 
 /// The lowest first transition, and how well it is known.
-fn lowest(transition: &Transition, place: &str) -> String {
-    let (speed, kind) = (transition.speed(), transition.to);
+fn lowest(transition: &Transition, place: &str, units: OutputUnits) -> String {
+    let quantity = units.quantity("speed_fps");
+    let (told, unit) = (|speed| quantity.number(speed), quantity.unit());
+    let (speed, kind) = (told(transition.speed()), transition.to);
     match (transition.low, transition.certainty) {
         (None, _) => format!(
-            "  lowest V_H at or below {speed:.4} ft/s ({kind}), the lowest speed searched, at {place}\n"
+            "  lowest V_H at or below {speed:.4} {unit} ({kind}), the lowest speed searched, at {place}\n"
         ),
-        (Some(_), Certainty::Disputed([from, to])) => format!(
-            "  lowest V_H {speed:.4} ft/s ({kind}, disputed between {from:.4} and {to:.4}) at {place}\n"
-        ),
-        (Some(_), _) => format!("  lowest V_H {speed:.4} ft/s ({kind}) at {place}\n"),
+        (Some(_), Certainty::Disputed(ends)) => {
+            let [from, to] = ends.map(told);
+            format!(
+                "  lowest V_H {speed:.4} {unit} ({kind}, disputed between {from:.4} and {to:.4}) at {place}\n"
+            )
+        }
+        (Some(_), _) => format!("  lowest V_H {speed:.4} {unit} ({kind}) at {place}\n"),
     }
 }
 
 /// Some quantiles of the transition velocities of a sample, with their intervals.
-fn quantiles(transitions: &TransitionStatistics) -> String {
+fn quantiles(transitions: &TransitionStatistics, units: OutputUnits) -> String {
+    let quantity = units.quantity("speed_fps");
     let in_words = |rank: Rank| match rank {
-        Rank::AtOrBelow(speed) => format!("{speed} or less"),
-        Rank::Speed(speed) => format!("{speed:.4}"),
-        Rank::Above(speed) => format!("more than {speed}"),
+        Rank::AtOrBelow(speed) => format!("{} or less", quantity.number(speed)),
+        Rank::Speed(speed) => format!("{:.4}", quantity.number(speed)),
+        Rank::Above(speed) => format!("more than {}", quantity.number(speed)),
     };
     let quantiles = transitions.quantiles(&[0.05, 0.5, 0.95]);
     let parts = quantiles.into_iter().map(|quantile| {
@@ -125,7 +132,11 @@ fn quantiles(transitions: &TransitionStatistics) -> String {
         format!("{percent} % {speed} (95 % interval {interval})")
     });
     let parts: Vec<String> = parts.collect();
-    format!("  V_H quantiles, ft/s: {}\n", parts.join(", "))
+    format!(
+        "  V_H quantiles, {}: {}\n",
+        quantity.unit(),
+        parts.join(", ")
+    )
 }
 
 /// Warnings about results that are less than they seem: landings without a result, transitions that are only bounds, or

@@ -13,6 +13,7 @@ mod legs;
 mod maps;
 mod nothing_silent;
 mod output_columns;
+mod output_in_si;
 mod plots;
 mod runs;
 mod samples;

@@ -4,13 +4,19 @@ use crate::common::{BASELINE, Bench};
 
 #[test]
 fn new_files_are_valid_as_written_and_never_replace_another() {
+    for units in ["US", "SI"] {
+        check_new_files(units);
+    }
+}
+
+fn check_new_files(units: &str) {
     let bench = Bench::new();
     for (kind, file) in [
         ("vehicle", "lander.toml"),
         ("sweep", "trade.toml"),
         ("scene", "touchdown.toml"),
     ] {
-        let done = bench.run(&["new", kind, file]);
+        let done = bench.run(&["new", kind, file, "--units", units]);
         assert_eq!(done.code, Some(0), "{}", done.err);
         assert!(bench.read(file).starts_with("# "), "{file} says what it is");
         let written = bench.read(file);
@@ -28,6 +34,23 @@ fn new_files_are_valid_as_written_and_never_replace_another() {
         cases.contains(&"touchdown-softer.csv".to_owned()),
         "{cases:?}"
     );
+    // Nothing is left in the other units.
+    let [other, own] = match units {
+        "US" => [["_mps", "_n"], ["_fps", "_lb"]],
+        _ => [["_fps", "_lb"], ["_mps", "_n"]],
+    };
+    for file in ["trade.toml", "touchdown.toml"] {
+        let text = bench.read(file);
+        assert!(own.iter().all(|ending| text.contains(ending)), "{text}");
+        assert!(
+            !other
+                .iter()
+                .any(|ending| text.contains(&format!("{ending} "))),
+            "{text}"
+        );
+    }
+    let history = bench.read("landings/touchdown-softer.csv");
+    assert_eq!(history.starts_with("t_s,x_m,"), units == "SI");
 }
 
 #[test]

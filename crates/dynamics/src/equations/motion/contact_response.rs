@@ -7,6 +7,7 @@ use super::leg::LegMotion;
 use crate::friction::FrictionPiece;
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
+    SeenAlongLeg,
 };
 use crate::response::{Coordinates, ForceDerivative, greatest_decay};
 use crate::scalar::Real;
@@ -26,7 +27,7 @@ pub(super) struct Posture<'a, S> {
 pub(super) struct Contact<'a, S> {
     pub(super) geometry: &'a LegGeometry<S>,
     pub(super) body: &'a BodyFrame<S>,
-    pub(super) frame: &'a LegFrame<S>,
+    pub(super) ground: &'a SeenAlongLeg<S>,
     pub(super) point: &'a PlanePoint<S>,
     pub(super) velocity: PointVelocity<S>,
     /// Its velocity relative to the CG, ft/s.
@@ -58,7 +59,7 @@ impl<'a, S: Real> Contact<'a, S> {
         Self {
             geometry: &motion.geometry,
             body,
-            frame,
+            ground: &frame.pad,
             point: &pose.pivot,
             velocity: frame.pivot_velocity(pose, length * leg.link_rate),
             carried: frame.carried_round(&pose.pivot) + swing * leg.link_rate,
@@ -85,9 +86,9 @@ impl<'a, S: Real> Contact<'a, S> {
         Self {
             geometry: &motion.geometry,
             body,
-            frame,
+            ground: &frame.block,
             point,
-            velocity: frame.velocity_at(point),
+            velocity: frame.block_velocity(pose),
             carried: frame.carried_round(point),
             swing: none,
             bend: none,
@@ -107,7 +108,7 @@ impl<'a, S: Real> Contact<'a, S> {
     #[inline(always)]
     pub(super) fn line(&self) -> Vector3<S> {
         let per_speed = self.friction.per_speed(self.velocity.sliding_squared);
-        self.frame.normal + self.velocity.sliding * (self.coefficient * per_speed)
+        self.ground.normal + self.velocity.sliding * (self.coefficient * per_speed)
     }
 
     /// A quantity that changes with rotation of the body and with the link.
@@ -158,7 +159,7 @@ impl<'a, S: Real> Contact<'a, S> {
     /// Interference (19) of the pad section at this crushed centroid, per displacement.
     #[inline(always)]
     pub(super) fn deeper(&self, pose: &LegPose<S>, centroid: &PlaneDirection<S>) -> Coordinates<S> {
-        let n = &self.frame.normal;
+        let n = &self.ground.normal;
         let up = pose.pad_upright;
         // The pad tilts with its link, and against its own angle.
         let tilt = centroid.turned().dot(n) * up;
@@ -223,7 +224,7 @@ impl<'a, S: Real> Contact<'a, S> {
     /// Along and across the sliding velocity.
     #[inline(always)]
     fn slidings(&self) -> [Sliding<S>; 2] {
-        let (along, across) = self.frame.tangents(&self.velocity);
+        let (along, across) = self.ground.tangents(&self.velocity);
         let across_rate = self.friction.per_speed(self.velocity.sliding_squared);
         [
             Sliding {

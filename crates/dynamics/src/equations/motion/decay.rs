@@ -43,7 +43,7 @@ impl<S: Real> LegMotion<S> {
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return run_down.max(S::zero()) * per_link;
         }
-        let frame = self.geometry.frame(body);
+        let frame = self.frame(body);
         let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_turn);
         let posture = Posture {
             body,

@@ -13,7 +13,7 @@ pub struct Footing {
     pub feet: PerLeg<Vector3<f64>>,
     /// Depth of the CG below the surface, ft (negative above).
     pub depth: f64,
-    /// Depth of the lower hardpoints (6) below the surface, ft (negative above).
+    /// Depth of the lower hardpoints (6) below the ground of the blocks beside them, ft (negative above).
     pub hardpoint_depths: PerLeg<f64>,
 }
 
@@ -54,8 +54,8 @@ impl Motion<f64> {
         for (j, leg) in self.legs.iter().enumerate() {
             let pivot = leg.geometry.pivot(state.leg(j).link_angle);
             footing.feet[j] = frame.seen_from_center_of_gravity(&pivot);
-            footing.hardpoint_depths[j] =
-                frame.depth + frame.normal.dot(&leg.geometry.lower_hardpoint());
+            let [_, block] = self.ground(j, &frame);
+            footing.hardpoint_depths[j] = block.depth_of(&leg.geometry.lower_hardpoint());
         }
         footing
     }

@@ -73,7 +73,7 @@ impl<S: Real> LegMotion<S> {
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return;
         }
-        let frame = geometry.frame(body);
+        let frame = self.frame(body);
         let pose = geometry.pose(&frame, leg.link_angle, pad_angle);
         let posture = Posture {
             body,
@@ -143,7 +143,6 @@ impl<S: Real> LegMotion<S> {
     #[inline(always)]
     fn block_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {
-            body,
             frame,
             pose,
             pieces,
@@ -156,9 +155,9 @@ impl<S: Real> LegMotion<S> {
         response.push(&across);
         let per_depth = self.block_force_per_pressure(frame) * pieces.block.slope();
         let along_line = contact.along(&contact.line());
-        let mut deeper = contact.along(&frame.normal);
+        let mut deeper = contact.along(&frame.block.normal);
         // An interference grows by so much per depth.
-        deeper.body *= body.upright;
+        deeper.body *= frame.block.upright;
         response.push(&ForceDerivative {
             force: contact.force(&along_line, -per_depth, S::zero()),
             velocity: Coordinates::zero(),

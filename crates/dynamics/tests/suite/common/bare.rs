@@ -53,7 +53,7 @@ impl Bare {
             let mut derivative = State::zero(3);
             let mut signals = Signals::blank(3);
             self.motion
-                .evaluate::<true>(&state, &self.pieces, &mut derivative, &mut signals);
+                .evaluate::<true>(0.0, &state, &self.pieces, &mut derivative, &mut signals);
             let mut changed = false;
             for (j, mode) in modes.iter_mut().enumerate() {
                 let ranges = mode.ranges(&self.laws[j]);
@@ -97,7 +97,8 @@ impl Bare {
 
     /// Writes the time derivative of a state.
     pub fn derivative(&self, state: &State<f64>, slope: &mut State<f64>) {
-        self.motion.derivative::<true>(state, &self.pieces, slope);
+        self.motion
+            .derivative::<true>(0.0, state, &self.pieces, slope);
     }
 
     /// The equations of motion in lanes, this vehicle in each, and the coefficients in force.
@@ -143,7 +144,8 @@ impl Bare {
     pub fn step(&self, state: &State<f64>, length: f64) -> Step<f64, State<f64>> {
         let mut step = self.standing_at(state);
         let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
-        step.take_explicit(length, derivative, derivative);
+        let stage = |_, state: &_, slope: &mut _| derivative(state, slope);
+        step.take_explicit(length, stage, derivative);
         step
     }
 
@@ -169,7 +171,16 @@ impl Bare {
         let mut factors = Factors::none(state.leg_count());
         let system = response.over(GAMMA * length, &mut factors);
         let mut stages = [State::zero(3); 6];
-        step.take_implicit(length, &system, &mut stages, derivative, middle, derivative);
+        let stage = |_, state: &_, slope: &mut _| derivative(state, slope);
+        step.take_implicit(
+            length,
+            &system,
+            &mut stages,
+            None,
+            stage,
+            middle,
+            derivative,
+        );
         (step, midway)
     }
 

@@ -1,0 +1,200 @@
+//! The units in which results come out.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::input_error::InputError;
+use crate::section::Section;
+use crate::spelling::{Conversion, dotted_conversion, spelling_for_results};
+use crate::unit::unit;
+
+/// Key of an input file that tells them.
+pub(crate) const UNITS: &str = "units";
+
+/// What a column per unit of another quantity ends with.
+const PER_UNIT: &str = "_per_unit";
+
+/// Units of tables, records, reports and pictures. Landings are computed and journals written in those of 1966 always.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum OutputUnits {
+    /// Foot, slug, pound, second and degree.
+    #[default]
+    #[serde(rename = "US")]
+    Us,
+    /// Metre, kilogram, newton, joule and second; angles stay in degrees.
+    #[serde(rename = "SI")]
+    Si,
+}
+
+impl fmt::Display for OutputUnits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Us => "US",
+            Self::Si => "SI",
+        })
+    }
+}
+
+impl OutputUnits {
+    /// Those that an input file asks for.
+    pub(crate) fn read(root: &Section) -> Result<Self, InputError> {
+        let Some(found) = root.optional(UNITS) else {
+            return Ok(Self::default());
+        };
+        match found.text()? {
+            "US" => Ok(Self::Us),
+            "SI" => Ok(Self::Si),
+            _ => Err(found.complain("\"US\" or \"SI\"")),
+        }
+    }
+
+    /// How a quantity comes out, by its name with the unit that it has in the program. What is named in an SI unit already
+    /// keeps it.
+    pub fn quantity(self, name: &str) -> Quantity {
+        let as_it_is = || Quantity {
+            name: name.to_owned(),
+            conversion: Conversion::NONE,
+        };
+        if self == Self::Us {
+            return as_it_is();
+        }
+        let (bare, end) = match name.strip_suffix(PER_UNIT) {
+            Some(bare) => (bare, PER_UNIT),
+            None => (name, ""),
+        };
+        let spelling = spelling_for_results(bare);
+        match dotted_conversion(&spelling, bare) {
+            Some(conversion) => Quantity {
+                name: spelling + end,
+                conversion,
+            },
+            None => as_it_is(),
+        }
+    }
+}
+
+/// A quantity as it comes out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    name: String,
+    conversion: Conversion,
+}
+
+impl Quantity {
+    /// Its name, which ends with its unit.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its unit in words; 1 for pure numbers.
+    pub fn unit(&self) -> &'static str {
+        unit(&self.name)
+    }
+
+    /// Whether its unit is another than that of the program.
+    pub(crate) fn converts(&self) -> bool {
+        self.conversion.converts()
+    }
+
+    /// A number of the program in this unit.
+    pub fn number(&self, number: f64) -> f64 {
+        self.conversion.in_own_unit(number)
+    }
+
+    /// A derivative by the quantity, per unit of the program, per this unit.
+    pub(crate) fn derivative(&self, per_unit: f64) -> f64 {
+        self.conversion.to_program(per_unit)
+    }
+
+    /// What a cell of a table holds, in this unit; words and empty cells are what they are.
+    pub(crate) fn cell(&self, cell: &str) -> String {
+        match cell.parse::<f64>() {
+            Ok(number) if self.converts() => self.number(number).to_string(),
+            _ => cell.to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_numbers_come_out_in_si() {
+        for (name, expected, number, in_si) in [
+            (
+                "first_transition_fps",
+                "first_transition_mps",
+                11.4,
+                3.47472,
+            ),
+            ("min_clearance_ft", "min_clearance_m", 0.5, 0.1524),
+            (
+                "max_strut_force_2_lb",
+                "max_strut_force_2_n",
+                100.0,
+                444.82216152605,
+            ),
+            // Energies and moments of inertia: within rounding of a decimal of fifteen digits, which they become.
+            (
+                "energy_closure_ftlb",
+                "energy_closure_j",
+                10.0,
+                13.558179483314,
+            ),
+            ("dvh_dp_fps_per_unit", "dvh_dp_mps_per_unit", 1.0, 0.3048),
+            (
+                "within_vertical_velocity_fps",
+                "within_vertical_velocity_mps",
+                10.0,
+                3.048,
+            ),
+            (
+                "vehicle.strut.stroke_in",
+                "vehicle.strut.stroke_m",
+                1.0,
+                0.0254,
+            ),
+            (
+                "vehicle.inertia_slug_ft2.xy",
+                "vehicle.inertia_kg_m2.xy",
+                10.0,
+                13.558179483314,
+            ),
+            // Angles, times, numbers, and what is named in SI already.
+            ("roll_deg", "roll_deg", 30.0, 30.0),
+            ("omega_x_dps", "omega_x_dps", 3.0, 3.0),
+            ("end_time_s", "end_time_s", 2.5, 2.5),
+            ("friction", "friction", 0.8, 0.8),
+            ("slope_rad", "slope_rad", 0.1, 0.1),
+            (
+                "vehicle.block.height_mm",
+                "vehicle.block.height_mm",
+                7.0,
+                7.0,
+            ),
+            (
+                "angular_velocity_x_rad_per_s",
+                "angular_velocity_x_rad_per_s",
+                1.0,
+                1.0,
+            ),
+        ] {
+            let quantity = OutputUnits::Si.quantity(name);
+            assert_eq!(
+                (quantity.name(), quantity.number(number)),
+                (expected, in_si)
+            );
+            let us = OutputUnits::Us.quantity(name);
+            assert_eq!((us.name(), us.number(number)), (name, number));
+        }
+        let speed = OutputUnits::Si.quantity("speed_fps");
+        assert_eq!(
+            ["", "none", "10"].map(|cell| speed.cell(cell)),
+            ["", "none", "3.048"]
+        );
+        assert_eq!(speed.derivative(0.3048), 1.0);
+        assert_eq!(speed.unit(), "m/s");
+    }
+}
