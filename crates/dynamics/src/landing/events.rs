@@ -33,7 +33,6 @@ impl Trajectory<'_> {
         {
             return None;
         }
-        let with_torques = self.ranges.has(Signal::LinkTorque);
         let within = Look {
             motion: &self.motion,
             pieces: &self.pieces,
@@ -41,7 +40,6 @@ impl Trajectory<'_> {
                 step: &self.step,
                 free: self.free.as_ref(),
             },
-            with_torques,
         };
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Signals<f64>| {

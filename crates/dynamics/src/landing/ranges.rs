@@ -50,11 +50,6 @@ impl SignalRanges {
         self.legs[leg].get(signal as usize)
     }
 
-    /// Whether a signal of any leg has a range to stay in.
-    pub(super) fn has(&self, signal: Signal) -> bool {
-        (0..self.legs.len()).any(|leg| !self.get(leg, signal).is_free())
-    }
-
     /// The first signal of each leg that has left its range, and on which side.
     pub(super) fn exits(&self, signals: &Signals<f64>) -> PerLeg<Option<(Signal, Exit)>> {
         let holds = self.registers.dispatch(Hold(self, signals));

@@ -41,7 +41,6 @@ pub(super) struct Look<'a> {
     pub(super) motion: &'a Motion<f64>,
     pub(super) pieces: &'a Pieces<f64>,
     pub(super) between: Between<'a>,
-    pub(super) with_torques: bool,
 }
 
 impl Look<'_> {
@@ -68,7 +67,8 @@ impl NullaryFnOnce for LookAt<'_> {
     fn call(self) {
         let Self(look, theta, state, signals) = self;
         look.between.motion_at(theta, state);
-        (look.motion).look(state, look.pieces, look.with_torques, signals);
+        // With torques, wanted or not: one copy of the equations does for all.
+        (look.motion).look(state, look.pieces, true, signals);
     }
 }
 
@@ -138,7 +138,6 @@ impl Trajectory<'_> {
                 step: &self.step,
                 free: self.free.as_ref(),
             },
-            with_torques: false,
         };
         look.at(self.registers, theta, &mut self.within, &mut signals);
         signals
