@@ -5,6 +5,7 @@
 //! strut resists stroking. Their forces are known by their derivatives; the rest (attitude factors, levers of
 //! the body, gyroscopic torques) changes slowly, and the stages of a step see it as it is.
 
+mod factors;
 mod stage;
 
 use nalgebra::{Matrix3, Vector4, Vector6};
@@ -12,7 +13,8 @@ use nalgebra::{Matrix3, Vector4, Vector6};
 use crate::per_leg::PerLeg;
 use crate::scalar::Real;
 
-pub use stage::{Factors, System};
+pub use factors::Factors;
+pub use stage::System;
 
 /// A small change of displacements or velocities of the body and one leg, or forces on them.
 #[derive(Debug, Clone, Copy)]
