@@ -337,12 +337,7 @@ fn landings_come_out_in_si() {
         &BASELINE[6..],
     ];
     assert_eq!(run(&bench, &given.concat()).out, land(&[]));
-    let given = [
-        &given[0][..],
-        &["--vertical-velocity-mps=-1"],
-        &BASELINE[4..],
-    ]
-    .concat();
+    let given = [given[0], &["--vertical-velocity-mps=-1"], &BASELINE[4..]].concat();
     let said =
         ["--vertical-velocity-mps = -1: expected 0 ≤ value ≤ 10000 (in ft/s: this is -3.28084)"];
     bench.run(&given).refused(&said);
