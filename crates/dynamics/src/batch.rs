@@ -8,7 +8,7 @@ mod lane_steps;
 use std::sync::Arc;
 
 use crate::land::land;
-use crate::landing::{NextStart, Simulation, StepKind};
+use crate::landing::{NextStart, Simulation, StepKind, Workspace};
 use crate::methods::Method;
 use crate::motion::Motion;
 use crate::outcome::Outcome;
@@ -228,6 +228,8 @@ struct Batch<R, const N: usize> {
     under_way: usize,
     explicit: LaneGroup<N>,
     implicit: LaneGroup<N>,
+    /// For steps of one landing alone.
+    workspace: Workspace<f64>,
     /// Those that have ended, whose places others take.
     ended: Vec<Box<Member>>,
     occupancy: Occupancy,
@@ -243,6 +245,7 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             under_way: 0,
             explicit: LaneGroup::new(&motion),
             implicit: LaneGroup::new(&motion),
+            workspace: Workspace::new(&motion),
             ended: Vec::with_capacity(UNDER_WAY * N),
             occupancy: Occupancy::default(),
         }
@@ -271,7 +274,7 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             simulation: Simulation::new(vehicle, scene, settings, None),
             changes_seen: PerLeg::same(self.legs, 0),
         };
-        let member = match self.ended.pop() {
+        let mut member = match self.ended.pop() {
             Some(mut place) => {
                 *place = member;
                 place
@@ -279,17 +282,18 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             None => Box::new(member),
         };
         self.under_way += 1;
-        self.advance(member, Simulation::begin, done);
+        let goes_on = member.simulation.begin();
+        self.go_on(member, goes_on, done);
     }
 
-    /// Lets a landing that is in no lane do something, and then wait for one.
-    fn advance(
+    /// Lets a landing wait for a lane, if it goes on.
+    fn go_on(
         &mut self,
-        mut member: Box<Member>,
-        act: impl FnOnce(&mut Simulation<'static>) -> Result<(), Outcome>,
+        member: Box<Member>,
+        goes_on: Result<(), Outcome>,
         done: &mut dyn FnMut(usize, Landing),
     ) {
-        match act(&mut member.simulation) {
+        match goes_on {
             Ok(()) => self.group(member.simulation.kind()).waiting.push(member),
             Err(outcome) => self.end(member, outcome, done),
         }
@@ -324,10 +328,11 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
     fn step_alone(&mut self, done: &mut dyn FnMut(usize, Landing)) {
         for lane in 0..N {
             for kind in [StepKind::Explicit, StepKind::Implicit] {
-                if let Some(member) = self.group(kind).lanes[lane].take() {
+                if let Some(mut member) = self.group(kind).lanes[lane].take() {
                     self.occupancy.steps += 1;
                     self.occupancy.lanes += 1;
-                    self.advance(member, Simulation::step, done);
+                    let goes_on = member.simulation.step(&mut self.workspace);
+                    self.go_on(member, goes_on, done);
                 }
             }
         }

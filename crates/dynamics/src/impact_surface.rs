@@ -15,12 +15,14 @@ use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::attitude::{Attitude, Euler};
 use crate::contact;
+use crate::ground::Ground;
 use crate::invalid::{Invalid, require};
 use crate::landing::{Landing, land_until_all_pads_touch};
 use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
 use crate::scene::{Conditions, CrushRule, Scene, Settings};
+use crate::thrust::Thrust;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
@@ -256,6 +258,9 @@ impl<'a> Search<'a> {
             slope: atan(tangent.norm()),
             pad_friction: approach.friction,
             block_friction: approach.friction,
+            ground: Ground::default(),
+            gravity: None,
+            thrust: Thrust::default(),
         })
     }
 

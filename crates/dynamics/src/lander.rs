@@ -2,7 +2,9 @@
 
 pub mod error_control;
 mod footprint;
+pub mod ground;
 pub mod method;
 pub mod scene;
 pub mod settings;
+pub mod thrust;
 pub mod vehicle;

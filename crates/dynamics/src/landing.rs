@@ -17,6 +17,7 @@ mod steadiness;
 mod step_attempt;
 mod stiffness;
 mod strut_peaks;
+mod thrust;
 pub mod touchdown;
 mod trajectory;
 mod verdict;
@@ -30,7 +31,7 @@ use history::History;
 
 pub(crate) use rates::final_rates;
 pub(crate) use simulation::{NextStart, Simulation};
-pub(crate) use step_attempt::{Respond, StepKind, TakeStep};
+pub(crate) use step_attempt::{StepKind, TakeStep, Workspace};
 
 pub use record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
 
@@ -47,7 +48,7 @@ pub fn land_located(
         .is_finite()
         .then(|| History::new(interval, observe));
     let mut simulation = Simulation::new(vehicle, scene, settings, history);
-    let outcome = simulation.run();
+    let outcome = simulation.run(&mut Workspace::new(&simulation.trajectory.motion));
     simulation.report_end();
     simulation.result(outcome)
 }
@@ -56,6 +57,7 @@ pub fn land_located(
 /// not ended before.
 pub fn land_until_all_pads_touch(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Landing {
     let mut simulation = Simulation::new(vehicle, scene, settings, None);
+    let mut workspace = Workspace::new(&simulation.trajectory.motion);
     let mut goes_on = simulation.begin();
     while goes_on.is_ok()
         && simulation
@@ -64,7 +66,7 @@ pub fn land_until_all_pads_touch(vehicle: &Vehicle, scene: &Scene, settings: &Se
             .iter()
             .any(Option::is_none)
     {
-        goes_on = simulation.step();
+        goes_on = simulation.step(&mut workspace);
     }
     simulation.result(goes_on.err().unwrap_or(Outcome::TimeExpired))
 }

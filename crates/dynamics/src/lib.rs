@@ -18,7 +18,7 @@
 //! | [`land`], [`methods`], [`impact_surface`] | one landing by any method; the methods of 1966; the surface from impact times | |
 //! | [`landing`] | one landing: steps, events, verdicts, its account | [`touchdown`], [`energy`], [`critical_feet`], [`stability`], [`record`] |
 //! | `equations` | where everything is and how it moves | [`state`], [`kinematics`], [`motion`], [`response`] |
-//! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`settings`], [`method`], [`error_control`] |
+//! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], [`settings`], [`method`], [`error_control`] |
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], [`signal`], [`outcome`] |
 //! | `design` | plain data of a lander | [`parts`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
@@ -42,7 +42,7 @@ pub mod model_version;
 
 pub use design::{attitude, crush_load, invalid, parts, profile, rules};
 pub use equations::{kinematics, motion, response, state};
-pub use lander::{error_control, method, scene, settings, vehicle};
+pub use lander::{error_control, ground, method, scene, settings, thrust, vehicle};
 pub use landing::{critical_feet, energy, record, stability, touchdown};
 pub use laws::{contact, crush, friction, hinge, leg_pieces, outcome, signal, strut};
 pub use numbers::{lanes, per_leg, products, registers, scalar};

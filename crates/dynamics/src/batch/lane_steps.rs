@@ -3,27 +3,24 @@
 use pulp::NullaryFnOnce;
 
 use crate::integrator::step::Step;
-use crate::landing::{Respond, Simulation, StepKind, TakeStep};
+use crate::landing::{Simulation, StepKind, TakeStep, Workspace};
 use crate::lanes::Lanes;
 use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::{Registers, Transpose};
-use crate::response::Response;
 use crate::state::State;
 
 /// Steps of one kind, a lane for each landing.
 pub(super) struct LaneSteps<const N: usize> {
     motion: Motion<Lanes<N>>,
     pieces: Pieces<Lanes<N>>,
-    response: Response<Lanes<N>>,
+    workspace: Workspace<Lanes<N>>,
     step: Step<Lanes<N>, State<Lanes<N>>>,
-    /// Overwritten by the stages of implicit steps.
-    stages: [State<Lanes<N>>; 6],
+    /// When steps start, s after first contact, and their lengths, s.
+    time: Lanes<N>,
     length: Lanes<N>,
     /// Signals midway through implicit steps, and at the ends.
     middle: Signals<Lanes<N>>,
     signals: Signals<Lanes<N>>,
-    /// Rates (1/s) that no decay exceeds at the starts of implicit steps.
-    rate: Lanes<N>,
     /// Estimated errors ([`Step::error`]).
     errors: [Lanes<N>; 2],
     /// Where the numbers of lanes go that hold no landing.
@@ -43,15 +40,14 @@ impl<const N: usize> LaneSteps<N> {
         let wide: Motion<Lanes<N>> = motion.in_all_lanes();
         let zero = State::zero(legs);
         Self {
-            response: wide.response(),
+            workspace: Workspace::new(&wide),
             motion: wide,
             pieces: Pieces::absent(legs),
             step: Step::from(zero, zero),
-            stages: [zero; 6],
+            time: Lanes([0.0; N]),
             length: Lanes([0.0; N]),
             middle: Signals::blank(legs),
             signals: Signals::blank(legs),
-            rate: Lanes([0.0; N]),
             errors: [Lanes([0.0; N]); 2],
             idle: Box::new(std::array::from_fn(|_| Idle {
                 step: Step::from(State::zero(legs), State::zero(legs)),
@@ -84,14 +80,15 @@ impl<const N: usize> LaneSteps<N> {
         self.step.slopes[0].set_lane(lane, &step.slopes[0]);
     }
 
-    /// Puts the length of a step into a lane.
+    /// Puts time and length of a step into a lane.
     pub(super) fn load_length(&mut self, lane: usize, simulation: &Simulation<'_>) {
+        self.time.0[lane] = simulation.time();
         self.length.0[lane] = simulation.length();
     }
 
     /// Rate (1/s) that no decay in a lane exceeds at the start of the implicit step there.
     pub(super) fn rate(&self, lane: usize) -> f64 {
-        self.rate.0[lane]
+        self.workspace.greatest_decay.0[lane]
     }
 
     /// Estimated error of the step in a lane ([`Step::error`]).
@@ -101,23 +98,15 @@ impl<const N: usize> LaneSteps<N> {
 
     /// Takes a step in all lanes.
     pub(super) fn take<R: Registers>(&mut self, registers: R, kind: StepKind) {
-        if kind == StepKind::Implicit {
-            self.rate = registers.dispatch(Respond(
-                &self.motion,
-                &self.step.before,
-                &self.pieces,
-                &mut self.response,
-            ));
-        }
         self.errors = registers.dispatch(TakeStep {
             registers,
             kind,
             motion: &self.motion,
             pieces: &self.pieces,
-            response: &self.response,
             step: &mut self.step,
+            time: self.time,
             length: self.length,
-            stages: &mut self.stages,
+            workspace: &mut self.workspace,
             middle: &mut self.middle,
             signals: &mut self.signals,
         });

@@ -5,6 +5,8 @@
 //! signals whose ranges limit how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
 //! a lane for each ([`crate::lanes`]); leg follows leg.
 
+mod contact_response;
+mod decay;
 mod footing;
 mod free_flight;
 mod leg;
@@ -14,7 +16,7 @@ mod signals;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::kinematics::{BodyFrame, LegGeometry, Surface};
+use crate::kinematics::{BodyFrame, LegGeometry, SeenGround, Surface};
 use crate::lanes::{Lanes, PerLane, per_lane};
 use crate::per_leg::PerLeg;
 use crate::products::times;
@@ -61,6 +63,8 @@ pub struct Motion<S> {
     surface: Surface<S>,
     /// Where the legs are placed from, relative to the CG: x and y of vehicle axes, ft ([`crate::kinematics`]).
     center: [S; 2],
+    /// Where the line of action of the thrust passes the centreline: x and y of vehicle axes, ft.
+    thrust_offset: [S; 2],
     gravity: S,
     mass: S,
     inverse_mass: S,
@@ -77,15 +81,19 @@ impl Motion<f64> {
         let inverse_inertia = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
         let depth = vehicle.center_of_gravity_height();
         let legs = vehicle.legs();
+        let center = vehicle.center_of_gravity_offset().map(|offset| -offset);
         Self {
             surface: Surface::new(scene),
-            center: vehicle.center_of_gravity_offset().map(|offset| -offset),
-            gravity: vehicle.gravity(),
+            center,
+            thrust_offset: scene.conditions().thrust.offset(),
+            gravity: scene.gravity(vehicle),
             mass: vehicle.mass(),
             inverse_mass: 1.0 / vehicle.mass(),
             inertia,
             inverse_inertia,
-            legs: PerLeg::from_fn(legs.len(), |j| LegMotion::new(&legs[j], depth, scene)),
+            legs: PerLeg::from_fn(legs.len(), |j| {
+                LegMotion::new(j, &legs[j], depth, center, scene)
+            }),
         }
     }
 
@@ -94,6 +102,7 @@ impl Motion<f64> {
         Motion {
             surface: self.surface.splat(),
             center: self.center.splat(),
+            thrust_offset: self.thrust_offset.splat(),
             gravity: self.gravity.splat(),
             mass: self.mass.splat(),
             inverse_mass: self.inverse_mass.splat(),
@@ -116,6 +125,21 @@ impl Motion<f64> {
     /// Inertia matrix J (59), slug·ft².
     pub fn inertia(&self) -> &Matrix3<f64> {
         &self.inertia
+    }
+
+    /// The ground under footpad and block of leg `index` as a body sees it.
+    pub fn ground(&self, index: usize, body: &BodyFrame<f64>) -> [SeenGround<f64>; 2] {
+        let ground = &self.legs[index].ground;
+        match ground.is_even() {
+            true => [body.surface; 2],
+            false => ground.seen(body),
+        }
+    }
+
+    /// How far a point so deep (ft) below the ground of the footpad of leg `index` has to rise along the vertical to leave
+    /// it, ft.
+    pub fn rise(&self, index: usize, depth: f64) -> f64 {
+        self.legs[index].ground.rise(depth)
     }
 
     /// Moment of inertia of the lower link of leg `index` about its hardpoint, slug·ft².
@@ -170,6 +194,7 @@ impl<const N: usize> Motion<Lanes<N>> {
     pub fn set_lane(&mut self, lane: usize, one: &Motion<f64>) {
         one.surface.set_lane(&mut self.surface, lane);
         one.center.set_lane(&mut self.center, lane);
+        one.thrust_offset.set_lane(&mut self.thrust_offset, lane);
         one.gravity.set_lane(&mut self.gravity, lane);
         one.mass.set_lane(&mut self.mass, lane);
         one.inverse_mass.set_lane(&mut self.inverse_mass, lane);
@@ -205,12 +230,20 @@ impl<S: Real> Motion<S> {
         &self.legs[index].geometry
     }
 
-    /// Writes the time derivative of the state. `STOPS` says whether pads press on stops
-    /// ([`Pieces::press_stops`]): known beforehand, it takes no branch among the equations, which would cost more than
-    /// what is so seldom asked for.
+    /// Whether any of what is seldom there acts: a pad that presses on a stop, ground of its own under a leg, thrust.
     #[inline(always)]
-    pub fn derivative<const STOPS: bool>(
+    pub fn is_full(&self, pieces: &Pieces<S>) -> bool {
+        pieces.press_stops()
+            || !self.legs.iter().all(|leg| leg.ground.is_even())
+            || !pieces.thrust().is_none()
+    }
+
+    /// Writes the time derivative of the state, `time` s after first contact. Without `FULL` what is seldom there is left out ([`Self::is_full`]): known
+    /// beforehand, it takes no branch among the equations, which would cost more than itself.
+    #[inline(always)]
+    pub fn derivative<const FULL: bool>(
         &self,
+        time: S,
         state: &State<S>,
         pieces: &Pieces<S>,
         derivative: &mut State<S>,
@@ -219,17 +252,21 @@ impl<S: Real> Motion<S> {
         let frame = self.frame(&body);
         let mut push = Push::none();
         for leg in 0..self.legs.len() {
-            let action = self.action::<true, false, STOPS>(leg, &frame, state, pieces);
+            let action = self.action::<true, false, FULL>(leg, &frame, state, pieces);
             derivative.set_leg(leg, &action.derivative);
             push.add(&action);
+        }
+        if FULL {
+            push.add_thrust(pieces.thrust().at(time), &self.thrust_offset);
         }
         self.move_body(&body, &frame, &push, derivative);
     }
 
-    /// Writes the time derivative of the state and the signals of all legs; `STOPS` as for [`Self::derivative`].
+    /// Writes the time derivative of the state and the signals of all legs; `FULL` as for [`Self::derivative`].
     #[inline(always)]
-    pub fn evaluate<const STOPS: bool>(
+    pub fn evaluate<const FULL: bool>(
         &self,
+        time: S,
         state: &State<S>,
         pieces: &Pieces<S>,
         derivative: &mut State<S>,
@@ -239,10 +276,13 @@ impl<S: Real> Motion<S> {
         let frame = self.frame(&body);
         let mut push = Push::none();
         for leg in 0..self.legs.len() {
-            let action = self.action::<true, true, STOPS>(leg, &frame, state, pieces);
+            let action = self.action::<true, true, FULL>(leg, &frame, state, pieces);
             derivative.set_leg(leg, &action.derivative);
             signals.set_leg(leg, &action.signals);
             push.add(&action);
+        }
+        if FULL {
+            push.add_thrust(pieces.thrust().at(time), &self.thrust_offset);
         }
         self.move_body(&body, &frame, &push, derivative);
     }
@@ -269,9 +309,35 @@ impl<S: Real> Motion<S> {
         });
     }
 
+    /// Speed at which the body moves along the line of action of the thrust, ft/s.
+    pub fn speed_along_thrust(&self, state: &State<S>) -> S {
+        let frame = self.frame(&state.body());
+        let [x, y] = self.thrust_offset;
+        let (v, w) = (&frame.velocity, &frame.rate);
+        -(v.z + (w.x * y - w.y * x))
+    }
+
+    /// Adds to the derivative at a state what so much more thrust (lb) changes in it.
+    #[inline(always)]
+    pub fn add_thrust(&self, more: S, state: &State<S>, derivative: &mut State<S>) {
+        let frame = self.frame(&state.body());
+        let mut push = Push::none();
+        push.add_thrust(more, &self.thrust_offset);
+        let acceleration = times(&frame.rotation, &push.force) * self.inverse_mass;
+        let torque = push.torque + frame.moment_of_center(&push.force);
+        let turning = times(&self.inverse_inertia, &torque);
+        let mut body = derivative.body();
+        for i in 0..3 {
+            let (v, w) = (body.velocity[i], body.rate[i]);
+            body.velocity[i] = more.where_zero(v, v + acceleration[i]);
+            body.rate[i] = more.where_zero(w, w + turning[i]);
+        }
+        derivative.set_body(&body);
+    }
+
     /// What a leg does ([`LegMotion::action`]), pads that press on a stop included.
     #[inline(always)]
-    fn action<const FORCES: bool, const SIGNALS: bool, const STOPS: bool>(
+    fn action<const FORCES: bool, const SIGNALS: bool, const FULL: bool>(
         &self,
         leg: usize,
         frame: &BodyFrame<S>,
@@ -280,20 +346,15 @@ impl<S: Real> Motion<S> {
     ) -> LegAction<S> {
         let (motion, pieces) = (&self.legs[leg], pieces.leg(leg));
         let leg = state.leg(leg);
-        if STOPS && pieces.pressed.stops {
-            let mut action = motion.action::<FORCES, SIGNALS>(
-                frame,
-                &at_angle(pieces, leg),
-                &pieces.leg,
-                pieces.pressed,
-            );
+        let posed = if FULL { at_angle(pieces, leg) } else { leg };
+        let mut action =
+            motion.action::<FORCES, SIGNALS, FULL>(frame, &posed, &pieces.leg, pieces.pressed);
+        if FULL && pieces.pressed.stops {
             let turning = &mut action.derivative.pad_turn;
             *turning = pieces.leg.hinge.turning(*turning, leg.pad_rate);
             action.signals[Signal::PadTurn as usize] = leg.pad_turn;
-            action
-        } else {
-            motion.action::<FORCES, SIGNALS>(frame, &leg, &pieces.leg, pieces.pressed)
         }
+        action
     }
 }
 
@@ -318,7 +379,7 @@ fn pad_angle<S: Real>(pieces: &LegPieces<S>, turn: S) -> S {
     pieces.hinge.angle(turn)
 }
 
-/// How all legs push the body, in vehicle axes.
+/// What pushes the body, in vehicle axes.
 struct Push<S> {
     /// Force, lb.
     force: Vector3<S>,
@@ -341,5 +402,14 @@ impl<S: Real> Push<S> {
             self.force[i] += leg.force[i];
             self.torque[i] += leg.torque[i];
         }
+    }
+
+    /// Adds thrust (lb) upward along the centreline, or so far (ft) beside it. Without thrust every bit stays.
+    #[inline(always)]
+    fn add_thrust(&mut self, thrust: S, [x, y]: &[S; 2]) {
+        let pushed = |own: S, more: S| thrust.where_zero(own, own + more);
+        self.force.z = pushed(self.force.z, -thrust);
+        self.torque.x = pushed(self.torque.x, -(*y * thrust));
+        self.torque.y = pushed(self.torque.y, *x * thrust);
     }
 }

@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector4, Vector6};
 use crate::per_leg::PerLeg;
 use crate::scalar::Real;
 
-pub use stage::System;
+pub use stage::{Factors, System};
 
 /// A small change of displacements or velocities of the body and one leg, or forces on them.
 #[derive(Debug, Clone, Copy)]
@@ -155,39 +155,54 @@ pub struct Response<S> {
 }
 
 impl<S: Real> Response<S> {
-    /// Rate (1/s) that no decay of a velocity exceeds: the trace of the damping matrix over the inertia.
+    /// Rate (1/s) that no decay of a velocity exceeds ([`crate::motion::Motion::greatest_decay`]).
     #[inline(always)]
-    pub fn greatest_rate(&self) -> S {
-        let (mass, inertia) = (self.mass, &self.inertia);
-        let body = [
-            mass,
-            mass,
-            mass,
-            inertia[(0, 0)],
-            inertia[(1, 1)],
-            inertia[(2, 2)],
-        ];
-        let mut per_inertia = [S::one(); 6];
-        for i in 0..6 {
-            per_inertia[i] /= body[i];
-        }
+    pub fn greatest_decay(&self) -> S {
+        let per_body = inverse_inertias(self.mass, &self.inertia);
         let mut greatest = S::zero();
         for leg in &self.legs {
             let per_link = S::one() / leg.inertia[0];
-            let mut rates = leg.link_damping.max(S::zero()) * per_link;
-            for derivative in leg.derivatives() {
-                let (force, velocity) = (&derivative.force, &derivative.velocity);
-                let mut rate = force.link * velocity.link * per_link;
-                for (i, &per_inertia) in per_inertia.iter().enumerate() {
-                    S::keep_rounds_apart();
-                    rate += force.body[i] * velocity.body[i] * per_inertia;
-                }
-                rates += (-rate).max(S::zero());
+            let mut decay = leg.link_damping.max(S::zero()) * per_link;
+            for ForceDerivative {
+                force, velocity, ..
+            } in leg.derivatives()
+            {
+                decay += greatest_decay(force, velocity, &per_body, per_link);
             }
-            greatest += rates;
+            greatest += decay;
         }
         greatest
     }
+}
+
+/// Inverses of mass and moments of inertia of a body, for its six coordinates.
+#[inline(always)]
+pub fn inverse_inertias<S: Real>(mass: S, inertia: &Matrix3<S>) -> [S; 6] {
+    let mut inverses = [mass; 6];
+    for i in 0..3 {
+        inverses[3 + i] = inertia[(i, i)];
+    }
+    for inverse in &mut inverses {
+        *inverse = S::one() / *inverse;
+    }
+    inverses
+}
+
+/// Rate (1/s) that no decay of a velocity exceeds which a force brings about that grows with that `velocity`, with these
+/// inverses of the inertias of body and link.
+#[inline(always)]
+pub fn greatest_decay<S: Real>(
+    force: &Coordinates<S>,
+    velocity: &Coordinates<S>,
+    per_body: &[S; 6],
+    per_link: S,
+) -> S {
+    let mut growth = force.link * velocity.link * per_link;
+    for (i, &per_body) in per_body.iter().enumerate() {
+        S::keep_rounds_apart();
+        growth += force.body[i] * velocity.body[i] * per_body;
+    }
+    (-growth).max(S::zero())
 }
 
 /// Scalar product.

@@ -5,7 +5,7 @@ mod lanes;
 use nalgebra::{Matrix3, Vector3, Vector4};
 
 use crate::integrator::step::StateVector;
-use crate::per_leg::PerLeg;
+use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::scalar::Real;
 
 /// State of a vehicle, or its time derivative.
@@ -198,12 +198,14 @@ impl<S: Real> State<S> {
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
     ) -> PerLeg<S> {
-        PerLeg::from_fn(self.legs.len(), |j| {
-            let terms = weights.iter().zip(slopes);
-            terms.fold(self.legs[j][number], |sum, (&weight, slope)| {
-                sum + weight * slope.legs[j][number]
-            })
-        })
+        let mut numbers = PerLeg::same(self.legs.len(), S::zero());
+        for (j, sum) in numbers.iter_mut().enumerate() {
+            *sum = self.legs[j][number];
+            for k in 0..TERMS {
+                *sum += weights[k] * slopes[k].legs[j][number];
+            }
+        }
+        numbers
     }
 
     /// self + Σ weight · slope, number by number.
@@ -245,16 +247,15 @@ impl<S: Real> State<S> {
             }
             result.body[i] = sum;
         }
-        for j in 0..self.legs.len() {
-            let (own, slopes) = (&self.legs[j], slopes.map(|slope| &slope.legs[j]));
-            let result = &mut result.legs[j];
+        // Within the room that there is, no index has to be checked.
+        for j in 0..self.legs.len().min(MOST_LEGS) {
             for i in 0..LAST {
                 S::keep_rounds_apart();
-                let mut sum = own[i];
+                let mut sum = self.legs.room()[j][i];
                 for k in 0..TERMS {
-                    sum += weights[k] * slopes[k][i];
+                    sum += weights[k] * slopes[k].legs.room()[j][i];
                 }
-                result[i] = sum;
+                result.legs.room_mut()[j][i] = sum;
             }
         }
     }
@@ -429,10 +430,16 @@ fn scaled<S: Real>(error: S, before: S, after: S) -> S {
 
 impl State<f64> {
     /// Whether every number is finite.
+    #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        // Nothing times what is not finite is not a number.
-        let all = self.body.iter().chain(self.legs.iter().flatten());
-        all.fold(0.0, |sum, number| sum + 0.0 * number) == 0.0
+        let mut are_finite = true;
+        for number in &self.body {
+            are_finite &= number.is_finite();
+        }
+        for number in self.legs.as_flattened() {
+            are_finite &= number.is_finite();
+        }
+        are_finite
     }
 }
 

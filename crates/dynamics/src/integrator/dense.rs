@@ -8,22 +8,18 @@ use super::step::{StateVector, Step};
 use crate::scalar::Real;
 
 impl<S: Real, Y: StateVector<S>> Step<S, Y> {
-    /// The state at fraction θ of the step.
+    /// Writes the state at fraction θ of the step.
     #[inline(always)]
-    pub fn at(&self, theta: S) -> Y {
-        let mut state = self.before;
+    pub fn at(&self, theta: S, state: &mut Y) {
         let (weights, slopes) = self.change(theta);
-        self.before.advance(weights, slopes, &mut state);
-        state
+        self.before.advance(weights, slopes, state);
     }
 
-    /// What moves of the state at fraction θ of the step; what only accumulates is that before it.
+    /// Writes what moves of the state at fraction θ of the step.
     #[inline(always)]
-    pub fn motion_at(&self, theta: S) -> Y {
-        let mut state = self.before;
+    pub fn motion_at(&self, theta: S, state: &mut Y) {
         let (weights, slopes) = self.change(theta);
-        self.before.advance_motion(weights, slopes, &mut state);
-        state
+        self.before.advance_motion(weights, slopes, state);
     }
 
     /// The change from the start to fraction θ of the step: weights and slopes to be summed.

@@ -57,13 +57,13 @@ const D: [f64; 6] = [
 
 impl<S: Real, Y: StateVector<S>> Step<S, Y> {
     /// Takes an explicit step of length `h` from `before`, where the derivative is the first slope.
-    /// `derivative` writes the derivative at a state into its second argument; `last` does so at
+    /// `derivative` writes the derivative at a fraction of the step and a state into its last argument; `last` does so at
     /// the end of the step.
     #[inline(always)]
     pub fn take_explicit(
         &mut self,
         h: S,
-        derivative: impl Fn(&Y, &mut Y),
+        derivative: impl Fn(f64, &Y, &mut Y),
         last: impl FnOnce(&Y, &mut Y),
     ) {
         self.length = h;
@@ -72,15 +72,15 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
         let [k1, k3, k4, k5, k6, k7] = &mut self.slopes;
         // Stage 2 is needed for the next four only; it sits where the last one will be.
         y.advance_motion(times(h, A2), [&*k1], stage);
-        derivative(stage, k7);
+        derivative(0.2, stage, k7);
         y.advance_motion(times(h, A3), [&*k1, &*k7], stage);
-        derivative(stage, k3);
+        derivative(0.3, stage, k3);
         y.advance_motion(times(h, A4), [&*k1, &*k7, &*k3], stage);
-        derivative(stage, k4);
+        derivative(0.8, stage, k4);
         y.advance_motion(times(h, A5), [&*k1, &*k7, &*k3, &*k4], stage);
-        derivative(stage, k5);
+        derivative(8.0 / 9.0, stage, k5);
         y.advance_motion(times(h, A6), [&*k1, &*k7, &*k3, &*k4, &*k5], stage);
-        derivative(stage, k6);
+        derivative(1.0, stage, k6);
         y.advance(times(h, B), [&*k1, &*k3, &*k4, &*k5, &*k6], &mut self.after);
         last(&self.after, k7);
     }

@@ -48,6 +48,16 @@ const LAST: [f64; 5] = [
     -0.959280113459775,
     0.0,
 ];
+/// Fractions of a step at which the derivative of a stage is taken where it depends on time: of a right-hand side that is
+/// linear in time, α h and the γ h of the stage's own term of time together.
+pub const TIMES: [f64; 6] = [
+    0.25,
+    0.25,
+    0.13191521565003017,
+    0.6053578410704956,
+    1.0,
+    1.0,
+];
 /// Weights of stages before, over h, on the right-hand side of a stage.
 const SLOPE: [[f64; 5]; 5] = [
     [-12.0, 0.0, 0.0, 0.0, 0.0],
@@ -77,8 +87,8 @@ const SLOPE: [[f64; 5]; 5] = [
 
 impl<S: Real, Y: StateVector<S>> Step<S, Y> {
     /// Takes a step of length `h` from `before`, where the derivative is the first slope; `equations` are those of
-    /// τ = [`GAMMA`] h, and `stages` are overwritten. `derivative` writes the derivative at a state into its second
-    /// argument; `middle` and `last` do so midway on the continuous output and at the end, where what only accumulates
+    /// τ = [`GAMMA`] h, and `stages` are overwritten. `derivative` writes the derivative at a fraction of the step and a state
+    /// into its last argument; `start` is that at the start at the first of [`TIMES`], if it depends on time. `middle` and `last` do so midway on the continuous output and at the end, where what only accumulates
     /// is still that of the start.
     #[inline(always)]
     pub fn take_implicit(
@@ -86,13 +96,14 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
         h: S,
         equations: &impl StageEquations<S, Y>,
         stages: &mut [Y; 6],
-        derivative: impl Fn(&Y, &mut Y),
+        start: Option<&Y>,
+        derivative: impl Fn(f64, &Y, &mut Y),
         middle: impl FnOnce(&Y, &mut Y),
         last: impl FnOnce(&Y, &mut Y),
     ) {
         self.length = h;
         self.weights = weights();
-        equations.solve(&self.slopes[0], &mut stages[0]);
+        equations.solve(start.unwrap_or(&self.slopes[0]), &mut stages[0]);
         self.take_stage::<1>(equations, stages, &derivative);
         self.take_stage::<2>(equations, stages, &derivative);
         self.take_stage::<3>(equations, stages, &derivative);
@@ -130,13 +141,13 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
         &mut self,
         equations: &impl StageEquations<S, Y>,
         stages: &mut [Y; 6],
-        derivative: &impl Fn(&Y, &mut Y),
+        derivative: &impl Fn(f64, &Y, &mut Y),
     ) {
         let before: [&Y; BEFORE] = std::array::from_fn(|j| &stages[j]);
         let weights: [S; BEFORE] = std::array::from_fn(|j| S::constant(STATE[BEFORE - 1][j]));
         self.before.advance_motion(weights, before, &mut self.stage);
         let [_, given, _, _, slope, _] = &mut self.slopes;
-        derivative(&self.stage, slope);
+        derivative(TIMES[BEFORE], &self.stage, slope);
         let weights: [S; BEFORE] =
             std::array::from_fn(|j| S::constant(SLOPE[BEFORE - 1][j]) / self.length);
         slope.advance_motion(weights, before, given);

@@ -41,6 +41,7 @@ impl StepControl {
 
     /// Takes note of a tried step with error `norm` in units of the tolerance, which falls as the step to the
     /// power `order`; true when the step is good enough.
+    #[inline(always)]
     pub fn accept(&mut self, length: f64, norm: f64, order: f64) -> bool {
         let proportional = 1.0 / order - 0.75 * INTEGRAL;
         if norm <= 1.0 {

@@ -1,10 +1,13 @@
 //! The touchdown: speed, direction, attitude, slope and friction, and how to compute it.
 
+use super::ground::Ground;
 pub use super::settings::Settings;
+use super::thrust::Thrust;
+use super::vehicle::Vehicle;
 use crate::attitude::Attitude;
 pub use crate::rules::CrushRule;
 
-use crate::invalid::{Invalid, bounded, require};
+use crate::invalid::{Invalid, bounded, positive, require};
 
 /// Touchdown conditions as an input gives them; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +28,12 @@ pub struct Conditions {
     pub pad_friction: f64,
     /// Nominal friction coefficient μ0 under the body blocks.
     pub block_friction: f64,
+    /// The ground under each leg, where it is not the surface.
+    pub ground: Ground,
+    /// Acceleration of gravity, ft/s², where it is not that of the vehicle's file.
+    pub gravity: Option<f64>,
+    /// Thrust of the engine after first contact.
+    pub thrust: Thrust,
 }
 
 /// Checked touchdown conditions.
@@ -66,12 +75,21 @@ impl Scene {
         };
         friction("friction", conditions.pad_friction)?;
         friction("block_friction", conditions.block_friction)?;
+        conditions.ground.check_on(conditions.slope)?;
+        if let Some(gravity) = conditions.gravity {
+            positive("gravity_fps2", gravity)?;
+        }
         Ok(Self(conditions))
     }
 
     /// The conditions.
     pub fn conditions(&self) -> &Conditions {
         &self.0
+    }
+
+    /// Acceleration of gravity that acts on a vehicle, ft/s².
+    pub fn gravity(&self, vehicle: &Vehicle) -> f64 {
+        self.0.gravity.unwrap_or(vehicle.gravity())
     }
 
     /// The same touchdown at another horizontal speed.

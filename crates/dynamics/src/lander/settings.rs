@@ -13,6 +13,7 @@ pub struct Settings {
     method: Method,
     friction_profile: FrictionProfile,
     ends_early: bool,
+    goes_on: bool,
 }
 
 impl Settings {
@@ -41,6 +42,7 @@ impl Settings {
             method: Method::default(),
             friction_profile: FrictionProfile::default(),
             ends_early: false,
+            goes_on: false,
         }
         .with_tolerance(tolerance)
     }
@@ -76,6 +78,19 @@ impl Settings {
             ends_early: true,
             ..self
         }
+    }
+
+    /// The same settings, but a landing goes on beyond its verdict, to the time limit or until its model ends.
+    pub fn beyond_verdict(self) -> Self {
+        Self {
+            goes_on: true,
+            ..self
+        }
+    }
+
+    /// Whether a landing goes on beyond its verdict.
+    pub fn goes_on(&self) -> bool {
+        self.goes_on
     }
 
     /// Whether steady landings end early.

@@ -57,12 +57,14 @@ impl Trajectory<'_> {
         Landing {
             outcome,
             end_time: self.time,
+            beyond: None,
             min_stability_angle: self.least_angle.0,
             min_stability_time: self.least_angle.1,
             min_clearance: self.least_clearance,
             energies: Energies {
                 initial_kinetic: kinetic(&self.motion, &self.start),
                 potential_change: released(&self.motion, &self.start, &self.step.before),
+                thrust: self.thrust_work,
                 legs: PerLeg::from_fn(self.leg_count(), |j| {
                     LegWork::from_state(self.step.before.leg(j).work)
                 }),
@@ -70,7 +72,13 @@ impl Trajectory<'_> {
             },
             max_strut_force: self.peaks.force,
             max_stroke: self.peaks.stroke,
-            final_rates: final_rates(&self.scene, &self.motion, &self.step.before, &self.pieces),
+            final_rates: final_rates(
+                &self.scene,
+                &self.motion,
+                self.time,
+                &self.step.before,
+                &self.pieces,
+            ),
             pad_contact: self.pad_contact,
             block_contact: self.block_contact,
             steps: self.steps,

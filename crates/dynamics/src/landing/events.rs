@@ -7,7 +7,6 @@ use crate::integrator::cubic::{Prediction, StepEnds};
 use crate::integrator::event::{Guard, Sample, first_exit};
 use crate::motion::{Signal, Signals};
 use crate::outcome::{Failure, Outcome};
-use crate::registers::Registers;
 
 /// Changes of laws at one instant before they are called chattering.
 const MOST_CHANGES: usize = 64;
@@ -15,6 +14,7 @@ const MOST_CHANGES: usize = 64;
 impl Trajectory<'_> {
     /// The first fraction of the step at which a law changes its active piece, and which of the `buffers` has the
     /// signals there.
+    #[inline(always)]
     pub(super) fn find_event(&mut self) -> Option<(f64, usize)> {
         let [before, start, end] = [
             self.signals.previous(),
@@ -34,21 +34,19 @@ impl Trajectory<'_> {
             return None;
         }
         let with_torques = self.ranges.has(Signal::LinkTorque);
-        let between = Between {
-            step: &self.step,
-            free: self.free.as_ref(),
+        let within = Look {
+            motion: &self.motion,
+            pieces: &self.pieces,
+            between: Between {
+                step: &self.step,
+                free: self.free.as_ref(),
+            },
+            with_torques,
         };
         let mut looks = 0;
         let mut look = |theta: f64, signals: &mut Signals<f64>| {
             looks += 1;
-            registers.dispatch(Look {
-                motion: &self.motion,
-                pieces: &self.pieces,
-                between,
-                theta,
-                with_torques,
-                signals,
-            });
+            within.at(registers, theta, signals);
         };
         let resolution = self.event_resolution / length;
         let is_explicit = !self.is_middle_seen;
@@ -106,6 +104,7 @@ impl Trajectory<'_> {
     }
 
     /// Recentres the coefficients of laws that bend gently; the laws themselves stay.
+    #[inline(always)]
     pub(super) fn follow(&mut self) {
         for j in 0..self.leg_count() {
             let stroke = self.signals.start().of(j, Signal::Stroke);

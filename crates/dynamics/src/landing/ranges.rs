@@ -57,8 +57,9 @@ impl SignalRanges {
 
     /// The first signal of each leg that has left its range, and on which side.
     pub(super) fn exits(&self, signals: &Signals<f64>) -> PerLeg<Option<(Signal, Exit)>> {
+        let holds = self.registers.dispatch(Hold(self, signals));
         PerLeg::from_fn(self.legs.len(), |leg| {
-            if self.legs[leg].hold(signals.ranged(leg)) {
+            if holds[leg] {
                 return None;
             }
             Signal::ALL[..Signal::RANGED].iter().find_map(|&signal| {
@@ -106,6 +107,23 @@ impl SignalRanges {
                 }
             }
         }
+    }
+}
+
+/// Whether all signals of each leg are in their ranges.
+struct Hold<'a>(&'a SignalRanges, &'a Signals<f64>);
+
+impl NullaryFnOnce for Hold<'_> {
+    type Output = PerLeg<bool>;
+
+    #[inline(always)]
+    fn call(self) -> PerLeg<bool> {
+        let Self(all, signals) = self;
+        let mut holds = PerLeg::same(all.legs.len(), true);
+        for (leg, ranges) in all.legs.iter().enumerate() {
+            holds[leg] = ranges.hold(signals.ranged(leg));
+        }
+        holds
     }
 }
 

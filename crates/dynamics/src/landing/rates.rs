@@ -10,16 +10,17 @@ use crate::state::State;
 /// Time between the states of which differences are taken, s: long enough for second differences.
 const SPAN: f64 = 1e-5;
 
-/// Rates of σ and of the strokes at a state, by central differences along the motion that the
+/// Rates of σ and of the strokes at a time (s) and a state, by central differences along the motion that the
 /// present accelerations would give.
 pub fn final_rates(
     scene: &Scene,
     motion: &Motion<f64>,
+    time: f64,
     state: &State<f64>,
     pieces: &Pieces<f64>,
 ) -> FinalRates {
     let mut derivative = State::zero(state.leg_count());
-    motion.derivative::<true>(state, pieces, &mut derivative);
+    motion.derivative::<true>(time, state, pieces, &mut derivative);
     let [earlier, later] = [-SPAN, SPAN].map(|time| {
         let mut moved = state.advanced_motion([time], [&derivative]);
         for j in 0..state.leg_count() {

@@ -67,6 +67,8 @@ pub struct Energies {
     pub initial_kinetic: f64,
     /// Potential energy released since, M g times the descent of the CG.
     pub potential_change: f64,
+    /// Work done by the thrust.
+    pub thrust: f64,
     /// Work done on the elements.
     pub legs: PerLeg<LegWork>,
     /// Kinetic energy at the end: body and lower links.
@@ -93,7 +95,9 @@ impl Energies {
 
     /// What the account does not explain, ft·lb; zero but for integration error.
     pub fn closure(&self) -> f64 {
-        self.initial_kinetic + self.potential_change - self.dissipated() - self.final_kinetic
+        self.initial_kinetic + self.potential_change + self.thrust
+            - self.dissipated()
+            - self.final_kinetic
     }
 }
 
@@ -108,13 +112,24 @@ pub struct FinalRates {
     pub stroke_accelerations: PerLeg<f64>,
 }
 
+/// How a landing went on beyond its verdict.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beyond {
+    /// When the verdict fell, s after first contact.
+    pub verdict_time: f64,
+    /// What ended it: the time limit, or what the model has no law beyond.
+    pub end: Outcome,
+}
+
 /// What one landing came to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Landing {
     /// How it ended.
     pub outcome: Outcome,
-    /// When, s after first contact.
+    /// When, s after first contact: beyond the verdict, if it went on.
     pub end_time: f64,
+    /// How it went on beyond the verdict that is its outcome.
+    pub beyond: Option<Beyond>,
     /// Least stability angle σ, rad; zero for a pitch topple, and where all feet stand on one side
     /// of the plane of motion from the first instant, so that none is defined.
     pub min_stability_angle: f64,

@@ -2,9 +2,11 @@
 
 use std::convert::Infallible;
 
+use pulp::NullaryFnOnce;
+
 use super::history::History;
 use super::steadiness::Steadiness;
-use super::step_attempt::{StepKind, TakeStep};
+use super::step_attempt::{StepKind, TakeStep, Workspace};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::StabilityTrack;
 use crate::contact::LegMode;
@@ -13,10 +15,10 @@ use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
 use crate::motion::{FreeFlight, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
-use crate::record::Landing;
+use crate::record::{Beyond, Landing};
 use crate::registers::Registers;
 use crate::scene::{Scene, Settings};
-use crate::stability::StabilityMonitor;
+use crate::stability::{StabilityMonitor, calm_height};
 use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
@@ -52,6 +54,8 @@ pub(crate) struct Simulation<'o> {
     attempts: u64,
     /// Number of events and time (s) from which a burst is counted.
     burst: (u64, f64),
+    /// The verdict beyond which the landing goes on, and when it fell, s.
+    noted: Option<(Outcome, f64)>,
     /// Length that error control and the laws allow to the step, s.
     whole: f64,
     /// Its length, s.
@@ -69,16 +73,15 @@ impl<'o> Simulation<'o> {
         settings: &Settings,
         history: Option<History<'o>>,
     ) -> Self {
-        let trajectory = Trajectory::new(vehicle, scene, settings, history);
-        let monitor = StabilityMonitor::new(scene, trajectory.calm_height);
-        let seen = monitor.observe(&trajectory.motion, &trajectory.start);
+        let monitor = StabilityMonitor::new(scene, calm_height(vehicle, scene));
         Self {
-            trajectory,
-            stability: StabilityTrack::new(monitor, seen),
+            trajectory: Trajectory::new(vehicle, scene, settings, history),
+            stability: StabilityTrack::new(monitor, vehicle.legs().len()),
             steadiness: Steadiness::new(vehicle, scene),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (0, 0.0),
+            noted: None,
             whole: 0.0,
             length: 0.0,
             kind: StepKind::Explicit,
@@ -87,11 +90,11 @@ impl<'o> Simulation<'o> {
     }
 
     /// Follows the landing to its outcome.
-    pub(super) fn run(&mut self) -> Outcome {
+    pub(super) fn run(&mut self, workspace: &mut Workspace<f64>) -> Outcome {
         let mut landing = || {
             self.begin()?;
             loop {
-                self.step()?;
+                self.step(workspace)?;
             }
         };
         let Err(outcome): Result<Infallible, _> = landing();
@@ -104,16 +107,37 @@ impl<'o> Simulation<'o> {
     /// The outcome, if there already is one.
     pub(crate) fn begin(&mut self) -> Result<(), Outcome> {
         let trajectory = &mut self.trajectory;
-        self.stability.begin(trajectory)?;
+        if let Err(verdict) = self.stability.begin(trajectory) {
+            if !trajectory.settings.goes_on() {
+                return Err(verdict.into());
+            }
+            self.noted = Some((verdict.into(), 0.0));
+        }
+        self.follow_thrust();
+        let trajectory = &mut self.trajectory;
         trajectory.settle()?;
         self.burst = (trajectory.events, trajectory.time);
         self.plan_step()?;
         Ok(())
     }
 
+    /// Puts the line in place on which the thrust is from now on; whether it is another.
+    fn follow_thrust(&mut self) -> bool {
+        let is_other = self.trajectory.follow_thrust();
+        if is_other {
+            self.stability.follow_thrust(&self.trajectory);
+        }
+        is_other
+    }
+
     /// Kind of the next step.
     pub(crate) fn kind(&self) -> StepKind {
         self.kind
+    }
+
+    /// When the next step starts, s after first contact.
+    pub(crate) fn time(&self) -> f64 {
+        self.trajectory.time
     }
 
     /// Length of the next step, s.
@@ -125,7 +149,7 @@ impl<'o> Simulation<'o> {
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
-    pub(crate) fn step(&mut self) -> Result<(), Outcome> {
+    pub(crate) fn step(&mut self, workspace: &mut Workspace<f64>) -> Result<(), Outcome> {
         if !self.is_kind_known {
             self.find_kind();
         }
@@ -136,10 +160,10 @@ impl<'o> Simulation<'o> {
             kind: self.kind,
             motion: &trajectory.motion,
             pieces: &trajectory.pieces,
-            response: trajectory.stiffness.response(),
             step: &mut trajectory.step,
-            stages: &mut trajectory.stages,
+            time: trajectory.time,
             length: self.length,
+            workspace,
             middle: &mut trajectory.middle,
             signals: trajectory.signals.end_mut(),
         });
@@ -170,8 +194,14 @@ impl<'o> Simulation<'o> {
     }
 
     /// Goes on to the end of the step, to what comes before, or back to its start; gets ready for the next.
+    fn end_step(&mut self, errors: [f64; 2]) -> Result<NextStart, Outcome> {
+        let registers = self.trajectory.registers;
+        registers.dispatch(EndStep(self, errors))
+    }
+
+    /// The same, for whatever registers it is compiled for.
     #[inline(always)]
-    fn end_step(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
+    fn end_step_in_registers(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
         let trajectory = &mut self.trajectory;
         trajectory.evaluations += self.kind.evaluations();
         trajectory.is_middle_seen = self.kind == StepKind::Implicit;
@@ -190,25 +220,31 @@ impl<'o> Simulation<'o> {
         } else {
             NextStart::StepStart
         };
-        let flew = self.plan_step()?;
-        Ok(if flew { NextStart::Elsewhere } else { next })
+        let goes_elsewhere = self.plan_step()?;
+        Ok(if goes_elsewhere {
+            NextStart::Elsewhere
+        } else {
+            next
+        })
     }
 
-    /// Flies while all legs hang, then chooses the next step; whether it flew.
+    /// Flies while all legs hang, then chooses the next step; whether it starts elsewhere than the one before ended.
     ///
     /// # Errors
     /// The outcome, if no further step is to be taken.
     #[inline(always)]
     fn plan_step(&mut self) -> Result<bool, Outcome> {
-        let mut flew = false;
-        while self.trajectory.all_legs_hang() {
-            flew = true;
+        let mut goes_elsewhere = self.follow_thrust();
+        while self.trajectory.flies_freely() {
+            goes_elsewhere = true;
             self.fly()?;
+            self.follow_thrust();
         }
         let left = self.time_left()?;
         let trajectory = &mut self.trajectory;
         self.whole = (self.control.proposed())
             .min(trajectory.longest_step())
+            .min(trajectory.time_to_knot())
             .min(left);
         self.length = if trajectory.locates_kinks {
             trajectory.past_kink(self.whole)
@@ -223,7 +259,7 @@ impl<'o> Simulation<'o> {
         if self.kind == StepKind::Explicit {
             self.find_kind();
         }
-        Ok(flew)
+        Ok(goes_elsewhere)
     }
 
     /// Finds out of what kind the next step is.
@@ -275,7 +311,10 @@ impl<'o> Simulation<'o> {
         let longest = LONGEST
             .min(turn / trajectory.step.before.body().rate.norm())
             .min(trajectory.longest_step());
-        let length = flight.reach(longest).min(left);
+        let length = flight
+            .reach(longest)
+            .min(left)
+            .min(trajectory.time_to_knot());
         if length < SHORTEST {
             return Err(Outcome::Failure(Failure::StepCollapse));
         }
@@ -289,14 +328,21 @@ impl<'o> Simulation<'o> {
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
-    #[inline(always)]
     fn finish_step(&mut self) -> Result<NextStart, Outcome> {
+        let registers = self.trajectory.registers;
+        registers.dispatch(FinishStep(self))
+    }
+
+    /// The same, for whatever registers it is compiled for.
+    #[inline(always)]
+    fn finish_step_in_registers(&mut self) -> Result<NextStart, Outcome> {
         let Self {
             trajectory,
             stability,
             steadiness,
             control,
             burst,
+            noted,
             ..
         } = self;
         let length = trajectory.step.length;
@@ -313,10 +359,21 @@ impl<'o> Simulation<'o> {
         };
         let event = event.filter(|_| kink.is_none());
         let reach = kink.unwrap_or(reach);
-        let verdict_found =
-            trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer));
+        let judged = if noted.is_some() {
+            None
+        } else {
+            trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer))
+        };
+        // A landing that goes on takes note of its verdict and of nothing else.
+        if let Some((theta, verdict)) = judged
+            && trajectory.settings.goes_on()
+        {
+            *noted = Some((verdict.into(), trajectory.time_at(theta)));
+        }
+        let verdict_found = judged.filter(|_| noted.is_none());
         let reach = verdict_found.map_or(reach, |(theta, _)| theta);
         trajectory.report(reach);
+        trajectory.add_thrust_work(reach);
         if verdict_found.is_some() || kink.is_some() {
             trajectory.buffers[0] = trajectory.signals_at(reach);
             trajectory.note_struts(Some(0), reach);
@@ -368,7 +425,10 @@ impl<'o> Simulation<'o> {
         steadiness.note(trajectory.time, stability.angle());
         let ends_early = trajectory.settings.ends_early();
         let body = trajectory.step.before.body();
-        if let Some(outcome) = steadiness.end(trajectory.time, &body, ends_early) {
+        if let Some(outcome) = steadiness.end(trajectory.time, &body, ends_early)
+            && !trajectory.settings.goes_on()
+            && trajectory.pieces.thrust().is_none()
+        {
             return Err(outcome);
         }
         trajectory.follow();
@@ -384,17 +444,51 @@ impl<'o> Simulation<'o> {
         self.trajectory.report_end();
     }
 
-    /// What the landing came to.
+    /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
-        self.trajectory.result(outcome)
+        let Some((verdict, time)) = &self.noted else {
+            return self.trajectory.result(outcome);
+        };
+        Landing {
+            beyond: Some(Beyond {
+                verdict_time: *time,
+                end: outcome,
+            }),
+            ..self.trajectory.result(verdict.clone())
+        }
+    }
+}
+
+/// What follows an attempted step, compiled for the registers of a single landing.
+struct EndStep<'a, 'o>(&'a mut Simulation<'o>, [f64; 2]);
+
+impl NullaryFnOnce for EndStep<'_, '_> {
+    type Output = Result<NextStart, Outcome>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        let Self(simulation, errors) = self;
+        simulation.end_step_in_registers(errors)
+    }
+}
+
+/// What follows an accepted step, compiled for the registers of a single landing.
+struct FinishStep<'a, 'o>(&'a mut Simulation<'o>);
+
+impl NullaryFnOnce for FinishStep<'_, '_> {
+    type Output = Result<NextStart, Outcome>;
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        self.0.finish_step_in_registers()
     }
 }
 
 impl Trajectory<'_> {
-    /// Whether all legs hang in the air.
+    /// Whether all legs hang in the air, and no thrust acts.
     #[inline(always)]
-    fn all_legs_hang(&self) -> bool {
-        self.modes.iter().all(LegMode::is_hanging)
+    fn flies_freely(&self) -> bool {
+        self.modes.iter().all(LegMode::is_hanging) && self.pieces.thrust().is_none()
     }
 
     /// Starts a step of free flight of this length (s): where it ends is known.

@@ -39,9 +39,12 @@ const SIDE_SLACK: f64 = 1e-9;
 const ANGLE_SLACK: f64 = 1e-12;
 const CALM_SLACK: f64 = 1e-11;
 
-/// Height of the CG over the surface above which motion has not subsided, ft.
-pub fn calm_height(vehicle: &Vehicle) -> f64 {
-    vehicle.standing_height() + CALM_MARGIN
+/// Height of the CG over the surface above which motion has not subsided, ft: over the highest ground under a footpad.
+pub fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
+    let ground = &scene.conditions().ground;
+    let heights = (0..vehicle.legs().len()).map(|leg| ground.leg(leg).pad.height);
+    let highest = heights.fold(f64::NEG_INFINITY, f64::max);
+    vehicle.standing_height() + CALM_MARGIN + highest
 }
 
 /// The plane in which toppling is judged.
@@ -75,6 +78,7 @@ const FIRST_SIDE: usize = FIRST_CALM + CALM;
 const QUADS: usize = (FIRST_SIDE + MOST_LEGS).div_ceil(LANES);
 
 impl Observation {
+    #[inline(always)]
     fn new(sides: &[f64], angle: f64, calm: [f64; CALM], clearance: f64) -> Self {
         let mut ranged = [[0.0; LANES]; QUADS];
         let numbers = ranged.as_flattened_mut();
@@ -89,7 +93,13 @@ impl Observation {
         }
     }
 
+    /// Nothing yet, of a vehicle with so many legs.
+    pub(super) fn none(legs: usize) -> Self {
+        Self::new(&PerLeg::same(legs, 0.0), 0.0, [0.0; CALM], 0.0)
+    }
+
     /// The quads that hold anything.
+    #[inline(always)]
     fn ranged(&self) -> &[[f64; LANES]] {
         &self.ranged[..(FIRST_SIDE + self.legs).div_ceil(LANES)]
     }
@@ -164,6 +174,12 @@ impl StabilityMonitor {
         }
     }
 
+    /// Judges motion from now on as subsided only while the CG is within `calm_height` (ft) of the surface.
+    pub fn set_calm_height(&mut self, calm_height: f64) {
+        self.calm_height = calm_height;
+        self.guards.clear();
+    }
+
     /// Chooses plane and critical feet anew; σ is then measured against them until a signal
     /// leaves its range.
     ///
@@ -193,6 +209,7 @@ impl StabilityMonitor {
     }
 
     /// The same where the feet are known to stand like this.
+    #[inline(always)]
     pub fn observe_footing(&self, footing: &Footing, body: &Body<f64>) -> Observation {
         let Footing {
             feet,
@@ -200,10 +217,13 @@ impl StabilityMonitor {
             hardpoint_depths,
         } = footing;
         let (vx, vy) = (body.velocity.x, body.velocity.y);
-        let sides = feet.map(|foot| match self.plane {
-            Plane::Motion => vy * foot.x - vx * foot.y,
-            Plane::Slope => self.slope_side * foot.x,
-        });
+        let mut sides = PerLeg::same(feet.len(), 0.0);
+        for (side, foot) in sides.iter_mut().zip(feet) {
+            *side = match self.plane {
+                Plane::Motion => vy * foot.x - vx * foot.y,
+                Plane::Slope => self.slope_side * foot.x,
+            };
+        }
         let clearance = hardpoint_depths
             .iter()
             .fold(f64::INFINITY, |least, depth| least.min(-depth));
@@ -216,6 +236,7 @@ impl StabilityMonitor {
     /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
     /// where the line joining the critical feet meets the plane. A lies in the plane, so its
     /// horizontal part has the direction of motion and σ is a plain polar angle.
+    #[inline(always)]
     fn angle(&self, from: &Vector3<f64>, to: &Vector3<f64>, vx: f64, vy: f64) -> f64 {
         let span = to - from;
         let denominator = match self.plane {
@@ -242,6 +263,7 @@ impl StabilityMonitor {
     /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
     /// observed now and the least σ so far. They stay until the next choice, except the end of
     /// rock-back.
+    #[inline(always)]
     pub fn guard(&mut self, seen: &Observation, least_angle: f64) {
         let highest = if least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
@@ -278,6 +300,7 @@ impl StabilityMonitor {
 
     /// Whether no range can have been left within a step, judged from observations at the start of the previous step and at the
     /// start and end of this one; `ratio` is this step's length over the previous one's.
+    #[inline(always)]
     pub fn keep(&self, observations: [&Observation; 3], ratio: f64) -> bool {
         let looks = observations.map(Observation::ranged);
         let mut reach = [Quad::zero(); QUADS];
@@ -286,6 +309,7 @@ impl StabilityMonitor {
 
     /// Share of a stretch of motion in which the plane of motion turns so little that observations at the ends show what σ does
     /// between, the CG's velocity changing evenly from end to end: 1 if that is all of it.
+    #[inline(always)]
     pub fn share_within_turn(&self, start: &Observation, end: &Observation) -> f64 {
         let horizontal = |seen: &Observation| (seen.get(FIRST_CALM), seen.get(FIRST_CALM + 1));
         let ((ax, ay), (bx, by)) = (horizontal(start), horizontal(end));

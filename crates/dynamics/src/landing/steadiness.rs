@@ -70,7 +70,7 @@ impl Steadiness {
         let (sine, cosine) = libm::sincos(conditions.slope);
         let friction = conditions.pad_friction.max(conditions.block_friction);
         Self {
-            fall_time: (2.0 * vehicle.standing_height() / vehicle.gravity()).sqrt(),
+            fall_time: (2.0 * vehicle.standing_height() / scene.gravity(vehicle)).sqrt(),
             slippery: (sine > friction * cosine).then_some((sine, cosine)),
             upright: Stretch::above(UPRIGHT),
             sliding: Stretch::above(SLIDES_UPRIGHT),

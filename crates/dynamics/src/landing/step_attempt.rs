@@ -3,12 +3,12 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::integrator::rosenbrock::GAMMA;
+use crate::integrator::rosenbrock::{GAMMA, StageEquations, TIMES};
 use crate::integrator::step::{Step, Weights};
 use crate::integrator::{dormand_prince, rosenbrock};
 use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::Registers;
-use crate::response::Response;
+use crate::response::{Factors, Response, System};
 use crate::scalar::Real;
 use crate::state::State;
 
@@ -37,19 +37,40 @@ impl StepKind {
     }
 }
 
+/// What implicit steps write and no one reads after them.
+pub(crate) struct Workspace<S> {
+    /// Derivatives of the forces at the start.
+    response: Response<S>,
+    /// Rate (1/s) that no decay of a velocity exceeds there.
+    pub(crate) greatest_decay: S,
+    factors: Factors<S>,
+    stages: [State<S>; 6],
+}
+
+impl<S: Real> Workspace<S> {
+    /// For vehicles such as this one.
+    pub(crate) fn new(motion: &Motion<S>) -> Self {
+        Self {
+            response: motion.response(),
+            greatest_decay: S::zero(),
+            factors: Factors::none(motion.leg_count()),
+            stages: [State::zero(motion.leg_count()); 6],
+        }
+    }
+}
+
 /// A step to attempt.
 pub(crate) struct TakeStep<'a, R, S> {
     pub(crate) registers: R,
     pub(crate) kind: StepKind,
     pub(crate) motion: &'a Motion<S>,
     pub(crate) pieces: &'a Pieces<S>,
-    /// Derivatives of the forces at its start, for an implicit step.
-    pub(crate) response: &'a Response<S>,
     pub(crate) step: &'a mut Step<S, State<S>>,
+    /// When it starts, s after first contact.
+    pub(crate) time: S,
     /// Length of the step, s.
     pub(crate) length: S,
-    /// Overwritten by the stages of an implicit step.
-    pub(crate) stages: &'a mut [State<S>; 6],
+    pub(crate) workspace: &'a mut Workspace<S>,
     /// Where the signals in the middle of an implicit step go.
     pub(crate) middle: &'a mut Signals<S>,
     /// Where the signals at its end go.
@@ -67,86 +88,160 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
             kind,
             motion,
             pieces,
-            response,
             step,
+            time,
             length,
-            stages,
+            workspace:
+                Workspace {
+                    response,
+                    greatest_decay,
+                    factors,
+                    stages,
+                },
             middle,
             signals,
         } = self;
-        let stops = pieces.press_stops();
-        let derivative = |state: &State<S>, slope: &mut State<S>| {
-            if stops {
-                registers.dispatch(Derive::<true, S>(motion, state, pieces, slope));
+        let is_full = motion.is_full(pieces);
+        let at = |fraction: f64| time + S::constant(fraction) * length;
+        let derivative = |fraction: f64, state: &State<S>, slope: &mut State<S>| {
+            let time = at(fraction);
+            if is_full {
+                registers.dispatch(Derive::<true, S>(motion, time, state, pieces, slope));
             } else {
-                registers.dispatch(Derive::<false, S>(motion, state, pieces, slope));
+                registers.dispatch(Derive::<false, S>(motion, time, state, pieces, slope));
             }
         };
-        let evaluate = |state: &State<S>, slope: &mut State<S>, signals: &mut Signals<S>| {
-            if stops {
-                registers.dispatch(Evaluate::<true, S>(motion, state, pieces, slope, signals));
-            } else {
-                registers.dispatch(Evaluate::<false, S>(motion, state, pieces, slope, signals));
-            }
-        };
-        let last = |state: &State<S>, slope: &mut State<S>| evaluate(state, slope, signals);
+        let evaluate =
+            |fraction: f64, state: &State<S>, slope: &mut State<S>, signals: &mut Signals<S>| {
+                let time = at(fraction);
+                if is_full {
+                    registers.dispatch(Evaluate::<true, S>(
+                        motion, time, state, pieces, slope, signals,
+                    ));
+                } else {
+                    registers.dispatch(Evaluate::<false, S>(
+                        motion, time, state, pieces, slope, signals,
+                    ));
+                }
+            };
+        let last = |state: &State<S>, slope: &mut State<S>| evaluate(1.0, state, slope, signals);
         match kind {
             StepKind::Explicit => step.take_explicit(length, derivative, last),
             StepKind::Implicit => {
-                let system = response.over(S::constant(GAMMA) * length);
-                let midway = |state: &State<S>, slope: &mut State<S>| {
-                    evaluate(state, slope, middle);
+                *greatest_decay =
+                    registers.dispatch(Respond(motion, &step.before, pieces, response));
+                let system = Dispatched {
+                    registers,
+                    system: &response.over(S::constant(GAMMA) * length, factors),
                 };
-                step.take_implicit(length, &system, stages, derivative, midway, last);
+                let midway = |state: &State<S>, slope: &mut State<S>| {
+                    evaluate(0.5, state, slope, middle);
+                };
+                let start = (!pieces.thrust().is_none()).then(|| {
+                    let more = pieces.thrust().rate() * S::constant(TIMES[0]) * length;
+                    let mut start = step.slopes[0];
+                    motion.add_thrust(more, &step.before, &mut start);
+                    start
+                });
+                step.take_implicit(
+                    length,
+                    &system,
+                    stages,
+                    start.as_ref(),
+                    derivative,
+                    midway,
+                    last,
+                );
             }
         }
         step.error()
     }
 }
 
-/// The derivative at a state.
-struct Derive<'a, const STOPS: bool, S>(
+/// The derivative at a time and a state.
+struct Derive<'a, const FULL: bool, S>(
     &'a Motion<S>,
+    S,
     &'a State<S>,
     &'a Pieces<S>,
     &'a mut State<S>,
 );
 
-impl<const STOPS: bool, S: Real> NullaryFnOnce for Derive<'_, STOPS, S> {
+impl<const FULL: bool, S: Real> NullaryFnOnce for Derive<'_, FULL, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self(motion, state, pieces, slope) = self;
-        motion.derivative::<STOPS>(state, pieces, slope);
+        let Self(motion, time, state, pieces, slope) = self;
+        motion.derivative::<FULL>(time, state, pieces, slope);
     }
 }
 
-/// The derivative and the signals at a state.
-pub(super) struct Evaluate<'a, const STOPS: bool, S>(
+/// The derivative and the signals at a time and a state.
+pub(super) struct Evaluate<'a, const FULL: bool, S>(
     pub(super) &'a Motion<S>,
+    pub(super) S,
     pub(super) &'a State<S>,
     pub(super) &'a Pieces<S>,
     pub(super) &'a mut State<S>,
     pub(super) &'a mut Signals<S>,
 );
 
-impl<const STOPS: bool, S: Real> NullaryFnOnce for Evaluate<'_, STOPS, S> {
+impl<const FULL: bool, S: Real> NullaryFnOnce for Evaluate<'_, FULL, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self(motion, state, pieces, slope, signals) = self;
-        motion.evaluate::<STOPS>(state, pieces, slope, signals);
+        let Self(motion, time, state, pieces, slope, signals) = self;
+        motion.evaluate::<FULL>(time, state, pieces, slope, signals);
+    }
+}
+
+/// The equations of the stages of an implicit step, solved in a function of their own: it stays in the cache of
+/// instructions from stage to stage.
+struct Dispatched<'a, R, S> {
+    registers: R,
+    system: &'a System<'a, S>,
+}
+
+impl<R: Registers, S: Real> StageEquations<S, State<S>> for Dispatched<'_, R, S> {
+    #[inline(always)]
+    fn solve(&self, r: &State<S>, u: &mut State<S>) {
+        self.registers.dispatch(Solve(self.system, r, u));
+    }
+
+    #[inline(always)]
+    fn accumulate(
+        &self,
+        before: &State<S>,
+        h: S,
+        slopes: [&State<S>; 3],
+        after: &mut State<S>,
+        error: &mut State<S>,
+    ) {
+        self.system.accumulate(before, h, slopes, after, error);
+    }
+}
+
+/// The solution of a stage.
+struct Solve<'a, S>(&'a System<'a, S>, &'a State<S>, &'a mut State<S>);
+
+impl<S: Real> NullaryFnOnce for Solve<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(system, r, u) = self;
+        system.solve(r, u);
     }
 }
 
 /// The derivatives of the forces at a state.
-pub(crate) struct Respond<'a, S>(
-    pub(crate) &'a Motion<S>,
-    pub(crate) &'a State<S>,
-    pub(crate) &'a Pieces<S>,
-    pub(crate) &'a mut Response<S>,
+struct Respond<'a, S>(
+    &'a Motion<S>,
+    &'a State<S>,
+    &'a Pieces<S>,
+    &'a mut Response<S>,
 );
 
 impl<S: Real> NullaryFnOnce for Respond<'_, S> {
@@ -157,6 +252,24 @@ impl<S: Real> NullaryFnOnce for Respond<'_, S> {
     fn call(self) -> S {
         let Self(motion, state, pieces, response) = self;
         motion.respond(state, pieces, response);
-        response.greatest_rate()
+        response.greatest_decay()
+    }
+}
+
+/// How fast velocities decay at a state.
+pub(super) struct Decay<'a, S>(
+    pub(super) &'a Motion<S>,
+    pub(super) &'a State<S>,
+    pub(super) &'a Pieces<S>,
+);
+
+impl<S: Real> NullaryFnOnce for Decay<'_, S> {
+    /// Rate (1/s) that no decay of a velocity exceeds.
+    type Output = S;
+
+    #[inline(always)]
+    fn call(self) -> S {
+        let Self(motion, state, pieces) = self;
+        motion.greatest_decay(state, pieces)
     }
 }

@@ -58,33 +58,43 @@ impl StrutPeaks {
     /// Whether the force on any strut may have exceeded its greatest value between three samples of a step.
     #[inline(always)]
     pub(super) fn may_be_exceeded(&self, looks: [&Signals<f64>; 3]) -> bool {
-        (0..self.force.len()).any(|j| {
-            let [start, middle, end] = looks.map(|signals| force(signals, j));
+        let [start, middle, end] = looks;
+        for j in 0..self.force.len() {
+            let [start, middle, end] = [force(start, j), force(middle, j), force(end, j)];
             let turn = (middle - start).abs() + (end - middle).abs();
-            start.max(middle).max(end) + turn > self.notable_force(j)
-        })
+            if start.max(middle).max(end) + turn > self.notable_force(j) {
+                return true;
+            }
+        }
+        false
     }
 
     /// The same for a stretch of which only the ends were evaluated, judged from the signals at the start of the previous stretch and
     /// at the start and end of this one; `ratio` is its length over the previous one's.
     #[inline(always)]
     pub(super) fn may_be_hidden(&self, looks: [&Signals<f64>; 3], ratio: f64) -> bool {
+        let [before, start, end] = looks;
         let share = ratio / (1.0 + ratio);
-        (0..self.force.len()).any(|j| {
-            let [before, start, end] = looks.map(|signals| force(signals, j));
+        for j in 0..self.force.len() {
+            let [before, start, end] = [force(before, j), force(start, j), force(end, j)];
             let change = end - start;
-            if ratio > FAR_LONGER {
-                return start.max(end) + change.abs() > self.notable_force(j);
-            }
             // A parabola through the three would not exceed its ends by more than a quarter of this.
-            let bend = share * (change - ratio * (start - before)).abs();
-            let rises = falls(-before, -start, -end, ratio);
-            !rises && start.max(end) + bend > self.notable_force(j)
-        })
+            let bend = if ratio > FAR_LONGER {
+                change.abs()
+            } else {
+                share * (change - ratio * (start - before)).abs()
+            };
+            let rises = ratio <= FAR_LONGER && falls(-before, -start, -end, ratio);
+            if !rises && start.max(end) + bend > self.notable_force(j) {
+                return true;
+            }
+        }
+        false
     }
 }
 
 /// Magnitude of the force on strut `leg`, lb.
+#[inline(always)]
 pub(super) fn force(signals: &Signals<f64>, leg: usize) -> f64 {
     signals.of(leg, Signal::StrutForce).abs()
 }

@@ -1,6 +1,6 @@
 //! First contact: where everything is when a landing begins.
 
-use libm::{cos, sincos};
+use libm::sincos;
 use nalgebra::{Vector3, Vector4};
 
 use crate::motion::Motion;
@@ -42,15 +42,16 @@ pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> Stat
         rate: Vector3::from(conditions.angular_velocity),
     };
     let frame = motion.frame(&body);
-    let deepest = (0..legs.len())
+    let rise = (0..legs.len())
         .flat_map(|j| {
             let geometry = motion.geometry(j);
-            let leg_frame = geometry.frame(&frame);
+            let [pad, block] = motion.ground(j, &frame);
+            let leg_frame = geometry.frame(&frame, [&pad, &block]);
             let pose = geometry.pose(&leg_frame, legs[j].link_angle, legs[j].pad_turn);
-            pose.pad_interference.map(|i| i * pose.pad_inclination)
+            let depths = pose.pad_interference.map(|i| i * pose.pad_inclination);
+            depths.map(|depth| motion.rise(j, depth))
         })
         .fold(f64::NEG_INFINITY, f64::max);
-    // A rise of the CG by h along the vertical lifts every point off the surface by h cos θs.
-    body.position.z = -deepest / cos(conditions.slope);
+    body.position.z = -rise;
     State::new(&body, &legs)
 }

@@ -5,7 +5,7 @@ use arrayvec::ArrayVec;
 use super::history::History;
 use super::ranges::{Guards, SignalRanges};
 use super::signal_history::SignalHistory;
-use super::step_attempt::Evaluate;
+use super::step_attempt::{Decay, Evaluate};
 use super::stiffness::Stiffness;
 use super::strut_peaks::StrutPeaks;
 use crate::contact::{LegLaws, LegMode};
@@ -65,10 +65,11 @@ pub(crate) struct Trajectory<'o> {
     /// The gentle kinks next to each strut that works.
     pub(super) kinks: PerLeg<Option<GentleKinks>>,
     pub(super) time: f64,
+    /// When the thrust changes its line next, s, and its work so far, ft·lb.
+    pub(super) next_knot: f64,
+    pub(super) thrust_work: f64,
     /// The present state and its derivative are the start of the step.
     pub(crate) step: Step<f64, State<f64>>,
-    /// Overwritten by the stages of implicit steps.
-    pub(super) stages: [State<f64>; 6],
     /// The present step in closed form, if it is one of free flight.
     pub(super) free: Option<FreeFlight>,
     pub(crate) signals: SignalHistory,
@@ -120,8 +121,8 @@ impl<'o> Trajectory<'o> {
             registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
-            calm_height: calm_height(vehicle),
-            stiffness: Stiffness::new(&motion, settings.tolerance()),
+            calm_height: calm_height(vehicle, scene),
+            stiffness: Stiffness::new(settings.tolerance()),
             event_resolution: resolution,
             energy,
             motion,
@@ -134,8 +135,13 @@ impl<'o> Trajectory<'o> {
             suspects: Guards::new(),
             kinks: PerLeg::same(legs, None),
             time: 0.0,
+            next_knot: if scene.conditions().thrust.is_none() {
+                f64::INFINITY
+            } else {
+                0.0
+            },
+            thrust_work: 0.0,
             step: Step::from(state, State::zero(legs)),
-            stages: [State::zero(legs); 6],
             free: None,
             signals: SignalHistory::new(legs),
             middle: Signals::blank(legs),
@@ -167,15 +173,11 @@ impl<'o> Trajectory<'o> {
 
     /// Whether a step of this length (s) is stiff.
     pub(super) fn is_stiff(&mut self, length: f64) -> bool {
-        let Self {
-            registers,
-            motion,
-            step,
-            pieces,
-            stiffness,
-            ..
-        } = self;
-        stiffness.exceeds(*registers, length, motion, &step.before, pieces)
+        if self.stiffness.is_known_mild() {
+            return false;
+        }
+        let rate = (self.registers).dispatch(Decay(&self.motion, &self.step.before, &self.pieces));
+        self.stiffness.exceeds_at(rate, length)
     }
 
     /// The longest step that the laws allow whatever the error, s.
@@ -196,6 +198,7 @@ impl<'o> Trajectory<'o> {
         let [.., last] = &mut self.step.slopes;
         self.registers.dispatch(Evaluate::<true, f64>(
             &self.motion,
+            self.time + self.step.length,
             &self.step.after,
             &self.pieces,
             last,
@@ -209,6 +212,7 @@ impl<'o> Trajectory<'o> {
         let [first, ..] = &mut self.step.slopes;
         self.registers.dispatch(Evaluate::<true, f64>(
             &self.motion,
+            self.time,
             &self.step.before,
             &self.pieces,
             first,

@@ -1,11 +1,14 @@
 //! Stability followed over each step: verdicts located, extremes noted.
 
+use pulp::NullaryFnOnce;
+
 use super::trajectory::Trajectory;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
 use crate::motion::{Footing, Signals};
+use crate::registers::Registers;
 use crate::stability::{Observation, StabilityMonitor, Verdict};
-use crate::state::Body;
+use crate::state::State;
 
 /// Parabolas fitted to find a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
@@ -21,11 +24,11 @@ pub(super) struct StabilityTrack {
 }
 
 impl StabilityTrack {
-    /// A monitor and its observation at touchdown.
-    pub(super) fn new(monitor: StabilityMonitor, seen: Observation) -> Self {
+    /// A monitor that has yet to observe the touchdown of a vehicle with so many legs.
+    pub(super) fn new(monitor: StabilityMonitor, legs: usize) -> Self {
         Self {
             monitor,
-            seen,
+            seen: Observation::none(legs),
             before: None,
         }
     }
@@ -51,12 +54,19 @@ impl StabilityTrack {
         }
     }
 
+    /// Takes note that the thrust is on another line.
+    pub(super) fn follow_thrust(&mut self, trajectory: &Trajectory<'_>) {
+        self.monitor
+            .set_calm_height(trajectory.calm_height_under_thrust());
+    }
+
     /// Stability angle σ now, rad.
     pub(super) fn angle(&self) -> f64 {
         self.seen.angle
     }
 
     /// Whether within a step of `length` s that ends like this no verdict can fall.
+    #[inline(always)]
     fn keeps(&self, end: &Observation, length: f64) -> bool {
         self.before
             .as_ref()
@@ -72,100 +82,115 @@ impl StabilityTrack {
 impl Trajectory<'_> {
     /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls. Of an `event` there
     /// one of the `buffers` has the signals.
+    #[inline(always)]
     pub(super) fn judge_step(
         &mut self,
         stability: &mut StabilityTrack,
         reach: f64,
         event: Option<usize>,
     ) -> Option<(f64, Verdict)> {
-        let resolution = self.event_resolution / self.step.length;
-        let mut start = Node {
-            theta: 0.0,
-            signals: stability.seen,
-        };
-        while start.theta < reach {
-            (stability.monitor).guard(&start.signals, self.least_angle.0);
-            let monitor = &stability.monitor;
-            let look = |theta: f64| {
-                let told = |signals: &Signals<f64>, body: &Body<f64>| {
-                    let depth = self.motion.surface().depth(&body.position);
-                    monitor.observe_footing(&Footing::from_signals(signals, depth), body)
-                };
-                if theta == 1.0 {
-                    told(self.signals.end(), &self.step.after.body())
-                } else if let Some(buffer) = event
-                    && theta == reach
-                {
-                    told(&self.buffers[buffer], &self.motion_at(theta).body())
-                } else {
-                    monitor.observe(&self.motion, &self.motion_at(theta))
-                }
-            };
-            let node = |theta: f64| Node {
-                theta,
-                signals: look(theta),
-            };
-            let mut end = node(reach);
-            let share = monitor.share_within_turn(&start.signals, &end.signals);
+        let mut theta = 0.0;
+        while theta < reach {
+            (stability.monitor).guard(&stability.seen, self.least_angle.0);
+            let event = event.map(|buffer| (reach, &self.buffers[buffer]));
+            let mut end = self.observe(&stability.monitor, reach, event);
+            let mut end_theta = reach;
+            let share = (stability.monitor).share_within_turn(&stability.seen, &end);
             if share < 1.0 {
-                let part = (share * (reach - start.theta)).max(resolution);
-                end = node(reach.min(start.theta + part));
+                let part = (share * (reach - theta)).max(self.event_resolution / self.step.length);
+                end_theta = reach.min(theta + part);
+                end = self.observe(&stability.monitor, end_theta, event);
             }
-            let length = (end.theta - start.theta) * self.step.length;
-            let is_plain = self.is_plain(stability, &end.signals, length);
-            if is_plain && stability.keeps(&end.signals, length) {
-                self.note_observation(&end.signals, self.time_at(end.theta));
-                stability.finish_step(end.signals, length);
-                start = end;
-                continue;
-            }
-            let middle = node(0.5 * (start.theta + end.theta));
-            let nodes = [&start, &middle, &end].map(Node::sample);
-            let mut buffers = [end.signals; 3];
-            let exit = first_exit(
-                nodes,
-                monitor.guards(),
-                resolution,
-                &mut buffers,
-                |theta, signals| *signals = look(theta),
-            );
-            let exit = exit.map(|(theta, buffer)| Node {
-                theta,
-                signals: buffers[buffer],
-            });
-            let Some(exit) = exit else {
-                if is_plain {
-                    self.note_observation(&end.signals, self.time_at(end.theta));
-                } else {
-                    self.note_least(monitor, [&start, &middle, &end]);
-                }
-                stability.finish_step(end.signals, length);
-                start = end;
-                continue;
-            };
-            let middle = node(0.5 * (start.theta + exit.theta));
-            self.note_least(monitor, [&start, &middle, &exit]);
-            if let Some(verdict) = monitor.verdict(&exit.signals, self.least_angle.0) {
-                return Some((exit.theta, verdict));
-            }
-            match (stability.monitor).choose_plane(&self.motion, &self.motion_at(exit.theta)) {
-                Err(verdict) => return Some((exit.theta, verdict)),
-                Ok(observation) => {
-                    self.note_observation(&observation, self.time_at(exit.theta));
-                    let verdict = stability.monitor.verdict(&observation, self.least_angle.0);
-                    if let Some(verdict) = verdict {
-                        return Some((exit.theta, verdict));
-                    }
-                    start = Node {
-                        theta: exit.theta,
-                        signals: observation,
-                    };
-                    stability.seen = observation;
-                    stability.before = None;
+            let length = (end_theta - theta) * self.step.length;
+            let is_plain = self.is_plain(stability, &end, length);
+            if is_plain && stability.keeps(&end, length) {
+                self.note_observation(&end, self.time_at(end_theta));
+                stability.finish_step(end, length);
+                theta = end_theta;
+            } else {
+                let end = Node {
+                    theta: end_theta,
+                    signals: end,
+                };
+                match self.judge_closely(stability, theta, end, is_plain) {
+                    Ok(reached) => theta = reached,
+                    Err(found) => return Some(found),
                 }
             }
         }
         None
+    }
+
+    /// Follows stability from fraction `start` of the step to `end`, between which a verdict may fall or, unless it
+    /// `is_plain`, a least value hide: up to where plane and feet are chosen anew.
+    ///
+    /// # Errors
+    /// The verdict and where, if one falls.
+    #[inline(never)]
+    fn judge_closely(
+        &mut self,
+        stability: &mut StabilityTrack,
+        start: f64,
+        end: Node<Observation>,
+        is_plain: bool,
+    ) -> Result<f64, (f64, Verdict)> {
+        let monitor = &stability.monitor;
+        let start = Node {
+            theta: start,
+            signals: stability.seen,
+        };
+        let node = |theta: f64| Node {
+            theta,
+            signals: self.observe(monitor, theta, None),
+        };
+        let middle = node(0.5 * (start.theta + end.theta));
+        let mut buffers = [end.signals; 3];
+        let exit = first_exit(
+            [start.sample(), middle.sample(), end.sample()],
+            monitor.guards(),
+            self.event_resolution / self.step.length,
+            &mut buffers,
+            |theta, signals| *signals = self.observe(monitor, theta, None),
+        );
+        let Some((theta, buffer)) = exit else {
+            if is_plain {
+                self.note_observation(&end.signals, self.time_at(end.theta));
+            } else {
+                self.note_least(monitor, [&start, &middle, &end]);
+            }
+            stability.finish_step(end.signals, (end.theta - start.theta) * self.step.length);
+            return Ok(end.theta);
+        };
+        let exit = Node {
+            theta,
+            signals: buffers[buffer],
+        };
+        let middle = node(0.5 * (start.theta + theta));
+        self.note_least(monitor, [&start, &middle, &exit]);
+        if let Some(verdict) = monitor.verdict(&exit.signals, self.least_angle.0) {
+            return Err((theta, verdict));
+        }
+        let state = self.motion_at(theta);
+        let seen = (stability.monitor.choose_plane(&self.motion, &state))
+            .map_err(|verdict| (theta, verdict))?;
+        self.note_observation(&seen, self.time_at(theta));
+        stability.seen = seen;
+        stability.before = None;
+        match stability.monitor.verdict(&seen, self.least_angle.0) {
+            Some(verdict) => Err((theta, verdict)),
+            None => Ok(theta),
+        }
+    }
+
+    /// What the monitor shows at fraction θ of the step. At an event the signals are known.
+    #[inline(never)]
+    fn observe(
+        &self,
+        monitor: &StabilityMonitor,
+        theta: f64,
+        event: Option<(f64, &Signals<f64>)>,
+    ) -> Observation {
+        (self.registers).dispatch(Observe(self, monitor, theta, event))
     }
 
     /// Whether within a step of `length` s that ends like this no new least value can hide.
@@ -222,9 +247,45 @@ impl Trajectory<'_> {
             let Some(theta) = parabola.lowest(least(self)) else {
                 return;
             };
-            let seen = monitor.observe(&self.motion, &self.motion_at(theta));
+            let seen = self.observe(monitor, theta, None);
             self.note_observation(&seen, self.time_at(theta));
             parabola = parabola.about((theta, number(&seen)));
         }
+    }
+}
+
+/// What a monitor shows at fraction θ of a step. At an event the signals are known.
+struct Observe<'a, 'o>(
+    &'a Trajectory<'o>,
+    &'a StabilityMonitor,
+    f64,
+    Option<(f64, &'a Signals<f64>)>,
+);
+
+impl NullaryFnOnce for Observe<'_, '_> {
+    type Output = Observation;
+
+    #[inline(always)]
+    fn call(self) -> Observation {
+        let Self(trajectory, monitor, theta, event) = self;
+        let known = if theta == 1.0 {
+            Some(trajectory.signals.end())
+        } else {
+            event.and_then(|(reach, signals)| (theta == reach).then_some(signals))
+        };
+        let motion = &trajectory.motion;
+        let mut within = State::zero(motion.leg_count());
+        let state = if theta == 1.0 {
+            &trajectory.step.after
+        } else {
+            trajectory.between().motion_at(theta, &mut within);
+            &within
+        };
+        let body = state.body();
+        let footing = match known {
+            Some(signals) => Footing::from_signals(signals, motion.surface().depth(&body.position)),
+            None => motion.footing(state),
+        };
+        monitor.observe_footing(&footing, &body)
     }
 }

@@ -5,7 +5,7 @@ use pulp::NullaryFnOnce;
 use super::trajectory::Trajectory;
 use crate::integrator::step::Step;
 use crate::motion::{FreeFlight, Motion, Pieces, Signals};
-use crate::registers::Registers;
+use crate::registers::{Registers, Single};
 use crate::state::State;
 
 /// A step between its ends.
@@ -17,20 +17,21 @@ pub(super) struct Between<'a> {
 }
 
 impl Between<'_> {
-    /// The state at fraction θ.
-    fn at(&self, theta: f64) -> State<f64> {
+    /// Writes the state at fraction θ.
+    #[inline(always)]
+    fn at(&self, theta: f64, state: &mut State<f64>) {
         match self.free {
-            Some(flight) => flight.at(theta * self.step.length),
-            None => self.step.at(theta),
+            Some(flight) => *state = flight.at(theta * self.step.length),
+            None => self.step.at(theta, state),
         }
     }
 
-    /// What moves at fraction θ; the work integrals may be those before it.
+    /// Writes what moves at fraction θ.
     #[inline(always)]
-    fn motion_at(&self, theta: f64) -> State<f64> {
+    pub(super) fn motion_at(&self, theta: f64, state: &mut State<f64>) {
         match self.free {
-            Some(flight) => flight.at(theta * self.step.length),
-            None => self.step.motion_at(theta),
+            Some(flight) => *state = flight.at(theta * self.step.length),
+            None => self.step.motion_at(theta, state),
         }
     }
 }
@@ -40,42 +41,67 @@ pub(super) struct Look<'a> {
     pub(super) motion: &'a Motion<f64>,
     pub(super) pieces: &'a Pieces<f64>,
     pub(super) between: Between<'a>,
-    /// Fraction of the step.
-    pub(super) theta: f64,
     pub(super) with_torques: bool,
-    pub(super) signals: &'a mut Signals<f64>,
 }
 
-impl NullaryFnOnce for Look<'_> {
+impl Look<'_> {
+    /// Writes the signals at fraction θ of the step. Compiled once, for all that look: code that is called from
+    /// everywhere stays in the cache of instructions.
+    #[inline(never)]
+    pub(super) fn at(&self, registers: Single, theta: f64, signals: &mut Signals<f64>) {
+        registers.dispatch(LookAt(self, theta, signals));
+    }
+}
+
+struct LookAt<'a>(&'a Look<'a>, f64, &'a mut Signals<f64>);
+
+impl NullaryFnOnce for LookAt<'_> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let state = self.between.motion_at(self.theta);
-        (self.motion).look(&state, self.pieces, self.with_torques, self.signals);
+        let Self(look, theta, signals) = self;
+        let mut state = State::zero(look.motion.leg_count());
+        look.between.motion_at(theta, &mut state);
+        (look.motion).look(&state, look.pieces, look.with_torques, signals);
     }
 }
 
-/// What moves at fraction θ of a step.
-struct MotionAt<'a>(Between<'a>, f64);
+/// Writes the state at fraction θ of a step.
+struct StateAt<'a>(Between<'a>, f64, &'a mut State<f64>);
 
-impl NullaryFnOnce for MotionAt<'_> {
-    type Output = State<f64>;
+impl NullaryFnOnce for StateAt<'_> {
+    type Output = ();
 
     #[inline(always)]
-    fn call(self) -> State<f64> {
-        self.0.motion_at(self.1)
+    fn call(self) {
+        let Self(between, theta, state) = self;
+        between.at(theta, state);
+    }
+}
+
+/// Writes what moves at fraction θ of a step.
+struct MotionAt<'a>(Between<'a>, f64, &'a mut State<f64>);
+
+impl NullaryFnOnce for MotionAt<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(between, theta, state) = self;
+        between.motion_at(theta, state);
     }
 }
 
 impl Trajectory<'_> {
     /// Goes to fraction θ of the step.
     pub(super) fn move_to(&mut self, theta: f64) {
-        self.step.before = self.state_at(theta);
+        let state = self.state_at(theta);
+        self.step.before.assign(&state);
     }
 
     /// The step between its ends.
-    fn between(&self) -> Between<'_> {
+    pub(super) fn between(&self) -> Between<'_> {
         Between {
             step: &self.step,
             free: self.free.as_ref(),
@@ -84,26 +110,29 @@ impl Trajectory<'_> {
 
     /// The state at fraction θ of the step.
     pub(super) fn state_at(&self, theta: f64) -> State<f64> {
-        self.between().at(theta)
+        let mut state = State::zero(self.leg_count());
+        (self.registers).dispatch(StateAt(self.between(), theta, &mut state));
+        state
     }
 
-    /// What moves at fraction θ of the step.
+    /// What moves at fraction θ of the step; the work integrals may be zero.
     pub(super) fn motion_at(&self, theta: f64) -> State<f64> {
-        self.registers.dispatch(MotionAt(self.between(), theta))
+        let mut state = State::zero(self.leg_count());
+        (self.registers).dispatch(MotionAt(self.between(), theta, &mut state));
+        state
     }
 
     /// The signals at fraction θ of the step.
     pub(super) fn signals_at(&mut self, theta: f64) -> Signals<f64> {
         self.evaluations += 1;
         let mut signals = Signals::blank(self.leg_count());
-        self.registers.dispatch(Look {
+        let look = Look {
             motion: &self.motion,
             pieces: &self.pieces,
             between: self.between(),
-            theta,
             with_torques: false,
-            signals: &mut signals,
-        });
+        };
+        look.at(self.registers, theta, &mut signals);
         signals
     }
 }

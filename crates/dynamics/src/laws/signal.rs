@@ -50,7 +50,7 @@ pub enum Signal {
     FootY,
     /// Z of the same, ft.
     FootZ,
-    /// Depth of the lower hardpoint (6) below the surface (negative above), ft.
+    /// Depth of the lower hardpoint (6) below the ground of the block (negative above), ft.
     HardpointDepth,
 }
 

@@ -60,7 +60,7 @@ impl<'a> Flight<'a> {
             scene,
             settings,
             model,
-            monitor: StabilityMonitor::new(scene, calm_height(vehicle)),
+            monitor: StabilityMonitor::new(scene, calm_height(vehicle, scene)),
             time: 0.0,
             first: touchdown(vehicle, scene, model.motion()),
             interval,
@@ -113,6 +113,7 @@ impl<'a> Flight<'a> {
         };
         let least = extremes.angle;
         Landing {
+            beyond: None,
             outcome,
             end_time: self.time,
             min_stability_angle: least.0.max(0.0),
@@ -123,6 +124,7 @@ impl<'a> Flight<'a> {
             final_rates: final_rates(
                 self.scene,
                 self.model.motion(),
+                self.time,
                 &state,
                 &Pieces::new(&self.model.look(&state, &mut evaluator.memory).pieces),
             ),
@@ -131,6 +133,7 @@ impl<'a> Flight<'a> {
             energies: Energies {
                 initial_kinetic: kinetic(self.model.motion(), &self.first),
                 potential_change: released(self.model.motion(), &self.first, &state),
+                thrust: 0.0,
                 legs: PerLeg::from_fn(state.leg_count(), |j| {
                     LegWork::from_state(state.leg(j).work)
                 }),
@@ -207,7 +210,7 @@ impl<'a> Flight<'a> {
     }
 
     fn report_instant(&mut self, time: f64, state: &State<f64>, mut sets: Sets) {
-        let mut monitor = StabilityMonitor::new(self.scene, calm_height(self.vehicle));
+        let mut monitor = StabilityMonitor::new(self.scene, calm_height(self.vehicle, self.scene));
         let motion = self.model.motion();
         let seen = monitor
             .choose_plane(motion, state)

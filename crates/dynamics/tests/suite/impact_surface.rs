@@ -59,6 +59,9 @@ fn round_trip(index: u32) {
         slope: spread(index, 0.541, 2.0, 14.0).to_radians(),
         pad_friction: 0.8,
         block_friction: 0.8,
+        ground: touchdown_dynamics::ground::Ground::default(),
+        gravity: None,
+        thrust: touchdown_dynamics::thrust::Thrust::default(),
     };
     let settings = Settings::new(1e-10, 1.5, CrushRule::PivotRate).unwrap();
     let landing = land(&vehicle, &Scene::new(conditions).unwrap(), &settings);
@@ -136,6 +139,9 @@ fn contact_times(vehicle: &Vehicle, approach: &Approach, slope: f64) -> Vec<f64>
         slope,
         pad_friction: approach.friction,
         block_friction: approach.friction,
+        ground: touchdown_dynamics::ground::Ground::default(),
+        gravity: None,
+        thrust: touchdown_dynamics::thrust::Thrust::default(),
     };
     let settings = Settings::new(1e-10, 1.5, CrushRule::PivotRate).unwrap();
     let landing = land(vehicle, &Scene::new(conditions).unwrap(), &settings);

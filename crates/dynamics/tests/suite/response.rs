@@ -6,6 +6,7 @@ use nalgebra::{Vector3, Vector4};
 use touchdown_dynamics::integrator::rosenbrock::StageEquations;
 use touchdown_dynamics::integrator::step::StateVector;
 use touchdown_dynamics::motion::Signal;
+use touchdown_dynamics::response::Factors;
 use touchdown_dynamics::state::{LegState, State, quaternion_rate};
 
 const STILL: LegState<f64> = LegState {
@@ -78,7 +79,8 @@ fn implicit_stages_solve_the_equations_of_small_motions() {
     for (vehicle, (depth, sliding)) in all.into_iter().flatten() {
         let (bare, state) = pressed(&vehicle, depth, sliding);
         let response = bare.response(&state);
-        let system = response.over(tau);
+        let mut factors = Factors::none(3);
+        let system = response.over(tau, &mut factors);
         let rotations = 9..12;
         let mut answers = 0;
         for (k, r) in changes(&state.body().quaternion).iter().enumerate() {
@@ -108,7 +110,7 @@ fn implicit_stages_solve_the_equations_of_small_motions() {
 }
 
 #[test]
-fn greatest_rate_is_the_trace_of_what_velocities_do() {
+fn greatest_decay_is_the_trace_of_what_velocities_do() {
     let (bare, state) = pressed(&table_4_1(), 0.06, 0.01);
     let trace: f64 = changes(&state.body().quaternion)
         .iter()
@@ -123,7 +125,8 @@ fn greatest_rate_is_the_trace_of_what_velocities_do() {
             }
         })
         .sum();
-    let rate = bare.response(&state).greatest_rate();
+    let rate = bare.greatest_decay(&state);
+    assert_eq!(rate, bare.response(&state).greatest_decay());
     assert!(rate > 1000.0, "{rate}");
     // Products of inertia are left out.
     assert!((rate / -trace - 1.0).abs() < 0.03, "{rate}, not {trace}");

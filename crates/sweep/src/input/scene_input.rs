@@ -4,14 +4,19 @@
 //! build a scene from it; an axis of a sweep replaces one of the numbers.
 
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
+use touchdown_dynamics::ground::{Ground, LegFooting, Patch};
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::method::Method;
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::thrust::{MOST_KNOTS, Thrust};
 
 use crate::input_error::InputError;
-use crate::section::Section;
+use crate::section::{LocatedValue, Section};
 
-/// Names of all touchdown conditions, with their units.
-pub const NAMES: [&str; 15] = [
+/// Names of the touchdown conditions of the whole vehicle, with their units; those of the ground under each leg are in
+/// [`FOOTING_NAMES`].
+pub const NAMES: [&str; 16] = [
     "vertical_velocity_fps",
     "horizontal_velocity_fps",
     "cross_slope_deg",
@@ -27,6 +32,32 @@ pub const NAMES: [&str; 15] = [
     "angular_velocity_x_dps",
     "angular_velocity_y_dps",
     "angular_velocity_z_dps",
+    "gravity_fps2",
+];
+/// In place of the acceleration of gravity: the body on which the vehicle lands.
+const GRAVITY: &str = "gravity";
+/// Bodies by name, each with its acceleration of gravity in m/s²: standard gravity, and surface gravities of NASA's planetary
+/// fact sheets and of the Dawn mission.
+pub(crate) const BODIES: [(&str, f64); 4] = [
+    ("moon", 1.62),
+    ("mars", 3.71),
+    ("earth", 9.80665),
+    ("ceres", 0.284),
+];
+/// The table of thrust, its keys that are lists, and its numbers.
+const THRUST: &str = "thrust";
+pub(crate) const THRUST_KEYS: [&str; 5] =
+    ["time_s", "force_lb", "scale", "offset_x_ft", "offset_y_ft"];
+const THRUST_NAMES: [&str; 3] = ["thrust.scale", "thrust.offset_x_ft", "thrust.offset_y_ft"];
+/// The table of the ground under one leg, and its keys.
+pub(crate) const FOOTING: &str = "footing";
+pub(crate) const FOOTING_KEYS: [&str; 6] = [
+    "height_ft",
+    "tilt_along_deg",
+    "tilt_across_deg",
+    "block_height_ft",
+    "block_tilt_along_deg",
+    "block_tilt_across_deg",
 ];
 /// The condition that a boundary search varies.
 pub const HORIZONTAL_VELOCITY: &str = "horizontal_velocity_fps";
@@ -34,19 +65,84 @@ pub const HORIZONTAL_VELOCITY: &str = "horizontal_velocity_fps";
 const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
 const TIP: [&str; 3] = ["tip_deg", "tip_azimuth_deg", "nominal_roll_deg"];
 
+const METRES_PER_FOOT: f64 = 0.3048;
+const NUMBERS: &str = "a list of numbers";
+
 /// Greatest angle, a hundred turns, deg: beyond it digits are lost.
 const GREATEST_ANGLE: f64 = 36_000.0;
 
-/// A table of named touchdown conditions; velocities in ft/s, angles in deg, rates in deg/s.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+macro_rules! footing_names {
+    ($($leg:literal)*) => {
+        [$([
+            concat!("footing[", $leg, "].height_ft"),
+            concat!("footing[", $leg, "].tilt_along_deg"),
+            concat!("footing[", $leg, "].tilt_across_deg"),
+            concat!("footing[", $leg, "].block_height_ft"),
+            concat!("footing[", $leg, "].block_tilt_along_deg"),
+            concat!("footing[", $leg, "].block_tilt_across_deg"),
+        ]),*]
+    };
+}
+
+/// Names of the conditions of the ground under each leg, in the order of [`FOOTING_KEYS`].
+const FOOTING_NAMES: [[&str; FOOTING_KEYS.len()]; MOST_LEGS] = footing_names!(1 2 3 4 5 6 7 8);
+
+/// Number of all conditions.
+const COUNT: usize = NAMES.len() + THRUST_NAMES.len() + MOST_LEGS * FOOTING_KEYS.len();
+
+/// Names of all conditions of vehicles with so many legs.
+pub(crate) fn names(legs: usize) -> impl Iterator<Item = &'static str> {
+    let of_legs = FOOTING_NAMES.iter().take(legs).flatten();
+    NAMES.iter().chain(&THRUST_NAMES).chain(of_legs).copied()
+}
+
+/// Keys of a table [scene].
+pub(crate) fn scene_keys() -> Vec<&'static str> {
+    [&NAMES[..], &[GRAVITY, FOOTING, THRUST]].concat()
+}
+
+/// A table of named touchdown conditions; velocities in ft/s, lengths in ft, angles in deg, rates in deg/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedConditions {
-    values: [Option<f64>; NAMES.len()],
+    values: [Option<f64>; COUNT],
+    /// Knots of the thrust, s and lb, and how many.
+    thrust: ([[f64; 2]; MOST_KNOTS], usize),
+}
+
+impl Default for NamedConditions {
+    fn default() -> Self {
+        Self {
+            values: [None; COUNT],
+            thrust: ([[0.0; 2]; MOST_KNOTS], 0),
+        }
+    }
+}
+
+/// Where a condition stands in a table [scene], if it is there.
+pub(crate) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
+    let of_leg = || {
+        let (leg, rest) = FOOTING_NAMES.iter().enumerate().find_map(|(leg, names)| {
+            let key = names.iter().position(|known| *known == name)?;
+            Some((leg, FOOTING_KEYS[key]))
+        })?;
+        scene
+            .sections(FOOTING, &FOOTING_KEYS)
+            .ok()?
+            .get(leg)?
+            .optional(rest)
+    };
+    let of_thrust = || {
+        let key = name.strip_prefix("thrust.")?;
+        let thrust = scene.optional_section(THRUST, &THRUST_KEYS).ok()??;
+        thrust.optional(key).or_else(|| scene.optional(THRUST))
+    };
+    scene.optional(name).or_else(of_leg).or_else(of_thrust)
 }
 
 /// A condition that is missing or not allowed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneFault {
-    /// Name of the condition, as in [`NAMES`].
+    /// Name of the condition.
     pub name: &'static str,
     /// Its value; `None` when it is missing.
     pub value: Option<f64>,
@@ -63,15 +159,112 @@ impl NamedConditions {
                 conditions.set(name, value);
             }
         }
+        if let Some(found) = scene.optional(GRAVITY) {
+            if conditions.get("gravity_fps2").is_some() {
+                return Err(found.complain_that("also given as a number: expected one of them"));
+            }
+            let word = found.text().ok();
+            let body = BODIES.iter().find(|(name, _)| Some(*name) == word);
+            let Some((_, gravity)) = body else {
+                return Err(found.complain(
+                    "\"moon\", \"mars\", \"earth\" or \"ceres\", or a number as gravity_fps2 or gravity_mps2",
+                ));
+            };
+            conditions.set("gravity_fps2", gravity / METRES_PER_FOOT);
+        }
+        conditions.read_thrust(scene)?;
+        let footing = scene.sections(FOOTING, &FOOTING_KEYS)?;
+        if footing.len() > MOST_LEGS
+            && let Some(found) = scene.optional(FOOTING)
+        {
+            return Err(found.complain_that(&format!(
+                "{} tables: expected at most one for each leg",
+                footing.len()
+            )));
+        }
+        for (leg, names) in footing.iter().zip(FOOTING_NAMES) {
+            for (key, name) in FOOTING_KEYS.iter().zip(names) {
+                if let Some(value) = leg.optional_number(key)? {
+                    conditions.set(name, value);
+                }
+            }
+        }
         Ok(conditions)
     }
 
-    /// Index of a name in [`NAMES`], if it is one.
-    pub fn position(name: &str) -> Option<usize> {
-        NAMES.iter().position(|known| *known == name)
+    fn read_thrust(&mut self, scene: &Section) -> Result<(), InputError> {
+        let Some(thrust) = scene.optional_section(THRUST, &THRUST_KEYS)? else {
+            return Ok(());
+        };
+        let column = |key: &str| -> Result<Vec<f64>, InputError> {
+            let items = thrust.value(key, NUMBERS)?.items(NUMBERS)?;
+            items.iter().map(LocatedValue::number).collect()
+        };
+        let (times, forces) = (column("time_s")?, column("force_lb")?);
+        let list = thrust.value("force_lb", NUMBERS)?;
+        if times.len() != forces.len() {
+            let (forces, times) = (forces.len(), times.len());
+            return Err(list.complain_that(&format!(
+                "{forces} numbers: expected as many as in time_s, {times}"
+            )));
+        }
+        let knots: Vec<[f64; 2]> = times.iter().zip(forces).map(|(t, f)| [*t, f]).collect();
+        Thrust::new(&knots, [0.0; 2]).map_err(|invalid| {
+            let key = invalid.quantity.strip_prefix("thrust.").unwrap_or("time_s");
+            thrust.complain(&Invalid::new(key, invalid.value, invalid.allowed))
+        })?;
+        self.thrust.0[..knots.len()].copy_from_slice(&knots);
+        self.thrust.1 = knots.len();
+        for (key, name) in THRUST_KEYS[2..].iter().zip(THRUST_NAMES) {
+            if let Some(value) = thrust.optional_number(key)? {
+                self.set(name, value);
+            }
+        }
+        Ok(())
     }
 
-    /// Gives a condition a value; a name that is not in [`NAMES`] changes nothing.
+    /// Knots of the thrust: time, s, and force, lb.
+    pub(crate) fn thrust_knots(&self) -> &[[f64; 2]] {
+        &self.thrust.0[..self.thrust.1]
+    }
+
+    /// Thrust with its factor and offset.
+    fn thrust(&self) -> Result<Thrust, SceneFault> {
+        let number = |name: &'static str, default: f64| match self.get(name) {
+            Some(value) if self.thrust.1 == 0 => Err(SceneFault {
+                name,
+                value: Some(value),
+                allowed: "a table [scene.thrust] with time_s and force_lb".to_owned(),
+            }),
+            Some(_) => self.need(name),
+            None => Ok(default),
+        };
+        let [scale, x, y] = THRUST_NAMES;
+        let (factor, offset) = (number(scale, 1.0)?, [number(x, 0.0)?, number(y, 0.0)?]);
+        if self.thrust.1 == 0 {
+            return Ok(Thrust::default());
+        }
+        let scaled = self.thrust_knots().iter().map(|[t, f]| [*t, factor * f]);
+        let knots: Vec<[f64; 2]> = scaled.collect();
+        Thrust::new(&knots, offset).map_err(|invalid| {
+            let name = THRUST_NAMES
+                .into_iter()
+                .find(|name| *name == invalid.quantity);
+            let name = name.unwrap_or(scale);
+            SceneFault {
+                name,
+                value: self.get(name).or(Some(invalid.value)),
+                allowed: format!("{} (the forces times the scale)", invalid.allowed),
+            }
+        })
+    }
+
+    /// Index of the name of a condition, if it is one.
+    pub fn position(name: &str) -> Option<usize> {
+        names(MOST_LEGS).position(|known| known == name)
+    }
+
+    /// Gives a condition a value; the name of none changes nothing.
     pub fn set(&mut self, name: &str, value: f64) {
         if let Some(index) = Self::position(name) {
             self.values[index] = Some(value);
@@ -96,8 +289,7 @@ impl NamedConditions {
 
     /// The conditions given, and those that follow from them by default, by name.
     pub fn resolved(&self) -> Vec<(&'static str, f64)> {
-        NAMES
-            .into_iter()
+        names(MOST_LEGS)
             .filter_map(|name| Some((name, self.get(name).or_else(|| self.default_of(name))?)))
             .collect()
     }
@@ -136,6 +328,30 @@ impl NamedConditions {
         }
     }
 
+    /// The scene that these conditions describe for a vehicle with so many legs, to be computed by a method.
+    ///
+    /// # Errors
+    /// As [`NamedConditions::scene`], and when there is ground under a leg that the vehicle does not have, or thrust that
+    /// the method does not know.
+    pub fn scene_for(&self, legs: usize, method: &Method) -> Result<Scene, SceneFault> {
+        if !self.thrust_knots().is_empty() && *method != Method::Located {
+            return Err(SceneFault {
+                name: THRUST_NAMES[0],
+                value: self.get(THRUST_NAMES[0]).or(Some(1.0)),
+                allowed: "no thrust: only the method \"located\" knows it".to_owned(),
+            });
+        }
+        let beyond = FOOTING_NAMES.iter().skip(legs).flatten();
+        if let Some(name) = beyond.copied().find(|name| self.get(name).is_some()) {
+            return Err(SceneFault {
+                name,
+                value: self.get(name),
+                allowed: format!("the number of a leg: the vehicle has {legs}"),
+            });
+        }
+        self.scene()
+    }
+
     /// The scene that these conditions describe.
     ///
     /// # Errors
@@ -154,8 +370,37 @@ impl NamedConditions {
                 self.need("angular_velocity_y_dps")?.to_radians(),
                 self.need("angular_velocity_z_dps")?.to_radians(),
             ],
+            ground: self.ground()?,
+            gravity: self.gravity()?,
+            thrust: self.thrust()?,
         };
         Scene::new(conditions).map_err(|invalid| self.fault(invalid))
+    }
+
+    fn gravity(&self) -> Result<Option<f64>, SceneFault> {
+        let name = "gravity_fps2";
+        self.get(name).map(|_| self.need(name)).transpose()
+    }
+
+    /// The ground under the legs. Under a block it is that under the footpad where nothing else is given.
+    fn ground(&self) -> Result<Ground, SceneFault> {
+        let mut footing = Vec::with_capacity(MOST_LEGS);
+        for names in &FOOTING_NAMES {
+            let patch = |names: &[&'static str], default: Patch| -> Result<Patch, SceneFault> {
+                let given = |name| self.get(name).map(|_| self.need(name)).transpose();
+                let angle = |name| given(name).map(|angle| angle.map(f64::to_radians));
+                Ok(Patch {
+                    height: given(names[0])?.unwrap_or(default.height),
+                    tilt_along: angle(names[1])?.unwrap_or(default.tilt_along),
+                    tilt_across: angle(names[2])?.unwrap_or(default.tilt_across),
+                })
+            };
+            let (of_pad, of_block) = names.split_at(FOOTING_KEYS.len() / 2);
+            let pad = patch(of_pad, Patch::default())?;
+            let block = patch(of_block, pad)?;
+            footing.push(LegFooting { pad, block });
+        }
+        Ground::new(&footing).map_err(|invalid| self.fault(invalid))
     }
 
     fn attitude(&self) -> Result<Attitude, SceneFault> {
@@ -195,7 +440,7 @@ impl NamedConditions {
 
     fn fault(&self, invalid: Invalid) -> SceneFault {
         // Block friction that follows from friction is wrong where friction is.
-        let named = match NAMES.into_iter().find(|name| *name == invalid.quantity) {
+        let named = match names(MOST_LEGS).find(|name| *name == invalid.quantity) {
             Some("block_friction") if self.get("block_friction").is_none() => Some("friction"),
             named => named,
         };

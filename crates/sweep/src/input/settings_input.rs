@@ -5,15 +5,21 @@ use touchdown_dynamics::scene::{CrushRule, Settings};
 
 use crate::input_error::InputError;
 use crate::method_input;
-use crate::section::Section;
+use crate::section::{LocatedValue, Section};
+use touchdown_dynamics::method::Method;
 
 /// Keys of `[solver]`.
-pub(crate) const SOLVER: [&str; 4] = [
+pub(crate) const SOLVER: [&str; 5] = [
     "tolerance",
     "time_limit_s",
     "crush_rule",
     "friction_profile",
+    "stop",
 ];
+/// Words of when a landing ends: at its verdict, or at the time limit.
+pub const STOPS: [&str; 2] = ["verdict", "time"];
+/// Why the methods of 1966 do not go on beyond a verdict.
+pub const ONLY_LOCATED: &str = "only the method \"located\" goes on beyond the verdict";
 /// Words of the crush rules.
 pub(crate) const CRUSH_RULES: [&str; 2] = ["pivot-rate", "section"];
 /// Letters of the friction profiles.
@@ -27,6 +33,13 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
 /// Reads `[solver]` of single landings.
 pub(crate) fn settings_of_landing(root: &Section) -> Result<Settings, InputError> {
     settings_from(root, Settings::DEFAULT_TOLERANCE)
+}
+
+/// Where `[solver]` says when landings end.
+pub(crate) fn stop<'d>(root: &Section<'d>) -> Result<Option<LocatedValue<'d>>, InputError> {
+    let known = [&SOLVER[..], &method_input::KEYS].concat();
+    let solver = root.optional_section("solver", &known)?;
+    Ok(solver.and_then(|solver| solver.optional("stop")))
 }
 
 fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, InputError> {
@@ -57,9 +70,18 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
         }
         None => FrictionProfile::default(),
     };
-    Settings::new(tolerance, time_limit, rule)
+    let settings = Settings::new(tolerance, time_limit, rule)
         .map(|settings| settings.with_method(method).with_friction_profile(profile))
-        .map_err(|invalid| solver.as_ref().unwrap_or(root).complain(&invalid))
+        .map_err(|invalid| solver.as_ref().unwrap_or(root).complain(&invalid))?;
+    match solver.as_ref().and_then(|solver| solver.optional("stop")) {
+        None => Ok(settings),
+        Some(found) => match (found.text(), method) {
+            (Ok("verdict"), _) => Ok(settings),
+            (Ok("time"), Method::Located) => Ok(settings.beyond_verdict()),
+            (Ok("time"), _) => Err(found.complain_that(ONLY_LOCATED)),
+            _ => Err(found.complain("\"verdict\" or \"time\"")),
+        },
+    }
 }
 
 /// Letter of a friction profile in input files.

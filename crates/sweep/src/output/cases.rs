@@ -211,19 +211,24 @@ impl Columns {
         vehicles: &mut Vehicles,
         settings: &Settings,
     ) -> Result<CaseRow, InputError> {
+        let named = cell(heading, record, VEHICLE_COLUMN);
+        let vehicle = vehicles.of_row(named, &self.vehicle, record)?;
+        let settings = self.settings(settings, record)?;
         Ok(CaseRow {
             name: cell(heading, record, NAME_COLUMN).to_owned(),
-            scene: self.scene(record)?,
-            vehicle: vehicles.of_row(
-                cell(heading, record, VEHICLE_COLUMN),
-                &self.vehicle,
-                record,
-            )?,
-            settings: self.settings(settings, record)?,
+            scene: self.scene(record, vehicle.legs().len(), &settings.method())?,
+            vehicle,
+            settings,
         })
     }
 
-    fn scene(&self, record: &StringRecord) -> Result<Scene, InputError> {
+    /// The scene of a row, for a vehicle with so many legs and a method.
+    fn scene(
+        &self,
+        record: &StringRecord,
+        legs: usize,
+        method: &Method,
+    ) -> Result<Scene, InputError> {
         let mut conditions = NamedConditions::default();
         let given = values(&self.scene, record)?;
         for (parameter, _, value) in &given {
@@ -231,7 +236,7 @@ impl Columns {
                 conditions.set(parameter.program_name(), *number);
             }
         }
-        conditions.scene().map_err(|fault| {
+        conditions.scene_for(legs, method).map_err(|fault| {
             let given = (given.iter()).find(|(known, ..)| known.program_name() == fault.name);
             match (fault.value, given) {
                 (Some(value), Some((parameter, text, _))) => {
@@ -263,6 +268,9 @@ impl Columns {
             crush_rule_name(given.crush_rule()),
             friction_profile_name(given.friction_profile())
         );
+        if given.goes_on() {
+            text += "stop = \"time\"\n";
+        }
         if values.iter().all(is_located) {
             text += &format!("tolerance = {}\n", given.tolerance());
         }

@@ -46,7 +46,9 @@ pub fn tables() -> Vec<KeyTable> {
         table("vehicle.profile", &vehicle_file::PRESSURE),
         table("vehicle.legs", &vehicle_file::LEG),
         table("sweep", &SWEEP),
-        table("scene", &scene_input::NAMES),
+        table("scene", &scene_input::scene_keys()),
+        table("scene.thrust", &scene_input::THRUST_KEYS),
+        table("scene.footing", &scene_input::FOOTING_KEYS),
         table("axis", &axis_input::FORM),
         table("sample", &sample_input::SAMPLE),
         table("sampled axis", &sample_input::FORM),
@@ -80,6 +82,7 @@ pub fn word_choices() -> Vec<WordChoice> {
             "friction_profile",
             settings_input::FRICTION_PROFILES.to_vec(),
         ),
+        choice("stop", settings_input::STOPS.to_vec()),
         choice("method", method_input::METHODS.to_vec()),
     ]
 }

@@ -24,6 +24,8 @@ const SAMPLED: [&str; 7] = [
     "column",
 ];
 const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";
+/// Stands for each leg in the name of an axis.
+const ANY_LEG: &str = "[*]";
 const NEEDED: &str = "a table [axes] with at least one condition that varies";
 
 /// A parameter and the place of its values.
@@ -47,7 +49,7 @@ pub(crate) fn entries<'d>(
     // Nested tables may have changed the order of the lines.
     leaves.sort_by_key(|(_, found)| found.node.line);
     let mut entries: Vec<AxisEntry> = Vec::with_capacity(leaves.len());
-    for (name, found) in leaves {
+    for (name, found) in leaves.into_iter().flat_map(|leaf| leg_by_leg(leaf, legs)) {
         let Some(parameter) = Parameter::named(&name, legs) else {
             return Err(found.complain_that(&Parameter::unknown(&name, legs)));
         };
@@ -57,6 +59,20 @@ pub(crate) fn entries<'d>(
         entries.push(AxisEntry { parameter, found });
     }
     Ok(entries)
+}
+
+/// An axis of its own for each leg where the name leaves the leg open: `footing[*].height_ft`.
+fn leg_by_leg<'d>(
+    (name, found): (String, LocatedValue<'d>),
+    legs: usize,
+) -> Vec<(String, LocatedValue<'d>)> {
+    if !name.contains(ANY_LEG) {
+        return vec![(name, found)];
+    }
+    let numbered = |leg: usize| name.replacen(ANY_LEG, &format!("[{leg}]"), 1);
+    (1..=legs)
+        .map(|leg| (numbered(leg), found.clone()))
+        .collect()
 }
 
 /// Collects what is no table of axes, with its dotted name.

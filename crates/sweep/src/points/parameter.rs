@@ -9,7 +9,7 @@ use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::method_input;
-use crate::scene_input::NAMES;
+use crate::scene_input;
 use crate::spelling::{Conversion, differ_in_unit, dotted_conversion, spellings, with_unit_of};
 use crate::{search_input, settings_input, vehicle_file};
 
@@ -46,9 +46,9 @@ impl Parameter {
     /// The parameter of a name, with any of its units, for vehicles with `legs` legs.
     pub fn named(name: &str, legs: usize) -> Option<Self> {
         let short = name.strip_prefix("scene.").unwrap_or(name);
-        let of_scene = NAMES.iter().find_map(|known| {
+        let of_scene = scene_input::names(legs).find_map(|known| {
             let conversion = dotted_conversion(short, known)?;
-            Some((short, (*known).to_owned(), conversion))
+            Some((short, known.to_owned(), conversion))
         });
         let others = || {
             dotted_names(legs).into_iter().find_map(|known| {
@@ -65,6 +65,7 @@ impl Parameter {
         };
         let words: &[&str] = match program_name.as_str() {
             "solver.crush_rule" => &settings_input::CRUSH_RULES,
+            "solver.stop" => &settings_input::STOPS,
             "solver.friction_profile" => &settings_input::FRICTION_PROFILES,
             "solver.method" => &method_input::METHODS,
             _ => &[],
@@ -84,8 +85,8 @@ impl Parameter {
         const SHOWN: usize = 3;
         const LEAST_LIKENESS: f64 = 0.75;
         const BELOW_BEST: f64 = 0.08;
-        let scene = NAMES.iter().map(|name| (*name).to_owned());
-        let full = NAMES.iter().map(|name| format!("scene.{name}"));
+        let scene = scene_input::names(legs).map(str::to_owned);
+        let full = scene_input::names(legs).map(|name| format!("scene.{name}"));
         let last = |name: &str| name.rsplit('.').next().unwrap_or(name).to_owned();
         let likeness = |known: &String| {
             let whole = strsim::jaro_winkler(name, known);

@@ -65,6 +65,9 @@ fn variations_change_what_they_say_and_little_of_it() {
         angular_velocity: Default::default(),
         pad_friction: 1.0,
         block_friction: 1.0,
+        ground: touchdown_dynamics::ground::Ground::default(),
+        gravity: None,
+        thrust: touchdown_dynamics::thrust::Thrust::default(),
     })
     .unwrap();
     let settings = Settings::new(1e-6, 40.0, CrushRule::default()).unwrap();

@@ -176,6 +176,7 @@ pub(crate) mod tests {
     /// A landing made up for tests of tables.
     pub fn example() -> Landing {
         Landing {
+            beyond: None,
             outcome: Outcome::Failure(Failure::PadInclination { leg: 1 }),
             end_time: 1.5,
             min_stability_angle: std::f64::consts::PI / 6.0,
@@ -193,6 +194,7 @@ pub(crate) mod tests {
             energies: Energies {
                 initial_kinetic: 100.0,
                 potential_change: 10.0,
+                thrust: 0.0,
                 legs: [LegWork::default(); 3].into(),
                 final_kinetic: 109.5,
             },

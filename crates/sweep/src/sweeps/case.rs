@@ -140,9 +140,13 @@ impl Sweep {
         if let Job::Boundary(search) = job {
             conditions.set(HORIZONTAL_VELOCITY, search.from);
         }
+        let vehicle = self.vehicle_at(axes, coordinates)?;
+        let legs = vehicle.legs().len();
         Ok(Case {
-            vehicle: self.vehicle_at(axes, coordinates)?,
-            scene: conditions.scene().map_err(CaseFault::Scene)?,
+            vehicle,
+            scene: conditions
+                .scene_for(legs, &settings.method())
+                .map_err(CaseFault::Scene)?,
             job,
             settings,
         })

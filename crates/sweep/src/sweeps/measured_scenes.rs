@@ -20,6 +20,9 @@ fn level(cross_slope: f64, roll: f64, horizontal_velocity: f64) -> Result<Scene,
         slope: 15f64.to_radians(),
         pad_friction: 1.0,
         block_friction: 1.0,
+        ground: touchdown_dynamics::ground::Ground::default(),
+        gravity: None,
+        thrust: touchdown_dynamics::thrust::Thrust::default(),
     })
 }
 

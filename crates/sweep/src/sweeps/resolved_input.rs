@@ -22,13 +22,16 @@ const MOST_VALUES: usize = 1000;
 impl Sweep {
     /// Everything that determines the results, and nothing else: neither title nor file names.
     pub fn resolved(&self) -> Value {
-        let scene: Map<String, Value> = self
+        let mut scene: Map<String, Value> = self
             .fixed
             .resolved()
             .into_iter()
             .filter(|(name, _)| self.axes.iter().all(|axis| axis.program_name() != *name))
             .map(|(name, value)| (name.to_owned(), json!(value)))
             .collect();
+        if !self.fixed.thrust_knots().is_empty() {
+            scene.insert("thrust_s_lb".to_owned(), json!(self.fixed.thrust_knots()));
+        }
         let mut input = json!({
             "job": match self.job {
                 Job::Boundary(_) => "boundary",

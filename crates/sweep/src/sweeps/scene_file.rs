@@ -14,7 +14,7 @@ use crate::input_error::{InputError, Place};
 use crate::library::Library;
 use crate::output_units::{OutputUnits, UNITS};
 use crate::parameter::{Home, Parameter};
-use crate::scene_input::{NAMES, NamedConditions, SceneFault};
+use crate::scene_input::{self, NamedConditions, SceneFault};
 use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::settings_input;
@@ -61,7 +61,7 @@ pub fn read(path: &Path) -> Result<SceneFile, InputError> {
         title.text()?;
     }
     let units = OutputUnits::read(&root)?;
-    let scene = root.section("scene", &NAMES)?;
+    let scene = root.section("scene", &scene_input::scene_keys())?;
     let stack = Stack::of(path, &document, &root, &scene)?;
     let cases = cases(&root, &scene, stack)?;
     Ok(SceneFile { units, cases })
@@ -272,18 +272,22 @@ impl Stack {
                 None => error,
             }
         };
-        let touchdown = self.conditions.scene().map_err(|fault| match changes {
+        let vehicle = VehicleFile::from_document(self.vehicle.clone());
+        let vehicle = vehicle.map_err(blame(Home::Vehicle))?;
+        let settings = Section::root(&self.document, &SCENE_FILE)
+            .and_then(|root| settings_input::settings_of_landing(&root));
+        let settings = settings.map_err(blame(Home::Sweep))?;
+        let legs = vehicle.vehicle.legs().len();
+        let touchdown = self.conditions.scene_for(legs, &settings.method());
+        let touchdown = touchdown.map_err(|fault| match changes {
             Some(changes) => changes.blame_condition(&fault),
             None => locate_condition(&fault, scene, &[]),
         })?;
-        let vehicle = VehicleFile::from_document(self.vehicle.clone());
-        let settings = Section::root(&self.document, &SCENE_FILE)
-            .and_then(|root| settings_input::settings_of_landing(&root));
         Ok(SceneCase {
             name,
-            vehicle: vehicle.map_err(blame(Home::Vehicle))?,
+            vehicle,
             scene: touchdown,
-            settings: settings.map_err(blame(Home::Sweep))?,
+            settings,
         })
     }
 }

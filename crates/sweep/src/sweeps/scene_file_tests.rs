@@ -148,3 +148,114 @@ fn complaints_name_line_case_key_value_and_what_is_allowed() {
         }
     }
 }
+
+#[test]
+fn the_ground_under_each_leg_may_differ() {
+    let text = "[[scene.footing]]\n[[scene.footing]]\nheight_m = 0.3048\ntilt_across_deg = 3\nblock_height_ft = 0\n\
+                [[case]]\n[[case]]\n\"footing[3].height_ft\" = -0.5\n";
+    let cases = read_text(text).unwrap();
+    let footing = |case: usize, leg: usize| *cases[case].scene.conditions().ground.leg(leg);
+    assert_eq!(footing(0, 0), Default::default());
+    let rock = footing(0, 1);
+    assert_eq!((rock.pad.height, rock.block.height), (1.0, 0.0));
+    assert_eq!(rock.pad.tilt_across, 3f64.to_radians());
+    assert_eq!(rock.block.tilt_across, rock.pad.tilt_across);
+    assert_eq!(footing(0, 2), Default::default());
+    assert_eq!((footing(1, 1), footing(1, 2).block.height), (rock, -0.5));
+}
+
+#[test]
+fn ground_that_cannot_be_is_refused_where_it_is_said() {
+    for (text, said) in [
+        (
+            "[[scene.footing]]\nheight_ft = 2000\n",
+            "deck.toml:10: scene.footing[1].height_ft = 2000: expected -1000 ≤ value ≤ 1000",
+        ),
+        (
+            "[[scene.footing]]\n[[scene.footing]]\nblock_tilt_across_deg = -70\n",
+            "scene.footing[2].block_tilt_across_deg = -70: expected -60 ≤ value ≤ 60",
+        ),
+        ("slope_rad = 1.5\n", "one spelling of a quantity"),
+        (
+            "[[scene.footing]]\nheight_in = 3\n",
+            "scene.footing[1].height_in = 3: unknown key",
+        ),
+        (
+            "[[case]]\n\"footing[4].height_ft\" = 1\n",
+            "the number of a leg: the vehicle has 3",
+        ),
+        (
+            "[[scene.footing]]\n[[scene.footing]]\n[[scene.footing]]\n[[scene.footing]]\nheight_ft = 1\n",
+            "scene.footing[4].height_ft = 1: expected the number of a leg: the vehicle has 3",
+        ),
+    ] {
+        let complaint = complaint(text);
+        assert!(complaint.contains(said), "{complaint}");
+    }
+}
+
+#[test]
+fn gravity_thrust_and_stop_are_of_the_scene() {
+    let text = "gravity = \"mars\"\n[scene.thrust]\ntime_s = [0, 0.5]\nforce_n = [444.82216152605, 0]\n\
+                offset_x_m = 0.3048\n[solver]\nstop = \"time\"\n\
+                [[case]]\n[[case]]\ngravity_mps2 = 9.80665\n\"thrust.scale\" = 0.5\nsolver.stop = \"verdict\"\n";
+    let cases = read_text(text).unwrap();
+    let conditions = |case: usize| *cases[case].scene.conditions();
+    let gravity = [0, 1].map(|case| conditions(case).gravity.unwrap() * 0.3048);
+    assert!((gravity[0] - 3.71).abs() < 1e-12 && (gravity[1] - 9.80665).abs() < 1e-12);
+    let force = |case: usize| conditions(case).thrust.line_from(0.0).0.at(0.25);
+    assert!((force(0) - 50.0).abs() < 1e-12 && (force(1) - 25.0).abs() < 1e-12);
+    assert_eq!(conditions(0).thrust.offset(), [1.0, 0.0]);
+    let goes_on = [0, 1].map(|case| cases[case].settings.goes_on());
+    assert_eq!(goes_on, [true, false]);
+}
+
+#[test]
+fn gravity_and_thrust_that_cannot_be_are_refused_where_they_are_said() {
+    for (text, said) in [
+        (
+            "gravity = \"pluto\"\n",
+            "deck.toml:9: scene.gravity = \"pluto\": expected \"moon\", \"mars\"",
+        ),
+        (
+            "gravity = \"moon\"\ngravity_fps2 = 5\n",
+            "scene.gravity = \"moon\": also given as a number",
+        ),
+        (
+            "gravity_fps2 = 0\n",
+            "scene.gravity_fps2 = 0: expected 0 < value",
+        ),
+        (
+            "[scene.thrust]\ntime_s = [0, 1]\nforce_lb = [80]\n",
+            "1 numbers: expected as many as in time_s, 2",
+        ),
+        (
+            "[scene.thrust]\ntime_s = [0, 1, 1]\nforce_lb = [80, 0, 0]\n",
+            "expected a time after the one before, 1",
+        ),
+        (
+            "[scene.thrust]\ntime_s = [0]\nforce_lb = [-80]\n",
+            "expected 0 ≤ value ≤ 1e9",
+        ),
+        (
+            "[scene.thrust]\nforce_lb = [80]\n",
+            "scene.thrust.time_s is missing",
+        ),
+        (
+            "[scene.thrust]\ntime_s = [0]\nforce_lb = [80]\n[solver]\nmethod = \"rk4\"\n",
+            "only the method \"located\" knows it",
+        ),
+        ("[[case]]\n\"thrust.scale\" = 2\n", "a table [scene.thrust]"),
+        (
+            "[solver]\nstop = \"never\"\n",
+            "solver.stop = \"never\": expected \"verdict\" or \"time\"",
+        ),
+        (
+            "[solver]\nmethod = \"rk4\"\nstop = \"time\"\n",
+            "only the method \"located\" goes on",
+        ),
+    ] {
+        let complaint = complaint(text);
+        assert!(complaint.contains(said), "{text}: {complaint}");
+    }
+}

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use touchdown_dynamics::per_leg::MOST_LEGS;
+
 use crate::axis_input::{self, AxisEntry};
 pub use crate::sweep::{Job, Sweep};
 
@@ -13,7 +15,7 @@ use crate::input_error::{InputError, short};
 use crate::library::Library;
 use crate::output_units::OutputUnits;
 use crate::parameter::{Home, Parameter};
-use crate::scene_input::{HORIZONTAL_VELOCITY, NAMES, NamedConditions, SceneFault};
+use crate::scene_input::{self, HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
 use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::sensitivity_input;
@@ -45,7 +47,7 @@ impl Sweep {
         let units = OutputUnits::read(&root)?;
         let vehicle = vehicle_document(&root, path, library)?;
         let asked = asked(&root)?;
-        let scene = root.section("scene", &NAMES)?;
+        let scene = root.section("scene", &scene_input::scene_keys())?;
         let entries = axis_input::entries(&root, vehicle_file::leg_count(&vehicle))?;
         check_names(&root, &scene, &entries, asked)?;
         let mut sources = vec![document.source(), vehicle.source()];
@@ -83,6 +85,12 @@ impl Sweep {
         };
         let settings = settings_input::settings(&varied)
             .map_err(|error| at_axes(Home::Sweep, error, settings_input::settings(&root).err()))?;
+        if let Some(found) = settings_input::stop(&root)?
+            && asked == JobWord::Boundary
+            && settings.goes_on()
+        {
+            return Err(found.complain("\"verdict\", at which the landings of a search end"));
+        }
         let read_vehicle = VehicleFile::from_document;
         let varied = read_vehicle(case::written(&vehicle, &axes, Home::Vehicle, &first));
         let varied = varied
@@ -188,8 +196,8 @@ fn check_names(
     } else if let Some(found) = root.optional("search") {
         return Err(found.complain_that("not used with job = \"outcome\""));
     }
-    for name in NAMES {
-        if let (Some(entry), Some(_)) = (varied(name), scene.optional(name)) {
+    for name in scene_input::names(MOST_LEGS) {
+        if let (Some(entry), Some(_)) = (varied(name), scene_input::find(scene, name)) {
             let both = "also in [scene]: expected only one of the two";
             return Err(entry.found.complain_that(both));
         }
@@ -273,7 +281,7 @@ pub(crate) fn locate_condition(
     scene: &Section,
     entries: &[AxisEntry],
 ) -> InputError {
-    if let Some(found) = scene.optional(fault.name) {
+    if let Some(found) = scene_input::find(scene, fault.name) {
         return found.complain(&fault.allowed);
     }
     let entry = entries

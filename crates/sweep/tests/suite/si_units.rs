@@ -298,6 +298,16 @@ fn every_key_with_a_unit_is_read_in_si() {
                 check(&format!("{SCENE}{EULER}"), "[scene]", &euler, &scene)
                     + check(&format!("{SCENE}{TIP}"), "[scene]", &keys(&is_tip), &scene)
             }
+            "scene.thrust" => {
+                let text = format!(
+                    "{SCENE}[scene.thrust]\ntime_s = [0, 0.5]\nforce_lb = [80, 0]\nscale = 0.5\n"
+                );
+                check(&text, "[scene.thrust]", all, &scene)
+            }
+            "scene.footing" => {
+                let text = format!("{SCENE}[[scene.footing]]\n");
+                check(&text, "[[scene.footing]]", all, &scene)
+            }
             "map" => check(MAP, "[map]", all, &map),
             "search" => check(MAP, "[search]", all, &map),
             "solver.error_per_second" => {

@@ -70,9 +70,13 @@ impl Report<'_> {
         let mut lines = Lines(format!("{name}\n{changes}{}\n\n", wrapped(&given)));
         lines.add(
             "outcome",
-            format!("{} at {:.6} s", landing.outcome, landing.end_time),
+            format!("{} at {:.6} s", landing.outcome, verdict_time(landing)),
         );
         lines.add("why", why(&landing.outcome));
+        if let Some(beyond) = &landing.beyond {
+            let said = format!("to {:.6} s: {}", landing.end_time, beyond.end);
+            lines.add("went on", said);
+        }
         lines.add(
             "least stability angle",
             format!(
@@ -107,7 +111,8 @@ impl Report<'_> {
         );
         let energy = units.quantity("energy_ftlb");
         let closure = energy.number(energies.closure());
-        for (name, value) in [
+        let thrust = ("+ work of the thrust", energies.thrust);
+        let terms = [
             ("kinetic energy at contact", energies.initial_kinetic),
             ("+ potential energy released", energies.potential_change),
             ("- struts", work(|leg| leg.strut)),
@@ -117,7 +122,10 @@ impl Report<'_> {
             ("- blocks, sliding", work(|leg| leg.block_friction)),
             ("- stops", work(|leg| leg.stop)),
             ("- kinetic energy at the end", energies.final_kinetic),
-        ] {
+        ];
+        let (gained, spent) = terms.split_at(2);
+        let thrust = Some(&thrust).filter(|(_, work)| *work != 0.0);
+        for &(name, value) in gained.iter().chain(thrust).chain(spent) {
             let (value, unit) = (energy.number(value), energy.unit());
             lines.add(name, format!("{value:>14.4} {unit}"));
         }
@@ -194,6 +202,12 @@ impl Report<'_> {
             "integration": integration_report::json(self.integration, landing.leg_count()),
         })
     }
+}
+
+/// When the verdict fell, s.
+fn verdict_time(landing: &Landing) -> f64 {
+    let beyond = landing.beyond.as_ref();
+    beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }
 
 /// What is to be told of a landing although its account closes: elements that gave back more than they took.

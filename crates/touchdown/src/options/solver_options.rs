@@ -3,10 +3,11 @@
 use clap::Args;
 use touchdown_dynamics::friction::FrictionProfile;
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::method::Method;
 use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
-use touchdown_sweep::settings_input::{crush_rule, friction_profile};
+use touchdown_sweep::settings_input::{ONLY_LOCATED, STOPS, crush_rule, friction_profile};
 
 use crate::touchdown_options::finite;
 
@@ -43,6 +44,9 @@ pub struct SolverOptions {
     /// Time at which a landing without an outcome ends as time-expired, s [default: 40]
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     time_limit: Option<f64>,
+    /// When a landing ends: at its "verdict", or at the "time" limit, its first verdict noted, to see what comes after
+    #[arg(long, value_name = "WHEN", default_value = "verdict", value_parser = STOPS)]
+    stop: String,
 }
 
 /// The crush rule of a name.
@@ -68,13 +72,18 @@ impl SolverOptions {
         let method = method(&self.method, &numbers).map_err(in_options)?;
         let tolerance = self.tolerance.unwrap_or(Settings::DEFAULT_TOLERANCE);
         let time_limit = self.time_limit.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
-        Settings::new(tolerance, time_limit, self.crush_rule)
+        let settings = Settings::new(tolerance, time_limit, self.crush_rule)
             .map(|settings| {
                 settings
                     .with_method(method)
                     .with_friction_profile(self.friction_profile)
             })
-            .map_err(in_options)
+            .map_err(in_options)?;
+        match (self.stop.as_str(), method) {
+            ("time", Method::Located) => Ok(settings.beyond_verdict()),
+            ("time", _) => Err(InputError::other(format!("--stop time: {ONLY_LOCATED}"))),
+            _ => Ok(settings),
+        }
     }
 }
 

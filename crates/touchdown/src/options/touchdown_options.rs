@@ -1,6 +1,7 @@
 //! Touchdown conditions on the command line.
 
 use clap::Args;
+use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::Scene;
 use touchdown_sweep::assignment::{self, Assignment};
@@ -123,13 +124,15 @@ impl TouchdownOptions {
         Ok(conditions)
     }
 
-    /// The scene of the conditions, with complaints in the words of the command line.
+    /// The scene of the conditions for a vehicle with so many legs and a method, with complaints in the words of the command line.
     pub fn scene(
         &self,
         conditions: &NamedConditions,
         set: &[Assignment],
+        legs: usize,
+        method: &Method,
     ) -> Result<Scene, InputError> {
-        conditions.scene().map_err(
+        conditions.scene_for(legs, method).map_err(
             |SceneFault {
                  name,
                  value,

@@ -4,7 +4,9 @@ use nalgebra::Vector3;
 
 use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
-use crate::kinematics::{BodyFrame, LegFrame, LegGeometry, LegPose, PlanePoint, PointVelocity};
+use crate::kinematics::{
+    BodyFrame, LegFrame, LegGeometry, LegGround, LegPose, PlanePoint, PointVelocity,
+};
 use crate::lanes::per_lane;
 use crate::scalar::Real;
 use crate::scene::Scene;
@@ -15,6 +17,7 @@ use crate::vehicle::Leg;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LegMotion<S> {
     pub(super) geometry: LegGeometry<S>,
+    pub(super) ground: LegGround<S>,
     pub(super) link_inertia: S,
     inverse_link_inertia: S,
     pub(super) pad_inertia: S,
@@ -29,6 +32,7 @@ pub(super) struct LegMotion<S> {
 
 per_lane!(LegMotion {
     geometry,
+    ground,
     link_inertia,
     inverse_link_inertia,
     pad_inertia,
@@ -40,12 +44,21 @@ per_lane!(LegMotion {
 });
 
 impl LegMotion<f64> {
-    pub(super) fn new(leg: &Leg, hardpoint_depth: f64, scene: &Scene) -> Self {
+    /// Of leg `index`, placed from where legs are placed from ([`LegGround::new`]).
+    pub(super) fn new(
+        index: usize,
+        leg: &Leg,
+        hardpoint_depth: f64,
+        center: [f64; 2],
+        scene: &Scene,
+    ) -> Self {
+        let geometry = LegGeometry::new(leg, hardpoint_depth);
         let design = leg.design();
         let pad = &design.footpad;
         let quarter_circle = std::f64::consts::FRAC_PI_4;
         Self {
-            geometry: LegGeometry::new(leg, hardpoint_depth),
+            ground: LegGround::new(scene, index, &geometry, center, leg.extended_angle()),
+            geometry,
             link_inertia: design.linkage.inertia,
             inverse_link_inertia: 1.0 / design.linkage.inertia,
             pad_inertia: pad.inertia,
@@ -102,16 +115,16 @@ impl<S: Real> Touch<S> {
         }
     }
 
-    /// Normal force N and friction along the sliding velocity of `point` (39).
+    /// Normal force N and friction along the sliding velocity of `point` (39), over ground with this inward normal.
     #[inline(always)]
     fn new(
-        frame: &LegFrame<S>,
+        inward: &Vector3<S>,
         point: &PlanePoint<S>,
         velocity: PointVelocity<S>,
         normal: S,
         drag: S,
     ) -> Self {
-        let line = frame.normal + velocity.sliding * drag;
+        let line = inward + velocity.sliding * drag;
         let force = line * -normal;
         Self {
             moment: point.moment(&force),
@@ -131,16 +144,38 @@ impl<S: Real> Touch<S> {
 }
 
 impl<S: Real> LegMotion<S> {
+    /// The body's frame along this leg, over its ground.
+    #[inline(always)]
+    pub(super) fn frame(&self, body: &BodyFrame<S>) -> LegFrame<S> {
+        if self.ground.is_even() {
+            self.geometry.frame(body, [&body.surface; 2])
+        } else {
+            let [pad, block] = self.ground.seen(body);
+            self.geometry.frame(body, [&pad, &block])
+        }
+    }
+
     /// Normal force (29) on the footpad per unit of relative pressure in both sections, lb.
     #[inline(always)]
     pub(super) fn pad_force_per_pressure(&self, pose: &LegPose<S>) -> S {
         self.pad_strength * (pose.pad_upright + pose.pad_inclination)
     }
 
+    /// Normal forces (29) on the outboard and inboard sections of the footpad, lb.
+    #[inline(always)]
+    pub(super) fn pad_section_forces(&self, pose: &LegPose<S>, pieces: &LegPieces<S>) -> [S; 2] {
+        let per_pressure = self.pad_force_per_pressure(pose);
+        let [outer, inner] = pose.pad_interference;
+        [
+            per_pressure * pieces.pad[0].at(outer),
+            per_pressure * pieces.pad[1].at(inner),
+        ]
+    }
+
     /// Normal force (33) on the block per unit of relative pressure, lb.
     #[inline(always)]
     pub(super) fn block_force_per_pressure(&self, frame: &LegFrame<S>) -> S {
-        let cos_block = frame.normal.z;
+        let cos_block = frame.block.normal.z;
         self.block_strength * (S::one() + cos_block * cos_block)
     }
 
@@ -157,17 +192,24 @@ impl<S: Real> LegMotion<S> {
 
     /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
     /// computed of elements that are not `pressed`, and their signals mean nothing; without
-    /// `FORCES` nothing but the signals means anything, and of those not the link torque. The pad's turn has
-    /// to be its angle (`stops`).
+    /// `FORCES` nothing but the signals means anything, and of those not the link torque; without `FULL` the leg has to stand
+    /// over the surface. The pad's turn has to be its angle (`stops`).
     #[inline(always)]
-    pub(super) fn action<const FORCES: bool, const SIGNALS: bool>(
+    pub(super) fn action<const FORCES: bool, const SIGNALS: bool, const FULL: bool>(
         &self,
         body: &BodyFrame<S>,
         leg: &LegState<S>,
         pieces: &LegPieces<S>,
         pressed: Pressed,
     ) -> LegAction<S> {
-        let frame = self.geometry.frame(body);
+        let seen;
+        let grounds = if !FULL || self.ground.is_even() {
+            [&body.surface; 2]
+        } else {
+            seen = self.ground.seen(body);
+            [&seen[0], &seen[1]]
+        };
+        let frame = self.geometry.frame(body, grounds);
         let pad_angle = leg.pad_turn;
         let pose = self.geometry.pose(&frame, leg.link_angle, pad_angle);
         let link_length = self.geometry.link_length();
@@ -183,7 +225,7 @@ impl<S: Real> LegMotion<S> {
             let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
             let normal = per_pressure * (pressure[0] + pressure[1]);
             let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
-            let pad = Touch::new(&frame, &pose.pivot, velocity, normal, drag);
+            let pad = Touch::new(&frame.pad.normal, &pose.pivot, velocity, normal, drag);
             let along_z = pose.pad_z.dot(&pad.line);
             let along_y = pose.pad_y.dot(&pad.line);
             let centroids = self.geometry.centroids();
@@ -198,11 +240,17 @@ impl<S: Real> LegMotion<S> {
         let block = if !SIGNALS && !pressed.blocks {
             Touch::none()
         } else {
-            let velocity = frame.velocity_at(&pose.block_center);
+            let velocity = frame.block_velocity(&pose);
             let normal = self.block_normal(&frame, &pose, pieces);
             let drag =
                 self.block_friction * pieces.block_friction.per_speed(velocity.sliding_squared);
-            Touch::new(&frame, &pose.block_center, velocity, normal, drag)
+            Touch::new(
+                &frame.block.normal,
+                &pose.block_center,
+                velocity,
+                normal,
+                drag,
+            )
         };
 
         // Lower link (49), (68).
@@ -239,7 +287,7 @@ impl<S: Real> LegMotion<S> {
         let rates = frame.pad_interference_rates(
             &pose,
             &self.geometry,
-            pad.velocity.inward - idle_swing * pose.link_normal.dot(&frame.normal),
+            pad.velocity.inward - idle_swing * pose.link_normal.dot(&frame.pad.normal),
             derivative.link_angle,
             pad_speed,
         );
@@ -268,7 +316,7 @@ impl<S: Real> LegMotion<S> {
             foot.x,
             foot.y,
             foot.z,
-            body.depth + body.normal.dot(&self.geometry.lower_hardpoint()),
+            grounds[1].depth_of(&self.geometry.lower_hardpoint()),
         ];
         LegAction {
             force: self.geometry.in_vehicle_axes(&(pad.force + block.force)),

@@ -4,6 +4,7 @@ use crate::lanes::{Lanes, PerLane};
 use crate::leg_pieces::LegPieces;
 use crate::per_leg::PerLeg;
 use crate::scalar::Real;
+use crate::thrust::ThrustLine;
 
 /// What presses on a leg, in any lane.
 #[derive(Debug, Clone, Copy)]
@@ -49,6 +50,7 @@ impl<S: Real> ActivePieces<S> {
 #[derive(Debug, Clone, Copy)]
 pub struct Pieces<S> {
     legs: PerLeg<ActivePieces<S>>,
+    thrust: ThrustLine<S>,
 }
 
 impl<S: Real> Pieces<S> {
@@ -56,6 +58,12 @@ impl<S: Real> Pieces<S> {
     #[inline(always)]
     pub fn press_stops(&self) -> bool {
         self.legs.iter().any(|leg| leg.pressed.stops)
+    }
+
+    /// Thrust of the engine.
+    #[inline(always)]
+    pub fn thrust(&self) -> &ThrustLine<S> {
+        &self.thrust
     }
 
     /// Of leg `leg`.
@@ -73,7 +81,13 @@ impl Pieces<f64> {
     pub fn new(legs: &[LegPieces<f64>]) -> Self {
         Self {
             legs: PerLeg::from_fn(legs.len(), |leg| ActivePieces::new(legs[leg])),
+            thrust: ThrustLine::none(),
         }
+    }
+
+    /// Sets the thrust.
+    pub fn set_thrust(&mut self, line: ThrustLine<f64>) {
+        self.thrust = line;
     }
 
     /// Sets the coefficients of leg `leg`.
@@ -87,13 +101,15 @@ impl<const N: usize> Pieces<Lanes<N>> {
     pub fn absent(legs: usize) -> Self {
         Self {
             legs: PerLeg::same(legs, ActivePieces::new(LegPieces::absent().splat())),
+            thrust: ThrustLine::none(),
         }
     }
 
-    /// Puts the coefficients of leg `leg` into a lane.
+    /// Puts the coefficients of leg `leg`, and the thrust, into a lane.
     pub fn set_lane(&mut self, lane: usize, leg: usize, pieces: &Pieces<f64>) {
         let ActivePieces { leg: all, pressed } = &mut self.legs[leg];
         pieces.legs[leg].leg.set_lane(all, lane);
         *pressed = Pressed::of(all);
+        pieces.thrust.set_lane(&mut self.thrust, lane);
     }
 }

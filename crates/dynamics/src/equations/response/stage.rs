@@ -6,15 +6,16 @@ use nalgebra::{Matrix6, Vector3, Vector4, Vector6};
 
 use super::{LegResponse, Response, none, product};
 use crate::integrator::rosenbrock::StageEquations;
-use crate::per_leg::MOST_LEGS;
+use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::products::{times, transposed_times};
 use crate::scalar::Real;
 use crate::state::{Body, LegState, State, quaternion_rate};
 
 impl<S: Real> Response<S> {
-    /// The equations of an implicit stage of weight τ (s).
+    /// The equations of an implicit stage of weight τ (s), their factors in the place that is given: there is much of
+    /// them to be copied.
     #[inline(always)]
-    pub fn over(&self, tau: S) -> System<'_, S> {
+    pub fn over<'a>(&'a self, tau: S, factors: &'a mut Factors<S>) -> System<'a, S> {
         let mut matrix = Matrix6::from([[S::zero(); 6]; 6]);
         for i in 0..3 {
             matrix[(i, i)] = self.mass;
@@ -22,10 +23,9 @@ impl<S: Real> Response<S> {
                 matrix[(3 + i, 3 + k)] = self.inertia[(i, k)];
             }
         }
-        let mut legs = ArrayVec::new();
-        for leg in &self.legs {
-            let (eliminated, body) = Eliminated::from(leg, tau);
-            legs.push(eliminated);
+        let mut body = matrix;
+        for (leg, eliminated) in self.legs.iter().zip(factors.legs.iter_mut()) {
+            eliminated.set(leg, tau, &mut body);
             for column in 0..6 {
                 for row in 0..6 {
                     S::keep_rounds_apart();
@@ -48,11 +48,39 @@ impl<S: Real> Response<S> {
                 }
             }
         }
+        factors.tau = tau;
+        factors.body = matrix;
         System {
             response: self,
-            tau,
-            factors: matrix,
-            legs,
+            factors,
+        }
+    }
+}
+
+/// Factors of the equations of an implicit stage.
+#[derive(Debug, Clone, Copy)]
+pub struct Factors<S> {
+    tau: S,
+    /// L and U of the equations of the body.
+    body: Matrix6<S>,
+    legs: PerLeg<Eliminated<S>>,
+}
+
+impl<S: Real> Factors<S> {
+    /// A place for those of a vehicle with so many legs.
+    pub fn none(legs: usize) -> Self {
+        let zero = S::zero();
+        Self {
+            tau: zero,
+            body: Matrix6::from([[zero; 6]; 6]),
+            legs: PerLeg::same(
+                legs,
+                Eliminated {
+                    columns: [none(); 2],
+                    inverse: [[zero; 2]; 2],
+                    rows: [none(); 2],
+                },
+            ),
         }
     }
 }
@@ -69,9 +97,9 @@ struct Eliminated<S> {
 }
 
 impl<S: Real> Eliminated<S> {
-    /// Eliminates a leg: what that leaves of it in the body's equations.
+    /// Eliminates a leg; what that leaves of it in the equations of the body is written to `body`.
     #[inline(always)]
-    fn from(leg: &LegResponse<S>, tau: S) -> (Self, Matrix6<S>) {
+    fn set(&mut self, leg: &LegResponse<S>, tau: S, body: &mut Matrix6<S>) {
         let [follows, bends] = leg.pad_turn;
         let [link_inertia, pad_inertia] = leg.inertia;
         let squared = tau * tau;
@@ -79,7 +107,7 @@ impl<S: Real> Eliminated<S> {
         let pad_way = tau * follows * bends;
         let (link_torque, hinge_torque) = (&leg.link_torque, &leg.hinge_torque);
 
-        let mut body = Matrix6::from([[S::zero(); 6]; 6]);
+        *body = Matrix6::from([[S::zero(); 6]; 6]);
         let mut columns = [none(); 2];
         let mut rows = [link_torque.body * -squared, hinge_torque.body * -squared];
         let damping = leg.link_damping - link_way * link_torque.link;
@@ -138,29 +166,26 @@ impl<S: Real> Eliminated<S> {
                 }
             }
         }
-        let eliminated = Self {
+        *self = Self {
             columns,
             inverse,
             rows: solved,
         };
-        (eliminated, body)
     }
 }
 
 /// The equations (1/τ − J) u = r of an implicit stage, factored: J is the derivative of the motion as far as
 /// the forces' derivatives are known, u and r are states.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct System<'a, S> {
     response: &'a Response<S>,
-    tau: S,
-    factors: Matrix6<S>,
-    legs: ArrayVec<Eliminated<S>, MOST_LEGS>,
+    factors: &'a Factors<S>,
 }
 
 impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
     #[inline(always)]
     fn solve(&self, r: &State<S>, u: &mut State<S>) {
-        let tau = self.tau;
+        let tau = self.factors.tau;
         let response = self.response;
         let given = r.body();
         let translation = transposed_times(&response.rotation, &given.position);
@@ -177,7 +202,7 @@ impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
         let twist = times(&response.inertia, &given.rate);
         let mut body = Vector6::new(push.x, push.y, push.z, twist.x, twist.y, twist.z);
         let mut rates = ArrayVec::<_, MOST_LEGS>::new();
-        for leg in 0..self.legs.len() {
+        for leg in 0..response.legs.len() {
             let (forces, rate) = self.leg_pushes(leg, &known, &r.leg(leg));
             rates.push(rate);
             for i in 0..6 {
@@ -185,7 +210,7 @@ impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
             }
         }
         body *= tau;
-        let f = &self.factors;
+        let f = &self.factors.body;
         for column in 0..5 {
             for row in column + 1..6 {
                 let product = f[(row, column)] * body[column];
@@ -238,9 +263,9 @@ impl<S: Real> System<'_, S> {
         known: &Vector6<S>,
         given: &LegState<S>,
     ) -> (Vector6<S>, [S; 2]) {
-        let (leg, eliminated) = (&self.response.legs[leg], &self.legs[leg]);
-        let tau = self.tau;
-        let known = known * self.tau;
+        let (leg, eliminated) = (&self.response.legs[leg], &self.factors.legs[leg]);
+        let tau = self.factors.tau;
+        let known = known * tau;
         let link = given.link_angle * tau;
         let [_, bends] = leg.pad_turn;
         let pad = given.pad_turn * tau * bends;
@@ -274,14 +299,14 @@ impl<S: Real> System<'_, S> {
         given: &LegState<S>,
         rates: &[S; 2],
     ) -> LegState<S> {
-        let (leg, eliminated) = (&self.response.legs[leg], &self.legs[leg]);
+        let (leg, eliminated) = (&self.response.legs[leg], &self.factors.legs[leg]);
         let [mut link_rate, mut pad_in_link] = *rates;
         link_rate -= product(&eliminated.rows[0], body);
         if leg.swings_pads {
             pad_in_link -= product(&eliminated.rows[1], body);
         }
         let pad_rate = pad_in_link + link_rate;
-        let tau = self.tau;
+        let tau = self.factors.tau;
         let [follows, _] = leg.pad_turn;
         LegState {
             link_angle: (given.link_angle + leg.link_moves * link_rate) * tau,

@@ -9,7 +9,7 @@ use touchdown_dynamics::integrator::step::Step;
 use touchdown_dynamics::lanes::Lanes;
 use touchdown_dynamics::motion::{FreeFlight, LegLoads, Motion, Pieces, Signal, Signals};
 use touchdown_dynamics::per_leg::PerLeg;
-use touchdown_dynamics::response::Response;
+use touchdown_dynamics::response::{Factors, Response};
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -53,7 +53,7 @@ impl Bare {
             let mut derivative = State::zero(3);
             let mut signals = Signals::blank(3);
             self.motion
-                .evaluate::<true>(&state, &self.pieces, &mut derivative, &mut signals);
+                .evaluate::<true>(0.0, &state, &self.pieces, &mut derivative, &mut signals);
             let mut changed = false;
             for (j, mode) in modes.iter_mut().enumerate() {
                 let ranges = mode.ranges(&self.laws[j]);
@@ -97,7 +97,8 @@ impl Bare {
 
     /// Writes the time derivative of a state.
     pub fn derivative(&self, state: &State<f64>, slope: &mut State<f64>) {
-        self.motion.derivative::<true>(state, &self.pieces, slope);
+        self.motion
+            .derivative::<true>(0.0, state, &self.pieces, slope);
     }
 
     /// The equations of motion in lanes, this vehicle in each, and the coefficients in force.
@@ -129,6 +130,11 @@ impl Bare {
         response
     }
 
+    /// Rate (1/s) that no decay of a velocity exceeds at a state.
+    pub fn greatest_decay(&self, state: &State<f64>) -> f64 {
+        self.motion.greatest_decay(state, &self.pieces)
+    }
+
     /// The flight from a state on, all legs hanging.
     pub fn free_flight(&self, state: &State<f64>) -> FreeFlight {
         self.motion.free_flight(state, &self.pieces)
@@ -138,7 +144,8 @@ impl Bare {
     pub fn step(&self, state: &State<f64>, length: f64) -> Step<f64, State<f64>> {
         let mut step = self.standing_at(state);
         let derivative = |state: &_, slope: &mut _| self.derivative(state, slope);
-        step.take_explicit(length, derivative, derivative);
+        let stage = |_, state: &_, slope: &mut _| derivative(state, slope);
+        step.take_explicit(length, stage, derivative);
         step
     }
 
@@ -161,9 +168,19 @@ impl Bare {
             midway = *state;
             derivative(state, slope);
         };
-        let system = response.over(GAMMA * length);
+        let mut factors = Factors::none(state.leg_count());
+        let system = response.over(GAMMA * length, &mut factors);
         let mut stages = [State::zero(3); 6];
-        step.take_implicit(length, &system, &mut stages, derivative, middle, derivative);
+        let stage = |_, state: &_, slope: &mut _| derivative(state, slope);
+        step.take_implicit(
+            length,
+            &system,
+            &mut stages,
+            None,
+            stage,
+            middle,
+            derivative,
+        );
         (step, midway)
     }
 

@@ -167,6 +167,9 @@ pub fn level(cross_slope_deg: f64, roll_deg: f64, horizontal_velocity: f64) -> C
         slope: 15f64.to_radians(),
         pad_friction: 1.0,
         block_friction: 1.0,
+        ground: touchdown_dynamics::ground::Ground::default(),
+        gravity: None,
+        thrust: touchdown_dynamics::thrust::Thrust::default(),
     }
 }
 
@@ -246,6 +249,9 @@ pub fn landing_case(row: &Row) -> (Vehicle, Scene) {
         slope: angle("slope_deg"),
         pad_friction: friction,
         block_friction: friction,
+        ground: touchdown_dynamics::ground::Ground::default(),
+        gravity: None,
+        thrust: touchdown_dynamics::thrust::Thrust::default(),
     })
     .unwrap();
     (vehicle, scene)

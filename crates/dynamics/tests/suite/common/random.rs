@@ -55,6 +55,9 @@ pub fn usual_conditions() -> impl Strategy<Value = Conditions> {
         slope: ground.0,
         pad_friction: ground.1,
         block_friction: ground.2,
+        ground: touchdown_dynamics::ground::Ground::default(),
+        gravity: None,
+        thrust: touchdown_dynamics::thrust::Thrust::default(),
     })
 }
 
@@ -82,6 +85,9 @@ pub fn wild_scene() -> impl Strategy<Value = Scene> {
             slope: unless(4, ground.0),
             pad_friction: unless(5, ground.1),
             block_friction: ground.2,
+            ground: touchdown_dynamics::ground::Ground::default(),
+            gravity: None,
+            thrust: touchdown_dynamics::thrust::Thrust::default(),
         })
         .unwrap()
     })

@@ -1,0 +1,297 @@
+//! The geometry of one leg: hardpoints, link, strut, footpad and block.
+
+use libm::sincos;
+use nalgebra::Vector3;
+
+use super::body_frame::{BodyFrame, SeenGround, upright};
+use super::leg_frame::{LegFrame, SeenAlongLeg};
+use super::plane::{PlaneDirection, PlanePoint};
+use crate::lanes::per_lane;
+use crate::scalar::Real;
+use crate::vehicle::Leg;
+
+/// Constants of a leg's geometry.
+#[derive(Debug, Clone, Copy)]
+pub struct LegGeometry<S> {
+    /// Outboard direction e_j = (sin θj, cos θj, 0).
+    outboard: [S; 2],
+    hardpoint_radius: S,
+    hardpoint_depth: S,
+    link_length: S,
+    /// l_A l_L and l_A² + l_L² of (11).
+    product: S,
+    squares: S,
+    sin_beta: S,
+    cos_beta: S,
+    extended_length: S,
+    /// Centroid offset of a pad section from the pivot, 2 d_f / 3π.
+    centroid: S,
+    pad_height: S,
+    block_radius: S,
+    block_depth: S,
+}
+
+per_lane!(LegGeometry {
+    outboard,
+    hardpoint_radius,
+    hardpoint_depth,
+    link_length,
+    product,
+    squares,
+    sin_beta,
+    cos_beta,
+    extended_length,
+    centroid,
+    pad_height,
+    block_radius,
+    block_depth,
+});
+
+/// Geometry of a leg at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct LegPose<S> {
+    /// Footpad pivot r_p (7).
+    pub pivot: PlanePoint<S>,
+    /// Normal s of the lower link: pivot velocity per l_L γ̇.
+    pub link_normal: PlaneDirection<S>,
+    /// Pad axis y''.
+    pub pad_y: PlaneDirection<S>,
+    /// Pad axis z''.
+    pub pad_z: PlaneDirection<S>,
+    /// cos ξ = z''·n.
+    pub pad_inclination: S,
+    /// 1/cos ξ, held beyond 84 deg.
+    pub pad_upright: S,
+    /// y''·n.
+    pub pad_y_normal: S,
+    /// Strut stroke δ, ft.
+    pub stroke: S,
+    /// Strut lever dl_D/dγ (12), ft.
+    pub strut_lever: S,
+    /// Interference of the outboard and inboard pad sections (19), ft.
+    pub pad_interference: [S; 2],
+    /// Interference of the block (28), ft.
+    pub block_interference: S,
+    /// Crushed centre of the block.
+    pub block_center: PlanePoint<S>,
+}
+
+impl<S: Real> LegGeometry<S> {
+    /// Geometry of a leg whose hardpoints lie `hardpoint_depth` (ΔCG, ft) below the CG.
+    pub fn new(leg: &Leg, hardpoint_depth: f64) -> Self {
+        let design = leg.design();
+        let (linkage, footpad) = (&design.linkage, &design.footpad);
+        // Without a block its place is at the hardpoint; nothing presses there.
+        let [block_radius, block_height] = design
+            .block
+            .as_ref()
+            .map_or([linkage.lower_hardpoint_radius, 0.0], |block| {
+                [block.radius, block.height]
+            });
+        let (a, l) = (linkage.hardpoint_distance, linkage.lower_link_length);
+        let constant = S::constant;
+        let (sin_azimuth, cos_azimuth) = sincos(design.azimuth);
+        let (sin_beta, cos_beta) = sincos(linkage.hardpoint_angle);
+        Self {
+            outboard: [constant(sin_azimuth), constant(cos_azimuth)],
+            hardpoint_radius: constant(linkage.lower_hardpoint_radius),
+            hardpoint_depth: constant(hardpoint_depth),
+            link_length: constant(l),
+            product: constant(a * l),
+            squares: constant(a * a + l * l),
+            sin_beta: constant(sin_beta),
+            cos_beta: constant(cos_beta),
+            extended_length: constant(design.strut.extended_length),
+            centroid: constant(2.0 * footpad.diameter / (3.0 * std::f64::consts::PI)),
+            pad_height: constant(footpad.height),
+            block_radius: constant(block_radius),
+            block_depth: constant(hardpoint_depth + block_height),
+        }
+    }
+
+    /// Length l_L of the lower link, ft.
+    #[inline(always)]
+    pub fn link_length(&self) -> S {
+        self.link_length
+    }
+
+    /// Uncrushed pad height h_f0, ft.
+    #[inline(always)]
+    pub fn pad_height(&self) -> S {
+        self.pad_height
+    }
+
+    /// Centroid offsets y'' of the outboard and inboard sections, ft.
+    #[inline(always)]
+    pub fn centroids(&self) -> [S; 2] {
+        [self.centroid, -self.centroid]
+    }
+
+    /// Crushed centroid of a pad section (0 outboard, 1 inboard) relative to the pivot, ft.
+    #[inline(always)]
+    pub fn section_centroid(&self, pose: &LegPose<S>, section: usize) -> PlaneDirection<S> {
+        let height = self.pad_height - pose.pad_interference[section];
+        let mut centroid = PlaneDirection::zero();
+        centroid.add(self.centroids()[section], &pose.pad_y);
+        centroid.add(height, &pose.pad_z);
+        centroid
+    }
+
+    /// Lower hardpoint relative to the centre (6), ft.
+    #[inline(always)]
+    pub fn lower_hardpoint(&self) -> Vector3<S> {
+        let [ex, ey] = self.outboard;
+        Vector3::new(
+            self.hardpoint_radius * ex,
+            self.hardpoint_radius * ey,
+            self.hardpoint_depth,
+        )
+    }
+
+    /// Footpad pivot relative to the centre at link angle γ (7), ft.
+    #[inline(always)]
+    pub fn pivot(&self, link_angle: S) -> Vector3<S> {
+        let (sine, cosine) = link_angle.sin_cos();
+        self.off_leg_plane(&PlanePoint {
+            reach: self.hardpoint_radius + self.link_length * cosine,
+            drop: self.hardpoint_depth + self.link_length * sine,
+        })
+    }
+
+    /// Centre of the uncrushed block's face relative to the centre, ft.
+    #[inline(always)]
+    pub fn block_face(&self) -> Vector3<S> {
+        self.off_leg_plane(&PlanePoint {
+            reach: self.block_radius,
+            drop: self.block_depth,
+        })
+    }
+
+    /// A point in the plane of this leg, relative to the centre in vehicle axes, ft.
+    #[inline(always)]
+    pub fn off_leg_plane(&self, point: &PlanePoint<S>) -> Vector3<S> {
+        let [ex, ey] = self.outboard;
+        Vector3::new(point.reach * ex, point.reach * ey, point.drop)
+    }
+
+    /// Length of the strut (11), ft, at sine and cosine of the link angle γ.
+    #[inline(always)]
+    fn strut_length(&self, sin_g: S, cos_g: S) -> S {
+        let sin_gb = sin_g * self.cos_beta - cos_g * self.sin_beta;
+        (self.squares + (self.product + self.product) * sin_gb).sqrt()
+    }
+
+    /// Stroke δ of the strut at link angle γ, ft.
+    #[inline(always)]
+    pub fn stroke(&self, link_angle: S) -> S {
+        let (sine, cosine) = link_angle.sin_cos();
+        self.extended_length - self.strut_length(sine, cosine)
+    }
+
+    /// d²l_D/dγ², ft, of a strut at this stroke δ and lever dl_D/dγ (11), (12), ft.
+    #[inline(always)]
+    pub fn strut_lever_change(&self, stroke: S, lever: S) -> S {
+        let length = self.extended_length - stroke;
+        // l_A l_L sin(γ − β), by (11).
+        let offset = (length * length - self.squares) * S::constant(0.5);
+        -(offset + lever * lever) / length
+    }
+
+    /// The body's frame in the axes of this leg, over the ground of its footpad and of its block.
+    #[inline(always)]
+    pub fn frame(&self, body: &BodyFrame<S>, [pad, block]: [&SeenGround<S>; 2]) -> LegFrame<S> {
+        let rate = self.in_leg_axes(&body.rate);
+        let pad = SeenAlongLeg {
+            normal: self.in_leg_axes(&pad.normal),
+            depth: pad.depth,
+            upright: pad.upright,
+        };
+        LegFrame {
+            normal_rate: pad.normal.cross(&rate),
+            pad,
+            block: SeenAlongLeg {
+                normal: self.in_leg_axes(&block.normal),
+                depth: block.depth,
+                upright: block.upright,
+            },
+            velocity: self.in_leg_axes(&body.velocity),
+            center_velocity: self.in_leg_axes(&body.center_velocity),
+            rate,
+        }
+    }
+
+    #[inline(always)]
+    fn in_leg_axes(&self, v: &Vector3<S>) -> Vector3<S> {
+        let [ex, ey] = self.outboard;
+        Vector3::new(ex * v.x + ey * v.y, ex * v.y - ey * v.x, v.z)
+    }
+
+    /// Turns a vector from leg axes into vehicle axes.
+    #[inline(always)]
+    pub fn in_vehicle_axes(&self, v: &Vector3<S>) -> Vector3<S> {
+        let [ex, ey] = self.outboard;
+        Vector3::new(ex * v.x - ey * v.y, ey * v.x + ex * v.y, v.z)
+    }
+
+    /// The leg at link angle γ and pad angle α.
+    #[inline(always)]
+    pub fn pose(&self, frame: &LegFrame<S>, link_angle: S, pad_angle: S) -> LegPose<S> {
+        let n = &frame.pad.normal;
+        let (sin_g, cos_g) = link_angle.sin_cos();
+        let (sin_d, cos_d) = (link_angle - pad_angle).sin_cos();
+
+        let pivot = PlanePoint {
+            reach: self.hardpoint_radius + self.link_length * cos_g,
+            drop: self.hardpoint_depth + self.link_length * sin_g,
+        };
+        let link_normal = PlaneDirection {
+            outboard: -sin_g,
+            down: cos_g,
+        };
+        let pad_y = PlaneDirection {
+            outboard: cos_d,
+            down: sin_d,
+        };
+        let pad_z = PlaneDirection {
+            outboard: -sin_d,
+            down: cos_d,
+        };
+
+        // γ − β in (12)
+        let cos_gb = cos_g * self.cos_beta + sin_g * self.sin_beta;
+        let length = self.strut_length(sin_g, cos_g);
+
+        let pad_y_normal = pad_y.dot(n);
+        let pad_inclination = pad_z.dot(n);
+        let pivot_depth = frame.pad.depth + pivot.reach * n.x + pivot.drop * n.z;
+        // Z'(r_k)/cos ξ with r_k = r_p ± centroid y'' + h_f0 z''
+        let pad_upright = upright(pad_inclination);
+        let lean = self.centroid * pad_y_normal;
+        let pad_interference = [
+            (pivot_depth + lean) * pad_upright + self.pad_height,
+            (pivot_depth - lean) * pad_upright + self.pad_height,
+        ];
+
+        let (block, n) = (&frame.block, &frame.block.normal);
+        let block_depth = block.depth + self.block_radius * n.x + self.block_depth * n.z;
+        let block_interference = block_depth * block.upright;
+
+        LegPose {
+            pivot,
+            link_normal,
+            pad_y,
+            pad_z,
+            pad_inclination,
+            pad_upright,
+            pad_y_normal,
+            stroke: self.extended_length - length,
+            strut_lever: self.product * cos_gb / length,
+            pad_interference,
+            block_interference,
+            block_center: PlanePoint {
+                reach: self.block_radius,
+                drop: self.block_depth - block_interference,
+            },
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! How the forces on a footpad or block change as it moves over the surface.
+
+use nalgebra::{Vector3, Vector6};
+
+use super::LegPieces;
+use super::leg::LegMotion;
+use crate::friction::FrictionPiece;
+use crate::kinematics::{
+    BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
+    SeenAlongLeg,
+};
+use crate::response::{Coordinates, ForceDerivative, greatest_decay};
+use crate::scalar::Real;
+use crate::state::LegState;
+
+/// Where a leg is and which pieces of its laws are active.
+#[derive(Clone, Copy)]
+pub(super) struct Posture<'a, S> {
+    pub(super) body: &'a BodyFrame<S>,
+    pub(super) frame: &'a LegFrame<S>,
+    pub(super) pose: &'a LegPose<S>,
+    pub(super) leg: &'a LegState<S>,
+    pub(super) pieces: &'a LegPieces<S>,
+}
+
+/// A footpad's pivot or a block's crushed centre, pressed on the surface; vectors in leg axes.
+pub(super) struct Contact<'a, S> {
+    pub(super) geometry: &'a LegGeometry<S>,
+    pub(super) body: &'a BodyFrame<S>,
+    pub(super) ground: &'a SeenAlongLeg<S>,
+    pub(super) point: &'a PlanePoint<S>,
+    pub(super) velocity: PointVelocity<S>,
+    /// Its velocity relative to the CG, ft/s.
+    pub(super) carried: Vector3<S>,
+    /// Its velocity per link rate, ft.
+    pub(super) swing: Vector3<S>,
+    /// Change of its velocity per link angle, ft/s.
+    pub(super) bend: Vector3<S>,
+    /// 1 where the force turns the link, else 0.
+    pub(super) link_share: S,
+    pub(super) friction: &'a FrictionPiece<S>,
+    /// Nominal coefficient of friction.
+    pub(super) coefficient: S,
+}
+
+impl<'a, S: Real> Contact<'a, S> {
+    /// A footpad's pivot, which swings on a circle about the hardpoint.
+    #[inline(always)]
+    pub(super) fn of_pad(motion: &'a LegMotion<S>, posture: &Posture<'a, S>) -> Self {
+        let Posture {
+            body,
+            frame,
+            pose,
+            leg,
+            pieces,
+        } = *posture;
+        let length = motion.geometry.link_length();
+        let swing = pose.link_normal.in_leg_axes() * length;
+        Self {
+            geometry: &motion.geometry,
+            body,
+            ground: &frame.pad,
+            point: &pose.pivot,
+            velocity: frame.pivot_velocity(pose, length * leg.link_rate),
+            carried: frame.carried_round(&pose.pivot) + swing * leg.link_rate,
+            swing,
+            bend: frame.rate().cross(&swing) + toward_hardpoint(&swing) * leg.link_rate,
+            link_share: pieces.link.free,
+            friction: &pieces.pad_friction,
+            coefficient: motion.pad_friction,
+        }
+    }
+
+    /// A block's crushed centre, which the body carries.
+    #[inline(always)]
+    pub(super) fn of_block(motion: &'a LegMotion<S>, posture: &Posture<'a, S>) -> Self {
+        let Posture {
+            body,
+            frame,
+            pose,
+            pieces,
+            ..
+        } = *posture;
+        let point = &pose.block_center;
+        let none = Vector3::from([S::zero(); 3]);
+        Self {
+            geometry: &motion.geometry,
+            body,
+            ground: &frame.block,
+            point,
+            velocity: frame.block_velocity(pose),
+            carried: frame.carried_round(point),
+            swing: none,
+            bend: none,
+            link_share: S::zero(),
+            friction: &pieces.block_friction,
+            coefficient: motion.block_friction,
+        }
+    }
+
+    /// From a pivot to its hardpoint, as a velocity per squared link rate, ft.
+    #[inline(always)]
+    pub(super) fn toward_hardpoint(&self) -> Vector3<S> {
+        toward_hardpoint(&self.swing)
+    }
+
+    /// n + μ t̂.
+    #[inline(always)]
+    pub(super) fn line(&self) -> Vector3<S> {
+        let per_speed = self.friction.per_speed(self.velocity.sliding_squared);
+        self.ground.normal + self.velocity.sliding * (self.coefficient * per_speed)
+    }
+
+    /// A quantity that changes with rotation of the body and with the link.
+    #[inline(always)]
+    pub(super) fn turned(&self, rotation: &Vector3<S>, link: S) -> Coordinates<S> {
+        let r = self.geometry.in_vehicle_axes(rotation);
+        let zero = S::zero();
+        Coordinates {
+            body: Vector6::new(zero, zero, zero, r.x, r.y, r.z),
+            link,
+            pad: zero,
+        }
+    }
+
+    /// A quantity that changes with translation of the body (vehicle axes), with its rotation about the centre (leg axes)
+    /// and with the link.
+    #[inline(always)]
+    fn moved(&self, translation: &Vector3<S>, rotation: &Vector3<S>, link: S) -> Coordinates<S> {
+        let mut moved = self.turned(rotation, link);
+        let of_center = self.body.moment_of_center(translation);
+        for i in 0..3 {
+            moved.body[i] = translation[i];
+            moved.body[i + 3] += of_center[i];
+        }
+        moved
+    }
+
+    /// Velocity of this point in a direction per velocities; a force in that direction acts by the same numbers.
+    #[inline(always)]
+    pub(super) fn along(&self, direction: &Vector3<S>) -> Coordinates<S> {
+        self.moved(
+            &self.geometry.in_vehicle_axes(direction),
+            &self.point.moment(direction),
+            self.swing.dot(direction),
+        )
+    }
+
+    /// What a force (lb) does that acts `along` a direction, with a torque on the pad's hinge.
+    #[inline(always)]
+    pub(super) fn force(&self, along: &Coordinates<S>, force: S, on_hinge: S) -> Coordinates<S> {
+        Coordinates {
+            body: along.body * force,
+            link: self.link_share * (along.link * force),
+            pad: on_hinge,
+        }
+    }
+
+    /// Interference (19) of the pad section at this crushed centroid, per displacement.
+    #[inline(always)]
+    pub(super) fn deeper(&self, pose: &LegPose<S>, centroid: &PlaneDirection<S>) -> Coordinates<S> {
+        let n = &self.ground.normal;
+        let up = pose.pad_upright;
+        // The pad tilts with its link, and against its own angle.
+        let tilt = centroid.turned().dot(n) * up;
+        let moment = self.point.moment(n) + centroid.in_leg_axes().cross(n);
+        let mut deeper = self.moved(
+            &(self.geometry.in_vehicle_axes(n) * up),
+            &(moment * up),
+            self.swing.dot(n) * up + tilt,
+        );
+        deeper.pad = -tilt;
+        deeper
+    }
+
+    /// Derivatives of friction under a normal force (lb) with respect to sliding along and across. `hinge_lever` is the lever
+    /// of the pad's hinge times the normal force.
+    #[inline(always)]
+    pub(super) fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [ForceDerivative<S>; 2] {
+        let [along, across] = self.slidings();
+        [
+            self.rub_along(&along, force, hinge_lever),
+            self.rub_along(&across, force, hinge_lever),
+        ]
+    }
+
+    /// The same in one direction.
+    #[inline(always)]
+    fn rub_along(
+        &self,
+        sliding: &Sliding<S>,
+        force: S,
+        hinge_lever: &PlaneDirection<S>,
+    ) -> ForceDerivative<S> {
+        let Sliding { direction, rate } = sliding;
+        let velocity = self.along(direction);
+        let on_hinge = -(*rate * hinge_lever.dot(direction));
+        ForceDerivative {
+            force: self.force(&velocity, force * *rate, on_hinge),
+            velocity,
+            displacement: self.turned(&self.carried.cross(direction), self.bend.dot(direction)),
+        }
+    }
+
+    /// How fast friction under a normal force (lb) lets velocities along and across decay at most, 1/s, with these
+    /// inverses of the inertias of body and link.
+    #[inline(always)]
+    pub(super) fn decays(&self, force: S, per_body: &[S; 6], per_link: S) -> [S; 2] {
+        let [along, across] = self.slidings();
+        [
+            self.decay(&along, force, per_body, per_link),
+            self.decay(&across, force, per_body, per_link),
+        ]
+    }
+
+    /// The same in one direction.
+    #[inline(always)]
+    fn decay(&self, sliding: &Sliding<S>, force: S, per_body: &[S; 6], per_link: S) -> S {
+        let velocity = self.along(&sliding.direction);
+        let force = self.force(&velocity, force * sliding.rate, S::zero());
+        greatest_decay(&force, &velocity, per_body, per_link)
+    }
+
+    /// Along and across the sliding velocity.
+    #[inline(always)]
+    fn slidings(&self) -> [Sliding<S>; 2] {
+        let (along, across) = self.ground.tangents(&self.velocity);
+        let across_rate = self.friction.per_speed(self.velocity.sliding_squared);
+        [
+            Sliding {
+                direction: along,
+                rate: -(self.coefficient * self.friction.change()),
+            },
+            Sliding {
+                direction: across,
+                rate: -(self.coefficient * across_rate),
+            },
+        ]
+    }
+}
+
+/// A direction of sliding, in leg axes.
+struct Sliding<S> {
+    direction: Vector3<S>,
+    /// Change of the force along it over the normal force per speed, s/ft.
+    rate: S,
+}
+
+/// From a pivot to its hardpoint, where it swings like this per link rate, ft.
+#[inline(always)]
+fn toward_hardpoint<S: Real>(swing: &Vector3<S>) -> Vector3<S> {
+    Vector3::new(-swing.z, S::zero(), swing.x)
+}

@@ -1,0 +1,75 @@
+//! How fast velocities decay at most: what tells whether a step is stiff.
+
+use super::contact_response::{Contact, Posture};
+use super::leg::LegMotion;
+use super::pieces::Pressed;
+use super::{LegPieces, Motion, Pieces, at_angle};
+use crate::kinematics::BodyFrame;
+use crate::response::inverse_inertias;
+use crate::scalar::Real;
+use crate::state::{LegState, State};
+
+impl<S: Real> Motion<S> {
+    /// Rate (1/s) that no decay of a velocity exceeds: the trace of the damping matrix over the inertia.
+    #[inline(always)]
+    pub fn greatest_decay(&self, state: &State<S>, pieces: &Pieces<S>) -> S {
+        let frame = self.frame(&state.body());
+        let per_body = inverse_inertias(self.mass, &self.inertia);
+        let mut greatest = S::zero();
+        for (j, leg) in self.legs.iter().enumerate() {
+            let active = pieces.leg(j);
+            let state = at_angle(active, state.leg(j));
+            let (pieces, pressed) = (&active.leg, active.pressed);
+            greatest += leg.greatest_decay(&frame, &state, pieces, pressed, &per_body);
+        }
+        greatest
+    }
+}
+
+impl<S: Real> LegMotion<S> {
+    /// The share of this leg, the pad's turn being its angle.
+    #[inline(always)]
+    fn greatest_decay(
+        &self,
+        body: &BodyFrame<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+        pressed: Pressed,
+        per_body: &[S; 6],
+    ) -> S {
+        let per_link = S::one() / self.link_inertia;
+        let run_down = pieces.link.run_down() * self.link_inertia;
+        // Legs that hang in the air have no other forces.
+        if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
+            return run_down.max(S::zero()) * per_link;
+        }
+        let frame = self.frame(body);
+        let pose = self.geometry.pose(&frame, leg.link_angle, leg.pad_turn);
+        let posture = Posture {
+            body,
+            frame: &frame,
+            pose: &pose,
+            leg,
+            pieces,
+        };
+        let (stroke, lever) = (pose.stroke, pose.strut_lever);
+        let strut = pieces.strut.damping(stroke, leg.link_rate, lever);
+        let damping = run_down + pieces.link.free * strut * lever;
+        let mut greatest = damping.max(S::zero()) * per_link;
+        if pressed.pads {
+            let [outer, inner] = self.pad_section_forces(&pose, pieces);
+            let contact = Contact::of_pad(self, &posture);
+            let [along, across] = contact.decays(outer + inner, per_body, per_link);
+            greatest += along;
+            greatest += across;
+        }
+        if pressed.blocks {
+            let force = self.block_normal(&frame, &pose, pieces);
+            let contact = Contact::of_block(self, &posture);
+            let [along, across] = contact.decays(force, per_body, per_link);
+            greatest += along;
+            greatest += across;
+        }
+        greatest
+    }
+}

@@ -1,0 +1,68 @@
+//! Thrust along a landing: its lines, knot by knot, and its work.
+
+use super::trajectory::Trajectory;
+use crate::integrator::step_control::SHORTEST;
+
+/// Nodes (fractions of half a step from its middle) and weights of Gauss' rule of four points.
+const GAUSS: [[f64; 2]; 4] = [
+    [-0.861_136_311_594_052_6, 0.347_854_845_137_453_85],
+    [-0.339_981_043_584_856_3, 0.652_145_154_862_546_1],
+    [0.339_981_043_584_856_3, 0.652_145_154_862_546_1],
+    [0.861_136_311_594_052_6, 0.347_854_845_137_453_85],
+];
+
+impl Trajectory<'_> {
+    /// Time until the thrust changes its line, s.
+    pub(super) fn time_to_knot(&self) -> f64 {
+        self.next_knot - self.time
+    }
+
+    /// Puts the line in place on which the thrust is from now on; whether it is another.
+    pub(super) fn follow_thrust(&mut self) -> bool {
+        if self.time_to_knot() > SHORTEST {
+            return false;
+        }
+        let knot = self.next_knot;
+        let (line, next_knot) = self.scene.conditions().thrust.line_from(knot);
+        self.pieces.set_thrust(line);
+        self.next_knot = next_knot;
+        // Lanes see another line by the changes of their legs.
+        for changes in self.changes.iter_mut() {
+            *changes += 1;
+        }
+        self.stiffness.forget();
+        self.earlier = None;
+        self.evaluate();
+        true
+    }
+
+    /// Height of the CG over the surface above which motion has not subsided, ft: none does while the thrust still changes or
+    /// lifts the vehicle.
+    pub(super) fn calm_height_under_thrust(&self) -> f64 {
+        let weight = self.motion.mass() * self.motion.gravity();
+        let is_over = self.next_knot == f64::INFINITY;
+        if is_over && self.pieces.thrust().at(self.time) < weight {
+            self.calm_height
+        } else {
+            f64::NEG_INFINITY
+        }
+    }
+
+    /// Adds the work of the thrust up to fraction `reach` of the step.
+    pub(super) fn add_thrust_work(&mut self, reach: f64) {
+        if !self.pieces.thrust().is_none() {
+            self.thrust_work += self.thrust_work_up_to(reach);
+        }
+    }
+
+    fn thrust_work_up_to(&self, reach: f64) -> f64 {
+        let half = 0.5 * reach;
+        let powers = GAUSS.map(|[node, weight]| {
+            let theta = half * (1.0 + node);
+            let state = self.motion_at(theta);
+            let thrust = self.pieces.thrust().at(self.time_at(theta));
+            weight * thrust * self.motion.speed_along_thrust(&state)
+        });
+        half * self.step.length * powers.iter().sum::<f64>()
+    }
+}
