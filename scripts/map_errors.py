@@ -172,8 +172,8 @@ def accounts(folder, stems):
     for name, known in grids + [("map", Map(stem)) for stem in stems]:
         errors, _, _ = measured(known, truth["inside"])
         rim, wrong, far = measured(known, truth["rim"])
-        part = lambda list_, share: round(list_[int(share * (len(list_) - 1))], 4)
-        below = round(sum(error < 0.02 for error in errors) / len(errors), 4)
+        part = lambda list_, share: list_[int(share * (len(list_) - 1))]
+        below = sum(error < 0.02 for error in errors) / len(errors)
         shares = [part(errors, share) for share in (0.5, 0.9, 0.95)]
         yield (name, known.points, known.landings, *shares, below, part(rim, 0.5), wrong, far, len(truth["rim"]))
 
@@ -207,7 +207,8 @@ def write_picture(folder, stem, stems):
     with open(f"{stem}.csv", "w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
-        writer.writerows(found)
+        rounded = lambda value: round(value, 4) if isinstance(value, float) else value
+        writer.writerows({name: rounded(value) for name, value in row.items()} for row in found)
     lines = [
         '<svg xmlns="http://www.w3.org/2000/svg" width="900" height="420" font-family="sans-serif" font-size="12">',
         '<rect width="900" height="420" fill="white"/>',

@@ -199,6 +199,40 @@ fn a_file_asks_for_si_and_the_option_wins() {
 }
 
 #[test]
+fn records_have_thrust_and_footing_in_si() {
+    let bench = Bench::new();
+    let sweep = SWEEP
+        .replace(
+            "friction = 1.0\n",
+            "friction = 1.0\nthrust = { time_s = [0, 0.5], force_lb = [100, 0], offset_x_ft = 0.1 }\n",
+        )
+        .replace(
+            "roll_deg = { from = -10, to = 10, step = 10 }",
+            "\"footing[2].height_ft\" = [0, 0.1]",
+        );
+    bench.write("sweep.toml", &sweep);
+    run(
+        &bench,
+        &["sweep", "sweep.toml", "--out", "si", "--units", "SI"],
+    );
+    let record: Value = serde_json::from_str(&bench.read("si/sweep.json")).unwrap();
+    let scene = &record["input"]["scene"];
+    assert_eq!(scene["thrust.time_s"], serde_json::json!([0.0, 0.5]));
+    assert_eq!(scene["thrust.force_n"][0], 444.82216152605);
+    assert_eq!(scene["thrust.offset_x_m"], 0.03048);
+    assert!(
+        bench
+            .read("si/sweep.csv")
+            .starts_with("footing[2].height_m,")
+    );
+    assert!(
+        bench
+            .read("si/sweep.svg")
+            .contains("Footing height, leg 2, m")
+    );
+}
+
+#[test]
 fn shards_and_journals_in_any_units_give_the_same_bytes() {
     const FILES: [&str; 3] = ["sweep.csv", "sweep.json", "sweep.svg"];
     let bench = Bench::new();
