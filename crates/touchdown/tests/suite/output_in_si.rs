@@ -233,7 +233,7 @@ fn records_have_thrust_and_footing_in_si() {
 }
 
 #[test]
-fn shards_and_journals_in_any_units_give_the_same_bytes() {
+fn shards_of_any_units_give_the_same_bytes() {
     const FILES: [&str; 3] = ["sweep.csv", "sweep.json", "sweep.svg"];
     let bench = Bench::new();
     let files = |folder: &str| FILES.map(|file| bench.read(&format!("{folder}/{file}")));
@@ -252,7 +252,7 @@ fn shards_and_journals_in_any_units_give_the_same_bytes() {
         run(&bench, &[&["merge", folder], of_merge].concat());
         assert_eq!(files(folder), files("whole"), "{folder}");
     }
-    // A shard's journal is that of an interrupted run, whose units do not matter to what goes on with it.
+    // Once more from the same journals, in the units in which the shards were computed.
     let merged = ["merge", "told-to-merge", "--out", "again"];
     run(&bench, &merged);
     run(&bench, &["sweep", "sweep.toml", "--out", "us"]);
