@@ -9,6 +9,7 @@
     done
     touchdown sweep DIR/map-*.toml --out DIR
     scripts/map_errors.py table DIR DIR/map-3000 DIR/map-6000 ...
+    scripts/map_errors.py picture DIR results/map-errors DIR/map-3000 ...    # results/map-errors.csv and .svg
 
 The truth is 1600 points at random, and points 0.5 deg apart in those cells of results/surface-4-20.csv in which
 transitions end. Uniform grids are parts of that table, interpolated bilinearly; beside gaps they have the value of
@@ -156,22 +157,98 @@ def measured(known, truth):
     return errors, wrong, far
 
 
-def print_table(folder, stems):
+COLUMNS = (
+    "kind", "points", "landings", "median_error_fps", "error_90_fps", "error_95_fps", "below_0.02_fps",
+    "rim_median_error_fps", "rim_wrong_side", "rim_wrong_by_more_than_0.25_deg", "rim_points",
+)  # fmt: skip
+
+
+def accounts(folder, stems):
+    """A row of COLUMNS for every grid and map."""
     truth = {
         name: [(*place(row), speed(row)) for row in rows(Path(folder, f"{name}.csv"))] for name in ("inside", "rim")
     }
-    print("| | points | landings | median error, ft/s | 90 % | 95 % | below 0.02 | at the rim: median | wrong side | by more than 0.25 deg |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
     grids = [(f"grid of {step} deg", Uniform(step)) for step in (10, 5, 2.5)]
-    for name, known in grids + [(Path(stem).name, Map(stem)) for stem in stems]:
+    for name, known in grids + [("map", Map(stem)) for stem in stems]:
         errors, _, _ = measured(known, truth["inside"])
         rim, wrong, far = measured(known, truth["rim"])
-        part = lambda list_, share: f"{list_[int(share * (len(list_) - 1))]:.3f}"
-        below = 100 * sum(error < 0.02 for error in errors) / len(errors)
+        part = lambda list_, share: list_[int(share * (len(list_) - 1))]
+        below = sum(error < 0.02 for error in errors) / len(errors)
+        shares = [part(errors, share) for share in (0.5, 0.9, 0.95)]
+        yield (name, known.points, known.landings, *shares, below, part(rim, 0.5), wrong, far, len(truth["rim"]))
+
+
+def print_table(folder, stems):
+    print("| | points | landings | median error, ft/s | 90 % | 95 % | below 0.02 | at the rim: median | wrong side | by more than 0.25 deg |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    for name, points, landings, median, most, all_, below, rim, wrong, far, count in accounts(folder, stems):
         print(
-            f"| {name} | {known.points} | {known.landings} | {part(errors, 0.5)} | {part(errors, 0.9)} | "
-            f"{part(errors, 0.95)} | {below:.0f} % | {part(rim, 0.5)} | {wrong} of {len(truth['rim'])} | {far} |"
+            f"| {name} | {points} | {landings} | {median:.3f} | {most:.3f} | {all_:.3f} | {100 * below:.0f} % | "
+            f"{rim:.3f} | {wrong} of {count} | {far} |"
         )
+
+
+# What a picture shows: title of the ordinate, its ends, and the lines in it: words, dashes and the number of a row.
+PANELS = (
+    ("error of V_H between edges, ft/s", (0.005, 1.0), (
+        ("median", "", lambda row: row["median_error_fps"]),
+        ("90 %", "6 4", lambda row: row["error_90_fps"]),
+    )),
+    ("points of the rim on the wrong side by more than 0.25 deg, %", (0.2, 50.0), (
+        ("", "", lambda row: 100 * row["rim_wrong_by_more_than_0.25_deg"] / row["rim_points"]),
+    )),
+)  # fmt: skip
+LANDINGS = (2500.0, 60000.0)
+COLOURS = {"uniform grid": "#b2182b", "map": "#2166ac"}
+
+
+def write_picture(folder, stem, stems):
+    found = [dict(zip(COLUMNS, row)) for row in accounts(folder, stems)]
+    with open(f"{stem}.csv", "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        rounded = lambda value: round(value, 4) if isinstance(value, float) else value
+        writer.writerows({name: rounded(value) for name, value in row.items()} for row in found)
+    lines = [
+        '<svg xmlns="http://www.w3.org/2000/svg" width="900" height="420" font-family="sans-serif" font-size="12">',
+        '<rect width="900" height="420" fill="white"/>',
+        '<text x="450" y="22" text-anchor="middle" font-size="15">The surface of Figure 4-20 by uniform grids and by maps'
+        " that refine themselves</text>",
+    ]
+    for index, (title, ends, curves) in enumerate(PANELS):
+        left, right, top, bottom = 70 + 450 * index, 430 + 450 * index, 60, 360
+
+        def part(value, low_high):
+            low, high = low_high
+            return math.log(value / low) / math.log(high / low)
+
+        def at(landings, value):
+            return left + part(landings, LANDINGS) * (right - left), bottom - part(value, ends) * (bottom - top)
+
+        lines.append(f'<rect x="{left}" y="{top}" width="{right - left}" height="{bottom - top}" fill="none" stroke="#333"/>')
+        for landings in (3000, 6000, 12000, 24000, 48000):
+            x, _ = at(landings, ends[0])
+            lines.append(f'<path d="M{x:.1f} {top}V{bottom}" stroke="#ddd"/>')
+            lines.append(f'<text x="{x:.1f}" y="{bottom + 18}" text-anchor="middle">{landings}</text>')
+        for value in (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50):
+            if ends[0] <= value <= ends[1]:
+                _, y = at(LANDINGS[0], value)
+                lines.append(f'<path d="M{left} {y:.1f}H{right}" stroke="#ddd"/>')
+                lines.append(f'<text x="{left - 6}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
+        middle = 0.5 * (left + right)
+        lines.append(f'<text x="{middle}" y="{bottom + 40}" text-anchor="middle">landings</text>')
+        lines.append(f'<text x="{middle}" y="{top - 10}" text-anchor="middle">{title}</text>')
+        for kind, colour in COLOURS.items():
+            of_kind = [row for row in found if (row["kind"] == "map") == (kind == "map")]
+            for words, dashes, number in curves:
+                places = [at(row["landings"], number(row)) for row in of_kind]
+                path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
+                lines.append(f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="2" stroke-dasharray="{dashes}"/>')
+                lines += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{colour}"/>' for x, y in places]
+                x, y = places[0]
+                name = f"{kind}, {words}" if words else kind
+                lines.append(f'<text x="{x + 8:.1f}" y="{y - 8:.1f}" fill="{colour}">{name}</text>')
+    Path(f"{stem}.svg").write_text("\n".join([*lines, "</svg>", ""]))
 
 
 if __name__ == "__main__":
@@ -180,5 +257,7 @@ if __name__ == "__main__":
             write_truth(folder)
         case ["table", folder, *stems]:
             print_table(folder, stems)
+        case ["picture", folder, stem, *stems]:
+            write_picture(folder, stem, stems)
         case _:
             sys.exit(__doc__)

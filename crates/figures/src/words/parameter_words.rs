@@ -8,6 +8,7 @@ pub fn parameter_words(name: &str) -> String {
         split_unit(key)
             .0
             .replace("legs[", "leg ")
+            .replace("footing[", "footing ")
             .replace(']', "")
             .replace("cross_slope", "cross-slope")
             .replace('_', " ")
@@ -34,6 +35,7 @@ mod tests {
                 "strut compression damping",
             ),
             ("vehicle.footpad.profile.scale", "footpad profile scale"),
+            ("footing[2].height_ft", "footing 2 height"),
         ] {
             assert_eq!(parameter_words(name), words);
         }

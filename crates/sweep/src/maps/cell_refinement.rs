@@ -90,11 +90,14 @@ impl Refinement<'_> {
         });
     }
 
-    /// Goes through a cell whose corners are known; `parent` is the error of the cell that it is a quarter of.
-    fn visit(&mut self, cell: Cell, parent: Option<f64>) {
+    /// Goes through a cell whose corners are known; `parent` is the error of the cell that it is a quarter of. Returns
+    /// over how many steps ends of transitions on its sides are not located.
+    fn visit(&mut self, cell: Cell, parent: Option<f64>) -> usize {
+        let side = cell.size[0].max(cell.size[1]);
         let Some(corners) = self.ask(&cell.corners(), 0.0) else {
-            return;
+            return side;
         };
+        let are_alike = corners.iter().all(|known| known.1.is_like(corners[0].1));
         let share = self.share(cell);
         // Errors count between their part of the length and of the area, unlocated ends their part of the length. The root keeps
         // steps of V_H, which hardly fall with the size of cells, from drawing all the points.
@@ -105,7 +108,8 @@ impl Refinement<'_> {
             false => parent.map_or(UNKNOWN, |error| 0.5 * error),
         };
         let Some(centre) = self.ask(&[cell.centre()], urgency(expected)) else {
-            return self.leaf(cell, parent);
+            self.leaf(cell, parent);
+            return if are_alike { 0 } else { side };
         };
         let all = [&corners[..], &centre[..]].concat();
         let is_alike = all.iter().all(|(_, height)| height.is_like(all[0].1));
@@ -114,37 +118,61 @@ impl Refinement<'_> {
             false => spread(&all),
         };
         if is_alike && error <= self.rules.error {
-            return self.leaf(cell, Some(error));
+            self.leaf(cell, Some(error));
+            return 0;
         }
         let urgency = match is_alike {
             true => urgency(error),
             false => END * share,
         };
-        let Some(ring) = self.ring(&corners, is_alike, urgency) else {
-            return self.leaf(cell, Some(error));
+        let ring = match self.ring(&corners, is_alike, urgency) {
+            Ok(ring) => ring,
+            Err(gap) => {
+                self.leaf(cell, Some(error));
+                return gap;
+            }
         };
-        match self.follow(cell, &ring, centre[0], urgency) {
+        let undivided = match self.follow(cell, &ring, centre[0], urgency) {
             Followed::Fits { error, bend, check } => {
-                let fits = Leaf {
+                self.refined.leaves.push(Leaf {
                     cell,
                     error,
                     bend,
                     check,
-                };
-                return self.refined.leaves.push(fits);
+                });
+                return 0;
             }
-            Followed::Unknown => return self.leaf(cell, Some(error)),
-            Followed::DoesNotFit => {}
-        }
-        let Some(quarters) = cell.quarters() else {
-            return self.leaf(cell, Some(error));
+            Followed::Unknown => {
+                self.leaf(cell, Some(error));
+                return 0;
+            }
+            Followed::DoesNotFit(bend) => Leaf {
+                cell,
+                error: Some(error),
+                bend,
+                check: None,
+            },
         };
-        if self.ask(&cell.side_middles(), urgency).is_none() {
-            return self.leaf(cell, Some(error));
+        let before = self.refined.leaves.len();
+        let is_divided = match cell.quarters() {
+            Some(quarters) if self.ask(&cell.side_middles(), urgency).is_some() => {
+                // All of them, so that what is missing is wanted at once.
+                let gaps = quarters.map(|quarter| self.visit(quarter, Some(error)));
+                // The edge of the undivided cell is known on its sides, and mostly in its middle.
+                let known_to = match undivided.bend {
+                    Some(_) => BRACKET,
+                    None => side / 4,
+                };
+                is_alike || gaps.into_iter().all(|gap| gap <= known_to)
+            }
+            _ => false,
+        };
+        if !is_divided {
+            // What its own sides tell of an edge is closer than what is known of some quarter.
+            self.refined.leaves.truncate(before);
+            self.refined.leaves.push(undivided);
         }
-        for quarter in quarters {
-            self.visit(quarter, Some(error));
-        }
+        0
     }
 
     /// A cell's part of the length of a first-level cell.
@@ -155,9 +183,18 @@ impl Refinement<'_> {
 
     /// The places around a cell once its sides have been searched for edges. Where ends of transitions cross the cell,
     /// other sides are not searched.
-    fn ring(&mut self, corners: &[Known], is_alike: bool, urgency: f64) -> Option<Vec<Known>> {
+    ///
+    /// # Errors
+    /// The greatest number of steps over which an end is not located yet.
+    fn ring(
+        &mut self,
+        corners: &[Known],
+        is_alike: bool,
+        urgency: f64,
+    ) -> Result<Vec<Known>, usize> {
         let mut ring = Vec::new();
         let mut is_known = true;
+        let mut widest = 0;
         for (index, corner) in corners.iter().enumerate() {
             let next = corners[(index + 1) % corners.len()];
             let side = [*corner, next];
@@ -170,20 +207,27 @@ impl Refinement<'_> {
                     places.pop();
                     ring.extend(places);
                 }
-                Err(place) => {
+                Err((place, gap)) => {
                     is_known = false;
+                    // What looks like a jump may be a slope.
+                    if !corner.1.is_like(next.1) {
+                        widest = widest.max(gap);
+                    }
                     let _ = self.ask(&[place], urgency);
                 }
             }
         }
-        is_known.then_some(ring)
+        match is_known {
+            true => Ok(ring),
+            false => Err(widest),
+        }
     }
 
     /// Follows one edge through a cell to its middle.
     fn follow(&mut self, cell: Cell, ring: &[Known], centre: Known, urgency: f64) -> Followed {
         let jump = self.rules.jump;
         let &[one, other] = edges(ring, jump).as_slice() else {
-            return Followed::DoesNotFit;
+            return Followed::DoesNotFit(None);
         };
         let after = |index: usize| ring[(index + 1) % ring.len()];
         let ends = [[ring[one], after(one)], [after(other), ring[other]]];
@@ -193,7 +237,7 @@ impl Refinement<'_> {
                 let _ = self.ask(&[place], urgency);
                 return Followed::Unknown;
             }
-            Middle::Elsewhere => return Followed::DoesNotFit,
+            Middle::Elsewhere => return Followed::DoesNotFit(None),
         };
         let around = Around {
             ring,
@@ -204,15 +248,16 @@ impl Refinement<'_> {
         let expected = pieces
             .iter()
             .find_map(|piece: &Piece| piece.speed_at(position(centre.0)));
+        let places = |crossing: Crossing| crossing.map(|(place, _)| place);
         let error = match (expected, centre.1.speed) {
             (Some(expected), Some(found)) => Some((expected - found).abs()),
             (None, None) => None,
-            _ => return Followed::DoesNotFit,
+            _ => return Followed::DoesNotFit(bend.map(places)),
         };
         if error.is_some_and(|error| error > self.rules.error) {
-            return Followed::DoesNotFit;
+            return Followed::DoesNotFit(bend.map(places));
         }
-        let bend = bend.map(|places| places.map(|(place, _)| place));
+        let bend = bend.map(places);
         // The centre tells of its own side of the edge only.
         let beyond = pieces
             .iter()
@@ -240,7 +285,7 @@ impl Refinement<'_> {
                 bend,
                 check: Some(place),
             },
-            None => Followed::DoesNotFit,
+            None => Followed::DoesNotFit(bend),
         }
     }
 }
@@ -254,8 +299,9 @@ enum Followed {
         bend: Option<[Place; 2]>,
         check: Option<Place>,
     },
-    /// There is no edge, there are several, or it passes elsewhere.
-    DoesNotFit,
+    /// There is no edge, there are several, or it passes elsewhere; or the surface beside it is off, with the places on
+    /// either side of the edge in the middle.
+    DoesNotFit(Option<[Place; 2]>),
     /// Some places have to be known first.
     Unknown,
 }

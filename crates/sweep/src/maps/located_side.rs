@@ -15,17 +15,17 @@ pub(crate) const BRACKET: usize = 2;
 /// has to be known first.
 ///
 /// # Errors
-/// That place.
+/// That place, and the steps over which the edge is not located.
 pub(crate) fn located(
     ends: [(Place, Height); 2],
     jump: f64,
     height: impl Fn(Place) -> Option<Height>,
-) -> Result<Vec<(Place, Height)>, Place> {
+) -> Result<Vec<(Place, Height)>, (Place, usize)> {
     let [mut low, mut high] = ends;
     let (mut before, mut after) = (vec![low], vec![high]);
     while steps(low.0, high.0) > BRACKET {
         let place = half_way(low.0, high.0);
-        let found = height(place).ok_or(place)?;
+        let found = height(place).ok_or((place, steps(low.0, high.0)))?;
         let [below, above] = [low.1.leap(found), found.leap(high.1)];
         if below.is_finite() && above.is_finite() && second_difference(low.1, found, high.1) < jump
         {
@@ -153,6 +153,6 @@ mod tests {
             bands: 0,
         };
         let ends = [([0, 0], height), ([8, 0], other)];
-        assert_eq!(located(ends, 0.1, |_| None), Err([4, 0]));
+        assert_eq!(located(ends, 0.1, |_| None), Err(([4, 0], 8)));
     }
 }

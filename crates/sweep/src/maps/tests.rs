@@ -4,6 +4,7 @@ use crate::grid::Grid;
 use crate::height::Height;
 use crate::levels::Levels;
 use crate::refined_grid::{MapRules, RefinedGrid};
+use crate::resampled::Resampled;
 use crate::rounds::Rounds;
 use crate::shard::Shard;
 use crate::surface_pieces::MapSurface;
@@ -144,9 +145,7 @@ fn between_points_the_surface_follows_its_curvature() {
     let mut rounds = Rounds::new(&grid, Shard::WHOLE);
     refine(&mut rounds, dome);
     let surface = &MapSurface::all(&rounds)[0];
-    let off = |place: &crate::resampled::Resampled| {
-        (place.speed.unwrap() - dome(place.at).unwrap()).abs()
-    };
+    let off = |place: &Resampled| (place.speed.unwrap() - dome(place.at).unwrap()).abs();
     let curved = surface.resampled().iter().map(off).fold(0.0, f64::max);
     let flat = surface.parts.iter().flat_map(|part| &part.pieces);
     let sides = |[a, b, c]: [crate::pieces::Corner; 3]| [[a, b], [b, c]];
@@ -183,4 +182,27 @@ fn a_budget_ends_the_refinement_and_goes_where_errors_are() {
     assert!(outside.count() < 40);
     // The first level is computed whatever the budget.
     assert_eq!(points(1).len(), 25);
+}
+
+#[test]
+fn a_larger_budget_shows_no_worse_edge() {
+    let wrong = |budget| {
+        let grid = grid(MapRules {
+            error: 0.02,
+            budget: Some(budget),
+            ..RULES
+        });
+        let mut rounds = Rounds::new(&grid, Shard::WHOLE);
+        refine(&mut rounds, bowl);
+        let is_wrong = |place: &Resampled| {
+            let is_near = (from_middle(place.at) - RIM).abs() < 0.3;
+            !is_near && bowl(place.at).is_some() != place.speed.is_some()
+        };
+        let places = MapSurface::all(&rounds)[0].resampled();
+        places.iter().filter(|place| is_wrong(place)).count()
+    };
+    // From where the sides of the first level have been searched.
+    let counts: Vec<usize> = (12..50).map(|hundreds| wrong(100 * hundreds)).collect();
+    assert!(counts.is_sorted_by(|a, b| a >= b), "{counts:?}");
+    assert_eq!(counts.last(), Some(&0));
 }

@@ -29,8 +29,12 @@ impl Sweep {
             .filter(|(name, _)| self.axes.iter().all(|axis| axis.program_name() != *name))
             .map(|(name, value)| (name.to_owned(), json!(value)))
             .collect();
-        if !self.fixed.thrust_knots().is_empty() {
-            scene.insert("thrust_s_lb".to_owned(), json!(self.fixed.thrust_knots()));
+        let knots = self.fixed.thrust_knots();
+        if !knots.is_empty() {
+            for (index, name) in ["thrust.time_s", "thrust.force_lb"].into_iter().enumerate() {
+                let values: Value = knots.iter().map(|knot| knot[index]).collect();
+                scene.insert(name.to_owned(), values);
+            }
         }
         let mut input = json!({
             "job": match self.job {

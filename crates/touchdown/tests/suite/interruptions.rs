@@ -120,6 +120,28 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
     }
 }
 
+/// Journals are in the units of the program, whatever those of the results.
+#[test]
+fn a_run_goes_on_in_other_units_than_it_was_begun_in() {
+    let bench = bench();
+    let mut sweep = start(&bench, &["--threads", "1"]);
+    wait_for_points(&bench, JOURNAL, &mut sweep);
+    signal(&sweep, "-INT");
+    let done = Done::from(sweep.wait_with_output().unwrap());
+    assert_eq!(done.code, Some(130), "{}", done.err);
+    for more in [["--resume"].as_slice(), &["--out", "whole"]] {
+        let in_si = ["sweep", "sweep.toml", "--units", "SI"];
+        let done = bench.run(&[&in_si, more].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    for name in ["sweep.csv", "sweep-bands.csv", "sweep.json"] {
+        let [resumed, whole] = ["results", "whole"].map(|folder| format!("{folder}/{name}"));
+        assert_eq!(bench.read(&resumed), bench.read(&whole));
+    }
+    let table = bench.read("results/sweep.csv");
+    assert!(table.contains("first_transition_mps"), "{table}");
+}
+
 /// As `nohup` starts a program: what closes the terminal does not end it.
 #[test]
 fn a_closed_terminal_interrupts_unless_hangups_are_ignored() {

@@ -199,7 +199,41 @@ fn a_file_asks_for_si_and_the_option_wins() {
 }
 
 #[test]
-fn shards_and_journals_in_any_units_give_the_same_bytes() {
+fn records_have_thrust_and_footing_in_si() {
+    let bench = Bench::new();
+    let sweep = SWEEP
+        .replace(
+            "friction = 1.0\n",
+            "friction = 1.0\nthrust = { time_s = [0, 0.5], force_lb = [100, 0], offset_x_ft = 0.1 }\n",
+        )
+        .replace(
+            "roll_deg = { from = -10, to = 10, step = 10 }",
+            "\"footing[2].height_ft\" = [0, 0.1]",
+        );
+    bench.write("sweep.toml", &sweep);
+    run(
+        &bench,
+        &["sweep", "sweep.toml", "--out", "si", "--units", "SI"],
+    );
+    let record: Value = serde_json::from_str(&bench.read("si/sweep.json")).unwrap();
+    let scene = &record["input"]["scene"];
+    assert_eq!(scene["thrust.time_s"], serde_json::json!([0.0, 0.5]));
+    assert_eq!(scene["thrust.force_n"][0], 444.82216152605);
+    assert_eq!(scene["thrust.offset_x_m"], 0.03048);
+    assert!(
+        bench
+            .read("si/sweep.csv")
+            .starts_with("footing[2].height_m,")
+    );
+    assert!(
+        bench
+            .read("si/sweep.svg")
+            .contains("Footing height, leg 2, m")
+    );
+}
+
+#[test]
+fn shards_of_any_units_give_the_same_bytes() {
     const FILES: [&str; 3] = ["sweep.csv", "sweep.json", "sweep.svg"];
     let bench = Bench::new();
     let files = |folder: &str| FILES.map(|file| bench.read(&format!("{folder}/{file}")));
@@ -218,7 +252,7 @@ fn shards_and_journals_in_any_units_give_the_same_bytes() {
         run(&bench, &[&["merge", folder], of_merge].concat());
         assert_eq!(files(folder), files("whole"), "{folder}");
     }
-    // A shard's journal is that of an interrupted run, whose units do not matter to what goes on with it.
+    // Once more from the same journals, in the units in which the shards were computed.
     let merged = ["merge", "told-to-merge", "--out", "again"];
     run(&bench, &merged);
     run(&bench, &["sweep", "sweep.toml", "--out", "us"]);
@@ -337,12 +371,7 @@ fn landings_come_out_in_si() {
         &BASELINE[6..],
     ];
     assert_eq!(run(&bench, &given.concat()).out, land(&[]));
-    let given = [
-        &given[0][..],
-        &["--vertical-velocity-mps=-1"],
-        &BASELINE[4..],
-    ]
-    .concat();
+    let given = [given[0], &["--vertical-velocity-mps=-1"], &BASELINE[4..]].concat();
     let said =
         ["--vertical-velocity-mps = -1: expected 0 ≤ value ≤ 10000 (in ft/s: this is -3.28084)"];
     bench.run(&given).refused(&said);
