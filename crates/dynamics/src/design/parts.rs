@@ -141,6 +141,18 @@ pub struct Footpad {
     pub maximum_angle: f64,
     /// Relative crush pressure against interference in ft.
     pub profile: Profile,
+    /// What it bears when it has turned over on its edge; without, such a landing cannot be computed further.
+    pub edge: Option<PadEdge>,
+}
+
+/// A footpad on its edge: it bears a constant load on its lowest rim, at half of its height, as the program of 1966 has it
+/// (187 lb beyond 65 deg).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PadEdge {
+    /// Inclination ξ beyond which it is on its edge, rad.
+    pub angle: f64,
+    /// Load, lb.
+    pub load: f64,
 }
 
 /// The crushable block under the body beside each leg.

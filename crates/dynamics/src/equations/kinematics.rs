@@ -8,11 +8,13 @@
 mod body_frame;
 mod leg_frame;
 mod leg_geometry;
+mod leg_pose;
 mod local_ground;
 mod plane;
 
 pub use body_frame::{BodyFrame, SeenGround, Surface};
 pub use leg_frame::{LegFrame, PointVelocity, SeenAlongLeg};
-pub use leg_geometry::{LegGeometry, LegPose};
+pub use leg_geometry::LegGeometry;
+pub use leg_pose::LegPose;
 pub use local_ground::LegGround;
 pub use plane::{PlaneDirection, PlanePoint};

@@ -230,12 +230,14 @@ impl<S: Real> Motion<S> {
         &self.legs[index].geometry
     }
 
-    /// Whether any of what is seldom there acts: a pad that presses on a stop, ground of its own under a leg, thrust.
+    /// Whether any of what is seldom there acts: a pad that presses on a stop or is on its edge, ground of its own
+    /// under a leg, thrust.
     #[inline(always)]
     pub fn is_full(&self, pieces: &Pieces<S>) -> bool {
         pieces.press_stops()
             || !self.legs.iter().all(|leg| leg.ground.is_even())
             || !pieces.thrust().is_none()
+            || pieces.has_edges()
     }
 
     /// Writes the time derivative of the state, `time` s after first contact. Without `FULL` what is seldom there is left out ([`Self::is_full`]): known

@@ -91,6 +91,10 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
     /// into its last argument; `start` is that at the start at the first of [`TIMES`], if it depends on time. `middle` and `last` do so midway on the continuous output and at the end, where what only accumulates
     /// is still that of the start.
     #[inline(always)]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "three functions and what they work on"
+    )]
     pub fn take_implicit(
         &mut self,
         h: S,

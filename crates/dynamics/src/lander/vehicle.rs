@@ -103,6 +103,15 @@ impl Leg {
         positive("footpad.crush_pressure_psf", footpad.crush_pressure)?;
         positive("footpad.inertia_slug_ft2", footpad.inertia)?;
         crush_profile("footpad.profile", &footpad.profile)?;
+        if let Some(edge) = &footpad.edge {
+            require(
+                "footpad.edge_angle_deg",
+                edge.angle.to_degrees(),
+                "30 ≤ value < 84",
+                |angle| (30.0..84.0).contains(&angle),
+            )?;
+            positive("footpad.edge_load_lb", edge.load)?;
+        }
 
         if let Some(block) = block {
             positive("block.radius_ft", block.radius)?;

@@ -7,13 +7,15 @@
 
 mod choice;
 
-use crate::crush::{Crush, CrushLaw};
+use crate::crush::{Crush, CrushLaw, PressureLine};
+use libm::cos;
+
 use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::{Hinge, Stops};
 use crate::integrator::event::{Bounds, Exit};
 use crate::leg_pieces::LegPieces;
 use crate::outcome::{Failure, Outcome};
-use crate::parts::{LegDesign, StrutElement};
+use crate::parts::{LegDesign, PadEdge, StrutElement};
 use crate::rules::CrushRule;
 use crate::signal::{LegSignals, Signal};
 use crate::strut::{GentleKinks, Stance, StrutLaw};
@@ -22,6 +24,9 @@ pub use choice::Choice;
 
 /// cos 65 deg: a loaded pad inclined further has no law in the model.
 const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
+
+/// Slack of the guard on the cosine of a pad that has an edge.
+const INCLINATION_SLACK: f64 = 1e-12;
 
 /// Distance from its resting place on a stop at which a pad counts as arrived, rad: at least this,
 /// and at least this share of the tolerance.
@@ -37,6 +42,8 @@ pub struct LegLaws {
     /// Of the strut: absent in a shock absorber.
     cartridge: CrushLaw,
     stops: Stops,
+    /// Of pads that go on when they turn over.
+    edge: Option<PadEdge>,
     rule: CrushRule,
     friction: FrictionProfile,
 }
@@ -62,9 +69,16 @@ impl LegLaws {
                 outer: design.footpad.maximum_angle,
                 arrival: PAD_ARRIVAL,
             },
+            edge: design.footpad.edge,
             rule: CrushRule::default(),
             friction: FrictionProfile::default(),
         }
+    }
+
+    /// cos ξ below which a pad is on its edge, or has no law.
+    fn least_inclination(&self) -> f64 {
+        self.edge
+            .map_or(LEAST_PAD_INCLINATION, |edge| cos(edge.angle))
     }
 
     /// The same laws under another crush rule.
@@ -106,6 +120,8 @@ pub struct Sets {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LegMode {
     pad: [Crush; 2],
+    /// Whether it has turned over on its edge.
+    is_on_edge: bool,
     block: Crush,
     cartridge: Crush,
     /// Whether any section has touched the surface yet.
@@ -122,6 +138,7 @@ impl LegMode {
     pub fn untouched(laws: &LegLaws) -> Self {
         Self {
             pad: [Crush::untouched(&laws.pad); 2],
+            is_on_edge: false,
             block: Crush::untouched(&laws.block),
             cartridge: Crush::untouched(&laws.cartridge),
             pad_has_touched: false,
@@ -205,8 +222,14 @@ impl LegMode {
     pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
         let load = self.cartridge.line(&laws.cartridge);
         let (strut, link) = self.stance.pieces(&laws.strut, &load);
+        let edge = laws.edge.filter(|_| self.is_on_edge);
+        let edge_load = edge.filter(|_| self.pad_loaded());
         LegPieces {
-            pad: self.pad.map(|section| section.line(&laws.pad)),
+            pad: match edge {
+                Some(_) => [PressureLine::slack(); 2],
+                None => self.pad.map(|section| section.line(&laws.pad)),
+            },
+            edge_load: edge_load.map_or(0.0, |edge| edge.load),
             block: self.block.line(&laws.block),
             pad_friction: self.pad_sliding.piece(laws.friction),
             block_friction: self.block_sliding.piece(laws.friction),
@@ -272,8 +295,21 @@ impl LegMode {
             self.hinge.turn_bounds(laws.stops),
             self.hinge.rate_bounds(),
             self.hinge.speed_bounds(),
-            only(pad_loaded, Bounds::above(LEAST_PAD_INCLINATION)),
+            self.inclination_bounds(laws),
         ]
+    }
+
+    /// Range of cos ξ over which a loaded pad lies on its face, or on its edge.
+    fn inclination_bounds(&self, laws: &LegLaws) -> Bounds {
+        if !self.pad_loaded() {
+            return Bounds::FREE;
+        }
+        let limit = laws.least_inclination();
+        match (laws.edge, self.is_on_edge) {
+            (None, _) => Bounds::above(limit),
+            (Some(_), false) => Bounds::above(limit).widened(INCLINATION_SLACK),
+            (Some(_), true) => Bounds::below(limit).widened(INCLINATION_SLACK),
+        }
     }
 
     /// Range of the stroke over which the cartridge of the strut keeps its line.
@@ -370,6 +406,9 @@ impl LegMode {
             | Signal::FootY
             | Signal::FootZ
             | Signal::HardpointDepth => {}
+            Signal::PadInclination if laws.edge.is_some() => {
+                self.is_on_edge = exit == Exit::Below;
+            }
             Signal::PadInclination => {
                 return Err(Outcome::Failure(Failure::PadInclination { leg }));
             }

@@ -11,6 +11,8 @@ use crate::strut::{LinkPiece, StrutPiece};
 pub struct LegPieces<S> {
     /// Pressure on the outboard and inboard pad sections.
     pub pad: [PressureLine<S>; 2],
+    /// Load of a pad on its edge, lb; 0 of one that is not.
+    pub edge_load: S,
     /// Pressure on the block.
     pub block: PressureLine<S>,
     /// Friction under the pad.
@@ -27,6 +29,7 @@ pub struct LegPieces<S> {
 
 per_lane!(LegPieces {
     pad,
+    edge_load,
     block,
     pad_friction,
     block_friction,
@@ -40,6 +43,7 @@ impl LegPieces<f64> {
     pub fn absent() -> Self {
         Self {
             pad: [PressureLine::slack(); 2],
+            edge_load: 0.0,
             block: PressureLine::slack(),
             pad_friction: FrictionPiece::none(),
             block_friction: FrictionPiece::none(),

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::vehicle::{
@@ -75,7 +76,7 @@ const DAMPER: [&str; 8] = [
     "damping_profile",
 ];
 const HONEYCOMB: [&str; 2] = ["unloading_stiffness_lb_per_ft", "crush_load"];
-pub(crate) const FOOTPAD: [&str; 7] = [
+pub(crate) const FOOTPAD: [&str; 9] = [
     "diameter_ft",
     "height_ft",
     "crush_pressure_psf",
@@ -83,7 +84,11 @@ pub(crate) const FOOTPAD: [&str; 7] = [
     "minimum_angle_deg",
     "maximum_angle_deg",
     "profile",
+    EDGE[0],
+    EDGE[1],
 ];
+/// What a footpad bears that has turned over; both or none.
+const EDGE: [&str; 2] = ["edge_angle_deg", "edge_load_lb"];
 pub(crate) const BLOCK: [&str; 5] = [
     "radius_ft",
     "height_ft",
@@ -356,7 +361,19 @@ fn footpad(section: &Section) -> Result<Footpad, InputError> {
         minimum_angle: section.number("minimum_angle_deg")?.to_radians(),
         maximum_angle: section.number("maximum_angle_deg")?.to_radians(),
         profile: profile(section, "profile", PRESSURE)?,
+        edge: edge(section)?,
     })
+}
+
+fn edge(section: &Section) -> Result<Option<PadEdge>, InputError> {
+    if EDGE.iter().all(|key| section.optional(key).is_none()) {
+        return Ok(None);
+    }
+    let [angle, load] = EDGE.map(|key| section.number(key));
+    Ok(Some(PadEdge {
+        angle: angle?.to_radians(),
+        load: load?,
+    }))
 }
 
 fn block(entry: &Section) -> Result<Option<Block>, InputError> {

@@ -289,7 +289,11 @@ fn every_key_with_a_unit_is_read_in_si() {
             }
             "vehicle.strut.crush_load" => check(&honeycomb(), "[strut.crush_load]", all, &vehicle),
             "vehicle.strut.profile" => check(SURVEYOR, "[strut.damping_profile]", all, &vehicle),
-            "vehicle.footpad" => check(SURVEYOR, "[footpad]", all, &vehicle),
+            "vehicle.footpad" => {
+                let edge = "[footpad]\nedge_angle_deg = 65\nedge_load_lb = 187\n";
+                let text = SURVEYOR.replacen("[footpad]\n", edge, 1);
+                check(&text, "[footpad]", all, &vehicle)
+            }
             "vehicle.block" => check(SURVEYOR, "[block]", all, &vehicle),
             "vehicle.profile" => check(SURVEYOR, "[footpad.profile]", all, &vehicle),
             "vehicle.legs" => check(SURVEYOR, "[[legs]]", all, &vehicle),

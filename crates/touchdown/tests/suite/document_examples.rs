@@ -162,6 +162,11 @@ fn examples_of_the_guide_work() {
     check_page("docs/guide.md");
 }
 
+#[test]
+fn examples_of_the_page_on_own_landers_work() {
+    check_page("docs/own-lander.md");
+}
+
 /// All pages of the root, `docs/` and `results/`.
 fn pages() -> Vec<PathBuf> {
     let folders = [

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::leg_geometry::{LegGeometry, LegPose};
+use super::leg_pose::LegPose;
 use super::plane::PlanePoint;
 use crate::scalar::Real;
 
@@ -87,31 +87,6 @@ impl<S: Real> LegFrame<S> {
         velocity.x += pose.link_normal.outboard * swing;
         velocity.z += pose.link_normal.down * swing;
         self.pad.split(&velocity)
-    }
-
-    /// dI/dt of the pad sections (19), ft/s, for link rate γ̇ and pad rate dα/dt, rad/s.
-    #[inline(always)]
-    pub fn pad_interference_rates(
-        &self,
-        pose: &LegPose<S>,
-        geometry: &LegGeometry<S>,
-        pivot_inward: S,
-        link_rate: S,
-        pad_speed: S,
-    ) -> [S; 2] {
-        // I = depth/cos ξ: dI/dt = (d depth/dt − I d cos ξ/dt)/cos ξ, and in the vehicle the
-        // normal turns as dn/dt = n×ω.
-        let turn = link_rate - pad_speed;
-        let inclination_rate = pose.pad_z.dot(&self.normal_rate) - turn * pose.pad_y_normal;
-        let lean_rate = pose.pad_y.dot(&self.normal_rate) + turn * pose.pad_inclination;
-        let lean = geometry.centroids()[0] * lean_rate;
-        let [outer, inner] = pose
-            .pad_interference
-            .map(|i| (i - geometry.pad_height()) * inclination_rate);
-        [
-            (pivot_inward + lean - outer) * pose.pad_upright,
-            (pivot_inward - lean - inner) * pose.pad_upright,
-        ]
     }
 
     /// dI/dt of the block (28), ft/s.

@@ -5,10 +5,14 @@ use nalgebra::Vector3;
 
 use super::body_frame::{BodyFrame, SeenGround, upright};
 use super::leg_frame::{LegFrame, SeenAlongLeg};
+use super::leg_pose::LegPose;
 use super::plane::{PlaneDirection, PlanePoint};
 use crate::lanes::per_lane;
 use crate::scalar::Real;
 use crate::vehicle::Leg;
+
+/// Least squared sine of the inclination of a pad on its edge.
+const LEAST_SINE: f64 = 1e-6;
 
 /// Constants of a leg's geometry.
 #[derive(Debug, Clone, Copy)]
@@ -46,35 +50,6 @@ per_lane!(LegGeometry {
     block_radius,
     block_depth,
 });
-
-/// Geometry of a leg at one instant.
-#[derive(Debug, Clone, Copy)]
-pub struct LegPose<S> {
-    /// Footpad pivot r_p (7).
-    pub pivot: PlanePoint<S>,
-    /// Normal s of the lower link: pivot velocity per l_L γ̇.
-    pub link_normal: PlaneDirection<S>,
-    /// Pad axis y''.
-    pub pad_y: PlaneDirection<S>,
-    /// Pad axis z''.
-    pub pad_z: PlaneDirection<S>,
-    /// cos ξ = z''·n.
-    pub pad_inclination: S,
-    /// 1/cos ξ, held beyond 84 deg.
-    pub pad_upright: S,
-    /// y''·n.
-    pub pad_y_normal: S,
-    /// Strut stroke δ, ft.
-    pub stroke: S,
-    /// Strut lever dl_D/dγ (12), ft.
-    pub strut_lever: S,
-    /// Interference of the outboard and inboard pad sections (19), ft.
-    pub pad_interference: [S; 2],
-    /// Interference of the block (28), ft.
-    pub block_interference: S,
-    /// Crushed centre of the block.
-    pub block_center: PlanePoint<S>,
-}
 
 impl<S: Real> LegGeometry<S> {
     /// Geometry of a leg whose hardpoints lie `hardpoint_depth` (ΔCG, ft) below the CG.
@@ -135,6 +110,21 @@ impl<S: Real> LegGeometry<S> {
         centroid.add(self.centroids()[section], &pose.pad_y);
         centroid.add(height, &pose.pad_z);
         centroid
+    }
+
+    /// Lowest point of the rim of a pad on its edge, at half of its height, relative to the pivot, ft.
+    #[inline(always)]
+    pub fn edge(&self, pose: &LegPose<S>) -> PlaneDirection<S> {
+        // d_f/2 over the offset of a section's centroid, 2 d_f/3π.
+        let radius = self.centroid * S::constant(0.75 * std::f64::consts::PI);
+        let cosine = pose.pad_inclination;
+        let sine = (S::one() - cosine * cosine)
+            .max(S::constant(LEAST_SINE))
+            .sqrt();
+        let mut edge = PlaneDirection::zero();
+        edge.add(radius * (pose.pad_y_normal / sine), &pose.pad_y);
+        edge.add(self.pad_height * S::constant(0.5), &pose.pad_z);
+        edge
     }
 
     /// Lower hardpoint relative to the centre (6), ft.
@@ -293,5 +283,30 @@ impl<S: Real> LegGeometry<S> {
                 drop: self.block_depth - block_interference,
             },
         }
+    }
+
+    /// dI/dt of the pad sections (19), ft/s, for link rate γ̇ and pad rate dα/dt, rad/s.
+    #[inline(always)]
+    pub fn pad_interference_rates(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        pivot_inward: S,
+        link_rate: S,
+        pad_speed: S,
+    ) -> [S; 2] {
+        // I = depth/cos ξ: dI/dt = (d depth/dt − I d cos ξ/dt)/cos ξ, and in the vehicle the
+        // normal turns as dn/dt = n×ω.
+        let turn = link_rate - pad_speed;
+        let inclination_rate = pose.pad_z.dot(&frame.normal_rate) - turn * pose.pad_y_normal;
+        let lean_rate = pose.pad_y.dot(&frame.normal_rate) + turn * pose.pad_inclination;
+        let lean = self.centroid * lean_rate;
+        let [outer, inner] = pose
+            .pad_interference
+            .map(|i| (i - self.pad_height) * inclination_rate);
+        [
+            (pivot_inward + lean - outer) * pose.pad_upright,
+            (pivot_inward - lean - inner) * pose.pad_upright,
+        ]
     }
 }

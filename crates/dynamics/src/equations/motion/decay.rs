@@ -59,7 +59,8 @@ impl<S: Real> LegMotion<S> {
         if pressed.pads {
             let [outer, inner] = self.pad_section_forces(&pose, pieces);
             let contact = Contact::of_pad(self, &posture);
-            let [along, across] = contact.decays(outer + inner, per_body, per_link);
+            let [along, across] =
+                contact.decays(outer + inner + pieces.edge_load, per_body, per_link);
             greatest += along;
             greatest += across;
         }

@@ -223,7 +223,13 @@ impl<S: Real> LegMotion<S> {
             let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
             let per_pressure = self.pad_force_per_pressure(&pose);
             let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
-            let normal = per_pressure * (pressure[0] + pressure[1]);
+            let on_face = per_pressure * (pressure[0] + pressure[1]);
+            let edge_load = pieces.edge_load;
+            let normal = if FULL {
+                edge_load.where_zero(on_face, edge_load)
+            } else {
+                on_face
+            };
             let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
             let pad = Touch::new(&frame.pad.normal, &pose.pivot, velocity, normal, drag);
             let along_z = pose.pad_z.dot(&pad.line);
@@ -232,7 +238,13 @@ impl<S: Real> LegMotion<S> {
             let height = self.geometry.pad_height();
             let lever =
                 |k: usize| (height - pose.pad_interference[k]) * along_y - centroids[k] * along_z;
-            let torque = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
+            let on_face = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
+            let torque = if FULL {
+                let lever = self.geometry.edge(&pose).turned().dot(&pad.line);
+                edge_load.where_zero(on_face, edge_load * lever)
+            } else {
+                on_face
+            };
             (pad, torque)
         };
 
@@ -284,9 +296,9 @@ impl<S: Real> LegMotion<S> {
         };
         // The laws take the pivot to swing with the rate state; a frozen link does not.
         let idle_swing = link_length * (leg.link_rate - derivative.link_angle);
-        let rates = frame.pad_interference_rates(
+        let rates = self.geometry.pad_interference_rates(
+            &frame,
             &pose,
-            &self.geometry,
             pad.velocity.inward - idle_swing * pose.link_normal.dot(&frame.pad.normal),
             derivative.link_angle,
             pad_speed,

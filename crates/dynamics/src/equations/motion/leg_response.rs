@@ -123,7 +123,7 @@ impl<S: Real> LegMotion<S> {
                 response.hinge_torque.link -= leaning;
             }
         }
-        let force = section_forces[0] + section_forces[1];
+        let force = section_forces[0] + section_forces[1] + pieces.edge_load;
         let [along, across] = contact.rub(force, &hinge_lever);
         response.push(&along);
         response.push(&across);

@@ -23,7 +23,7 @@ impl Pressed {
     pub(super) fn of<S: Real>(legs: &LegPieces<S>) -> Self {
         let [outer, inner] = &legs.pad;
         Self {
-            pads: !(outer.is_slack() && inner.is_slack()),
+            pads: !(outer.is_slack() && inner.is_slack() && legs.edge_load.is_zero()),
             blocks: !legs.block.is_slack(),
             stops: legs.hinge.is_pressed(),
         }
@@ -58,6 +58,12 @@ impl<S: Real> Pieces<S> {
     #[inline(always)]
     pub fn press_stops(&self) -> bool {
         self.legs.iter().any(|leg| leg.pressed.stops)
+    }
+
+    /// Whether any pad is on its edge.
+    #[inline(always)]
+    pub fn has_edges(&self) -> bool {
+        !self.legs.iter().all(|leg| leg.leg.edge_load.is_zero())
     }
 
     /// Thrust of the engine.

@@ -76,8 +76,15 @@ impl LegLaws {
         );
         let hinge = Hinge::at(self.stops, value(Signal::PadTurn), value(Signal::PadRate));
         let (strut, link) = stance.pieces(&self.strut, &cartridge.line);
+        let is_inclined = value(Signal::PadInclination) < self.least_inclination();
+        let edge = self.edge.filter(|_| is_inclined);
+        let is_loaded = pad.iter().any(|section| !section.line.is_slack());
         *pieces = LegPieces {
-            pad: pad.map(|section| section.line),
+            pad: match edge {
+                Some(_) => [PressureLine::slack(); 2],
+                None => pad.map(|section| section.line),
+            },
+            edge_load: edge.filter(|_| is_loaded).map_or(0.0, |edge| edge.load),
             block: block.line,
             pad_friction: sliding(Signal::PadSliding),
             block_friction: sliding(Signal::BlockSliding),
@@ -109,7 +116,7 @@ impl LegLaws {
             return Some(Outcome::Bottomed { leg });
         }
         let loaded = pieces.pad.iter().any(|line| !line.is_slack());
-        let inclined = signals[Signal::PadInclination as usize] < super::LEAST_PAD_INCLINATION;
+        let inclined = signals[Signal::PadInclination as usize] < self.least_inclination();
         (loaded && inclined).then_some(Outcome::Failure(Failure::PadInclination { leg }))
     }
 }

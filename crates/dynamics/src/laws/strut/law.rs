@@ -85,7 +85,8 @@ impl StrutLaw {
                 (segments_of(damper, spring.elastic_limit), spring)
             }
             StrutElement::Honeycomb(_) => {
-                let uppers = [STOP_STROKE, f64::INFINITY];
+                // A cartridge bears from the first stroke on, however little: it is on its stop only without any.
+                let uppers = [0.0, f64::INFINITY];
                 (uppers.map(StrokeSegment::slack).into(), Spring::NONE)
             }
         };
@@ -205,7 +206,7 @@ impl StrokeSegment {
             upper,
             is_plastic: false,
             is_gentle_above: false,
-            goes_on_above: upper == STOP_STROKE,
+            goes_on_above: upper.is_finite(),
             multiplier: [0.0; 2],
             compression: [0.0; 2],
         }

@@ -76,6 +76,7 @@ pub fn surveyor_leg(azimuth_deg: f64) -> LegDesign {
             minimum_angle: 0.75f64.to_radians(),
             maximum_angle: 45f64.to_radians(),
             profile: inches(&pad_interference, &pad_pressure),
+            edge: None,
         },
         block: Some(Block {
             radius: 2.4167,

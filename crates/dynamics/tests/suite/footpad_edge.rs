@@ -1,0 +1,104 @@
+//! Footpads that turn over and go on bearing a load.
+
+use crate::common::{level, settings, surveyor_leg};
+use touchdown_dynamics::land::land;
+use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+use touchdown_dynamics::parts::PadEdge;
+use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
+
+fn lander(edge: Option<PadEdge>) -> Vehicle {
+    let legs = [0.0, 120.0, 240.0].map(|azimuth| {
+        let mut design = surveyor_leg(azimuth);
+        design.footpad.edge = edge;
+        Leg::new(design).unwrap()
+    });
+    let inertia = Inertia {
+        xx: 142.0,
+        yy: 142.0,
+        zz: 142.0,
+        xy: 0.0,
+        xz: 0.0,
+        yz: 0.0,
+    };
+    Vehicle::new(20.0, 5.31, 1.445, inertia, legs.to_vec()).unwrap()
+}
+
+/// Steep and fast: pads turn over.
+fn wild(k: i32) -> Scene {
+    let conditions = level(
+        150.0 + 7.0 * f64::from(k),
+        11.0 * f64::from(k),
+        17.0 + f64::from(k),
+    );
+    Scene::new(Conditions {
+        slope: 20f64.to_radians(),
+        vertical_velocity: 18.0,
+        ..conditions
+    })
+    .unwrap()
+}
+
+fn as_in_1966() -> PadEdge {
+    PadEdge {
+        angle: 65f64.to_radians(),
+        load: 187.0,
+    }
+}
+
+#[test]
+fn a_pad_on_its_edge_bears_on_where_there_was_no_law() {
+    let [without, with] = [None, Some(as_in_1966())].map(lander);
+    let mut went_on = 0;
+    for k in 0..40 {
+        let scene = wild(k);
+        let beyond = settings(1e-7).beyond_verdict();
+        let failed = land(&without, &scene, &beyond);
+        let landing = land(&with, &scene, &beyond);
+        let end = |landing: &touchdown_dynamics::landing::Landing| {
+            landing
+                .beyond
+                .as_ref()
+                .map_or(landing.outcome.clone(), |beyond| beyond.end.clone())
+        };
+        assert!(!matches!(
+            end(&landing),
+            Outcome::Failure(Failure::PadInclination { .. })
+        ));
+        if matches!(
+            end(&failed),
+            Outcome::Failure(Failure::PadInclination { .. })
+        ) {
+            went_on += 1;
+            assert!(landing.end_time > failed.end_time);
+        } else {
+            // No pad turned over: nothing is different.
+            assert_eq!(landing, failed);
+        }
+        let scale = landing.energies.initial_kinetic;
+        assert!(
+            landing.energies.closure().abs() < 1e-5 * scale,
+            "{k}: {}",
+            landing.energies.closure()
+        );
+    }
+    assert!(went_on > 3, "{went_on}");
+}
+
+#[test]
+fn tolerances_agree_on_landings_with_pads_on_their_edges() {
+    let vehicle = lander(Some(PadEdge {
+        angle: 50f64.to_radians(),
+        load: 300.0,
+    }));
+    for k in [1, 5, 8, 14] {
+        let [loose, tight] =
+            [1e-8, 1e-10].map(|tolerance| land(&vehicle, &wild(k), &settings(tolerance)));
+        assert_eq!(loose.outcome.class(), tight.outcome.class(), "{k}");
+        assert_ne!(tight.outcome.class(), Class::Failure);
+        assert!(
+            (loose.min_stability_angle - tight.min_stability_angle).abs() < 1e-3,
+            "{k}"
+        );
+    }
+}
