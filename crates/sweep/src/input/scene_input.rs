@@ -45,7 +45,7 @@ pub(crate) const BODIES: [(&str, f64); 4] = [
     ("ceres", 0.284),
 ];
 /// The table of thrust, its keys that are lists, and its numbers.
-const THRUST: &str = "thrust";
+pub(crate) const THRUST: &str = "thrust";
 pub(crate) const THRUST_KEYS: [&str; 5] =
     ["time_s", "force_lb", "scale", "offset_x_ft", "offset_y_ft"];
 const THRUST_NAMES: [&str; 3] = ["thrust.scale", "thrust.offset_x_ft", "thrust.offset_y_ft"];
@@ -134,7 +134,7 @@ pub(crate) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'
     let of_thrust = || {
         let key = name.strip_prefix("thrust.")?;
         let thrust = scene.optional_section(THRUST, &THRUST_KEYS).ok()??;
-        thrust.optional(key).or_else(|| scene.optional(THRUST))
+        thrust.optional(key)
     };
     scene.optional(name).or_else(of_leg).or_else(of_thrust)
 }

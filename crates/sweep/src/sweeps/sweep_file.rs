@@ -281,7 +281,15 @@ pub(crate) fn locate_condition(
     scene: &Section,
     entries: &[AxisEntry],
 ) -> InputError {
-    if let Some(found) = scene_input::find(scene, fault.name) {
+    // Of thrust that cannot be the whole table is named where its scale is not given.
+    let of_thrust = || {
+        let is_of_thrust = fault.name.starts_with(scene_input::THRUST) && fault.value.is_some();
+        scene.optional(scene_input::THRUST).filter(|_| is_of_thrust)
+    };
+    let varied = |entry: &AxisEntry| entry.parameter.program_name() == fault.name;
+    let is_varied = entries.iter().any(varied);
+    let found = scene_input::find(scene, fault.name);
+    if let Some(found) = found.or_else(|| of_thrust().filter(|_| !is_varied)) {
         return found.complain(&fault.allowed);
     }
     let entry = entries

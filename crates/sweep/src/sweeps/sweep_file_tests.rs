@@ -71,6 +71,39 @@ fn with_axes(axes: &str) -> Result<Sweep, InputError> {
 }
 
 #[test]
+fn ground_thrust_and_gravity_are_axes_too() {
+    let thrust = "[scene.thrust]\ntime_s = [0, 1]\nforce_lb = [80, 0]\n\n[axes]\n";
+    let axes =
+        "thrust.scale = [0.5, 2]\ngravity_mps2 = [1.62, 3.71]\n\"footing[*].height_ft\" = [0, 1]\n";
+    let sweep = read(&FIGURE.replace("[axes]", &format!("{thrust}{axes}"))).unwrap();
+    // Each leg has an axis of its own.
+    assert_eq!(sweep.design.count(), 2 * 2 * 8 * 25);
+    let case = sweep.case(sweep.design.count() - 1).unwrap();
+    let conditions = case.scene.conditions();
+    assert_eq!(conditions.thrust.line_from(0.0).0.at(0.0), 160.0);
+    assert!((conditions.gravity.unwrap() * 0.3048 - 3.71).abs() < 1e-12);
+    let heights = [0, 1, 2].map(|leg| conditions.ground.leg(leg).pad.height);
+    assert_eq!(heights, [1.0; 3]);
+
+    let said = |text: &str| read(text).unwrap_err().to_string();
+    let both = thrust.replace("force_lb", "scale = 1\nforce_lb") + axes;
+    let both = said(&FIGURE.replace("[axes]", &both));
+    assert!(both.contains("axes.thrust.scale"), "{both}");
+    assert!(both.contains("also in [scene]"), "{both}");
+    let negative = format!("{thrust}thrust.scale = [-1]\n");
+    let negative = said(&FIGURE.replace("[axes]", &negative));
+    assert!(negative.contains("axes.thrust.scale"), "{negative}");
+    assert!(negative.contains("includes -1"), "{negative}");
+    let beyond = said(&FIGURE.replace("[axes]", "[axes]\n\"footing[5].height_ft\" = [0, 1]"));
+    assert!(beyond.contains("footing[5].height_ft"), "{beyond}");
+    let stop = said(&FIGURE.replace("[solver]", "[solver]\nstop = \"time\""));
+    assert!(
+        stop.contains("solver.stop = \"time\": expected \"verdict\""),
+        "{stop}"
+    );
+}
+
+#[test]
 fn any_number_of_the_input_is_an_axis() {
     let sweep = with_axes(
         "vehicle.center_of_gravity_height_ft = [1.4, 1.6]\n\
