@@ -15,7 +15,7 @@ use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
 
 /// Names of the touchdown conditions of the whole vehicle, with their units; those of the ground under each leg are in
-/// [`FOOTING_NAMES`].
+/// `footing[1].height_ft` and so on.
 pub const NAMES: [&str; 16] = [
     "vertical_velocity_fps",
     "horizontal_velocity_fps",
