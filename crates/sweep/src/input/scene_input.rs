@@ -14,8 +14,8 @@ use touchdown_dynamics::thrust::{MOST_KNOTS, Thrust};
 use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
 
-/// Names of the touchdown conditions of the whole vehicle, with their units; those of the ground under each leg are in
-/// `footing[1].height_ft` and so on.
+/// Names of the touchdown conditions of the whole vehicle, with their units; those of the ground under each leg are
+/// `footing[1].height_ft` and its kin.
 pub const NAMES: [&str; 16] = [
     "vertical_velocity_fps",
     "horizontal_velocity_fps",
