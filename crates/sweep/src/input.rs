@@ -6,3 +6,4 @@ pub mod scene_input;
 pub(crate) mod search_input;
 pub mod settings_input;
 pub mod vehicle_file;
+pub(crate) mod vehicle_tables;

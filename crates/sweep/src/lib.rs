@@ -39,8 +39,8 @@ pub use documents::{
     document, file_writer, fingerprint, input_error, key_path, library, output_units, section,
     source, unit,
 };
-use input::search_input;
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
+use input::{search_input, vehicle_tables};
 use journal::early_stop;
 pub use journal::{header, merge, point_set, shard};
 use maps::{cell, cell_refinement, curved, located_side, pieces};

@@ -129,11 +129,7 @@ impl Motion<f64> {
 
     /// The ground under footpad and block of leg `index` as a body sees it.
     pub fn ground(&self, index: usize, body: &BodyFrame<f64>) -> [SeenGround<f64>; 2] {
-        let ground = &self.legs[index].ground;
-        match ground.is_even() {
-            true => [body.surface; 2],
-            false => ground.seen(body),
-        }
+        self.legs[index].seen_ground(body)
     }
 
     /// How far a point so deep (ft) below the ground of the footpad of leg `index` has to rise along the vertical to leave

@@ -18,8 +18,6 @@ pub(crate) const SOLVER: [&str; 5] = [
 ];
 /// Words of when a landing ends: at its verdict, or at the time limit.
 pub const STOPS: [&str; 2] = ["verdict", "time"];
-/// Why the methods of 1966 do not go on beyond a verdict.
-pub const ONLY_LOCATED: &str = "only the method \"located\" goes on beyond the verdict";
 /// Words of the crush rules.
 pub(crate) const CRUSH_RULES: [&str; 2] = ["pivot-rate", "section"];
 /// Letters of the friction profiles.
@@ -75,12 +73,24 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
         .map_err(|invalid| solver.as_ref().unwrap_or(root).complain(&invalid))?;
     match solver.as_ref().and_then(|solver| solver.optional("stop")) {
         None => Ok(settings),
-        Some(found) => match (found.text(), method) {
-            (Ok("verdict"), _) => Ok(settings),
-            (Ok("time"), Method::Located) => Ok(settings.beyond_verdict()),
-            (Ok("time"), _) => Err(found.complain_that(ONLY_LOCATED)),
+        Some(found) => match found.text() {
+            Ok(word) if STOPS.contains(&word) => {
+                stopping(settings, word).map_err(|why| found.complain_that(why))
+            }
             _ => Err(found.complain("\"verdict\" or \"time\"")),
         },
+    }
+}
+
+/// The same settings for landings that end as a word of [`STOPS`] says.
+///
+/// # Errors
+/// Says why the method of the settings cannot.
+pub fn stopping(settings: Settings, word: &str) -> Result<Settings, &'static str> {
+    match (word == STOPS[1], settings.method()) {
+        (false, _) => Ok(settings),
+        (true, Method::Located) => Ok(settings.beyond_verdict()),
+        (true, _) => Err("only the method \"located\" goes on beyond the verdict"),
     }
 }
 

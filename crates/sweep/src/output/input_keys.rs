@@ -4,7 +4,7 @@ use crate::sensitivity_input::SENSITIVITY;
 use crate::sweep::SWEEP;
 use crate::{
     axis_input, cases, joint_normal, map_input, method_input, sample_input, scene_file,
-    scene_input, search_input, settings_input, vehicle_file,
+    scene_input, search_input, settings_input, vehicle_file, vehicle_tables,
 };
 
 /// A table of an input file and the keys that it may have.
@@ -38,12 +38,12 @@ pub fn tables() -> Vec<KeyTable> {
         table("vehicle", &vehicle_file::VEHICLE),
         table("vehicle.inertia_slug_ft2", &vehicle_file::INERTIA),
         table("vehicle.linkage", &vehicle_file::LINKAGE),
-        table("vehicle.strut", &vehicle_file::STRUT),
-        table("vehicle.strut.profile", &vehicle_file::MULTIPLIER),
-        table("vehicle.strut.crush_load", &vehicle_file::LOAD),
+        table("vehicle.strut", &vehicle_file::strut_keys()),
+        table("vehicle.strut.profile", &vehicle_tables::MULTIPLIER),
+        table("vehicle.strut.crush_load", &vehicle_tables::LOAD),
         table("vehicle.footpad", &vehicle_file::FOOTPAD),
         table("vehicle.block", &vehicle_file::BLOCK),
-        table("vehicle.profile", &vehicle_file::PRESSURE),
+        table("vehicle.profile", &vehicle_tables::PRESSURE),
         table("vehicle.legs", &vehicle_file::LEG),
         table("sweep", &SWEEP),
         table("scene", &scene_input::scene_keys()),

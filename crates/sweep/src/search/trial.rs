@@ -3,6 +3,7 @@
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::per_leg::PerLeg;
+use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 
 /// What one landing told.
@@ -48,10 +49,10 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// The scales of a vehicle.
-    pub fn of(vehicle: &Vehicle) -> Self {
+    /// The scales of a vehicle in a scene.
+    pub fn of(vehicle: &Vehicle, scene: &Scene) -> Self {
         Self {
-            fall_time: (2.0 * vehicle.standing_height() / vehicle.gravity()).sqrt(),
+            fall_time: (2.0 * vehicle.standing_height() / scene.gravity(vehicle)).sqrt(),
             strokes: PerLeg::from_fn(vehicle.legs().len(), |j| {
                 let strut = &vehicle.legs()[j].design().strut;
                 strut.extended_length - strut.minimum_length

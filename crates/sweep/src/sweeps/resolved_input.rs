@@ -11,7 +11,7 @@ use crate::method_input::method_name;
 use crate::parameter::Parameter;
 use crate::sample::SampledAxis;
 use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
-use crate::settings_input::{crush_rule_name, friction_profile_name};
+use crate::settings_input::{STOPS, crush_rule_name, friction_profile_name};
 use crate::spelling::{Conversion, conversion};
 use crate::sweep_file::{Job, Sweep};
 use crate::vehicle_file;
@@ -181,7 +181,7 @@ fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
 
 /// How landings are computed.
 pub(crate) fn solver(settings: &Settings) -> Value {
-    json!({
+    let mut solver = json!({
         "tolerance": settings.tolerance(),
         "time_limit_s": settings.time_limit(),
         "crush_rule": crush_rule_name(settings.crush_rule()),
@@ -189,7 +189,11 @@ pub(crate) fn solver(settings: &Settings) -> Value {
         "method": method_name(&settings.method()),
         // All its numbers, to the last digit.
         "method_in_full": format!("{:?}", settings.method()),
-    })
+    });
+    if settings.goes_on() {
+        solver["stop"] = json!(STOPS[1]);
+    }
+    solver
 }
 
 /// A vehicle file as a tree, in the units of the program.

@@ -208,6 +208,12 @@ fn gravity_thrust_and_stop_are_of_the_scene() {
     assert_eq!(conditions(0).thrust.offset(), [1.0, 0.0]);
     let goes_on = [0, 1].map(|case| cases[case].settings.goes_on());
     assert_eq!(goes_on, [true, false]);
+    // Journals tell the two apart.
+    let solver = [0, 1].map(|case| crate::resolved_input::solver(&cases[case].settings));
+    assert_eq!(
+        (&solver[0]["stop"], solver[1].get("stop")),
+        (&"time".into(), None)
+    );
 }
 
 #[test]

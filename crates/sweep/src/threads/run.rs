@@ -475,7 +475,7 @@ async fn find(
             }))
         })?;
         let landing = landed(&case.vehicle, varied, settings).await?;
-        let scales = Scales::of(&case.vehicle);
+        let scales = Scales::of(&case.vehicle, &case.scene);
         Ok(Trial::of(landing, &scales, settings.tolerance()))
     };
     let boundary = search

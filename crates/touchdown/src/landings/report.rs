@@ -177,7 +177,7 @@ impl Report<'_> {
             works.collect::<Map<String, Value>>()
         });
         let end = self.units.quantity("final_kinetic_energy_ftlb");
-        json!({
+        let mut report = json!({
             "program": results::program(env!("CARGO_PKG_VERSION")),
             "commit": results::COMMIT,
             "vehicle_file": vehicle.document.path().display().to_string(),
@@ -200,7 +200,12 @@ impl Report<'_> {
             "work_by_leg": work.collect::<Vec<_>>(),
             (end.name()): end.number(landing.energies.final_kinetic),
             "integration": integration_report::json(self.integration, landing.leg_count()),
-        })
+        });
+        if let Some(beyond) = &landing.beyond {
+            report["verdict_time_s"] = json!(beyond.verdict_time);
+            report["went_on_to"] = json!(beyond.end.to_string());
+        }
+        report
     }
 }
 

@@ -3,11 +3,10 @@
 use clap::Args;
 use touchdown_dynamics::friction::FrictionProfile;
 use touchdown_dynamics::invalid::Invalid;
-use touchdown_dynamics::method::Method;
 use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
-use touchdown_sweep::settings_input::{ONLY_LOCATED, STOPS, crush_rule, friction_profile};
+use touchdown_sweep::settings_input::{STOPS, crush_rule, friction_profile, stopping};
 
 use crate::touchdown_options::finite;
 
@@ -79,11 +78,8 @@ impl SolverOptions {
                     .with_friction_profile(self.friction_profile)
             })
             .map_err(in_options)?;
-        match (self.stop.as_str(), method) {
-            ("time", Method::Located) => Ok(settings.beyond_verdict()),
-            ("time", _) => Err(InputError::other(format!("--stop time: {ONLY_LOCATED}"))),
-            _ => Ok(settings),
-        }
+        stopping(settings, &self.stop)
+            .map_err(|why| InputError::other(format!("--stop {}: {why}", self.stop)))
     }
 }
 

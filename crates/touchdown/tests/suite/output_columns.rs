@@ -236,9 +236,13 @@ fn columns_of_landings_are_described() {
         "--history=history.csv",
         "--json",
     ];
-    let printed = bench.run(&[&vehicle[..], &touchdown].concat());
+    let beyond = ["--stop=time", "--time-limit=6"];
+    let printed = bench.run(&[&vehicle[..], &touchdown, &beyond].concat());
     assert_eq!(bench.heading("history.csv", 0), documented("history", true));
     let landing: Value = serde_json::from_str(&printed).unwrap();
+    let decided = landing["verdict_time_s"].as_f64().unwrap();
+    assert!(decided < landing["result"]["end_time_s"].as_f64().unwrap());
+    assert_eq!(landing["went_on_to"], "time-expired");
     for key in landing.as_object().unwrap().keys() {
         assert!(PAGE.contains(&format!("`{key}`")), "{key} is not described");
     }

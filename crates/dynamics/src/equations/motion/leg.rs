@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
 use crate::kinematics::{
-    BodyFrame, LegFrame, LegGeometry, LegGround, LegPose, PlanePoint, PointVelocity,
+    BodyFrame, LegFrame, LegGeometry, LegGround, LegPose, PlanePoint, PointVelocity, SeenGround,
 };
 use crate::lanes::per_lane;
 use crate::scalar::Real;
@@ -144,15 +144,21 @@ impl<S: Real> Touch<S> {
 }
 
 impl<S: Real> LegMotion<S> {
+    /// The ground under footpad and block as the body sees it.
+    #[inline(always)]
+    pub(super) fn seen_ground(&self, body: &BodyFrame<S>) -> [SeenGround<S>; 2] {
+        if self.ground.is_even() {
+            [body.surface; 2]
+        } else {
+            self.ground.seen(body)
+        }
+    }
+
     /// The body's frame along this leg, over its ground.
     #[inline(always)]
     pub(super) fn frame(&self, body: &BodyFrame<S>) -> LegFrame<S> {
-        if self.ground.is_even() {
-            self.geometry.frame(body, [&body.surface; 2])
-        } else {
-            let [pad, block] = self.ground.seen(body);
-            self.geometry.frame(body, [&pad, &block])
-        }
+        let [pad, block] = self.seen_ground(body);
+        self.geometry.frame(body, [&pad, &block])
     }
 
     /// Normal force (29) on the footpad per unit of relative pressure in both sections, lb.
