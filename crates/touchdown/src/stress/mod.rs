@@ -50,6 +50,8 @@ tolerance:
   touchdown land --vehicle stress/stress-3-legs.toml --cases stress/stress-cases.csv \\
     --tolerance 3e-5 --out again.csv
 
+What is printed and listed is in feet and pounds, the units of the program.
+
 Exit code 0 if all checks pass, 1 if not.";
 
 /// Points that a sweep can have.
