@@ -50,7 +50,7 @@ tolerance:
   touchdown land --vehicle stress/stress-3-legs.toml --cases stress/stress-cases.csv \\
     --tolerance 3e-5 --out again.csv
 
-What is printed and listed is in feet and pounds, the units of the program.
+What is printed and listed is in feet and pounds.
 
 Exit code 0 if all checks pass, 1 if not.";
 
