@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::wild::WildSweep;
+use super::wild_sweep::WildSweep;
 
 /// Landings by their numbers, and why each is worth landing again.
 pub type Reasons = BTreeMap<usize, Vec<String>>;

@@ -7,6 +7,7 @@ mod killed_run;
 mod kills;
 mod watchdog;
 mod wild;
+mod wild_sweep;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -87,7 +88,7 @@ pub struct Options {
 /// Runs `stress`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     // Input that cannot be used is refused before anything is written or killed.
-    let wild = wild::sweeps(options.landings, options.seed, settings(options)?)?;
+    let wild = wild_sweep::sweeps(options.landings, options.seed, settings(options)?)?;
     let folder = Folder::open(&options.out)?;
     let workers = Workers::start(options.threads)?;
     let cancel = interrupt::flag()?;

@@ -1,107 +1,28 @@
 //! Landings of vehicles and touchdowns drawn at random.
 
-use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use touchdown_dynamics::model_version::MODEL_VERSION;
-use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
-use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::{InOrder, Journal, Opened};
-use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::run::RunError;
 use touchdown_sweep::shard::Shard;
-use touchdown_sweep::sweep_file::Sweep;
 
+use super::Bench;
 use super::account::Account;
 use super::case_table::{self, Reasons};
 use super::watchdog::Watchdog;
-use super::{Bench, SURVEYOR, SURVEYOR_FILE};
+use super::wild_sweep::WildSweep;
 use crate::failure::Failure;
 use crate::print::print;
 use crate::progress::Progress;
 use crate::summary;
 
-const SWEEP: &str = include_str!("../../../../sweeps/stress/wild.toml");
-/// Numbers of legs of the vehicles, among which landings are shared out.
-const LEGS: [usize; 4] = [3, 4, 5, 6];
 /// Names of what is written.
 const CASES: &str = "stress-cases.csv";
 /// Longest time for a landing: several times what it needs with the most steps and in a full batch.
 const LONGEST_RUN: Duration = Duration::from_secs(300);
-
-/// Wild landings of a vehicle.
-pub struct WildSweep {
-    legs: usize,
-    /// Text of its vehicle file.
-    vehicle: String,
-    pub sweep: Sweep,
-}
-
-impl WildSweep {
-    /// The sweep that comes with the program, with another number of legs and another count, seed and tolerance.
-    fn read(legs: usize, count: u64, seed: u32, settings: Settings) -> Result<Self, InputError> {
-        const FILE: &str = "sweeps/stress/wild.toml";
-        let scene = SWEEP.split("[sample]").next().unwrap_or(SWEEP);
-        let text = format!(
-            "{scene}[sample]\ndesign = \"monte-carlo\"\ncount = {count}\nseed = {seed}\n\
-             [solver]\ntolerance = {}\n",
-            settings.tolerance()
-        );
-        let vehicle = surveyor(legs);
-        let file = Path::new(FILE);
-        let source = |path: &Path, text: &str| Source {
-            path: path.to_owned(),
-            text: text.to_owned(),
-        };
-        let beside = file.parent().unwrap_or(Path::new(""));
-        let sources = [
-            source(file, &text),
-            source(&beside.join("..").join(SURVEYOR_FILE), &vehicle),
-        ];
-        let sweep = Sweep::read_from(file, Library::Copies(&sources))?;
-        Ok(Self {
-            legs,
-            vehicle,
-            sweep,
-        })
-    }
-
-    pub fn case_name(&self, number: usize) -> String {
-        format!("{}-legs-{number}", self.legs)
-    }
-
-    pub fn vehicle_file(&self) -> String {
-        format!("stress-{}-legs.toml", self.legs)
-    }
-
-    fn journal(&self, bench: &Bench) -> PathBuf {
-        let name = format!("stress-{}-legs.journal", self.legs);
-        bench.folder.path(&name)
-    }
-}
-
-/// The Surveyor with so many of its legs, evenly round the centreline.
-fn surveyor(legs: usize) -> String {
-    let body = SURVEYOR.split("[[legs]]").next().unwrap_or(SURVEYOR);
-    let leg = |leg: usize| {
-        let azimuth = 360.0 * leg as f64 / legs as f64;
-        format!("[[legs]]\nazimuth_deg = {azimuth}\n")
-    };
-    body.to_owned() + &(0..legs).map(leg).collect::<String>()
-}
-
-/// So many wild landings, shared out among the vehicles.
-pub fn sweeps(count: u64, seed: u32, settings: Settings) -> Result<Vec<WildSweep>, InputError> {
-    let among = LEGS.len() as u64;
-    let shares = LEGS.iter().zip(0..among);
-    let shares = shares.map(|(legs, place)| (*legs, (count + among - 1 - place) / among));
-    let shares = shares.filter(|(_, share)| *share > 0);
-    shares
-        .map(|(legs, share)| WildSweep::read(legs, share, seed, settings))
-        .collect()
-}
 
 /// Computes the landings and prints their accounts.
 pub fn run(bench: &Bench, sweeps: &[WildSweep]) -> Result<(), Failure> {
@@ -112,7 +33,7 @@ pub fn run(bench: &Bench, sweeps: &[WildSweep]) -> Result<(), Failure> {
         let count = wild.sweep.design.count();
         let header = Header::new(&wild.sweep, env!("CARGO_PKG_VERSION"), Shard::WHOLE);
         let header = header.map_err(Failure::running)?;
-        let mut opened = Journal::open(&wild.journal(bench), &header)?;
+        let mut opened = Journal::open(&bench.folder.path(&wild.journal_file()), &header)?;
         for warning in &opened.warnings {
             eprintln!("touchdown: {warning}");
         }
@@ -199,7 +120,7 @@ fn land(bench: &Bench, wild: &WildSweep, opened: &mut Opened) -> Result<Duration
         Ok(Ok(())) => Ok(wall_time),
         Ok(Err(RunError::Cancelled)) => Err(Failure::Interrupted(format!(
             "finished landings are kept in {}: run the command again to continue",
-            wild.journal(bench).display()
+            bench.folder.path(&wild.journal_file()).display()
         ))),
         Ok(Err(other)) => Err(other.into()),
         Err(beside) => Err(Failure::running(give_up(
