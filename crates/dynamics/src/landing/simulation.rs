@@ -116,6 +116,7 @@ impl<'o> Simulation<'o> {
         self.follow_thrust();
         let trajectory = &mut self.trajectory;
         trajectory.settle()?;
+        trajectory.refuse_ground_in_body()?;
         self.burst = (trajectory.events, trajectory.time);
         self.plan_step()?;
         Ok(())

@@ -216,17 +216,17 @@ impl Columns {
         let settings = self.settings(settings, record)?;
         Ok(CaseRow {
             name: cell(heading, record, NAME_COLUMN).to_owned(),
-            scene: self.scene(record, vehicle.legs().len(), &settings.method())?,
+            scene: self.scene(record, &vehicle, &settings.method())?,
             vehicle,
             settings,
         })
     }
 
-    /// The scene of a row, for a vehicle with so many legs and a method.
+    /// The scene of a row, for a vehicle and a method.
     fn scene(
         &self,
         record: &StringRecord,
-        legs: usize,
+        vehicle: &Vehicle,
         method: &Method,
     ) -> Result<Scene, InputError> {
         let mut conditions = NamedConditions::default();
@@ -236,7 +236,7 @@ impl Columns {
                 conditions.set(parameter.program_name(), *number);
             }
         }
-        conditions.scene_for(legs, method).map_err(|fault| {
+        conditions.scene_for(vehicle, method).map_err(|fault| {
             let given = (given.iter()).find(|(known, ..)| known.program_name() == fault.name);
             match (fault.value, given) {
                 (Some(value), Some((parameter, text, _))) => {
