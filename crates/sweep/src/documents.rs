@@ -10,4 +10,5 @@ pub mod output_units;
 pub mod section;
 pub mod source;
 pub(crate) mod spelling;
+pub mod toml_text;
 pub mod unit;

@@ -37,7 +37,7 @@ pub mod sensitivity;
 use documents::spelling;
 pub use documents::{
     document, file_writer, fingerprint, input_error, key_path, library, output_units, section,
-    source, unit,
+    source, toml_text, unit,
 };
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
 use input::{search_input, vehicle_tables};
@@ -57,7 +57,8 @@ pub use search::{
 };
 use search::{join_all, narrowed_scan};
 pub use summary::{findings, landing_table, probabilities, sweep_counts, transition_statistics};
-use sweeps::resolved_input;
-pub use sweeps::{case, measured_scenes, overrides, scene_file, sweep, sweep_file};
+pub use sweeps::{
+    case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,
+};
 use threads::landing_queue;
 pub use threads::run;

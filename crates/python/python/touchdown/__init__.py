@@ -1,0 +1,34 @@
+"""How fast sideways may a legged lander touch down before it topples?
+
+The engine of the command line ``touchdown`` with the shapes of Python: vehicles and scenes that never change, landings with attributes,
+tables of pandas, sweeps and maps of xarray.
+
+>>> import touchdown as td
+>>> lander = td.vehicles.surveyor()
+>>> scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11.25,
+...                  cross_slope_deg=180, slope_deg=15, friction=1.0)
+>>> td.land(lander, scene).outcome
+'stable-rockback'
+"""
+
+from touchdown import vehicles
+from touchdown.boundary import Band, Boundary, boundary
+from touchdown.cases import land_many
+from touchdown.errors import EngineError, InputError
+from touchdown.landing import Landing, land
+from touchdown.scene import Scene
+from touchdown.vehicle import Vehicle
+
+__all__ = [
+    "Band",
+    "Boundary",
+    "EngineError",
+    "InputError",
+    "Landing",
+    "Scene",
+    "Vehicle",
+    "boundary",
+    "land",
+    "land_many",
+    "vehicles",
+]

@@ -1,0 +1,73 @@
+"""Columns on their way to the engine and back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from touchdown.errors import InputError
+
+_TABLES = "a DataFrame, or a mapping of names to columns of equal length"
+
+
+def columns_of(table: Any) -> dict[str, Any]:
+    """The columns of a table: arrays of numbers, lists of texts."""
+    if isinstance(table, pd.DataFrame) or isinstance(table, Mapping):
+        named = {name: table[name] for name in table}
+    elif hasattr(table, "__arrow_c_stream__") and hasattr(pd.DataFrame, "from_arrow"):
+        return columns_of(pd.DataFrame.from_arrow(table))
+    elif hasattr(table, "to_dict") and hasattr(table, "columns"):
+        named = table.to_dict(as_series=False)
+    else:
+        raise InputError(f"the table is a {type(table).__name__}: expected {_TABLES}", allowed=_TABLES)
+    columns = {}
+    for name, values in named.items():
+        if not isinstance(name, str):
+            raise InputError(f"column {name!r}: expected a text as name", repr(name))
+        columns[name] = _column(name, values)
+    lengths = {name: len(column) for name, column in columns.items()}
+    for name, length in lengths.items():
+        first = next(iter(lengths))
+        if length != lengths[first]:
+            allowed = f"as many as in {first}, {lengths[first]}"
+            raise InputError(f"column {name} has {length} rows: expected {allowed}", name, str(length), allowed)
+    return columns
+
+
+def _column(name: str, values: Any) -> Any:
+    """A column as an array of numbers, or as a list of texts where it has words or gaps."""
+    array = np.asarray(values)
+    if array.ndim != 1:
+        allowed = "one dimension"
+        raise InputError(f"column {name} has {array.ndim} dimensions: expected {allowed}", name, str(array.shape), allowed)
+    if array.dtype.kind in "iuf":
+        return np.ascontiguousarray(array, dtype=np.float64)
+    if array.dtype.kind in "OUT":
+        return [_cell(name, row, value) for row, value in enumerate(array.tolist())]
+    allowed = "numbers or words"
+    raise InputError(f"column {name} is of type {array.dtype}: expected {allowed}", name, str(array.dtype), allowed)
+
+
+def _cell(name: str, row: int, value: Any) -> str | None:
+    if value is None or value is pd.NA:
+        return None
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (int, float, np.number)) and not isinstance(value, bool):
+        return repr(float(value))
+    allowed = "a number or a word"
+    raise InputError(f"row {row}: {name} = {value!r}: expected {allowed}", name, repr(value), allowed)
+
+
+def index_of(table: Any) -> pd.Index[Any] | None:
+    """The index that a table has, if it has one."""
+    return table.index if isinstance(table, pd.DataFrame) else None
+
+
+def series(values: bytearray, kind: str, words: list[str] | None) -> Any:
+    """A column of the engine as pandas takes it, without a copy."""
+    numbers = np.frombuffer(values, dtype=kind)
+    return numbers if words is None else pd.Categorical.from_codes(numbers, words)
