@@ -1,34 +1,28 @@
 //! The bands of one point.
 
 use std::num::NonZeroUsize;
-use std::path::Path;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use touchdown_sweep::boundary::{Band, Boundary};
 use touchdown_sweep::certainty::Certainty;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::results::transition_name;
 use touchdown_sweep::run::{Observer, Workers};
-use touchdown_sweep::sweep_file::Sweep;
 
-use crate::documents::Vehicle;
 use crate::errors::Failure;
 use crate::interruptible;
+use crate::sweeps::Sweep;
 
-/// Searches the boundary at the first point of a sweep, which is given as the text of a sweep file that names its vehicle
-/// `vehicle.toml`.
+/// Searches the boundary at the first point of a sweep.
 #[pyfunction]
 pub fn boundary<'py>(
     py: Python<'py>,
-    sweep: &str,
-    vehicle: &Vehicle,
+    sweep: &Sweep,
     threads: Option<NonZeroUsize>,
     watch: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let sweep = in_memory("boundary", sweep, vehicle)?;
+    let sweep = sweep.0.clone();
     let found = interruptible::run(py, watch, move |work| {
         let workers = Workers::start(threads)?;
         work.more(1);
@@ -42,24 +36,6 @@ pub fn boundary<'py>(
         }
     })?;
     results(py, &found)
-}
-
-/// A sweep from the text of a sweep file, and the vehicle that it names `vehicle.toml`.
-pub fn in_memory(name: &str, text: &str, vehicle: &Vehicle) -> Result<Sweep, Failure> {
-    let file = |path: String, text: String| Source {
-        path: path.into(),
-        text,
-    };
-    let path = format!("{name}.toml");
-    let files = [
-        file(path.clone(), text.to_owned()),
-        file(
-            "vehicle.toml".to_owned(),
-            vehicle.file.document.source().text,
-        ),
-    ];
-    let sweep = Sweep::read_from(Path::new(&path), Library::Copies(&files));
-    Ok(sweep.map_err(InputError::nowhere)?)
 }
 
 fn results<'py>(py: Python<'py>, found: &Boundary) -> PyResult<Bound<'py, PyDict>> {

@@ -16,6 +16,7 @@ use touchdown_sweep::parameter::Parameter;
 use touchdown_sweep::resolved_input;
 use touchdown_sweep::single_landing::{self, Touchdown};
 use touchdown_sweep::toml_text;
+use touchdown_sweep::unit;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::errors::Failure;
@@ -148,16 +149,10 @@ pub fn program_name(name: &str) -> Option<String> {
     Parameter::named(name, MOST_LEGS).map(|parameter| parameter.program_name().to_owned())
 }
 
-/// The name of a result in units of results: "US" or "SI".
+/// A name without the unit that it ends with, and this unit in words; "1" for pure numbers.
 #[pyfunction]
-pub fn result_name(name: &str, units: &str) -> Result<String, Failure> {
-    Ok(output_units(units)?.quantity(name).name().to_owned())
-}
-
-/// The unit that a name ends with, in words; "1" for pure numbers.
-#[pyfunction]
-pub fn unit(name: &str) -> &'static str {
-    touchdown_sweep::unit::unit(name)
+pub fn bare_name_and_unit(name: &str) -> (&str, &'static str) {
+    (unit::bare_name_and_unit(name).0, unit::unit(name))
 }
 
 /// Units of results by their word.

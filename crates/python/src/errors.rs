@@ -6,9 +6,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
+use touchdown_sweep::file_writer::WriteError;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::JournalError;
 use touchdown_sweep::run::RunError;
+use touchdown_sweep::tables::TablesError;
 
 /// Why a call has no result.
 #[derive(Debug)]
@@ -55,6 +57,22 @@ impl From<JournalError> for Failure {
         match error {
             JournalError::Different { .. } => Self::Input(InputError::other(error.to_string())),
             other => Self::Files(other.to_string()),
+        }
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self::Files(error.to_string())
+    }
+}
+
+impl From<TablesError> for Failure {
+    fn from(error: TablesError) -> Self {
+        match error {
+            TablesError::Journal(error) => error.into(),
+            TablesError::Deposit(error) => error.into(),
+            point => Self::engine(point),
         }
     }
 }

@@ -12,6 +12,7 @@ mod documents;
 mod errors;
 mod interruptible;
 mod landing;
+mod sweeps;
 
 /// The module that Python imports.
 #[pyo3::pymodule]
@@ -22,8 +23,10 @@ mod _engine {
     use crate::cases::land_many;
     #[pymodule_export]
     use crate::documents::{
-        Scene, Solver, Vehicle, own_vehicle, program_name, result_name, toml, unit,
+        Scene, Solver, Vehicle, bare_name_and_unit, own_vehicle, program_name, toml,
     };
     #[pymodule_export]
     use crate::landing::{history, land};
+    #[pymodule_export]
+    use crate::sweeps::Sweep;
 }

@@ -6,6 +6,7 @@ pub mod fingerprint;
 pub mod input_error;
 pub mod key_path;
 pub mod library;
+pub mod output_guard;
 pub mod output_units;
 pub mod section;
 pub mod source;

@@ -16,7 +16,9 @@ from touchdown.boundary import Band, Boundary, boundary
 from touchdown.cases import land_many
 from touchdown.errors import EngineError, InputError
 from touchdown.landing import Landing, land
+from touchdown.reading import read
 from touchdown.scene import Scene
+from touchdown.sweeps import map, run, sample, sensitivity, sweep
 from touchdown.vehicle import Vehicle
 
 __all__ = [
@@ -30,5 +32,11 @@ __all__ = [
     "boundary",
     "land",
     "land_many",
+    "map",
+    "read",
+    "run",
+    "sample",
+    "sensitivity",
+    "sweep",
     "vehicles",
 ]

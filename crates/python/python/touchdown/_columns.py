@@ -17,10 +17,8 @@ def columns_of(table: Any) -> dict[str, Any]:
     """The columns of a table: arrays of numbers, lists of texts."""
     if isinstance(table, pd.DataFrame) or isinstance(table, Mapping):
         named = {name: table[name] for name in table}
-    elif hasattr(table, "__arrow_c_stream__") and hasattr(pd.DataFrame, "from_arrow"):
-        return columns_of(pd.DataFrame.from_arrow(table))
-    elif hasattr(table, "to_dict") and hasattr(table, "columns"):
-        named = table.to_dict(as_series=False)
+    elif hasattr(table, "get_columns"):
+        named = {column.name: column.to_numpy() for column in table.get_columns()}
     else:
         raise InputError(f"the table is a {type(table).__name__}: expected {_TABLES}", allowed=_TABLES)
     columns = {}
@@ -69,5 +67,7 @@ def index_of(table: Any) -> pd.Index[Any] | None:
 
 def series(values: bytearray, kind: str, words: list[str] | None) -> Any:
     """A column of the engine as pandas takes it, without a copy."""
-    numbers = np.frombuffer(values, dtype=kind)
-    return numbers if words is None else pd.Categorical.from_codes(numbers, words)
+    if words is None:
+        return np.frombuffer(values, dtype=kind)
+    codes: np.ndarray[tuple[int], np.dtype[np.int32]] = np.frombuffer(values, dtype=np.int32)
+    return pd.Categorical.from_codes(codes, pd.Index(words, dtype=object))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import pandas as pd
 
 from touchdown import _engine
-from touchdown._documents import Document, merged
+from touchdown._documents import Document, merged, same_quantity
 from touchdown._html import bands_picture
 from touchdown.progress import Watch, watching
 from touchdown.scene import Scene
@@ -148,29 +147,22 @@ def boundary(
     >>> print(f"{found.first_transition_fps:.2f} ft/s, {found.certainty}")
     11.41 ft/s, certain
     """
-    document = point(scene, search, solver)
+    engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver)), vehicle._engine, {})
     with watching(progress, "points") as watch:
-        found = _engine.boundary(_engine.toml(document), vehicle._engine, threads, watch)
+        found = _engine.boundary(engine, threads, watch)
     bands = tuple(Band(**band) for band in found.pop("bands"))
     return Boundary(**found, bands=bands, vehicle=vehicle, scene=scene)
 
 
-def point(scene: Scene, search: Document | None, solver: Document | None) -> dict[str, Any]:
+def _point(scene: Scene, search: Document | None, solver: Document | None) -> dict[str, Any]:
     """A sweep over a single point."""
     conditions = scene.without({HORIZONTAL})
-    axis = {name: [value] for name, value in conditions.items() if name == _AXIS}
-    fixed = {name: value for name, value in conditions.items() if name not in axis}
-    return sweep_document("boundary", fixed, axis, merged({**SEARCH, "bands": "all"}, search, "search."), solver)
-
-
-def sweep_document(
-    title: str,
-    scene: Mapping[str, Any],
-    axes: Mapping[str, Any],
-    search: Document | None,
-    solver: Document | None,
-) -> dict[str, Any]:
-    """A sweep file as a dictionary."""
-    document: dict[str, Any] = {"title": title, "vehicle": "vehicle.toml", "scene": scene, "axes": axes}
-    tables = {"search": search, "solver": solver}
-    return document | {name: dict(values) for name, values in tables.items() if values is not None}
+    axes = {name: [conditions.pop(name)] for name in list(conditions) if same_quantity(name) == _AXIS}
+    return {
+        "title": "boundary",
+        "vehicle": "vehicle.toml",
+        "scene": conditions,
+        "axes": axes,
+        "search": merged({**SEARCH, "bands": "all"}, search, "search."),
+        "solver": dict(solver or {}),
+    }

@@ -36,7 +36,7 @@ def land_many(
     table : DataFrame or mapping of arrays
         Columns as those of a table of cases (``touchdown land --cases``): keys of the scene, ``vehicle.…`` and ``solver.…``. Numbers
         stay as they are, a None or ``pandas.NA`` leaves a number to the default or the vehicle; NaN is refused.
-        Tables of polars and Arrow are taken as well.
+        Tables of polars are taken as well.
     scene : Scene, optional
         Conditions that are the same for all rows and no columns of the table.
     solver : mapping, optional

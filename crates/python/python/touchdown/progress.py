@@ -26,7 +26,7 @@ def watching(progress: bool | Watch | None, unit: str) -> Iterator[Watch | None]
     if progress is False:
         yield None
     elif progress is None or progress is True:
-        with tqdm(unit=unit, delay=_SHOWN_AFTER, disable=progress and False or None, leave=False) as bar:
+        with tqdm(unit=unit, delay=_SHOWN_AFTER, disable=None if progress is None else False, leave=False) as bar:
 
             def watch(done: int, wanted: int, landings: int) -> None:
                 bar.total = wanted

@@ -95,7 +95,7 @@ class Vehicle:
         150
         """
         named = ((name if name.startswith("vehicle.") else f"vehicle.{name}", value) for name, value in numbers.items())
-        return type(self)(self._engine.replaced([(name, _written(value)) for name, value in named]))
+        return type(self)(self._engine.replaced([(name, written(value)) for name, value in named]))
 
     @property
     def name(self) -> str:
@@ -126,9 +126,8 @@ class Vehicle:
 
     def _repr_html_(self) -> str:
         numbers = self._numbers
-        rows = [("legs", self.legs)]
-        rows += [(key, value) for key, value in numbers.items() if isinstance(value, float)]
-        return table(self.name, rows)
+        rows = ((key, value) for key, value in numbers.items() if isinstance(value, float))
+        return table(self.name, [("legs", self.legs), *rows])
 
 
 def _restored(text: str, path: str) -> Vehicle:
@@ -137,5 +136,6 @@ def _restored(text: str, path: str) -> Vehicle:
     return vehicle
 
 
-def _written(value: object) -> str:
+def written(value: object) -> str:
+    """A number or a word as the engine reads it."""
     return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]

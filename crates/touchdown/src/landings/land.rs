@@ -11,6 +11,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
 use touchdown_sweep::run::Workers;
@@ -18,7 +19,6 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::land_files::{interval, is_case_table, is_history, place_of};
-use crate::output_guard::OutputGuard;
 use crate::print::print;
 use crate::report::{self, Report};
 use crate::solver_options::SolverOptions;
