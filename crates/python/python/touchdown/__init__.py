@@ -12,7 +12,7 @@ tables of pandas, sweeps and maps of xarray.
 """
 
 from touchdown import vehicles
-from touchdown.boundary import Band, Boundary, boundary
+from touchdown.boundaries import Band, Boundary, boundary
 from touchdown.cases import land_many
 from touchdown.errors import EngineError, InputError
 from touchdown.landing import Landing, land

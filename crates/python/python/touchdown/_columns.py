@@ -18,7 +18,7 @@ def columns_of(table: Any) -> dict[str, Any]:
     if isinstance(table, pd.DataFrame) or isinstance(table, Mapping):
         named = {name: table[name] for name in table}
     elif hasattr(table, "get_columns"):
-        named = {column.name: column.to_numpy() for column in table.get_columns()}
+        named = {column.name: column.to_list() if column.null_count() else column.to_numpy() for column in table.get_columns()}
     else:
         raise InputError(f"the table is a {type(table).__name__}: expected {_TABLES}", allowed=_TABLES)
     columns = {}
@@ -37,7 +37,7 @@ def columns_of(table: Any) -> dict[str, Any]:
 
 def _column(name: str, values: Any) -> Any:
     """A column as an array of numbers, or as a list of texts where it has words or gaps."""
-    array = np.asarray(values)
+    array = _array(values)
     if array.ndim != 1:
         allowed = "one dimension"
         raise InputError(f"column {name} has {array.ndim} dimensions: expected {allowed}", name, str(array.shape), allowed)
@@ -47,6 +47,18 @@ def _column(name: str, values: Any) -> Any:
         return [_cell(name, row, value) for row, value in enumerate(array.tolist())]
     allowed = "numbers or words"
     raise InputError(f"column {name} is of type {array.dtype}: expected {allowed}", name, str(array.dtype), allowed)
+
+
+def _array(values: Any) -> Any:
+    """A column as an array, of objects where it has gaps that are no numbers."""
+    dtype: Any = getattr(values, "dtype", object)
+    if pd.api.types.is_extension_array_dtype(dtype):
+        values = pd.Series(values)
+        return values.to_numpy(dtype=object, na_value=None) if values.hasnans else values.to_numpy()
+    try:
+        return np.asarray(values)
+    except ValueError:
+        return np.fromiter(values, dtype=object)
 
 
 def _cell(name: str, row: int, value: Any) -> str | None:
@@ -70,4 +82,5 @@ def series(values: bytearray, kind: str, words: list[str] | None) -> Any:
     if words is None:
         return np.frombuffer(values, dtype=kind)
     codes: np.ndarray[tuple[int], np.dtype[np.int32]] = np.frombuffer(values, dtype=np.int32)
-    return pd.Categorical.from_codes(codes, pd.Index(words, dtype=object))
+    # In an order that does not depend on threads.
+    return pd.Categorical.from_codes(codes, pd.Index(words, dtype=object)).reorder_categories(sorted(words))

@@ -26,7 +26,6 @@ _OF_ALL_POINTS = {
     "edges": ("edge", "edge_point"),
     "surface": ("corner", "corner"),
 }
-_COUNTS = ["landings", "derivative_evaluations", "steps", "level", "edge", "triangle", "toppled", "bottomed", "undecided", "failed", "not_stable", "points"]
 #: What follows the name of a sweep in the names of its tables.
 BESIDE = [*_AT_EACH_POINT, *_OF_ALL_POINTS, "grid"]
 
@@ -164,7 +163,7 @@ def _units(column: str) -> dict[str, str]:
 def _column(column: pd.Series[Any]) -> Any:
     """Numbers as they are, words as words, of which an empty one stands for none."""
     if column.dtype.kind in "iuf":
-        return column.to_numpy() if column.name in _COUNTS else column.to_numpy(dtype=float)
+        return column.to_numpy()
     if column.isna().all():
         return column.to_numpy(dtype=float)
     return column.fillna("").astype(str).to_numpy(dtype=str)

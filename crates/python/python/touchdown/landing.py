@@ -151,7 +151,7 @@ class Landing:
                 before, unit = _OF_LEGS[name]
                 row |= {f"{before}_{leg}_{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
             else:
-                row[name] = value
+                row[name] = np.nan if value is None else value
         return pd.Series(row, dtype=object)
 
     def _repr_html_(self) -> str:

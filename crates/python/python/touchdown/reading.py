@@ -15,6 +15,10 @@ from touchdown.errors import InputError
 
 # Every digit counts; from version 3 on pandas reads all of them anyway.
 _EXACT: Any = {} if int(pd.__version__.split(".")[0]) >= 3 else {"float_precision": "round_trip"}
+_COUNTS = {
+    *("landings", "derivative_evaluations", "steps", "points", "level", "band", "edge", "triangle"),
+    *("toppled", "bottomed", "undecided", "failed", "not_stable"),
+}
 _KINDS = "a table or record that touchdown has written (.csv, .parquet, .json)"
 
 
@@ -72,7 +76,9 @@ def _table(path: Path) -> pd.DataFrame:
     match path.suffix:
         case ".csv":
             table: pd.DataFrame = pd.read_csv(path, keep_default_na=False, na_values=[""], **_EXACT)
-            return table
+            # Numbers are numbers, whether or not they happen to be whole.
+            whole = table.select_dtypes("integer").columns.difference(list(_COUNTS))
+            return table.astype(dict.fromkeys(whole, float))
         case ".parquet":
             return pd.read_parquet(path)
         case _:

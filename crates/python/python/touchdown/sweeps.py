@@ -16,7 +16,7 @@ import xarray as xr
 
 from touchdown import _engine
 from touchdown._documents import Document, merged
-from touchdown.boundary import HORIZONTAL, SEARCH
+from touchdown.boundaries import HORIZONTAL, SEARCH
 from touchdown.progress import Watch, watching
 from touchdown.reading import read
 from touchdown.scene import Scene
@@ -73,8 +73,8 @@ def sweep(
     >>> import touchdown as td
     >>> scene = td.Scene(vertical_velocity_fps=14, cross_slope_deg=180, slope_deg=15, friction=1.0)
     >>> ds = td.sweep(td.vehicles.surveyor(), scene, axes={"roll_deg": [0, 10]}, search={"from_fps": 8, "to_fps": 16})
-    >>> ds.first_transition.sel(roll_deg=0).item().__round__(2), ds.first_transition.units
-    (11.41, 'ft/s')
+    >>> ds.first_transition.round(3).values.tolist(), ds.first_transition.units
+    ([11.4, 11.274], 'ft/s')
     """
     run = Run(**options)
     asked: dict[str, Any] = {"job": job, "solver": solver, "search": _search(search, job)}

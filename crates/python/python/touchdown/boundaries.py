@@ -144,8 +144,8 @@ def boundary(
     >>> import touchdown as td
     >>> scene = td.Scene(vertical_velocity_fps=14, cross_slope_deg=180, slope_deg=15, friction=1.0)
     >>> found = td.boundary(td.vehicles.surveyor(), scene, search={"from_fps": 8, "to_fps": 16})
-    >>> print(f"{found.first_transition_fps:.2f} ft/s, {found.certainty}")
-    11.41 ft/s, certain
+    >>> print(f"{found.first_transition_fps:.3f} ft/s, {found.certainty}")
+    11.400 ft/s, certain
     """
     engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver)), vehicle._engine, {})
     with watching(progress, "points") as watch:
