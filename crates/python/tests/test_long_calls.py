@@ -8,6 +8,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import touchdown as td
@@ -77,6 +78,31 @@ def test_an_interrupted_sweep_goes_on(lander, scene, tmp_path):
     assert told[-1][0] == 40 and told[-1][2] < resumed.landings.sum()
     assert sorted(file.name for file in tmp_path.iterdir()) == ["rolls.csv", "rolls.json"]
     assert resumed.equals(td.sweep(lander, scene, axes, search=SHORT, progress=False))
+
+
+def test_interrupted_cases_go_on_and_leave_the_table_of_the_command_line(lander, scene, tmp_path, program):
+    table = pd.DataFrame({"case": [f"no-{n}" for n in range(60)], "roll_deg": np.linspace(0, 20, 60)})
+    cases = table.assign(**scene.to_dict())
+    cases.to_csv(tmp_path / "cases.csv", index=False)
+    surveyor = "sweeps/vehicles/surveyor-table-4-1.toml"
+    program("land", "--vehicle", surveyor, "--cases", tmp_path / "cases.csv", "--out", tmp_path / "expected.csv", "--quiet")
+
+    def interrupt(done, wanted, landings):
+        if done:
+            raise KeyboardInterrupt
+
+    out = tmp_path / "landed.csv"
+    with pytest.raises(KeyboardInterrupt):
+        td.land_many(lander, table, scene=scene, out=out, progress=interrupt)
+    assert out.with_name("landed.csv.journal").is_file() and not out.exists()
+    told = []
+    landed = td.land_many(lander, table, scene=scene, out=out, progress=lambda *counts: told.append(counts))
+    assert told[-1][0] == 60 and 0 < told[-1][2] < 60
+    assert out.read_bytes() == (tmp_path / "expected.csv").read_bytes()
+    pd.testing.assert_frame_equal(landed, td.land_many(lander, table, scene=scene, progress=False))
+    (tmp_path / "mine.csv").write_text("mine")
+    with pytest.raises(td.InputError, match="exists and is no earlier result"):
+        td.land_many(lander, table, scene=scene, out=tmp_path / "mine.csv", progress=False)
 
 
 def test_a_journal_of_other_input_is_refused(lander, scene, tmp_path):

@@ -1,4 +1,5 @@
 from collections.abc import Mapping, Sequence
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +44,9 @@ def land_many(
     columns: Sequence[tuple[str, Any]],
     solver: Solver,
     units: str,
+    out: str | PathLike[str] | None,
+    overwrite: bool,
     threads: int | None,
     watch: Watch | None,
-) -> list[tuple[str, tuple[bytearray, str, list[str] | None]]]: ...
+) -> tuple[list[tuple[str, tuple[bytearray, str, list[str] | None]]], list[str]]: ...
 def boundary(sweep: Sweep, threads: int | None, watch: Watch | None) -> dict[str, Any]: ...

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,7 +13,7 @@ from touchdown import _engine
 from touchdown._columns import columns_of, index_of, series
 from touchdown._documents import Document, solver_of
 from touchdown.errors import InputError
-from touchdown.progress import Watch, watching
+from touchdown.progress import Watch, warn, watching
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
 
@@ -24,6 +25,8 @@ def land_many(
     scene: Scene | None = None,
     solver: Document | None = None,
     units: str = "US",
+    out: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
     threads: int | None = None,
     progress: bool | Watch | None = None,
 ) -> pd.DataFrame:
@@ -43,6 +46,10 @@ def land_many(
         How landings are computed, as in `land`.
     units : {"US", "SI"}
         Units of the results, which are part of the names of the columns.
+    out : path, optional
+        CSV file for the results too. What is finished is in a journal beside it at once: after an interruption the same call goes on.
+    overwrite : bool
+        Whether to replace a file that is no earlier result.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.
     progress : bool or callable, optional
@@ -73,7 +80,10 @@ def land_many(
         same = scene.without(set(columns))
         columns |= {name: _repeated(name, value, count) for name, value in _flat(same).items()}
     with watching(progress, "landings") as watch:
-        found = _engine.land_many(vehicle._engine, list(columns.items()), solver_of(solver), units, threads, watch)
+        found, told = _engine.land_many(
+            vehicle._engine, list(columns.items()), solver_of(solver), units, out, overwrite, threads, watch
+        )
+    warn(told)
     results = {name: series(*column) for name, column in found}
     return pd.DataFrame(results, index=index_of(table), copy=False)
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
@@ -36,3 +37,9 @@ def watching(progress: bool | Watch | None, unit: str) -> Iterator[Watch | None]
             yield watch
     else:
         yield progress
+
+
+def warn(told: Iterable[str]) -> None:
+    """What the engine has to say of a journal, on behalf of the function that called."""
+    for warning in told:
+        warnings.warn(warning, RuntimeWarning, stacklevel=3)

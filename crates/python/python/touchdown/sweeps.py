@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,7 +16,7 @@ import xarray as xr
 from touchdown import _engine
 from touchdown._documents import Document, merged
 from touchdown.boundaries import HORIZONTAL, SEARCH
-from touchdown.progress import Watch, watching
+from touchdown.progress import Watch, warn, watching
 from touchdown.reading import read
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle, written
@@ -342,8 +341,7 @@ def _run(
 ) -> None:
     with watching(progress, "points") as watch:
         _, told = engine.run(folder, parquet, overwrite, threads, watch)
-    for warning in told:
-        warnings.warn(warning, RuntimeWarning, stacklevel=4)
+    warn(told)
 
 
 def _results(folder: Path, engine: _engine.Sweep) -> xr.Dataset:

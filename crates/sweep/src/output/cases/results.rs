@@ -4,6 +4,11 @@ use crate::findings::Finding;
 use crate::landing_table::{self, Cell};
 use crate::output_units::{OutputUnits, Quantity};
 
+/// Whether a file that begins with this line is a table of results of cases.
+pub fn is_table(line: &str) -> bool {
+    line.starts_with("case,outcome,end_time_s,")
+}
+
 /// The results of cases as CSV, in these units: `case`, then the columns of [`landing_table`] for as many legs as any
 /// vehicle has.
 ///
