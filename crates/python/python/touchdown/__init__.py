@@ -11,6 +11,9 @@ tables of pandas, sweeps and maps of xarray.
 'stable-rockback'
 """
 
+from importlib import import_module
+from typing import Any
+
 from touchdown import vehicles
 from touchdown.boundaries import Band, Boundary, boundary
 from touchdown.cases import land_many
@@ -40,3 +43,10 @@ __all__ = [
     "sweep",
     "vehicles",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    # Nobody loads matplotlib, or needs to have it, but for pictures.
+    if name == "plot":
+        return import_module("touchdown.plot")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -27,7 +27,8 @@ def shown(value: object) -> str:
             return str(value)
 
 
-_COLOURS = {"stable": "#4c9f70", "unstable": "#d1495b", "bottomed": "#edae49", "undecided": "#9aa5b1", "failure": "#444444"}
+#: Of bands, by how their landings end.
+OUTCOME_COLOURS = {"stable": "#4c9f70", "unstable": "#d1495b", "bottomed": "#edae49", "undecided": "#9aa5b1", "failure": "#444444"}
 
 
 def bands_picture(bands: Iterable[tuple[float, float, str, str]]) -> str:
@@ -38,7 +39,7 @@ def bands_picture(bands: Iterable[tuple[float, float, str, str]]) -> str:
     low, high = bands[0][0], bands[-1][1]
     parts = (
         f"<div title='{start:.4g} to {end:.4g} ft/s: {escape(kind)}' "
-        f"style='width:{100 * (end - start) / (high - low):.3f}%;background:{_COLOURS[outcome]};color:white;"
+        f"style='width:{100 * (end - start) / (high - low):.3f}%;background:{OUTCOME_COLOURS[outcome]};color:white;"
         f"overflow:hidden;white-space:nowrap;padding:2px 0;text-align:center'>{escape(outcome)}</div>"
         for start, end, outcome, kind in bands
     )
