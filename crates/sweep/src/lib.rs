@@ -36,18 +36,19 @@ pub mod sensitivity;
 
 use documents::spelling;
 pub use documents::{
-    document, file_writer, fingerprint, input_error, key_path, library, output_units, section,
-    source, unit,
+    document, file_writer, fingerprint, input_error, key_path, library, output_guard, output_units,
+    section, source, toml_text, unit,
 };
 pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
 use input::{search_input, vehicle_tables};
 use journal::early_stop;
-pub use journal::{header, merge, point_set, shard};
+pub use journal::{header, journal_files, merge, point_set, shard};
 use maps::{cell, cell_refinement, curved, located_side, pieces};
 pub use maps::{edge_lines, height, resampled, rounds, surface_pieces};
 use output::parquet_table;
 pub use output::{
-    bands_table, cases, history, input_keys, map_tables, results, sensitivity_table, tables,
+    bands_table, cases, history, input_keys, map_tables, result_files, results, sensitivity_table,
+    tables,
 };
 pub use points::{assignment, design, distribution, grid, levels, parameter, refined_grid, sample};
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
@@ -57,7 +58,8 @@ pub use search::{
 };
 use search::{join_all, narrowed_scan};
 pub use summary::{findings, landing_table, probabilities, sweep_counts, transition_statistics};
-use sweeps::resolved_input;
-pub use sweeps::{case, measured_scenes, overrides, scene_file, sweep, sweep_file};
+pub use sweeps::{
+    case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,
+};
 use threads::landing_queue;
 pub use threads::run;

@@ -6,6 +6,7 @@ pub mod history;
 pub mod input_keys;
 pub mod map_tables;
 pub(crate) mod parquet_table;
+pub mod result_files;
 pub mod results;
 pub mod sensitivity_table;
 pub mod tables;

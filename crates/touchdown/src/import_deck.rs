@@ -7,9 +7,9 @@ use clap::Args;
 use touchdown_sweep::deck::{Deck, Run, parse};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::output_guard::OutputGuard;
 
 use crate::failure::Failure;
-use crate::output_guard::OutputGuard;
 use crate::print::print;
 
 const EXAMPLE: &str = "\

@@ -26,11 +26,8 @@ use touchdown_sweep::results::COMMIT;
 use landings::{cases, integration_report, land, land_files, report, scene_cases};
 use options::{overrides, solver_options, touchdown_options, units};
 use pictures::plot;
-use sweeps::{
-    axis_words, dry_run, estimate, journal_files, merge, overview, sweep, sweep_files,
-    sweep_results,
-};
-use terminal::{failure, interrupt, output_guard, print, progress, summary};
+use sweeps::{axis_words, dry_run, estimate, merge, overview, sweep, sweep_files, sweep_results};
+use terminal::{failure, interrupt, print, progress, summary};
 
 /// How fast sideways may a legged lander touch down before it topples?
 ///

@@ -3,7 +3,6 @@
 pub mod axis_words;
 pub mod dry_run;
 pub mod estimate;
-pub mod journal_files;
 pub mod merge;
 pub mod overview;
 pub mod sweep;

@@ -2,7 +2,6 @@
 
 pub mod failure;
 pub mod interrupt;
-pub mod output_guard;
 pub mod print;
 pub mod progress;
 pub mod summary;

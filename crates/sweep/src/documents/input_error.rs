@@ -61,18 +61,30 @@ const LONGEST_NUMBER: usize = 24;
 pub struct InputError {
     place: Option<Place>,
     complaint: String,
+    subject: Option<Box<Subject>>,
+}
+
+/// What an error is about, for programs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Subject {
+    /// The key, dotted where it stands in a table.
+    pub key: String,
+    /// Its value as it was written; `None` where it is missing.
+    pub value: Option<String>,
+    /// What is allowed.
+    pub allowed: String,
 }
 
 impl InputError {
     /// `key` has a `value` that is not `allowed`.
     pub fn value(key: &str, value: impl fmt::Display, allowed: &str) -> Self {
         let value = short(value.to_string());
-        Self::other(format!("{key} = {value}: expected {allowed}"))
+        Self::other(format!("{key} = {value}: expected {allowed}")).about(key, Some(value), allowed)
     }
 
     /// `key` is not there.
     pub fn missing(key: &str, allowed: &str) -> Self {
-        Self::other(format!("{key} is missing: expected {allowed}"))
+        Self::other(format!("{key} is missing: expected {allowed}")).about(key, None, allowed)
     }
 
     /// `key` is no spelling of the `known` keys; names the nearest of them.
@@ -86,6 +98,7 @@ impl InputError {
         Self::other(format!(
             "{key} = {value}: unknown key; {guess}known keys: {known}"
         ))
+        .about(key, Some(value.to_string()), &known)
     }
 
     /// Any other error.
@@ -93,7 +106,25 @@ impl InputError {
         Self {
             place: None,
             complaint: complaint.into(),
+            subject: None,
         }
+    }
+
+    fn about(self, key: &str, value: Option<String>, allowed: &str) -> Self {
+        let subject = Subject {
+            key: key.to_owned(),
+            value,
+            allowed: allowed.to_owned(),
+        };
+        Self {
+            subject: Some(Box::new(subject)),
+            ..self
+        }
+    }
+
+    /// The key, value and what is allowed, where the error is about a single key.
+    pub fn subject(&self) -> Option<&Subject> {
+        self.subject.as_deref()
     }
 
     /// The same error within a named part of the input.
@@ -125,8 +156,9 @@ impl InputError {
 impl fmt::Display for InputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {
-            Some(place) => write!(f, "{place}: {}", self.complaint),
-            None => f.write_str(&self.complaint),
+            // Documents that stand in no file have no name.
+            Some(place) if !place.file.is_empty() => write!(f, "{place}: {}", self.complaint),
+            _ => f.write_str(&self.complaint),
         }
     }
 }

@@ -99,14 +99,18 @@ pub fn unit(name: &str) -> &'static str {
         Some((table, _)) if table.ends_with(".inertia_kg_m2") => table,
         _ => name,
     };
+    bare_name_and_unit(name).1
+}
+
+/// A name without the unit that it ends with, and this unit in words; 1 for pure numbers and words.
+pub fn bare_name_and_unit(name: &str) -> (&str, &'static str) {
     let endings = UNITS.iter().flat_map(|unit| {
         let si = unit.si.iter().map(|si| (si.ending, si.words));
         si.chain([(unit.ending, unit.words)])
     });
-    endings
-        .filter(|(ending, _)| name.ends_with(ending))
-        .max_by_key(|(ending, _)| ending.len())
-        .map_or("1", |(_, words)| words)
+    let bare = |(ending, words)| Some((name.strip_suffix(ending)?, words));
+    let shortest = endings.filter_map(bare).min_by_key(|(bare, _)| bare.len());
+    shortest.unwrap_or((name, "1"))
 }
 
 /// A name without the unit of the program that it ends with, and this unit, if it ends with one.
@@ -119,6 +123,21 @@ pub(crate) fn program_unit(name: &str) -> Option<(&str, &'static Unit)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_are_bare_without_their_longest_unit() {
+        for (name, expected) in [
+            ("first_transition_fps", ("first_transition", "ft/s")),
+            ("max_strut_force_2_n", ("max_strut_force_2", "N")),
+            (
+                "vehicle.strut.spring_constant_lb_per_ft",
+                ("vehicle.strut.spring_constant", "lb/ft"),
+            ),
+            ("steps", ("steps", "1")),
+        ] {
+            assert_eq!(bare_name_and_unit(name), expected);
+        }
+    }
 
     #[test]
     fn units_follow_from_names() {

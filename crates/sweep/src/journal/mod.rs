@@ -8,6 +8,7 @@ pub(crate) mod early_stop;
 mod frame;
 pub mod header;
 mod in_order;
+pub mod journal_files;
 pub mod merge;
 pub mod point_set;
 mod scan;

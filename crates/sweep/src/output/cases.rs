@@ -1,29 +1,26 @@
 //! Tables of cases: one landing per row, each of which may change the vehicle and the solver.
 
-use std::collections::{BTreeMap, HashMap};
+mod cells;
+mod columns;
+mod results;
+
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use csv::StringRecord;
 use serde_json::json;
-use touchdown_dynamics::methods::Method;
-use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::document::{Document, Value};
-use crate::findings::Finding;
+pub use cells::{CaseCell, CaseCells};
+use columns::{Columns, Given, Row, at, values};
+pub use results::{is_table, table};
+
 use crate::fingerprint::fingerprint;
 use crate::header::Header;
 use crate::input_error::{InputError, Place};
-use crate::landing_table::{self, Cell};
 use crate::library::Library;
-use crate::output_units::{OutputUnits, Quantity};
-use crate::parameter::{Home, Parameter};
 use crate::resolved_input;
-use crate::scene_input::NamedConditions;
-use crate::section::Section;
-use crate::settings_input::{self, crush_rule_name, friction_profile_name};
 use crate::vehicle_file::{self, VehicleFile};
 
 /// Columns that every table of cases must have.
@@ -36,14 +33,10 @@ pub(crate) const REQUIRED: [&str; 5] = [
 ];
 /// Columns that are no parameters: the name of the case, its vehicle file, and a remark that nothing depends on.
 pub(crate) const OWN: [&str; 3] = ["case", "vehicle", "note"];
-const NAME_COLUMN: &str = OWN[0];
-const VEHICLE_COLUMN: &str = OWN[1];
 
 /// A row of a table of cases.
 #[derive(Debug, Clone)]
 pub struct CaseRow {
-    /// Its name, from the column `case`, or else its number.
-    pub name: String,
     /// What lands.
     pub vehicle: Arc<Vehicle>,
     /// How it touches down.
@@ -52,28 +45,18 @@ pub struct CaseRow {
     pub settings: Settings,
 }
 
-/// A table of cases.
-#[derive(Debug, Clone)]
+/// A table of cases. Of its rows nothing is kept but the cells.
+#[derive(Debug)]
 pub struct CaseTable {
-    /// Its rows, at least one.
-    pub rows: Vec<CaseRow>,
+    cells: Box<dyn CaseCells>,
+    columns: Columns,
+    vehicles: Vehicles,
+    settings: Settings,
+    first: CaseRow,
+    most_legs: usize,
     /// What determines the results of all rows: the table and the vehicle files that it names by their fingerprints, the
     /// vehicle and the settings of rows that say nothing else.
     pub input: serde_json::Value,
-}
-
-impl CaseTable {
-    /// The head of the journal of these cases.
-    pub fn header(&self, program: &str) -> Header {
-        let CaseRow {
-            vehicle,
-            scene,
-            settings,
-            ..
-        } = &self.rows[0];
-        let first = (&**vehicle, scene, settings);
-        Header::of_cases(self.input.clone(), self.rows.len(), first, program)
-    }
 }
 
 /// Reads and checks a whole table. Every key of a case of a scene file may be a column, dotted where it is one of the
@@ -99,312 +82,181 @@ fn parse(
     settings: &Settings,
 ) -> Result<CaseTable, InputError> {
     let place = Place::file(path);
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let broken = |error: csv::Error| {
-        let place = match error.position() {
-            Some(position) => place.line(position.line() as usize),
-            None => place.clone(),
-        };
-        InputError::other(format!("not a table of comma-separated values: {error}")).at(place)
-    };
-    let heading = reader.headers().map_err(broken)?.clone();
+    let (heading, rows) = cells::CsvRows::parse(path, text)?;
+    let heading: Vec<&str> = heading.iter().collect();
     let columns = Columns::of(&heading).map_err(|error| error.at(place.line(1)))?;
-
-    let mut vehicles = Vehicles {
-        table: path,
-        own: vehicle,
-        shared: Arc::new(vehicle.vehicle.clone()),
-        files: HashMap::new(),
-    };
-    let mut cases = Vec::new();
-    for (index, record) in reader.records().enumerate() {
-        let record = record.map_err(broken)?;
-        let line = record.position().map_or(0, |position| position.line());
-        let place = place.line(line as usize).row(index + 1);
-        let case = columns
-            .case(&heading, &record, &mut vehicles, settings)
-            .map_err(|error| error.at(place))?;
-        cases.push(CaseRow {
-            name: match case.name.as_str() {
-                "" => (index + 1).to_string(),
-                name => name.to_owned(),
-            },
-            ..case
-        });
+    if rows.is_empty() {
+        return Err(InputError::other(NO_ROWS).at(place));
     }
-    if cases.is_empty() {
-        return Err(InputError::other("has no rows: expected at least one case").at(place.clone()));
-    }
-    let files = vehicles.files.into_iter();
-    let files: BTreeMap<String, String> = files
-        .map(|(name, file)| (name, fingerprint(&file.document.source().text)))
-        .collect();
-    let input = json!({
-        "table_of_cases": fingerprint(text),
-        "vehicle_files": files,
-        "vehicle": resolved_input::vehicle(&vehicle.document),
-        "solver": resolved_input::solver(settings),
-    });
-    Ok(CaseTable { rows: cases, input })
+    let folder = path.parent().unwrap_or(Path::new(""));
+    CaseTable::new(Box::new(rows), columns, folder, vehicle, settings)
 }
 
-/// The columns of a table that are parameters.
-struct Columns {
-    scene: Vec<(usize, Parameter)>,
-    vehicle: Vec<(usize, Parameter)>,
-    solver: Vec<(usize, Parameter)>,
-}
+const NO_ROWS: &str = "has no rows: expected at least one case";
 
-impl Columns {
-    fn of(heading: &StringRecord) -> Result<Self, InputError> {
-        let mut columns = Self {
-            scene: Vec::new(),
-            vehicle: Vec::new(),
-            solver: Vec::new(),
-        };
-        for (index, name) in heading.iter().enumerate() {
-            if heading.iter().take(index).any(|before| before == name) {
-                let said = format!("column {name} is there twice: expected once");
-                return Err(InputError::other(said));
-            }
-            if OWN.contains(&name) {
-                continue;
-            }
-            let parameter = Parameter::named(name, MOST_LEGS).filter(|known| known.name() == name);
-            let Some(parameter) = parameter else {
-                return Err(InputError::other(unknown(name)));
-            };
-            let same_kind = match parameter.home() {
-                Home::Scene => &mut columns.scene,
-                Home::Vehicle => &mut columns.vehicle,
-                Home::Sweep if name.starts_with("solver.") => &mut columns.solver,
-                Home::Sweep => return Err(InputError::other(unknown(name))),
-            };
-            if let Some((_, before)) = same_kind.iter().find(|(_, before)| *before == parameter) {
-                let before = before.name();
-                let said =
-                    format!("columns {before} and {name}: expected one spelling of a quantity");
-                return Err(InputError::other(said));
-            }
-            same_kind.push((index, parameter));
-        }
-        let has = |name: &str| {
-            let mut given = columns.scene.iter();
-            given.any(|(_, parameter)| parameter.program_name() == name)
-        };
-        match REQUIRED.iter().find(|name| !has(name)) {
-            Some(absent) => Err(InputError::other(format!(
-                "column {absent} is missing: expected {}",
-                REQUIRED.join(", ")
-            ))),
-            None => Ok(columns),
-        }
-    }
-
-    /// The case of a row; its name may be empty.
-    fn case(
-        &self,
-        heading: &StringRecord,
-        record: &StringRecord,
-        vehicles: &mut Vehicles,
+impl CaseTable {
+    /// Checks a whole table with this heading. Vehicle files are named relative to the folder.
+    ///
+    /// # Errors
+    /// As [`read`].
+    pub fn of_cells(
+        heading: &[&str],
+        cells: Box<dyn CaseCells>,
+        vehicle: &VehicleFile,
         settings: &Settings,
-    ) -> Result<CaseRow, InputError> {
-        let named = cell(heading, record, VEHICLE_COLUMN);
-        let vehicle = vehicles.of_row(named, &self.vehicle, record)?;
-        let settings = self.settings(settings, record)?;
-        Ok(CaseRow {
-            name: cell(heading, record, NAME_COLUMN).to_owned(),
-            scene: self.scene(record, &vehicle, &settings.method())?,
-            vehicle,
-            settings,
-        })
+    ) -> Result<Self, InputError> {
+        let columns = Columns::of(heading)?;
+        if cells.is_empty() {
+            return Err(InputError::other(NO_ROWS).within("the table of cases"));
+        }
+        Self::new(cells, columns, Path::new(""), vehicle, settings)
     }
 
-    /// The scene of a row, for a vehicle and a method.
-    fn scene(
-        &self,
-        record: &StringRecord,
-        vehicle: &Vehicle,
-        method: &Method,
-    ) -> Result<Scene, InputError> {
-        let mut conditions = NamedConditions::default();
-        let given = values(&self.scene, record)?;
-        for (parameter, _, value) in &given {
-            if let Value::Number(number) = value {
-                conditions.set(parameter.program_name(), *number);
-            }
-        }
-        conditions.scene_for(vehicle, method).map_err(|fault| {
-            let given = (given.iter()).find(|(known, ..)| known.program_name() == fault.name);
-            match (fault.value, given) {
-                (Some(value), Some((parameter, text, _))) => {
-                    let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
-                    InputError::value(parameter.name(), text, &allowed)
-                }
-                (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
-                (None, _) => InputError::missing(fault.name, &fault.allowed),
-            }
-        })
-    }
-
-    /// The settings of a row: those given, with the values of the row in place of their own.
-    fn settings(&self, given: &Settings, record: &StringRecord) -> Result<Settings, InputError> {
-        let values = values(&self.solver, record)?;
-        if values.is_empty() {
-            return Ok(*given);
-        }
-        if given.method() != Method::Located {
-            let said = "solver.… columns and --method exclude each other: write solver.method here";
-            return Err(InputError::other(said));
-        }
-        let is_located = |(parameter, text, _): &Given| {
-            parameter.name() != "solver.method" || *text == "located"
+    fn new(
+        cells: Box<dyn CaseCells>,
+        columns: Columns,
+        folder: &Path,
+        vehicle: &VehicleFile,
+        settings: &Settings,
+    ) -> Result<Self, InputError> {
+        let mut vehicles = Vehicles {
+            own: vehicle.clone(),
+            shared: Arc::new(vehicle.vehicle.clone()),
+            files: BTreeMap::new(),
         };
-        let mut text = format!(
-            "[solver]\ntime_limit_s = {}\ncrush_rule = \"{}\"\nfriction_profile = \"{}\"\n",
-            given.time_limit(),
-            crush_rule_name(given.crush_rule()),
-            friction_profile_name(given.friction_profile())
-        );
-        if given.goes_on() {
-            text += "stop = \"time\"\n";
+        let (mut first, mut most_legs) = (None, 0);
+        for number in 0..cells.len() {
+            let row = Row {
+                cells: &*cells,
+                number,
+            };
+            let case = vehicles
+                .read(row.text(columns.vehicle_file), folder)
+                .and_then(|()| case(row, &columns, &vehicles, settings))
+                .map_err(|error| cells.at_row(number, error))?;
+            most_legs = most_legs.max(case.vehicle.legs().len());
+            first.get_or_insert(case);
         }
-        if values.iter().all(is_located) {
-            text += &format!("tolerance = {}\n", given.tolerance());
+        let Some(first) = first else {
+            return Err(InputError::other(NO_ROWS));
+        };
+        let files = vehicles.files.iter();
+        let files: BTreeMap<&String, String> = files
+            .map(|(name, file)| (name, fingerprint(&file.document.source().text)))
+            .collect();
+        let input = json!({
+            "table_of_cases": cells.fingerprint(),
+            "vehicle_files": files,
+            "vehicle": resolved_input::vehicle(&vehicle.document),
+            "solver": resolved_input::solver(settings),
+        });
+        Ok(Self {
+            cells,
+            columns,
+            vehicles,
+            settings: *settings,
+            first,
+            most_legs,
+            input,
+        })
+    }
+
+    /// Number of rows, at least one.
+    #[expect(clippy::len_without_is_empty, reason = "no table is")]
+    pub fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Number of legs of the vehicle that has the most.
+    pub fn most_legs(&self) -> usize {
+        self.most_legs
+    }
+
+    /// The name of a row, from the column `case`, or else its number.
+    pub fn name(&self, row: usize) -> String {
+        let name = self.row(row).text(self.columns.name);
+        name.unwrap_or_else(|| (row + 1).to_string())
+    }
+
+    /// What a row describes.
+    ///
+    /// # Errors
+    /// None: all rows have been checked.
+    pub fn case(&self, row: usize) -> Result<CaseRow, InputError> {
+        let case = case(self.row(row), &self.columns, &self.vehicles, &self.settings);
+        case.map_err(|error| self.cells.at_row(row, error))
+    }
+
+    /// The head of the journal of these cases.
+    pub fn header(&self, program: &str) -> Header {
+        let CaseRow {
+            vehicle,
+            scene,
+            settings,
+        } = &self.first;
+        let first = (&**vehicle, scene, settings);
+        Header::of_cases(self.input.clone(), self.len(), first, program)
+    }
+
+    fn row(&self, number: usize) -> Row<'_> {
+        Row {
+            cells: &*self.cells,
+            number,
         }
-        let mut document = Document::parse(Path::new("solver"), &text)?;
-        for (parameter, _, value) in &values {
-            document.write(parameter.path(), value.clone());
-        }
-        Section::root(&document, &["solver"])
-            .and_then(|root| settings_input::settings_of_landing(&root))
-            .map_err(|error| at(&values, &error.nowhere()))
     }
 }
 
-/// The complaint that no column may have this name.
-fn unknown(name: &str) -> String {
-    let mut alike = Parameter::nearest(name, MOST_LEGS);
-    alike.retain(|name| !name.starts_with("search.") && !name.starts_with("scene."));
-    let guess = match alike.as_slice() {
-        [] => String::new(),
-        names => format!("did you mean {}? ", names.join(" or ")),
-    };
-    format!(
-        "column {name}: no such column; {guess}expected {}, keys of the scene, and dotted keys of the vehicle and the \
-         solver, such as vehicle.strut.compression_damping; for remarks there is the column note",
-        OWN.join(", ")
-    )
+fn case(
+    row: Row,
+    columns: &Columns,
+    vehicles: &Vehicles,
+    settings: &Settings,
+) -> Result<CaseRow, InputError> {
+    let file = row.text(columns.vehicle_file);
+    let vehicle = vehicles.with(file.as_deref(), &values(&columns.vehicle, row)?)?;
+    let settings = columns.settings(settings, row)?;
+    Ok(CaseRow {
+        scene: columns.scene(row, &vehicle, &settings.method())?,
+        vehicle,
+        settings,
+    })
 }
 
 /// The vehicles of the rows.
-struct Vehicles<'v> {
-    /// The table, from whose folder paths are.
-    table: &'v Path,
+#[derive(Debug)]
+struct Vehicles {
     /// The one of rows that name no other.
-    own: &'v VehicleFile,
+    own: VehicleFile,
     shared: Arc<Vehicle>,
-    files: HashMap<String, VehicleFile>,
+    files: BTreeMap<String, VehicleFile>,
 }
 
-impl Vehicles<'_> {
-    /// The vehicle of a row: that of its file, with the values of the row in place of its own.
-    fn of_row(
-        &mut self,
-        name: &str,
-        columns: &[(usize, Parameter)],
-        record: &StringRecord,
-    ) -> Result<Arc<Vehicle>, InputError> {
-        if !name.is_empty() && !self.files.contains_key(name) {
-            let path = self.table.parent().unwrap_or(Path::new("")).join(name);
-            let file = VehicleFile::read_from(&path, Library::Disk)?;
-            self.files.insert(name.to_owned(), file);
+impl Vehicles {
+    /// Reads the vehicle file that a row names, unless one before it did.
+    fn read(&mut self, name: Option<String>, folder: &Path) -> Result<(), InputError> {
+        if let Some(name) = name.filter(|name| !self.files.contains_key(name)) {
+            let file = VehicleFile::read_from(&folder.join(&name), Library::Disk)?;
+            self.files.insert(name, file);
         }
-        let values = values(columns, record)?;
-        let file = self.files.get(name);
+        Ok(())
+    }
+
+    /// The vehicle of this file, or of rows that name none, with these values in place of its own.
+    fn with(&self, file: Option<&str>, values: &[Given]) -> Result<Arc<Vehicle>, InputError> {
+        let file = file.and_then(|name| self.files.get(name));
         if values.is_empty() && file.is_none() {
             return Ok(Arc::clone(&self.shared));
         }
-        let mut document = file.unwrap_or(self.own).document.clone();
-        for (parameter, _, value) in &values {
-            vehicle_file::write(
-                &mut document,
-                parameter.name(),
-                parameter.path(),
-                value.clone(),
-            )
-            .map_err(|error| at(&values, &error))?;
+        let mut document = file.unwrap_or(&self.own).document.clone();
+        for one in values {
+            let (name, path) = (one.parameter.name(), one.parameter.path());
+            vehicle_file::write(&mut document, name, path, one.value.clone())
+                .map_err(|error| at(values, &error))?;
         }
         VehicleFile::from_document(document)
             .map(|file| Arc::new(file.vehicle))
-            .map_err(|error| at(&values, &error))
+            .map_err(|error| at(values, &error))
     }
-}
-
-/// A parameter with what a row says of it, as written and as a value.
-type Given<'r> = (&'r Parameter, &'r str, Value);
-
-/// What a row says of these parameters.
-fn values<'r>(
-    columns: &'r [(usize, Parameter)],
-    record: &'r StringRecord,
-) -> Result<Vec<Given<'r>>, InputError> {
-    let said = columns.iter().filter_map(|(index, parameter)| {
-        let text = record.get(*index).filter(|text| !text.is_empty())?;
-        Some((parameter, text))
-    });
-    said.map(|(parameter, text)| Ok((parameter, text, parameter.value(text)?)))
-        .collect()
-}
-
-/// A complaint that arose with these values.
-fn at(values: &[Given], error: &InputError) -> InputError {
-    let said: Vec<String> = (values.iter())
-        .map(|(parameter, text, _)| format!("{} = {text}", parameter.name()))
-        .collect();
-    InputError::other(format!("at {}: {error}", said.join(", ")))
-}
-
-fn cell<'r>(heading: &StringRecord, record: &'r StringRecord, name: &str) -> &'r str {
-    let position = heading.iter().position(|column| column == name);
-    position.and_then(|index| record.get(index)).unwrap_or("")
-}
-
-/// The results of cases as CSV, in these units: `case`, then the columns of [`landing_table`] for as many legs as any
-/// vehicle has.
-///
-/// # Errors
-/// None but those of memory.
-pub fn table<'r>(
-    rows: impl Iterator<Item = (&'r str, &'r Finding)> + Clone,
-    units: OutputUnits,
-) -> Result<Vec<u8>, csv::Error> {
-    let cells = |finding: &'r Finding| -> &'r [Cell] {
-        match finding {
-            Finding::Landing { cells, .. } => cells,
-            _ => &[],
-        }
-    };
-    let legs = rows
-        .clone()
-        .map(|(_, finding)| landing_table::leg_count(cells(finding)));
-    let legs = legs.max().unwrap_or(0);
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_field("case")?;
-    let names = landing_table::names(legs);
-    let quantities: Vec<Quantity> = names.iter().map(|name| units.quantity(name)).collect();
-    writer.write_record(quantities.iter().map(Quantity::name))?;
-    for (name, finding) in rows {
-        writer.write_field(name)?;
-        let row = landing_table::under_headings(cells(finding), legs);
-        let row = quantities.iter().zip(&row);
-        writer.write_record(row.map(|(quantity, cell)| quantity.cell(cell)))?;
-    }
-    writer
-        .into_inner()
-        .map_err(|error| error.into_error().into())
 }
 
 #[cfg(test)]

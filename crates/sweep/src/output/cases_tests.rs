@@ -1,11 +1,17 @@
 use super::*;
+use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::scene::CrushRule;
+
+use crate::findings::Finding;
+use crate::landing_table;
+use crate::output_units::OutputUnits;
 
 const HEADING: &str = "case,note,vertical_velocity_fps,horizontal_velocity_fps,\
     cross_slope_deg,pitch_deg,yaw_deg,roll_deg,slope_deg,friction";
 
 fn read_text(text: &str) -> Result<Vec<CaseRow>, InputError> {
-    read_table(text).map(|table| table.rows)
+    let table = read_table(text)?;
+    (0..table.len()).map(|row| table.case(row)).collect()
 }
 
 fn read_table(text: &str) -> Result<CaseTable, InputError> {
@@ -27,8 +33,9 @@ fn empty_cells_are_defaults_and_cases_without_a_name_have_their_number() {
     let text = format!(
         "{HEADING},angular_velocity_z_dps\na, red,14,11,180,,1,2,15,1,\n,,14,12,180,0,0,0,15,1,90\n"
     );
+    let table = read_table(&text).unwrap();
+    assert_eq!([table.name(0), table.name(1)], ["a", "2"]);
     let cases = read_text(&text).unwrap();
-    assert_eq!((&*cases[0].name, &*cases[1].name), ("a", "2"));
     let rate = |case: usize| cases[case].scene.conditions().angular_velocity[2];
     assert_eq!((rate(0), rate(1)), (0.0, std::f64::consts::FRAC_PI_2));
     let least = "vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction\n\

@@ -51,8 +51,8 @@ impl History {
     }
 }
 
-/// Headings with units, and values in them.
-fn columns(instant: &Instant) -> Vec<(String, f64)> {
+/// Headings with units of the program, and values in them.
+pub fn columns(instant: &Instant) -> Vec<(String, f64)> {
     let euler = instant.attitude.euler();
     let [position, velocity, rate] = [
         &instant.position,

@@ -178,6 +178,21 @@ impl Parameter {
         self.words.get(coordinate as usize).copied()
     }
 
+    /// The value of a number in its own unit, in the unit of the program.
+    ///
+    /// # Errors
+    /// When it is not finite, or when the parameter has words.
+    pub(crate) fn number(&self, number: f64) -> Result<Value, InputError> {
+        let allowed = match self.words {
+            [] if self.to_program(number).is_finite() => {
+                return Ok(Value::Number(self.to_program(number)));
+            }
+            [] => "a finite number".to_owned(),
+            words => format!("one of {}", words.join(", ")),
+        };
+        Err(InputError::value(&self.name, number, &allowed))
+    }
+
     /// The value in a text, in the unit of the program.
     ///
     /// # Errors
@@ -185,10 +200,8 @@ impl Parameter {
     pub(crate) fn value(&self, text: &str) -> Result<Value, InputError> {
         match self.words {
             [] => match text.parse::<f64>() {
-                Ok(number) if self.to_program(number).is_finite() => {
-                    Ok(Value::Number(self.to_program(number)))
-                }
-                _ => Err(InputError::value(&self.name, text, "a finite number")),
+                Ok(number) => self.number(number),
+                Err(_) => Err(InputError::value(&self.name, text, "a finite number")),
             },
             words if words.contains(&text) => Ok(Value::Text(text.to_owned())),
             words => {

@@ -149,14 +149,48 @@ pub fn under_headings(cells: &[Cell], legs: usize) -> Vec<String> {
     names(legs).into_iter().map(told).collect()
 }
 
+/// Where each of so many results of a landing stands in a table for `legs` legs, of which its vehicle may have fewer.
+pub fn places(results: usize, legs: usize) -> Vec<usize> {
+    let own_legs = legs_of(results);
+    if own_legs == legs {
+        return (0..results).collect();
+    }
+    let (all, own) = (names(legs), names(own_legs));
+    let place = |name: &String| all.iter().position(|known| known == name);
+    own.iter().filter_map(place).collect()
+}
+
 /// Number of legs of the vehicle whose landing has these results.
 pub fn leg_count(cells: &[Cell]) -> usize {
+    legs_of(cells.len())
+}
+
+fn legs_of(results: usize) -> usize {
     let [of_none, of_one] = [0, 1].map(|legs| names(legs).len());
-    cells.len().saturating_sub(of_none) / (of_one - of_none)
+    results.saturating_sub(of_none) / (of_one - of_none)
 }
 
 fn column(name: &str, cell: Cell) -> Column {
     (name.to_owned(), cell)
+}
+
+/// An outcome in words.
+pub fn why(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::StableRockback => "it tipped up, stopped and fell back".to_owned(),
+        Outcome::StableSubsided => "its motion died out near the ground".to_owned(),
+        Outcome::UnstablePitch => {
+            "its CG passed over the line through the critical feet".to_owned()
+        }
+        Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
+        Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
+        Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),
+        Outcome::Failure(reason) => reason.to_string(),
+        Outcome::Sliding => {
+            "it slides steadily down a slope on which friction cannot stop it".to_owned()
+        }
+        Outcome::StableSteady => "it was steady and far from toppling".to_owned(),
+    }
 }
 
 /// Why a landing could not be computed; empty when it could.

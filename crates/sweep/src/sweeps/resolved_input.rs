@@ -197,7 +197,7 @@ pub(crate) fn solver(settings: &Settings) -> Value {
 }
 
 /// A vehicle file as a tree, in the units of the program.
-pub(crate) fn vehicle(document: &Document) -> Value {
+pub fn vehicle(document: &Document) -> Value {
     tree(document.root(), Conversion::NONE)
 }
 

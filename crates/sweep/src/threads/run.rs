@@ -25,6 +25,7 @@ use crate::early_stop::EarlyStop;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::landing_queue::{CloseOnDrop, LandingQueue};
+use crate::parameter::Home;
 use crate::refined_grid::RefinedGrid;
 use crate::rounds::Rounds;
 use crate::scene_input::SceneFault;
@@ -321,23 +322,45 @@ impl Workers {
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
         let Opened { journal, done, .. } = opened;
-        let stop = Stop::on(cancel);
-        let land = async |row: usize, landing_queue: &LandingQueue| {
-            let case = &table.rows[row];
-            let vehicle = Arc::clone(&case.vehicle);
-            let landing = landing_queue.landing(row, vehicle, case.scene, case.settings);
-            let landing = landing.await.ok_or(RunError::Cancelled)?;
-            observer.landing();
-            observer.point(row);
-            Ok(Finding::of(&landing))
-        };
-        let landed = self.search(done.missing(), SEARCHES, &stop, land, |finished| {
-            if let Some((row, finding)) = finished {
-                journal.add(row, &finding.encode())?;
+        let rows = done.missing();
+        let landed = self.each_case(table, rows, observer, cancel, |finished| {
+            if let Some((row, landing)) = finished {
+                journal.add(row, &Finding::of(&landing).encode())?;
             }
             journal.tick()
         });
         landed.and(journal.finish().map_err(RunError::Journal))
+    }
+
+    /// Lands some rows of a table and gives each landing, with its row, to `keep`, which is also called every now and then
+    /// when nothing is new.
+    ///
+    /// # Errors
+    /// What `keep` gave up with, or that the run was stopped.
+    pub fn each_case(
+        &self,
+        table: &CaseTable,
+        rows: impl Iterator<Item = usize>,
+        observer: &impl Observer,
+        cancel: &AtomicBool,
+        keep: impl FnMut(Option<(usize, Landing)>) -> Result<(), JournalError>,
+    ) -> Result<(), RunError> {
+        let stop = Stop::on(cancel);
+        let land = async |row: usize, landing_queue: &LandingQueue| {
+            let case = table.case(row).map_err(|error| RunError::Point {
+                place: table.name(row),
+                fault: CaseFault::Input {
+                    part: Home::Scene,
+                    error,
+                },
+            })?;
+            let landing = landing_queue.landing(row, case.vehicle, case.scene, case.settings);
+            let landing = landing.await.ok_or(RunError::Cancelled)?;
+            observer.landing();
+            observer.point(row);
+            Ok(landing)
+        };
+        self.search(rows, SEARCHES, &stop, land, keep)
     }
 
     /// Computes so many landings, each as `request` asks for by its index, which is also its key: several at a time on

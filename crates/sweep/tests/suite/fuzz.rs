@@ -93,7 +93,7 @@ proptest! {
         let surveyor = VehicleFile::from_document(surveyor).unwrap();
         let settings = Settings::new(1e-6, 40.0, CrushRule::default()).unwrap();
         if let Ok(cases) = cases::read(&path, &surveyor, &settings) {
-            prop_assert!(cases.rows.iter().all(|case| case.vehicle.mass() > 0.0));
+            prop_assert!((0..cases.len()).all(|row| cases.case(row).unwrap().vehicle.mass() > 0.0));
         }
     }
 

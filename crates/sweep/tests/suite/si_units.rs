@@ -268,7 +268,7 @@ fn every_key_with_a_unit_is_read_in_si() {
             )
         };
         let table = read.map_err(|error| said(error.to_string()))?;
-        Ok(table.rows[0].scene)
+        Ok(table.case(0).unwrap().scene)
     };
     let mut checked = 0;
     for table in tables() {

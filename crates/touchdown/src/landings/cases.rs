@@ -36,7 +36,7 @@ pub fn run(
     for warning in &opened.warnings {
         eprintln!("touchdown: {warning}");
     }
-    let count = table.rows.len();
+    let count = table.len();
     let progress = Progress::start("cases", count, quiet);
     let earlier = opened.done.len();
     progress.skip(earlier);
@@ -56,18 +56,19 @@ pub fn run(
     let records = opened.journal.into_records()?;
     let mut results = InOrder::new(vec![records], count, &folder.path("."))?;
     let findings = findings(&table, &mut results)?;
-    let names = table.rows.iter().map(|case| case.name.as_str());
-    let written = cases::table(names.zip(&findings), units).map_err(Failure::running)?;
+    let names: Vec<String> = (0..count).map(|row| table.name(row)).collect();
+    let rows = names.iter().map(String::as_str).zip(&findings);
+    let written = cases::table(rows, units).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
-    for (case, finding) in table.rows.iter().zip(&findings) {
+    for (name, finding) in names.iter().zip(&findings) {
         if let Finding::Landing {
             given_by_crushing, ..
         } = finding
             && *given_by_crushing > 0.0
         {
             let warning = summary::given_by_crushing(*given_by_crushing, units);
-            eprintln!("touchdown: warning: case {}: {warning}", case.name);
+            eprintln!("touchdown: warning: case {name}: {warning}");
         }
     }
     if !quiet {
@@ -88,8 +89,8 @@ fn findings(table: &CaseTable, results: &mut InOrder) -> Result<Vec<Finding>, Fa
     let finding = |row: usize| {
         let bytes = results.result(row)?;
         let finding = bytes.as_deref().and_then(Finding::decode);
-        let name = &table.rows[row].name;
+        let name = table.name(row);
         finding.ok_or_else(|| Failure::running(format!("there is no result of case {name}")))
     };
-    (0..table.rows.len()).map(finding).collect()
+    (0..table.len()).map(finding).collect()
 }

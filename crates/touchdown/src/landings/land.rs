@@ -11,14 +11,14 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
-use crate::land_files::{interval, is_case_table, is_history, place_of};
-use crate::output_guard::OutputGuard;
+use crate::land_files::{interval, is_history, place_of};
 use crate::print::print;
 use crate::report::{self, Report};
 use crate::solver_options::SolverOptions;
@@ -176,7 +176,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     match (&options.cases, &options.out) {
         (Some(cases), Some(out)) => {
             let workers = Workers::start(options.threads)?;
-            guard.check(out, is_case_table)?;
+            guard.check(out, touchdown_sweep::cases::is_table)?;
             let (quiet, vehicle) = (options.quiet, &vehicle);
             cases::run(&workers, quiet, vehicle, &settings, cases, out, units)
         }

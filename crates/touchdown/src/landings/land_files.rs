@@ -24,11 +24,6 @@ pub fn is_history(line: &str) -> bool {
     line.starts_with("t_s,")
 }
 
-/// Whether a file that begins with this line is a table of results of cases.
-pub fn is_case_table(line: &str) -> bool {
-    line.starts_with("case,outcome,end_time_s,")
-}
-
 /// Folder, checked to be writable, and name of a file that will be written.
 pub fn place_of(file: &Path) -> Result<(Folder, String), InputError> {
     let folder = Folder::of(file)?;

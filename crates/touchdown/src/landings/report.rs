@@ -3,11 +3,10 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_dynamics::methods::IntegrationSummary;
-use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::fingerprint::fingerprint;
-use touchdown_sweep::landing_table;
+use touchdown_sweep::landing_table::{self, why};
 use touchdown_sweep::method_input::{method_name, method_words};
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
@@ -245,24 +244,6 @@ fn wrapped(parts: &[String]) -> String {
         .map(|line| line.join(", "))
         .collect::<Vec<_>>()
         .join(",\n")
-}
-
-fn why(outcome: &Outcome) -> String {
-    match outcome {
-        Outcome::StableRockback => "it tipped up, stopped and fell back".to_owned(),
-        Outcome::StableSubsided => "its motion died out near the ground".to_owned(),
-        Outcome::UnstablePitch => {
-            "its CG passed over the line through the critical feet".to_owned()
-        }
-        Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
-        Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
-        Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),
-        Outcome::Failure(reason) => reason.to_string(),
-        Outcome::Sliding => {
-            "it slides steadily down a slope on which friction cannot stop it".to_owned()
-        }
-        Outcome::StableSteady => "it was steady and far from toppling".to_owned(),
-    }
 }
 
 #[cfg(test)]

@@ -7,13 +7,13 @@ use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::history::History;
+use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::scene_file::{self, SceneCase, SceneFile};
 use touchdown_sweep::{cases, method_input::method_words};
 
 use crate::failure::Failure;
-use crate::land_files::{interval, is_case_table, is_history};
-use crate::output_guard::OutputGuard;
+use crate::land_files::{interval, is_history};
 use crate::print::print;
 use crate::report::{self, degrees};
 use crate::summary;
@@ -43,7 +43,7 @@ pub fn run(
         let file = folder.path(&format!("{stem}-{}.csv", case.name));
         guard.check(&file, is_history)?;
     }
-    guard.check(&folder.path(&format!("{stem}.csv")), is_case_table)?;
+    guard.check(&folder.path(&format!("{stem}.csv")), cases::is_table)?;
 
     let mut files = Vec::new();
     let mut landings = Vec::new();

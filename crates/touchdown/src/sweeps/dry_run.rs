@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::journal::{self, JournalError, Records};
+use touchdown_sweep::journal_files;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::point_set::PointSet;
 use touchdown_sweep::refined_grid::{MapRules, RefinedGrid};
@@ -21,10 +22,10 @@ use touchdown_sweep::run::{Observer, RunError, Workers};
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::{Job, Sweep};
 
+use crate::axis_words;
 use crate::estimate::{Estimate, Sample, Taken, evenly};
 use crate::failure::Failure;
 use crate::summary::number;
-use crate::{axis_words, journal_files};
 
 /// Time that is spent on one sweep, and on all of them.
 const TIME_FOR_ONE: Duration = Duration::from_secs(4);

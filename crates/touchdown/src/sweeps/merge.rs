@@ -6,7 +6,9 @@ use clap::Args;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::journal::{Access, InOrder};
+use touchdown_sweep::journal_files;
 use touchdown_sweep::merge::{Shards, by_sweep};
+use touchdown_sweep::result_files;
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tables;
@@ -15,7 +17,7 @@ use crate::failure::Failure;
 use crate::print::print;
 use crate::sweep_results::Format;
 use crate::units::UnitsOption;
-use crate::{journal_files, summary, sweep_results};
+use crate::{summary, sweep_results};
 
 const EXAMPLE: &str = "\
 Example:
@@ -117,7 +119,7 @@ fn merge(shards: Shards, folder: &Folder, options: &Options) -> Result<String, F
     } else if missing > 0 {
         return Err(incomplete(&sweep, &mut results, &absent, points));
     }
-    sweep_results::check_places(&sweep, folder, options.overwrite)?;
+    result_files::check_places(&sweep, folder, options.overwrite)?;
     let circumstances = Circumstances {
         version: env!("CARGO_PKG_VERSION"),
         threads: None,

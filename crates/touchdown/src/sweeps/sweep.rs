@@ -10,7 +10,9 @@ use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::journal_files;
 use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::result_files;
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::shard::Shard;
@@ -21,7 +23,7 @@ use crate::overrides::OverrideOptions;
 use crate::print::print;
 use crate::progress::Progress;
 use crate::sweep_results::{Format, Written};
-use crate::{dry_run, interrupt, journal_files, overview, summary, sweep_files, sweep_results};
+use crate::{dry_run, interrupt, overview, summary, sweep_files, sweep_results};
 
 const EXAMPLE: &str = "\
 Example:
@@ -102,7 +104,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let workers = Workers::start(options.threads)?;
     let folder = Folder::open(&options.out)?;
     for sweep in &sweeps {
-        sweep_results::check_places(sweep, &folder, options.overwrite)?;
+        result_files::check_places(sweep, &folder, options.overwrite)?;
     }
 
     // How many points a map has is found out round by round.

@@ -1,24 +1,20 @@
 //! The files that a sweep leaves: tables, record and pictures.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 use touchdown_figures::figure_error::FigureError;
 use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_sweep::design::Design;
-use touchdown_sweep::file_writer::{Draft, Folder};
-use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::journal::InOrder;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::results::{self, Circumstances};
-use touchdown_sweep::sweep::partial;
+use touchdown_sweep::result_files::{self, NamedFiles};
+use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::{Job, Sweep};
 use touchdown_sweep::tables::Tables;
 
 use crate::failure::Failure;
-use crate::output_guard::OutputGuard;
 use crate::plot;
 
 /// Longest table that is drawn, bytes: beyond it nothing could be made out. Of a table over more axes than
@@ -49,77 +45,6 @@ pub struct Written {
     pub remark: Option<String>,
 }
 
-/// What follows the name of a sweep in the names of its tables, and a column that each of them has.
-const TABLES: [(&str, &str); 9] = [
-    ("", "first_transition_to"),
-    ("-bands", "bracket_width_fps"),
-    ("-probabilities", "topple_probability"),
-    ("-sensitivity", "dvh_dp_fps_per_unit"),
-    ("-quantiles", "low_95_fps"),
-    ("-distribution", "cumulative_share"),
-    ("-edges", "edge_kind"),
-    ("-grid", "estimated_error_fps"),
-    ("-surface", "triangle"),
-];
-/// What follows it in the names of pictures.
-const PICTURES: [&str; 7] = [
-    "",
-    "-contours",
-    "-contours-negative",
-    "-perspective",
-    "-sensitivity",
-    "-probabilities",
-    "-distribution",
-];
-
-/// Whether a file that begins with this line is a table of a sweep: the one of its points is one of landings too.
-fn is_table(line: &str, column: &str) -> bool {
-    let has = |name: &str| {
-        let in_si = OutputUnits::Si.quantity(name);
-        (line.split(',')).any(|known| known == name || known == in_si.name())
-    };
-    has(column) || column == TABLES[0].1 && has("outcome") && has("end_time_s")
-}
-
-/// Checks that the results of a sweep may be written: what is in their places is earlier results.
-///
-/// # Errors
-/// Names the file that is not.
-pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(), InputError> {
-    let inputs: Vec<&Path> = [sweep.path.as_path(), sweep.vehicle.document.path()].into();
-    let guard = OutputGuard {
-        inputs: &inputs,
-        overwrite,
-    };
-    let stem = sweep.stem();
-    for (end, column) in TABLES {
-        let table = folder.path(&format!("{stem}{end}.csv"));
-        guard.check(&table, |line| is_table(line, column))?;
-    }
-    let record = folder.path(&format!("{stem}.json"));
-    let text = fs::read_to_string(&record).unwrap_or_default();
-    guard.check(&record, |_| text.contains("\"name\": \"touchdown\""))
-}
-
-/// Removes what an earlier run of a sweep of this name has written and this one has not, so that no results of two runs
-/// stand side by side.
-fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), Failure> {
-    let tables = TABLES.iter().flat_map(|(end, _)| {
-        [".csv", ".parquet"].map(|form| folder.path(&format!("{stem}{end}{form}")))
-    });
-    let tables = tables.chain([folder.path(&format!("{stem}.json"))]);
-    let pictures = PICTURES
-        .iter()
-        .flat_map(|end| [".svg", ".png"].map(|form| folder.path(&format!("{stem}{end}{form}"))));
-    for file in tables.chain(pictures) {
-        if !written.contains(&file.as_path()) && file.is_file() {
-            fs::remove_file(&file)
-                .map_err(|error| Failure::running(format!("{}: {error}", file.display())))?;
-        }
-    }
-    Ok(())
-}
-
 /// Writes all results of a sweep into a folder.
 pub fn write(
     sweep: &Sweep,
@@ -128,45 +53,27 @@ pub fn write(
     circumstances: Circumstances<'static>,
     format: Format,
 ) -> Result<Written, Failure> {
-    let tables = Tables::write(sweep, results, folder, format == Format::Parquet)?;
-    let record = results::record(sweep, &tables.counts, circumstances.version);
-    let record = format!("{record:#}\n");
-
-    let (mut files, remark) = pictures(sweep, &tables, &record, folder)?;
-    files.extend(charts(sweep, &tables, &record)?);
-    files.push((format!("{}.json", sweep.stem()), record.into_bytes()));
-    let mut drafts = files
-        .iter()
-        .map(|(name, bytes)| folder.draft_of(name, bytes))
-        .collect::<Result<Vec<_>, _>>()?;
-    drafts.extend(tables.parquet);
-    let beside = [
-        tables.bands,
-        tables.probabilities,
-        tables.quantiles,
-        tables.distribution,
-        tables.sensitivity,
-    ];
-    drafts.extend(beside.into_iter().flatten());
-    drafts.extend(tables.of_map.into_iter().flatten());
-    // The table comes last: where it stands, the others do too.
-    drafts.push(tables.points);
-    let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
-    remove_stale(&sweep.stem(), folder, &places)?;
-    if sweep.part.is_none() {
-        remove_stale(&partial(&sweep.stem()), folder, &places)?;
-    }
+    let mut remark = None;
+    let draw = |tables: &Tables, record: &str| {
+        let (mut files, said) = pictures(sweep, tables, record, folder)?;
+        remark = said;
+        files.extend(charts(sweep, tables, record)?);
+        Ok::<_, Failure>(files)
+    };
+    let has_parquet = format == Format::Parquet;
+    let version = circumstances.version;
+    let (counts, files) = result_files::write(sweep, results, folder, version, has_parquet, draw)?;
     Ok(Written {
-        counts: tables.counts,
+        counts,
         circumstances,
-        files: Draft::put_in_place(drafts)?,
+        files,
         remark,
     })
 }
 
 /// Charts of the tables beside that of the points: the tornado chart where anything has a derivative, probabilities by
 /// bin, the distribution of transition velocities.
-fn charts(sweep: &Sweep, tables: &Tables, record: &str) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+fn charts(sweep: &Sweep, tables: &Tables, record: &str) -> Result<NamedFiles, Failure> {
     let [_, smooth] = tables.counts.slopes;
     let sensitivity = tables.sensitivity.as_ref().filter(|_| smooth > 0);
     let mut files = Vec::new();
@@ -188,9 +95,6 @@ fn charts(sweep: &Sweep, tables: &Tables, record: &str) -> Result<Vec<(String, V
     }
     Ok(files)
 }
-
-/// Files by name.
-type NamedFiles = Vec<(String, Vec<u8>)>;
 
 /// The pictures of a boundary over a grid, and what is to be said of those that there are not.
 fn pictures(

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-use touchdown_sweep::input_error::{InputError, Place};
+use crate::input_error::{InputError, Place};
 
 /// Longest first line that is looked at, bytes.
 const LONGEST_LINE: u64 = 1 << 16;

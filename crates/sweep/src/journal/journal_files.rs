@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use touchdown_sweep::shard::Shard;
+use crate::shard::Shard;
 
 const ENDING: &str = "journal";
 
@@ -17,6 +17,9 @@ pub fn name(stem: &str, shard: Shard) -> String {
 }
 
 /// The journals in a folder, in the order of their names.
+///
+/// # Errors
+/// When the folder cannot be read.
 pub fn in_folder(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in folder.read_dir()? {

@@ -1,0 +1,168 @@
+"""The transition velocity at one touchdown."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import pandas as pd
+
+from touchdown import _engine
+from touchdown._documents import Document, merged, same_quantity
+from touchdown._html import bands_picture
+from touchdown.progress import Watch, watching
+from touchdown.scene import Scene
+from touchdown.vehicle import Vehicle
+
+# As the sweeps of the figures of 1966, but to the next band and beyond.
+SEARCH: Document = {"from_fps": 0, "to_fps": 25, "scan_step_fps": 0.25, "tolerance_fps": 0.001}
+HORIZONTAL = "horizontal_velocity_fps"
+# A sweep has an axis.
+_AXIS = "cross_slope_deg"
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """A range of horizontal velocities whose landings end alike.
+
+    Attributes
+    ----------
+    from_fps, to_fps : float
+        Its ends, ft/s.
+    outcome : str
+        How its landings end: ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"failure"`` or ``"undecided"``.
+    kind : str
+        How the landing nearest to its middle ended, such as ``"stable-rockback"``.
+    bracket_width_fps : float or None
+        Width of the bracket at `to_fps`, ft/s; None at the end of the range.
+    certainty : str or None
+        Of the transition at `to_fps`: ``"certain"``, or ``"disputed"`` where small changes decide; None where it was not tested.
+    disputed_from_fps, disputed_to_fps : float or None
+        Between which velocities it is disputed, ft/s.
+    solver_tolerance : float or None
+        Tolerance at which both ends of the bracket were landed.
+    """
+
+    from_fps: float
+    to_fps: float
+    outcome: str
+    kind: str
+    bracket_width_fps: float | None
+    certainty: str | None
+    disputed_from_fps: float | None
+    disputed_to_fps: float | None
+    solver_tolerance: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Boundary:
+    """Where landings cease to be stable as the horizontal velocity grows.
+
+    Attributes
+    ----------
+    first_transition_fps : float or None
+        The transition velocity V_H, ft/s: the middle of the bracket; None where all landings of the scan were stable.
+    first_transition_to : str
+        How landings end above it: ``"unstable"``, ``"bottomed"``, ``"failure"``, ``"undecided"``, or ``"none"``.
+    bracket_low_fps : float or None
+        Highest velocity below it that was landed and stable, ft/s; None where the lowest was not.
+    bracket_high_fps : float or None
+        Lowest velocity above it that was landed, ft/s.
+    certainty : str or None
+        ``"certain"``, ``"disputed"`` or None, as in `Band`.
+    disputed_from_fps, disputed_to_fps : float or None
+        Between which velocities it is disputed, ft/s.
+    solver_tolerance : float or None
+        Tolerance at which both ends of the bracket were landed.
+    bands : tuple of Band
+        All bands of the range, from below; empty with ``bands = "first"``.
+    landings, derivative_evaluations : int
+        What it took.
+    vehicle : Vehicle
+        What lands.
+    scene : Scene
+        How it touches down.
+    """
+
+    first_transition_fps: float | None
+    first_transition_to: str
+    bracket_low_fps: float | None
+    bracket_high_fps: float | None
+    certainty: str | None
+    disputed_from_fps: float | None
+    disputed_to_fps: float | None
+    solver_tolerance: float | None
+    bands: tuple[Band, ...]
+    landings: int
+    derivative_evaluations: int
+    vehicle: Vehicle = field(repr=False)
+    scene: Scene = field(repr=False)
+
+    def to_frame(self) -> pd.DataFrame:
+        """The bands as a table, indexed by their numbers from 1."""
+        frame = pd.DataFrame([asdict(band) for band in self.bands], columns=list(Band.__dataclass_fields__))
+        frame.index = pd.RangeIndex(1, len(frame) + 1, name="band")
+        return frame
+
+    def _repr_html_(self) -> str:
+        return bands_picture([(band.from_fps, band.to_fps, band.outcome, band.kind) for band in self.bands])
+
+
+def boundary(
+    vehicle: Vehicle,
+    scene: Scene,
+    *,
+    search: Document | None = None,
+    solver: Document | None = None,
+    threads: int | None = None,
+    progress: bool | Watch | None = None,
+) -> Boundary:
+    """Find the horizontal velocities at which landings cease, and begin again, to be stable.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        What lands.
+    scene : Scene
+        How it touches down; its horizontal velocity does not matter.
+    search : mapping, optional
+        Where to search, with the keys of a table ``[search]``. Without, all bands from 0 to 25 ft/s, in steps of 0.25 ft/s narrowed down
+        to 0.001 ft/s.
+    solver : mapping, optional
+        How landings are computed, with the keys of a table ``[solver]``; the tolerance is that of sweeps, 3e-5, unless given.
+    threads : int, optional
+        Threads; all cores without. Results do not depend on it.
+    progress : bool or callable, optional
+        As in `land_many`.
+
+    Returns
+    -------
+    Boundary
+
+    Examples
+    --------
+    >>> import touchdown as td
+    >>> scene = td.Scene(vertical_velocity_fps=14, cross_slope_deg=180, slope_deg=15, friction=1.0)
+    >>> found = td.boundary(td.vehicles.surveyor(), scene, search={"from_fps": 8, "to_fps": 16})
+    >>> print(f"{found.first_transition_fps:.3f} ft/s, {found.certainty}")
+    11.400 ft/s, certain
+    """
+    engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver)), vehicle._engine, {})
+    with watching(progress, "points") as watch:
+        found = _engine.boundary(engine, threads, watch)
+    bands = tuple(Band(**band) for band in found.pop("bands"))
+    return Boundary(**found, bands=bands, vehicle=vehicle, scene=scene)
+
+
+def _point(scene: Scene, search: Document | None, solver: Document | None) -> dict[str, Any]:
+    """A sweep over a single point."""
+    conditions = scene.without({HORIZONTAL})
+    axes = {name: [conditions.pop(name)] for name in list(conditions) if same_quantity(name) == _AXIS}
+    return {
+        "title": "boundary",
+        "vehicle": "vehicle.toml",
+        "scene": conditions,
+        "axes": axes,
+        "search": merged({**SEARCH, "bands": "all"}, search, "search."),
+        "solver": dict(solver or {}),
+    }

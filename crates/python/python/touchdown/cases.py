@@ -1,0 +1,107 @@
+"""Many landings."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from touchdown import _engine
+from touchdown._columns import columns_of, index_of, series
+from touchdown._documents import Document, solver_of
+from touchdown.errors import InputError
+from touchdown.progress import Watch, warn, watching
+from touchdown.scene import Scene
+from touchdown.vehicle import Vehicle
+
+
+def land_many(
+    vehicle: Vehicle,
+    table: Any,
+    *,
+    scene: Scene | None = None,
+    solver: Document | None = None,
+    units: str = "US",
+    out: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    threads: int | None = None,
+    progress: bool | Watch | None = None,
+) -> pd.DataFrame:
+    """Compute one landing for each row of a table, in all lanes of all cores.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        What lands; columns such as ``vehicle.strut.preload_lb`` replace its numbers.
+    table : DataFrame or mapping of arrays
+        Columns as those of a table of cases (``touchdown land --cases``): keys of the scene, ``vehicle.…`` and ``solver.…``. Numbers
+        stay as they are, a None or ``pandas.NA`` leaves a number to the default or the vehicle; NaN is refused.
+        Tables of polars are taken as well.
+    scene : Scene, optional
+        Conditions that are the same for all rows and no columns of the table.
+    solver : mapping, optional
+        How landings are computed, as in `land`.
+    units : {"US", "SI"}
+        Units of the results, which are part of the names of the columns.
+    out : path, optional
+        CSV file for the results too. What is finished is in a journal beside it at once: after an interruption the same call goes on.
+    overwrite : bool
+        Whether to replace a file that is no earlier result.
+    threads : int, optional
+        Threads; all cores without. Results do not depend on it.
+    progress : bool or callable, optional
+        Whether to show a bar; a callable is told the landings done, the landings wanted, and the landings so far.
+
+    Returns
+    -------
+    DataFrame
+        A row for each row of the table, with its index; columns as those of ``touchdown land --cases``. `outcome` and `failure` are
+        categorical.
+
+    Raises
+    ------
+    InputError
+        Names row (counted from 0), column and value of the first thing wrong, before anything is landed.
+
+    Examples
+    --------
+    >>> import touchdown as td
+    >>> scene = td.Scene(vertical_velocity_fps=14, cross_slope_deg=180, slope_deg=15, friction=1.0)
+    >>> landed = td.land_many(td.vehicles.surveyor(), {"horizontal_velocity_fps": [11, 12]}, scene=scene)
+    >>> list(landed.outcome)
+    ['stable-rockback', 'unstable-pitch']
+    """
+    columns = columns_of(table)
+    if scene is not None:
+        count = len(next(iter(columns.values()), ()))
+        same = scene.without(set(columns))
+        columns |= {name: _repeated(name, value, count) for name, value in _flat(same).items()}
+    with watching(progress, "landings") as watch:
+        found, told = _engine.land_many(
+            vehicle._engine, list(columns.items()), solver_of(solver), units, out, overwrite, threads, watch
+        )
+    warn(told)
+    results = {name: series(*column) for name, column in found}
+    return pd.DataFrame(results, index=index_of(table), copy=False)
+
+
+def _flat(conditions: Mapping[str, Any]) -> dict[str, Any]:
+    """Conditions under the names that columns have."""
+    flat: dict[str, Any] = {}
+    for name, value in conditions.items():
+        match value:
+            case list() if name == "footing":
+                for leg, footing in enumerate(value, 1):
+                    flat |= {f"footing[{leg}].{key}": number for key, number in footing.items()}
+            case _:
+                flat[name] = value
+    return flat
+
+
+def _repeated(name: str, value: Any, count: int) -> Any:
+    if isinstance(value, (int, float)):
+        return np.full(count, float(value))
+    raise InputError.of_value(name, value, "conditions that are numbers, where there are many landings")

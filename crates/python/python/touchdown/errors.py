@@ -1,0 +1,41 @@
+"""What goes wrong, as exceptions."""
+
+from __future__ import annotations
+
+
+class InputError(ValueError):
+    """Input that cannot be used, in the words of the command line.
+
+    Attributes
+    ----------
+    key : str or None
+        Dotted name of what is wrong, where the error is about a single one.
+    value : str or None
+        Its value as it was given; None where it is missing.
+    allowed : str or None
+        What is allowed.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        key: str | None = None,
+        value: str | None = None,
+        allowed: str | None = None,
+    ) -> None:
+        super().__init__(message, key, value, allowed)
+        self.key = key
+        self.value = value
+        self.allowed = allowed
+
+    @classmethod
+    def of_value(cls, key: str, value: object, allowed: str) -> InputError:
+        """The complaint that a value is not what is allowed."""
+        return cls(f"{key} = {value!r}: expected {allowed}", key, repr(value), allowed)
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class EngineError(RuntimeError):
+    """A fault of the engine itself."""

@@ -1,0 +1,202 @@
+"""One landing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from touchdown import _engine
+from touchdown._documents import Document, solver_of
+from touchdown._html import table
+from touchdown.scene import Scene
+from touchdown.vehicle import Vehicle
+
+# Results of each leg: what stands before and after its number in tables.
+_OF_LEGS = {"max_strut_force_lb": ("max_strut_force", "lb"), "pad_contact_s": ("pad_contact", "s"), "block_contact_s": ("block_contact", "s")}
+_COLUMNS = [
+    "outcome",
+    "end_time_s",
+    "min_stability_angle_deg",
+    "min_clearance_ft",
+    "initial_kinetic_energy_ftlb",
+    "potential_energy_change_ftlb",
+    *_OF_LEGS,
+    "energy_closure_ftlb",
+    "steps",
+    "derivative_evaluations",
+    "failure",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Landing:
+    """How one landing went.
+
+    Results of each leg are tuples, leg 1 first; None stands for what never happened. Units are part of the names.
+
+    Attributes
+    ----------
+    outcome : str
+        How it ended, such as ``"stable-rockback"``, ``"unstable-pitch"``, ``"bottomed-leg-2"``.
+    outcome_class : str
+        ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"undecided"`` or ``"failure"``.
+    why : str
+        The outcome in words.
+    end_time_s : float
+        When it ended, after first contact, s.
+    min_stability_angle_deg, min_stability_time_s : float
+        Least stability angle, deg, and when, s.
+    min_clearance_ft : float
+        Least height of a lower hardpoint over the surface, ft.
+    initial_kinetic_energy_ftlb, potential_energy_change_ftlb, thrust_work_ftlb : float
+        Kinetic energy at first contact, potential energy released since, and work of the thrust, ft·lb.
+    final_kinetic_energy_ftlb : float
+        Kinetic energy at the end, ft·lb.
+    energy_closure_ftlb : float
+        What the account of energies does not explain, ft·lb; 0 but for integration error.
+    given_by_crushing_ftlb : float
+        Energy that crushing elements gave to the motion, which no material does, ft·lb: they are too stiff for the crush laws.
+    max_strut_force_lb, max_stroke_ft : tuple of float
+        Largest force, lb, and stroke, ft, of each strut.
+    pad_contact_s, block_contact_s : tuple of float or None
+        First contact of each footpad and body block, s.
+    strut_work_ftlb, pad_crush_work_ftlb, pad_friction_work_ftlb : tuple of float
+        Work done on each leg's elements, ft·lb.
+    block_crush_work_ftlb, block_friction_work_ftlb, stop_work_ftlb : tuple of float
+        The same of blocks and stops.
+    steps, derivative_evaluations, events : int
+        What it took to compute.
+    failure : str or None
+        Why it could not be computed to its end.
+    verdict_time_s : float or None
+        With ``stop = "time"``: when the outcome was decided, s.
+    went_on_to : str or None
+        With ``stop = "time"``: what ended the landing.
+    vehicle : Vehicle
+        What landed.
+    scene : Scene
+        How it touched down.
+    solver : mapping
+        Settings that are not the defaults.
+    """
+
+    outcome: str
+    outcome_class: str
+    why: str
+    end_time_s: float
+    min_stability_angle_deg: float
+    min_stability_time_s: float
+    min_clearance_ft: float
+    initial_kinetic_energy_ftlb: float
+    potential_energy_change_ftlb: float
+    thrust_work_ftlb: float
+    final_kinetic_energy_ftlb: float
+    energy_closure_ftlb: float
+    given_by_crushing_ftlb: float
+    max_strut_force_lb: tuple[float, ...]
+    max_stroke_ft: tuple[float, ...]
+    pad_contact_s: tuple[float | None, ...]
+    block_contact_s: tuple[float | None, ...]
+    strut_work_ftlb: tuple[float, ...]
+    pad_crush_work_ftlb: tuple[float, ...]
+    pad_friction_work_ftlb: tuple[float, ...]
+    block_crush_work_ftlb: tuple[float, ...]
+    block_friction_work_ftlb: tuple[float, ...]
+    stop_work_ftlb: tuple[float, ...]
+    steps: int
+    derivative_evaluations: int
+    events: int
+    failure: str | None
+    verdict_time_s: float | None
+    went_on_to: str | None
+    vehicle: Vehicle = field(repr=False)
+    scene: Scene = field(repr=False)
+    solver: Mapping[str, Any] = field(repr=False, hash=False)
+
+    @property
+    def is_stable(self) -> bool:
+        """Whether the vehicle neither toppled nor bottomed, but came to rest."""
+        return self.outcome_class == "stable"
+
+    def history(self, dt: float = 0.01, units: str = "US") -> pd.DataFrame:
+        """Motion, loads, deformations and energies over time, computed anew.
+
+        Parameters
+        ----------
+        dt : float
+            Time between rows, s.
+        units : {"US", "SI"}
+            Units of the columns, which are part of their names.
+
+        Returns
+        -------
+        DataFrame
+            Indexed by ``t_s``, the time after first contact; columns as those of ``touchdown land --history``.
+        """
+        engine = solver_of(self.solver or None)
+        columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, dt, units)
+        arrays = {name: np.frombuffer(values) for name, values in columns}
+        return pd.DataFrame(arrays, copy=False).set_index("t_s")
+
+    def to_series(self) -> pd.Series[Any]:
+        """The results as a row of `land_many`, whose columns are those of ``touchdown land --cases``."""
+        row: dict[str, Any] = {}
+        for name in _COLUMNS:
+            value = getattr(self, name)
+            if name in _OF_LEGS:
+                before, unit = _OF_LEGS[name]
+                row |= {f"{before}_{leg}_{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
+            else:
+                row[name] = np.nan if value is None else value
+        return pd.Series(row, dtype=object)
+
+    def _repr_html_(self) -> str:
+        shown = [
+            ("outcome", f"{self.outcome} at {self.end_time_s:.6f} s"),
+            ("why", self.why),
+            ("least stability angle, deg", self.min_stability_angle_deg),
+            ("least ground clearance, ft", self.min_clearance_ft),
+            ("footpad contact, s", self.pad_contact_s),
+            ("block contact, s", self.block_contact_s),
+            ("largest strut force, lb", self.max_strut_force_lb),
+            ("energy closure, ft·lb", self.energy_closure_ftlb),
+        ]
+        return table(self.vehicle.name, shown)
+
+
+def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None) -> Landing:
+    """Compute one landing.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        What lands.
+    scene : Scene
+        How it touches down.
+    solver : mapping, optional
+        How it is computed, with the keys of a table ``[solver]``, such as ``{"tolerance": 1e-8, "crush_rule": "section"}``.
+
+    Returns
+    -------
+    Landing
+        The same numbers, bit for bit, as ``touchdown land``.
+
+    Raises
+    ------
+    InputError
+        When a condition is missing, or not allowed for the vehicle or the method.
+
+    Examples
+    --------
+    >>> import touchdown as td
+    >>> scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11.25,
+    ...                  cross_slope_deg=180, slope_deg=15, friction=1.0)
+    >>> td.land(td.vehicles.surveyor(), scene).outcome
+    'stable-rockback'
+    """
+    results = _engine.land(vehicle._engine, scene._engine, solver_of(solver))
+    return Landing(**results, vehicle=vehicle, scene=scene, solver=dict(solver or {}))

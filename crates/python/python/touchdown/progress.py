@@ -1,0 +1,45 @@
+"""How far a long call is."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from typing import Protocol
+
+from tqdm.auto import tqdm
+
+_SHOWN_AFTER = 0.5
+
+
+class Watch(Protocol):
+    """Called with the points done, the points wanted and the landings so far."""
+
+    def __call__(self, done: int, wanted: int, landings: int) -> object: ...
+
+
+@contextmanager
+def watching(progress: bool | Watch | None, unit: str) -> Iterator[Watch | None]:
+    """Whoever watches a call: nobody, a bar in terminal or notebook, or the caller.
+
+    A bar comes up after half a second. Without a choice there is one where the standard error is a terminal, and in notebooks.
+    """
+    if progress is False:
+        yield None
+    elif progress is None or progress is True:
+        with tqdm(unit=unit, delay=_SHOWN_AFTER, disable=None if progress is None else False, leave=False) as bar:
+
+            def watch(done: int, wanted: int, landings: int) -> None:
+                bar.total = wanted
+                bar.set_postfix(landings=landings, refresh=False)
+                bar.update(done - bar.n)
+
+            yield watch
+    else:
+        yield progress
+
+
+def warn(told: Iterable[str]) -> None:
+    """What the engine has to say of a journal, on behalf of the function that called."""
+    for warning in told:
+        warnings.warn(warning, RuntimeWarning, stacklevel=3)

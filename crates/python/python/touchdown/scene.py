@@ -1,0 +1,131 @@
+"""Touchdowns."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+from touchdown import _engine
+from touchdown._documents import merged, same_quantity
+from touchdown._html import table
+
+# Giving one form of the attitude replaces the other.
+_EULER = {"pitch_deg", "yaw_deg", "roll_deg"}
+_TIP = {"tip_deg", "tip_azimuth_deg", "nominal_roll_deg"}
+
+
+class Scene:
+    """Conditions of a touchdown at first contact.
+
+    A scene never changes; `replace` makes another one. Conditions may be left out as long as nothing needs them: a boundary needs no
+    horizontal velocity, a sweep none of the conditions that are its axes. Two scenes are equal when all their numbers are, in
+    whatever units they were given.
+
+    Parameters
+    ----------
+    **conditions
+        The keys of a table ``[scene]``:
+
+        - ``vertical_velocity_fps``, ``horizontal_velocity_fps``: velocities of the CG, ft/s, both ≥ 0
+        - ``cross_slope_deg``: direction of the horizontal velocity; 180 is straight downhill, 0 uphill
+        - ``slope_deg``: slope of the surface, −90 < value < 90
+        - ``friction``: coefficient between footpads and surface
+        - ``block_friction``: the same under the body blocks; default ``friction``
+        - ``pitch_deg``, ``yaw_deg``, ``roll_deg``: attitude; default 0. Or in tip form: ``tip_deg``, ``tip_azimuth_deg``,
+          ``nominal_roll_deg``
+        - ``angular_velocity_x_dps``, ``…_y_dps``, ``…_z_dps``: rates of turn, deg/s; default 0
+        - ``gravity_fps2``, or ``gravity``: "moon", "mars", "earth" or "ceres"; default that of the vehicle
+        - ``thrust``: dictionary with ``time_s`` and ``force_lb``, and optional ``scale``, ``offset_x_ft``, ``offset_y_ft``
+        - ``footing``: a dictionary for each leg, with ``height_ft``, ``tilt_along_deg``, ``tilt_across_deg``, ``block_…``
+
+        Each may be in SI under its other name, such as ``vertical_velocity_mps``.
+
+    Raises
+    ------
+    InputError
+        Names the first condition that is unknown or not allowed.
+
+    Examples
+    --------
+    >>> import touchdown as td
+    >>> scene = td.Scene(vertical_velocity_fps=14, cross_slope_deg=180, slope_deg=15, friction=1.0)
+    >>> scene.slope_deg
+    15
+    >>> scene.replace(slope_deg=10).slope_deg
+    10
+    """
+
+    def __init__(self, **conditions: Any) -> None:
+        self._set(_engine.toml(conditions))
+
+    def _set(self, text: str) -> None:
+        self._engine = _engine.Scene(text)
+        self._text = text
+
+    @cached_property
+    def _given(self) -> dict[str, Any]:
+        return tomllib.loads(self._text)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The conditions as a dictionary, under the keys and in the units that they were given in."""
+        return dict(self._given)
+
+    def replace(self, conditions: Mapping[str, Any] | None = None, /, **named: Any) -> Scene:
+        """The same scene with other conditions.
+
+        Parameters
+        ----------
+        conditions : mapping, optional
+            Values by their keys, in any of their units. One key of the other form of the attitude replaces the whole
+            attitude.
+        **named
+            The same as keywords.
+        """
+        new = dict(conditions or {}) | named
+        names = {same_quantity(name) for name in new}
+        replaced = (_TIP if names & _EULER else set()) | (_EULER if names & _TIP else set())
+        if "gravity" in new or "gravity_fps2" in names:
+            replaced |= {"gravity", "gravity_fps2"}
+        kept = {name: value for name, value in self._given.items() if same_quantity(name) not in replaced}
+        return Scene(**merged(kept, new))
+
+    def without(self, names: set[str]) -> dict[str, Any]:
+        """The conditions without some, whatever units either are in."""
+        left_out = {same_quantity(name) for name in names}
+        return {name: value for name, value in self._given.items() if same_quantity(name) not in left_out}
+
+    def __getattr__(self, name: str) -> Any:
+        if not name.startswith("_") and name in self._given:
+            return self._given[name]
+        raise AttributeError(f"the scene has no {name}: it has {', '.join(self._given)}" if not name.startswith("_") else name)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._given]
+
+    @cached_property
+    def _numbers(self) -> str:
+        return json.dumps(self._engine.resolved())
+
+    def __eq__(self, other: object) -> bool:
+        return self._numbers == other._numbers if isinstance(other, Scene) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._numbers)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._text,)
+
+    def __repr__(self) -> str:
+        return f"Scene({', '.join(f'{name}={value!r}' for name, value in self._given.items())})"
+
+    def _repr_html_(self) -> str:
+        return table("Scene", self._given.items())
+
+
+def _restored(text: str) -> Scene:
+    scene = Scene.__new__(Scene)
+    scene._set(text)
+    return scene

@@ -1,0 +1,371 @@
+"""Sweeps, maps, samples and sensitivities."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import pandas as pd
+import xarray as xr
+
+from touchdown import _engine
+from touchdown._documents import Document, merged
+from touchdown.boundaries import HORIZONTAL, SEARCH
+from touchdown.progress import Watch, warn, watching
+from touchdown.reading import read
+from touchdown.scene import Scene
+from touchdown.vehicle import Vehicle, written
+
+Axes = Mapping[str, Any]
+
+
+def sweep(
+    vehicle: Vehicle,
+    scene: Scene,
+    axes: Axes,
+    *,
+    search: Document | None = None,
+    solver: Document | None = None,
+    sensitivity: Sequence[str] = (),
+    job: str = "boundary",
+    **options: Any,
+) -> xr.Dataset:
+    """Search the transition velocity, or compute one landing, at every point of a grid.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        What lands.
+    scene : Scene
+        Conditions that stay the same; those that are axes do not matter.
+    axes : mapping
+        What varies, the first slowest: values by the name of a parameter, in any of its units (``roll_deg``, ``vehicle.strut.preload_lb``,
+        ``"vehicle.legs[2].strut.preload_n"``, ``solver.crush_rule``). Values are a list or array, or a dictionary such as
+        ``{"from": -20, "to": 20, "step": 10}``; axes with the same ``zip`` move together.
+    search : mapping, optional
+        Where to search, with the keys of a table ``[search]``. Without, up to the first transition from 0 to 25 ft/s, in steps of
+        0.25 ft/s narrowed down to 0.001 ft/s; ``{"bands": "all"}`` finds every band.
+    solver : mapping, optional
+        How landings are computed, with the keys of a table ``[solver]``.
+    sensitivity : sequence of str
+        Parameters whose effect on the transition velocity is computed at every point.
+    job : {"boundary", "outcome"}
+        Whether to search, or to compute a landing at every point.
+    **options
+        Options of `Run`.
+
+    Returns
+    -------
+    Dataset
+        Dimensions are the axes; variables are the columns of the results without their units, which are attributes. With
+        ``bands = "all"`` there are variables ``band_…`` with the dimension ``band``, with sensitivities ``sensitivity_…`` with the
+        dimension ``parameter``, of single landings some with the dimension ``leg``. The attribute ``input`` is the whole input with
+        defaults filled in, as JSON.
+
+    Examples
+    --------
+    >>> import touchdown as td
+    >>> scene = td.Scene(vertical_velocity_fps=14, cross_slope_deg=180, slope_deg=15, friction=1.0)
+    >>> ds = td.sweep(td.vehicles.surveyor(), scene, axes={"roll_deg": [0, 10]}, search={"from_fps": 8, "to_fps": 16})
+    >>> ds.first_transition.round(3).values.tolist(), ds.first_transition.units
+    ([11.4, 11.274], 'ft/s')
+    """
+    run = Run(**options)
+    asked: dict[str, Any] = {"job": job, "solver": solver, "search": _search(search, job)}
+    if sensitivity:
+        asked["sensitivity"] = {"parameters": list(sensitivity)}
+    return run.of(vehicle, scene, axes, asked)
+
+
+def map(  # noqa: A001
+    vehicle: Vehicle,
+    scene: Scene,
+    axes: Axes,
+    edge_width: Mapping[str, float],
+    *,
+    error_fps: float | None = None,
+    budget_landings: int | None = None,
+    jump_fps: float | None = None,
+    grid_steps: int | None = None,
+    search: Document | None = None,
+    solver: Document | None = None,
+    **options: Any,
+) -> xr.Dataset:
+    """Map the transition velocity over two axes; the program refines where it curves, jumps or ends.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        What lands.
+    scene : Scene
+        Conditions that stay the same.
+    axes : mapping
+        The first level of the map, as in `sweep`.
+    edge_width : mapping of str to float
+        The two axes that are refined: edges are located between points no farther apart, in the unit of the axis.
+    error_fps : float, optional
+        Cells are refined while the error of interpolation at their centres is greater, ft/s.
+    budget_landings : int, optional
+        The refinement ends when about so many landings are spent. Give this, `error_fps` or both.
+    jump_fps : float, optional
+        Least difference over `edge_width` that counts as an edge, ft/s.
+    grid_steps : int, optional
+        Steps of the regular grid along each side of a first-level cell; default 8.
+    search, solver : mapping, optional
+        As in `sweep`.
+    **options
+        Options of `Run`.
+
+    Returns
+    -------
+    Dataset
+        ``first_transition`` and ``estimated_error`` over the axes, on a regular grid; the points themselves as ``point_…``, edges as lines
+        ``edge_…``, and triangles ``corner_…``.
+    """
+    rules = {
+        "edge_width": dict(edge_width),
+        "error_fps": error_fps,
+        "budget_landings": budget_landings,
+        "jump_fps": jump_fps,
+        "grid_steps": grid_steps,
+    }
+    given = {name: value for name, value in rules.items() if value is not None}
+    asked = {"map": given, "solver": solver, "search": _search(search, "boundary")}
+    return Run(**options).of(vehicle, scene, axes, asked)
+
+
+def sample(
+    vehicle: Vehicle,
+    scene: Scene,
+    axes: Axes,
+    count: int,
+    seed: int,
+    *,
+    design: str = "monte-carlo",
+    job: str = "outcome",
+    covariance: Sequence[Document] = (),
+    stop_at_interval_width: float | None = None,
+    search: Document | None = None,
+    solver: Document | None = None,
+    **options: Any,
+) -> xr.Dataset:
+    """Draw touchdowns at random: probabilities of single landings, or the distribution of the transition velocity.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        What lands.
+    scene : Scene
+        Conditions that stay the same.
+    axes : mapping
+        A distribution for each parameter, such as ``{"mean": 14, "sd": 0.5}``, ``{"from": 0, "to": 20}``, or ``{"file": "measured.csv",
+        "column": "friction"}``.
+    count : int
+        Number of points.
+    seed : int
+        The same seed gives the same points on every machine.
+    design : {"monte-carlo", "latin-hypercube", "sobol"}
+        How points are spread.
+    job : {"outcome", "boundary"}
+        Whether to compute a landing or search the transition velocity at every point.
+    covariance : sequence of mappings
+        Axes that are jointly normal: ``{"axes": [...], "matrix": [[...], ...]}``.
+    stop_at_interval_width : float, optional
+        Of landings: stop when the 95 % intervals of the probabilities are no wider.
+    search, solver : mapping, optional
+        As in `sweep`.
+    **options
+        Options of `Run`.
+
+    Returns
+    -------
+    Dataset
+        With the dimension ``point``. Of landings also probabilities, all and in bins of every axis, as ``bin_…``; of transitions
+        quantiles ``quantile_…`` and the distribution ``interval_…``.
+    """
+    rules: dict[str, Any] = {"design": design, "count": count, "seed": seed}
+    if stop_at_interval_width is not None:
+        rules["stop_at_interval_width"] = stop_at_interval_width
+    if covariance:
+        rules["covariance"] = list(covariance)
+    asked = {"job": job, "sample": rules, "solver": solver, "search": _search(search, job)}
+    return Run(**options).of(vehicle, scene, axes, asked)
+
+
+def sensitivity(
+    vehicle: Vehicle,
+    scene: Scene,
+    parameters: Sequence[str],
+    *,
+    search: Document | None = None,
+    solver: Document | None = None,
+    **options: Any,
+) -> pd.DataFrame:
+    """How the transition velocity at one touchdown changes with parameters of scene and vehicle.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        What lands.
+    scene : Scene
+        How it touches down.
+    parameters : sequence of str
+        Dotted names, as those of axes.
+    search, solver : mapping, optional
+        As in `sweep`.
+    **options
+        Options of `Run`.
+
+    Returns
+    -------
+    DataFrame
+        Indexed by the parameters; columns as those of a table of sensitivities: the derivative ``dvh_dp_fps_per_unit`` with its error,
+        and ``vh_change_fps``, the change for 10 % of the parameter, or 1 deg of an angle.
+    """
+    axes = {name: [value] for name, value in scene.to_dict().items() if name.startswith("cross_slope")}
+    found = sweep(vehicle, scene, axes, search=search, solver=solver, sensitivity=parameters, **options)
+    of_parameters = [name for name in found.data_vars if str(name).startswith("sensitivity_")]
+    table = found[of_parameters].squeeze(list(axes), drop=True).to_dataframe()
+    return table.rename(columns={name: found[name].attrs["column"] for name in of_parameters})
+
+
+def run(
+    path: str | os.PathLike[str],
+    out: str | os.PathLike[str] = "results",
+    *,
+    vehicle: Vehicle | None = None,
+    set: Mapping[str, float | str] | None = None,  # noqa: A002
+    units: str | None = None,
+    parquet: bool = False,
+    overwrite: bool = False,
+    threads: int | None = None,
+    progress: bool | Watch | None = None,
+) -> xr.Dataset:
+    """Run a sweep file into a folder, as ``touchdown sweep`` does but for pictures.
+
+    What is finished is in a journal in the folder at once. After an interruption the same call goes on, and so does the command line.
+
+    Parameters
+    ----------
+    path : path
+        The sweep file.
+    out : path
+        Folder for the results.
+    vehicle : Vehicle, optional
+        In place of the one that the file names.
+    set : mapping, optional
+        Values by dotted names in place of those of the files.
+    units : {"US", "SI"}, optional
+        Units of the results; without, those of the file.
+    parquet : bool
+        Whether to write tables as Parquet too.
+    overwrite : bool
+        Whether to replace files that are no earlier results of a sweep.
+    threads, progress
+        As in `land_many`.
+
+    Returns
+    -------
+    Dataset
+        As `sweep`.
+    """
+    given = [(name, written(value)) for name, value in (set or {}).items()]
+    engine = _engine.Sweep.from_file(os.fspath(path), vehicle._engine if vehicle else None, given, units)
+    _run(engine, Path(out), parquet, overwrite, threads, progress)
+    return _results(Path(out), engine)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Run:
+    """Options of calls that compute many points.
+
+    Attributes
+    ----------
+    out : path, optional
+        Folder for the files of the results, and for a journal while they are computed: after an interruption the same call goes on.
+        Without, nothing is kept.
+    name : str
+        What files are named after.
+    title : str
+        Title of the record.
+    units : {"US", "SI"}
+        Units of the results.
+    parquet : bool
+        Whether to write tables as Parquet too.
+    overwrite : bool
+        Whether to replace files that are no earlier results of a sweep.
+    threads : int, optional
+        Threads; all cores without. Results do not depend on it.
+    progress : bool or callable, optional
+        Whether to show a bar; a callable is told the points done, the points wanted, and the landings so far.
+    """
+
+    out: str | os.PathLike[str] | None = None
+    name: str = "sweep"
+    title: str | None = None
+    units: str = "US"
+    parquet: bool = False
+    overwrite: bool = False
+    threads: int | None = None
+    progress: bool | Watch | None = None
+
+    def of(self, vehicle: Vehicle, scene: Scene, axes: Axes, asked: Mapping[str, Any]) -> xr.Dataset:
+        """Run a sweep that asks for these tables."""
+        searched = {HORIZONTAL} if asked.get("job", "boundary") == "boundary" else set()
+        document = {
+            "title": self.title or self.name,
+            "vehicle": "vehicle.toml",
+            "units": self.units,
+            "scene": scene.without({*axes, *searched}),
+            "axes": dict(axes),
+        }
+        document |= {name: value for name, value in asked.items() if value is not None}
+        engine = _engine.Sweep(self.name, _engine.toml(document), vehicle._engine, _files(axes))
+        with _folder(self.out) as folder:
+            _run(engine, folder, self.parquet, self.overwrite, self.threads, self.progress)
+            return _results(folder, engine)
+
+
+def _run(
+    engine: _engine.Sweep,
+    folder: Path,
+    parquet: bool,
+    overwrite: bool,
+    threads: int | None,
+    progress: bool | Watch | None,
+) -> None:
+    with watching(progress, "points") as watch:
+        _, told = engine.run(folder, parquet, overwrite, threads, watch)
+    warn(told)
+
+
+def _results(folder: Path, engine: _engine.Sweep) -> xr.Dataset:
+    found = read(folder / f"{engine.name}.csv")
+    assert isinstance(found, xr.Dataset)
+    return found
+
+
+def _search(search: Document | None, job: str) -> dict[str, Any] | None:
+    if job == "boundary":
+        return merged(SEARCH, search, "search.")
+    return None if search is None else dict(search)
+
+
+def _files(axes: Axes) -> dict[str, str]:
+    """The texts of tables from which axes take their values."""
+    named = {axis["file"] for axis in axes.values() if isinstance(axis, Mapping) and "file" in axis}
+    return {os.fspath(name): Path(name).read_text(encoding="utf-8") for name in named}
+
+
+@contextmanager
+def _folder(out: str | os.PathLike[str] | None) -> Iterator[Path]:
+    if out is not None:
+        yield Path(out)
+        return
+    with TemporaryDirectory(prefix="touchdown-") as folder:
+        yield Path(folder)

@@ -1,0 +1,141 @@
+"""Vehicles."""
+
+from __future__ import annotations
+
+import json
+import os
+import tomllib
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from touchdown import _engine
+from touchdown._html import table
+
+
+class Vehicle:
+    """A lander: mass properties and three to eight legs.
+
+    A vehicle never changes; `replace` makes another one. Two vehicles are equal when all their numbers are, in whatever units
+    they were given.
+
+    Parameters
+    ----------
+    text : str
+        The text of a vehicle file.
+
+    See Also
+    --------
+    Vehicle.from_toml, Vehicle.from_dict, touchdown.vehicles
+    """
+
+    def __init__(self, text: str) -> None:
+        self._set(text, "")
+
+    def _set(self, text: str, path: str) -> None:
+        self._engine = _engine.Vehicle(text, path)
+        self._text = text
+        self._path = path
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Vehicle:
+        """Read a vehicle file.
+
+        Parameters
+        ----------
+        path : path
+            The file. Complaints name it, with the line.
+
+        Raises
+        ------
+        InputError
+            Names file, line, key and value of the first thing wrong, and what is allowed.
+        OSError
+            When the file cannot be read.
+        """
+        vehicle = cls.__new__(cls)
+        vehicle._set(Path(path).read_text(encoding="utf-8"), os.fspath(path))
+        return vehicle
+
+    @classmethod
+    def from_dict(cls, numbers: Mapping[str, Any]) -> Vehicle:
+        """Make a vehicle of a dictionary with the keys of a vehicle file.
+
+        Parameters
+        ----------
+        numbers : mapping
+            Tables are dictionaries, `legs` is a list of them. Every number may be in SI under its other name, such as
+            ``mass_kg``.
+        """
+        return cls(_engine.toml(numbers))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The vehicle as a dictionary, under the keys and in the units that it was given in."""
+        return tomllib.loads(self._text)
+
+    def to_toml(self) -> str:
+        """The text of a vehicle file, comments included where there were any."""
+        return self._text
+
+    def replace(self, numbers: Mapping[str, float]) -> Vehicle:
+        """The same vehicle with other numbers.
+
+        Parameters
+        ----------
+        numbers : mapping
+            Values by dotted names, as axes of sweeps have them, with or without ``vehicle.`` before them: ``strut.preload_lb`` of all
+            legs, ``legs[2].strut.preload_n`` of one, ``footpad.profile.scale`` of a whole table.
+
+        Examples
+        --------
+        >>> import touchdown as td
+        >>> softer = td.vehicles.surveyor().replace({"strut.preload_lb": 150})
+        >>> softer.to_dict()["strut"]["preload_lb"]
+        150
+        """
+        named = ((name if name.startswith("vehicle.") else f"vehicle.{name}", value) for name, value in numbers.items())
+        return type(self)(self._engine.replaced([(name, written(value)) for name, value in named]))
+
+    @property
+    def name(self) -> str:
+        """Its name in reports."""
+        return self._engine.name
+
+    @property
+    def legs(self) -> int:
+        """Number of its legs."""
+        return self._engine.legs
+
+    @cached_property
+    def _numbers(self) -> dict[str, Any]:
+        numbers: dict[str, Any] = json.loads(self._engine.resolved())
+        return numbers
+
+    def __eq__(self, other: object) -> bool:
+        return self._numbers == other._numbers if isinstance(other, Vehicle) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(json.dumps(self._numbers, sort_keys=True))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._text, self._path)
+
+    def __repr__(self) -> str:
+        return f"<Vehicle {self.name!r}: {self.legs} legs, {self._numbers['mass_slug']:g} slug>"
+
+    def _repr_html_(self) -> str:
+        numbers = self._numbers
+        rows = ((key, value) for key, value in numbers.items() if isinstance(value, float))
+        return table(self.name, [("legs", self.legs), *rows])
+
+
+def _restored(text: str, path: str) -> Vehicle:
+    vehicle = Vehicle.__new__(Vehicle)
+    vehicle._set(text, path)
+    return vehicle
+
+
+def written(value: object) -> str:
+    """A number or a word as the engine reads it."""
+    return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]

@@ -1,0 +1,223 @@
+//! Many landings, from columns to columns.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use pyo3::buffer::PyBuffer;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
+use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::findings::Finding;
+use touchdown_sweep::fingerprint::fingerprint;
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::landing_table::{self, Cell};
+use touchdown_sweep::output_guard::OutputGuard;
+use touchdown_sweep::output_units::{OutputUnits, Quantity};
+use touchdown_sweep::run::{Observer, Workers};
+
+use crate::columns::{Column, WordList};
+use crate::documents::{Solver, Vehicle, output_units};
+use crate::errors::Failure;
+use crate::interruptible::{self, Work};
+
+/// Columns of results by name, as Python takes them.
+type PyColumns<'py> = Vec<(String, Bound<'py, PyTuple>)>;
+
+/// Lands every row of a table of columns, each an array of numbers or a list of texts. With `out` results go to this file too, as the
+/// command line writes it, and to a journal beside it until then.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "Python gives them by name")]
+pub fn land_many<'py>(
+    py: Python<'py>,
+    vehicle: &Vehicle,
+    columns: Vec<(String, Bound<'py, PyAny>)>,
+    solver: &Solver,
+    units: &str,
+    out: Option<PathBuf>,
+    overwrite: bool,
+    threads: Option<NonZeroUsize>,
+    watch: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(PyColumns<'py>, Vec<String>)> {
+    let units = output_units(units)?;
+    let (names, values): (Vec<String>, Vec<_>) = columns.into_iter().unzip();
+    let values = values.iter().map(Values::of);
+    let cells = ColumnsOfCases(values.collect::<PyResult<_>>()?);
+    let (file, settings) = (vehicle.file.clone(), solver.0);
+    let (found, warnings) = interruptible::run(py, watch, move |work| {
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let table = CaseTable::of_cells(&names, Box::new(cells), &file, &settings)?;
+        let workers = Workers::start(threads)?;
+        work.more(table.len());
+        let results = Results::new(&table, units);
+        match out {
+            None => Ok((landed(&table, &workers, work, results)?, Vec::new())),
+            Some(out) => {
+                let guard = OutputGuard {
+                    inputs: &[],
+                    overwrite,
+                };
+                guard.check(&out, cases::is_table)?;
+                landed_into(&out, &table, &workers, work, results)
+            }
+        }
+    })?;
+    let columns = found.columns.into_iter();
+    let columns =
+        columns.map(|(quantity, column)| Ok((quantity.name().to_owned(), column.into_python(py)?)));
+    Ok((columns.collect::<PyResult<_>>()?, warnings))
+}
+
+/// Results of all rows.
+fn landed(
+    table: &CaseTable,
+    workers: &Workers,
+    work: &Work,
+    mut results: Results,
+) -> Result<Results, Failure> {
+    let rows = 0..table.len();
+    workers.each_case(table, rows, work, &work.cancel, |landed| {
+        if let Some((row, landing)) = landed {
+            let columns = landing_table::columns(&landing).into_iter();
+            results.set(row, columns.map(|(_, cell)| cell).collect());
+        }
+        Ok(())
+    })?;
+    Ok(results)
+}
+
+/// Results of all rows, which are also written to a file, and what is to be said of its journal.
+fn landed_into(
+    out: &Path,
+    table: &CaseTable,
+    workers: &Workers,
+    work: &Work,
+    mut results: Results,
+) -> Result<(Results, Vec<String>), Failure> {
+    let folder = Folder::of(out)?;
+    let name = out.file_name().unwrap_or_default().to_string_lossy();
+    let journal = folder.path(&format!("{name}.journal"));
+    let mut opened = Journal::open(&journal, &table.header(env!("CARGO_PKG_VERSION")))?;
+    let warnings = std::mem::take(&mut opened.warnings);
+    work.skip(opened.done.len());
+    workers.case_table(table, &mut opened, work, &work.cancel)?;
+
+    let records = opened.journal.into_records()?;
+    let mut found = InOrder::new(vec![records], table.len(), &folder.path("."))?;
+    let mut rows = Vec::with_capacity(table.len());
+    for row in 0..table.len() {
+        let bytes = found.result(row)?;
+        let finding = bytes.as_deref().and_then(Finding::decode);
+        let finding = finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
+        if let Finding::Landing { cells, .. } = &finding {
+            results.set(row, cells.clone());
+        }
+        rows.push((table.name(row), finding));
+    }
+    let named = rows.iter().map(|(name, finding)| (name.as_str(), finding));
+    let written = cases::table(named, results.units).map_err(Failure::engine)?;
+    folder.write_files(&[(name.into_owned(), written)])?;
+    found.remove_journals()?;
+    Ok((results, warnings))
+}
+
+/// The values of a column of cases.
+#[derive(Debug)]
+enum Values {
+    Numbers(Vec<f64>),
+    Texts(Vec<Option<String>>),
+}
+
+impl Values {
+    fn of(column: &Bound<PyAny>) -> PyResult<Self> {
+        match PyBuffer::<f64>::get(column) {
+            Ok(numbers) => numbers.to_vec(column.py()).map(Self::Numbers),
+            Err(_) => column.extract().map(Self::Texts),
+        }
+    }
+}
+
+/// Columns as a table of cases.
+#[derive(Debug)]
+struct ColumnsOfCases(Vec<Values>);
+
+impl CaseCells for ColumnsOfCases {
+    fn len(&self) -> usize {
+        self.0.first().map_or(0, |column| match column {
+            Values::Numbers(numbers) => numbers.len(),
+            Values::Texts(texts) => texts.len(),
+        })
+    }
+
+    fn cell(&self, row: usize, column: usize) -> CaseCell<'_> {
+        match &self.0[column] {
+            Values::Numbers(numbers) => CaseCell::Number(numbers[row]),
+            Values::Texts(texts) => match texts[row].as_deref() {
+                None | Some("") => CaseCell::Empty,
+                Some(text) => CaseCell::Text(text),
+            },
+        }
+    }
+
+    fn at_row(&self, row: usize, error: InputError) -> InputError {
+        error.within(&format!("row {row}"))
+    }
+
+    fn fingerprint(&self) -> String {
+        let prints = self.0.iter().map(|column| match column {
+            Values::Numbers(numbers) => {
+                let bits: Vec<String> = numbers.iter().map(f64::to_string).collect();
+                fingerprint(&bits.join(","))
+            }
+            Values::Texts(texts) => fingerprint(&format!("{texts:?}")),
+        });
+        prints.collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// Results of all rows, column by column.
+#[derive(Debug)]
+struct Results {
+    columns: Vec<(Quantity, Column)>,
+    legs: usize,
+    units: OutputUnits,
+}
+
+impl Results {
+    fn new(table: &CaseTable, units: OutputUnits) -> Self {
+        let rows = table.len();
+        let column = |name: &String| {
+            let column = match name.as_str() {
+                "outcome" | "failure" => Column::Words(vec![-1; rows], WordList::default()),
+                "steps" | "derivative_evaluations" => Column::Counts(vec![0; rows]),
+                _ => Column::Numbers(vec![f64::NAN; rows]),
+            };
+            (units.quantity(name), column)
+        };
+        let legs = table.most_legs();
+        Self {
+            columns: landing_table::names(legs).iter().map(column).collect(),
+            legs,
+            units,
+        }
+    }
+
+    /// Sets the results of a row.
+    fn set(&mut self, row: usize, results: Vec<Cell>) {
+        let places = landing_table::places(results.len(), self.legs);
+        for (place, cell) in places.into_iter().zip(results) {
+            let (quantity, column) = &mut self.columns[place];
+            match (column, cell) {
+                (Column::Numbers(numbers), Cell::Number(number)) => {
+                    numbers[row] = quantity.number(number);
+                }
+                (Column::Counts(counts), Cell::Count(count)) => counts[row] = count as i64,
+                (Column::Words(codes, words), Cell::Word(word)) if !word.is_empty() => {
+                    codes[row] = words.place(&word);
+                }
+                _ => {}
+            }
+        }
+    }
+}

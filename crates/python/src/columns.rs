@@ -1,0 +1,55 @@
+//! Columns of numbers and words on their way to NumPy.
+
+use std::collections::HashMap;
+
+use bytemuck::{NoUninit, cast_slice};
+use pyo3::prelude::*;
+use pyo3::types::{PyByteArray, PyTuple};
+
+/// A column of results.
+#[derive(Debug)]
+pub enum Column {
+    /// Numbers; NaN where there is none.
+    Numbers(Vec<f64>),
+    /// Counts.
+    Counts(Vec<i64>),
+    /// Words, by their places in a list; -1 where there is none.
+    Words(Vec<i32>, WordList),
+}
+
+impl Column {
+    /// The column as Python takes it: bytes, the type of their numbers, and words.
+    pub fn into_python<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        match self {
+            Self::Numbers(numbers) => (array(py, &numbers), "f8", None::<Vec<String>>),
+            Self::Counts(counts) => (array(py, &counts), "i8", None),
+            Self::Words(codes, list) => (array(py, &codes), "i4", Some(list.words)),
+        }
+        .into_pyobject(py)
+    }
+}
+
+/// Words in the order in which they came up.
+#[derive(Debug, Default)]
+pub struct WordList {
+    words: Vec<String>,
+    places: HashMap<String, i32>,
+}
+
+impl WordList {
+    /// The place of a word.
+    pub fn place(&mut self, word: &str) -> i32 {
+        if let Some(place) = self.places.get(word) {
+            return *place;
+        }
+        let place = self.words.len() as i32;
+        self.words.push(word.to_owned());
+        self.places.insert(word.to_owned(), place);
+        place
+    }
+}
+
+/// Numbers as bytes that NumPy makes an array of without copying them again.
+pub fn array<'py, T: NoUninit>(py: Python<'py>, numbers: &[T]) -> Bound<'py, PyByteArray> {
+    PyByteArray::new(py, cast_slice(numbers))
+}

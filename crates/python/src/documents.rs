@@ -1,0 +1,222 @@
+//! Vehicles, touchdowns and settings, each read from TOML text.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyMapping, PySequence, PyString};
+use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::vehicle;
+use touchdown_sweep::assignment::{self, Assignment};
+use touchdown_sweep::document::{Document, Entry, Node, Value};
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::parameter::Parameter;
+use touchdown_sweep::resolved_input;
+use touchdown_sweep::single_landing::{self, Touchdown};
+use touchdown_sweep::toml_text;
+use touchdown_sweep::unit;
+use touchdown_sweep::vehicle_file::VehicleFile;
+
+use crate::errors::Failure;
+
+/// Vehicles that come with the package.
+const OWN_VEHICLES: [(&str, &str); 4] = [
+    (
+        "surveyor-table-4-1",
+        include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml"),
+    ),
+    (
+        "surveyor-si",
+        include_str!("../../../sweeps/vehicles/surveyor-si.toml"),
+    ),
+    (
+        "four-legs",
+        include_str!("../../../sweeps/vehicles/four-legs.toml"),
+    ),
+    (
+        "six-legs",
+        include_str!("../../../sweeps/vehicles/six-legs.toml"),
+    ),
+];
+/// What a value of a dictionary may be.
+const VALUES: &str = "a number, a text, a list or a dictionary";
+
+/// A document that stands in no file.
+fn document(text: &str) -> Result<Document, InputError> {
+    Document::parse(Path::new(""), text)
+}
+
+/// A vehicle.
+#[pyclass(frozen, module = "touchdown._engine")]
+#[derive(Debug)]
+pub struct Vehicle {
+    /// With the document that describes it.
+    pub file: VehicleFile,
+    /// What lands.
+    pub vehicle: Arc<vehicle::Vehicle>,
+}
+
+#[pymethods]
+impl Vehicle {
+    /// Reads TOML text. `path` is the file that complaints name; without, they name none.
+    #[new]
+    fn new(text: &str, path: &str) -> Result<Self, Failure> {
+        let file = VehicleFile::from_document(Document::parse(Path::new(path), text)?)?;
+        let vehicle = Arc::new(file.vehicle.clone());
+        Ok(Self { file, vehicle })
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.file.name
+    }
+
+    /// Number of its legs.
+    #[getter]
+    fn legs(&self) -> usize {
+        self.vehicle.legs().len()
+    }
+
+    /// All of it in the units of the program, as JSON.
+    fn resolved(&self) -> String {
+        resolved_input::vehicle(&self.file.document).to_string()
+    }
+
+    /// Its TOML text with other values of parameters, which are named with `vehicle.` before them.
+    fn replaced(&self, values: Vec<(String, String)>) -> Result<String, Failure> {
+        let set = values
+            .iter()
+            .map(|(name, text)| Assignment::new(name, text));
+        let set: Vec<Assignment> = set.collect::<Result<_, _>>()?;
+        assignment::check_once(&set)?;
+        let file = assignment::set_vehicle(&self.file, &set)?;
+        Ok(toml_text::text(file.document.root()))
+    }
+}
+
+/// Conditions of a touchdown.
+#[pyclass(frozen, module = "touchdown._engine")]
+#[derive(Debug)]
+pub struct Scene(pub Touchdown);
+
+#[pymethods]
+impl Scene {
+    /// Reads TOML text with the keys of a table [scene].
+    #[new]
+    fn new(text: &str) -> Result<Self, Failure> {
+        Ok(Self(Touchdown::from_document(document(text)?)?))
+    }
+
+    /// All numbers in the units of the program, with defaults.
+    fn resolved(&self) -> Vec<(&'static str, f64)> {
+        self.0.conditions().resolved()
+    }
+}
+
+/// How landings are computed.
+#[pyclass(frozen, module = "touchdown._engine")]
+#[derive(Debug)]
+pub struct Solver(pub Settings);
+
+#[pymethods]
+impl Solver {
+    /// Reads TOML text with a table [solver].
+    #[new]
+    fn new(text: &str) -> Result<Self, Failure> {
+        Ok(Self(single_landing::settings(&document(text)?)?))
+    }
+}
+
+/// The text of a vehicle that comes with the package.
+#[pyfunction]
+pub fn own_vehicle(name: &str) -> Option<&'static str> {
+    let mut own = OWN_VEHICLES.iter();
+    own.find_map(|(known, text)| (*known == name).then_some(*text))
+}
+
+/// A dictionary as TOML text.
+#[pyfunction]
+pub fn toml(values: &Bound<PyMapping>) -> PyResult<String> {
+    Ok(toml_text::text(&entries(values, "")?))
+}
+
+/// The name of a parameter in the unit of the program; `None` where there is no such parameter.
+#[pyfunction]
+pub fn program_name(name: &str) -> Option<String> {
+    Parameter::named(name, MOST_LEGS).map(|parameter| parameter.program_name().to_owned())
+}
+
+/// A name without the unit that it ends with, and this unit in words; "1" for pure numbers.
+#[pyfunction]
+pub fn bare_name_and_unit(name: &str) -> (&str, &'static str) {
+    (unit::bare_name_and_unit(name).0, unit::unit(name))
+}
+
+/// Units of results by their word.
+pub fn output_units(word: &str) -> Result<OutputUnits, Failure> {
+    match word {
+        "US" => Ok(OutputUnits::Us),
+        "SI" => Ok(OutputUnits::Si),
+        _ => Err(InputError::value("units", format!("{word:?}"), "\"US\" or \"SI\"").into()),
+    }
+}
+
+fn entries(values: &Bound<PyMapping>, path: &str) -> PyResult<Vec<Entry>> {
+    let items = values.items()?;
+    let entry = |item: Bound<PyAny>| {
+        let (key, value): (Bound<PyAny>, Bound<PyAny>) = item.extract()?;
+        let Ok(key) = key.extract::<String>() else {
+            let complaint = format!("{path}[{}]: expected a text as key", key.repr()?);
+            return Err(Failure::from(InputError::other(complaint)).into());
+        };
+        let path = match path {
+            "" => key.clone(),
+            above => format!("{above}.{key}"),
+        };
+        Ok(Entry {
+            node: node(&value, &path)?,
+            key,
+        })
+    };
+    items.iter().map(entry).collect()
+}
+
+fn node(value: &Bound<PyAny>, path: &str) -> PyResult<Node> {
+    let refuse = || -> PyResult<Node> {
+        let said = value.repr()?.to_string();
+        Err(Failure::from(InputError::value(path, said, VALUES)).into())
+    };
+    let read = if value.is_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>() {
+        Value::Number(value.extract()?)
+    } else if let Ok(text) = value.cast::<PyString>() {
+        Value::Text(text.extract()?)
+    } else if value.is_instance_of::<PyBool>() || value.is_none() {
+        return refuse();
+    } else if let Ok(table) = value.cast::<PyDict>() {
+        Value::Table(entries(table.as_mapping(), path)?)
+    } else if let Ok(table) = value.cast::<PyMapping>() {
+        Value::Table(entries(table, path)?)
+    } else if let Ok(list) = value.cast::<PySequence>() {
+        let items = list.try_iter()?.enumerate();
+        let item = |(index, item): (usize, PyResult<Bound<PyAny>>)| {
+            node(&item?, &format!("{path}[{}]", index + 1))
+        };
+        Value::List(items.map(item).collect::<PyResult<_>>()?)
+    } else if let Ok(plain) = value.call_method0("tolist") {
+        // Arrays and scalars of NumPy, Series of pandas.
+        if plain.is(value) {
+            return refuse();
+        }
+        return node(&plain, path);
+    } else {
+        return refuse();
+    };
+    Ok(Node {
+        line: 1,
+        written: String::new(),
+        value: read,
+    })
+}

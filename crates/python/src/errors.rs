@@ -1,0 +1,122 @@
+//! Errors as exceptions of the package.
+
+use std::any::Any;
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+use touchdown_sweep::file_writer::WriteError;
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::journal::JournalError;
+use touchdown_sweep::run::RunError;
+use touchdown_sweep::tables::TablesError;
+
+/// Why a call has no result.
+#[derive(Debug)]
+pub enum Failure {
+    /// The input cannot be used.
+    Input(InputError),
+    /// Files cannot be read or written.
+    Files(String),
+    /// Anything else.
+    Engine(String),
+}
+
+impl Failure {
+    /// Anything that the engine is to blame for.
+    pub fn engine(error: impl fmt::Display) -> Self {
+        Self::Engine(error.to_string())
+    }
+
+    /// What a panic said.
+    pub fn of_panic(panic: &(dyn Any + Send)) -> Self {
+        let said = (panic.downcast_ref::<String>().map(String::as_str))
+            .or_else(|| panic.downcast_ref::<&str>().copied());
+        Self::Engine(format!(
+            "the engine failed, which is a fault of it: {}",
+            said.unwrap_or("it said nothing")
+        ))
+    }
+}
+
+/// Does work that may panic.
+pub fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Failure> {
+    // Nothing outlives the work that it could have left half done.
+    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| Failure::of_panic(&*panic))
+}
+
+impl From<InputError> for Failure {
+    fn from(error: InputError) -> Self {
+        Self::Input(error)
+    }
+}
+
+impl From<JournalError> for Failure {
+    fn from(error: JournalError) -> Self {
+        match error {
+            JournalError::Different { .. } => Self::Input(InputError::other(error.to_string())),
+            other => Self::Files(other.to_string()),
+        }
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self::Files(error.to_string())
+    }
+}
+
+impl From<TablesError> for Failure {
+    fn from(error: TablesError) -> Self {
+        match error {
+            TablesError::Journal(error) => error.into(),
+            TablesError::Deposit(error) => error.into(),
+            point => Self::engine(point),
+        }
+    }
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        match error {
+            RunError::Journal(error) => error.into(),
+            RunError::Point { .. } | RunError::TooManyThreads { .. } => {
+                Self::Input(InputError::other(error.to_string()))
+            }
+            other => Self::engine(other),
+        }
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        Python::attach(|py| match failure {
+            Failure::Input(error) => {
+                let subject = error.subject();
+                let arguments = (
+                    error.to_string(),
+                    subject.map(|subject| subject.key.clone()),
+                    subject.and_then(|subject| subject.value.clone()),
+                    subject.map(|subject| subject.allowed.clone()),
+                );
+                exception(py, "InputError", arguments)
+            }
+            Failure::Files(said) => PyOSError::new_err(said),
+            Failure::Engine(said) => exception(py, "EngineError", (said,)),
+        })
+    }
+}
+
+/// An exception of the package.
+fn exception<'py>(
+    py: Python<'py>,
+    name: &str,
+    arguments: impl pyo3::call::PyCallArgs<'py>,
+) -> PyErr {
+    let class = (py.import("touchdown.errors")).and_then(|errors| errors.getattr(name));
+    match class.and_then(|class| class.call1(arguments)) {
+        Ok(exception) => PyErr::from_value(exception),
+        Err(error) => error,
+    }
+}

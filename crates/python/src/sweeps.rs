@@ -1,0 +1,131 @@
+//! Whole sweeps, from a document or a file to the files of their results.
+
+use std::collections::HashMap;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use pyo3::prelude::*;
+use touchdown_sweep::assignment::Assignment;
+use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::header::Header;
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::journal_files;
+use touchdown_sweep::library::{Library, Source};
+use touchdown_sweep::overrides::Overrides;
+use touchdown_sweep::result_files::{self, NamedFiles};
+use touchdown_sweep::run::{Observer, Workers};
+use touchdown_sweep::shard::Shard;
+use touchdown_sweep::sweep_file;
+
+use crate::documents::{Vehicle, output_units};
+use crate::errors::Failure;
+use crate::interruptible::{self, Work};
+
+/// A sweep that is ready to run.
+#[pyclass(frozen, module = "touchdown._engine")]
+#[derive(Debug)]
+pub struct Sweep(pub sweep_file::Sweep);
+
+#[pymethods]
+impl Sweep {
+    /// Reads the text of a sweep file that names its vehicle `vehicle.toml`, and other `files` as it pleases. Results are called
+    /// `name`.
+    #[new]
+    fn new(
+        name: &str,
+        text: &str,
+        vehicle: &Vehicle,
+        files: HashMap<String, String>,
+    ) -> Result<Self, Failure> {
+        let path = PathBuf::from(format!("{name}.toml"));
+        let own = [
+            (path.clone(), text.to_owned()),
+            (
+                PathBuf::from("vehicle.toml"),
+                vehicle.file.document.source().text,
+            ),
+        ];
+        let others = files
+            .into_iter()
+            .map(|(path, text)| (PathBuf::from(path), text));
+        let copies: Vec<Source> = (own.into_iter().chain(others))
+            .map(|(path, text)| Source { path, text })
+            .collect();
+        let sweep = sweep_file::Sweep::read_from(&path, Library::Copies(&copies));
+        Ok(Self(sweep.map_err(InputError::nowhere)?))
+    }
+
+    /// Reads a sweep file, and replaces some of it as the options of the command line do.
+    #[staticmethod]
+    fn from_file(
+        path: PathBuf,
+        vehicle: Option<&Vehicle>,
+        set: Vec<(String, String)>,
+        units: Option<&str>,
+    ) -> Result<Self, Failure> {
+        let set = set.iter().map(|(name, text)| Assignment::new(name, text));
+        let overrides = Overrides {
+            vehicle: vehicle.map(|vehicle| vehicle.file.clone()),
+            set: set.collect::<Result<_, _>>()?,
+            units: units.map(output_units).transpose()?,
+            ..Overrides::default()
+        };
+        Ok(Self(sweep_file::Sweep::read(&path)?.with(&overrides)?))
+    }
+
+    /// What its files are named after.
+    #[getter]
+    fn name(&self) -> String {
+        self.0.stem()
+    }
+
+    /// Runs the sweep into a folder, as the command line does, with a journal beside the results: the files of the results, and
+    /// what is to be said of the journal.
+    fn run(
+        &self,
+        py: Python,
+        out: PathBuf,
+        is_parquet: bool,
+        overwrite: bool,
+        threads: Option<NonZeroUsize>,
+        watch: Option<&Bound<PyAny>>,
+    ) -> PyResult<(Vec<PathBuf>, Vec<String>)> {
+        let sweep = self.0.clone();
+        interruptible::run(py, watch, move |work| {
+            let folder = Folder::open(&out)?;
+            result_files::check_places(&sweep, &folder, overwrite)?;
+            run(&sweep, &folder, &out, is_parquet, threads, work)
+        })
+    }
+}
+
+fn run(
+    sweep: &sweep_file::Sweep,
+    folder: &Folder,
+    out: &Path,
+    is_parquet: bool,
+    threads: Option<NonZeroUsize>,
+    work: &Work,
+) -> Result<(Vec<PathBuf>, Vec<String>), Failure> {
+    let workers = Workers::start(threads)?;
+    let version = env!("CARGO_PKG_VERSION");
+    let header = Header::new(sweep, version, Shard::WHOLE).map_err(Failure::engine)?;
+    let path = folder.path(&journal_files::name(&sweep.stem(), Shard::WHOLE));
+    let mut opened = Journal::open(&path, &header)?;
+    let warnings = std::mem::take(&mut opened.warnings);
+    // How many points a map has is found out round by round.
+    let known_before = sweep.map().is_none().then(|| sweep.design.count());
+    work.more(known_before.unwrap_or(0));
+    work.skip(opened.done.len());
+    workers.sweep(sweep, Shard::WHOLE, &mut opened, work, &work.cancel)?;
+
+    let records = opened.journal.into_records()?;
+    let mut results = InOrder::new(vec![records], sweep.design.count(), out)?;
+    let draw = |_: &_, _: &str| Ok::<_, Failure>(NamedFiles::new());
+    let written = workers
+        .lend(|| result_files::write(sweep, &mut results, folder, version, is_parquet, draw));
+    let (_, files) = written?;
+    results.remove_journals()?;
+    Ok((files, warnings))
+}

@@ -1,0 +1,117 @@
+"""Sweeps, maps and samples as datasets."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import touchdown as td
+
+from conftest import SHORT
+
+
+def test_a_grid_has_its_axes_as_coordinates(lander, scene):
+    axes = {"cross_slope_deg": np.array([150, 180]), "vehicle.strut.preload_lb": [180, 200]}
+    found = td.sweep(lander, scene, axes, search=SHORT, progress=False)
+    assert found.first_transition.dims == ("cross_slope_deg", "vehicle.strut.preload_lb")
+    assert found.cross_slope_deg.values.tolist() == [150, 180]
+    assert found.cross_slope_deg.units == "deg" and found.first_transition.units == "ft/s"
+    stiff = lander.replace({"strut.preload_lb": 200})
+    alone = td.boundary(stiff, scene.replace(cross_slope_deg=150), search=SHORT, progress=False)
+    assert found.first_transition.sel({"cross_slope_deg": 150, "vehicle.strut.preload_lb": 200}) == alone.first_transition_fps
+    given = json.loads(found.input)
+    assert given["vehicle"]["mass_slug"] == lander.to_dict()["mass_slug"]
+    assert given["scene"]["friction"] == 1 and "horizontal_velocity_fps" not in given["scene"]
+
+
+def test_results_in_si_say_so(lander, scene):
+    found = td.sweep(lander, scene, {"roll_deg": [0]}, search=SHORT, units="SI", progress=False)
+    feet = td.sweep(lander, scene, {"roll_deg": [0]}, search=SHORT, progress=False)
+    assert found.first_transition.units == "m/s"
+    assert found.first_transition.item() == pytest.approx(0.3048 * feet.first_transition.item(), rel=1e-14)
+
+
+def test_bands_and_sensitivities_have_dimensions_of_their_own(lander, scene):
+    search = SHORT | {"bands": "all"}
+    found = td.sweep(lander, scene, {"roll_deg": [0, 30]}, search=search, sensitivity=["friction"], progress=False)
+    assert found.band_outcome.dims == ("roll_deg", "band")
+    assert found.band_outcome.sel(roll_deg=0, band=1) == "stable"
+    assert found.sensitivity_dvh_dp_fps_per_unit.dims == ("roll_deg", "parameter")
+    alone = td.sensitivity(lander, scene, ["friction"], search=SHORT, progress=False)
+    assert alone.dvh_dp_fps_per_unit["friction"] == found.sensitivity_dvh_dp_fps_per_unit.sel(roll_deg=0).item()
+
+
+def test_axes_that_move_together_share_a_dimension(lander, scene):
+    together = {
+        "pitch_deg": {"values": [0, 1, 2], "zip": "a"},
+        "friction": {"values": [1.0, 0.9, 0.8], "zip": "a"},
+    }
+    found = td.sweep(lander, scene, together, job="outcome", progress=False)
+    assert found.outcome.dims == ("pitch_deg",)
+    assert found.friction.dims == ("pitch_deg",) and found.friction.values.tolist() == [1.0, 0.9, 0.8]
+    assert found.max_strut_force.dims == ("pitch_deg", "leg")
+
+
+def test_words_are_axes_too(lander, scene):
+    found = td.sweep(lander, scene, {"solver.crush_rule": ["pivot-rate", "section"]}, job="outcome", progress=False)
+    rules = found.end_time.sel({"solver.crush_rule": "section"})
+    assert rules == td.land(lander, scene, {"crush_rule": "section", "tolerance": 3e-5}).end_time_s
+
+
+def test_samples_have_points_and_probabilities(lander, scene, tmp_path):
+    (tmp_path / "measured.csv").write_text("friction\n0.9\n1.0\n1.1\n")
+    axes = {
+        "horizontal_velocity_fps": {"mean": 11, "sd": 1},
+        "friction": {"file": str(tmp_path / "measured.csv"), "column": "friction"},
+    }
+    found = td.sample(lander, scene, axes, 40, 1966, progress=False)
+    assert found.sizes["point"] == 40 and set(found.friction.values) <= {0.9, 1.0, 1.1}
+    everything = found.isel(bin=0)
+    toppled = found.outcome.str.startswith("unstable").sum()
+    assert everything.bin_axis == "all" and everything.bin_toppled == toppled
+    searched = td.sample(lander, scene, {"friction": {"from": 0.8, "to": 1}}, 10, 1, job="boundary", search=SHORT, progress=False)
+    assert {"quantile_share", "interval_share"} <= set(searched.data_vars)
+
+
+def test_maps_have_a_regular_grid_points_and_edges(lander, scene):
+    found = td.map(
+        lander, scene, {"cross_slope_deg": [160, 180], "roll_deg": [0, 20, 40]}, {"cross_slope_deg": 10, "roll_deg": 10},
+        error_fps=1, grid_steps=2, search=SHORT, progress=False,
+    )  # fmt: skip
+    assert found.first_transition.dims == ("cross_slope_deg", "roll_deg")
+    assert found.sizes["cross_slope_deg"] == 3 and found.sizes["roll_deg"] == 5
+    assert found.point_first_transition.sizes["point"] >= 6
+    assert {"edge_kind", "corner_triangle"} <= set(found.data_vars)
+
+
+def test_results_of_the_command_line_read_as_the_same_dataset(root):
+    surface = td.read(root / "results/surface-4-20.json")
+    assert surface.first_transition.shape == (81, 49)
+    table = pd.read_csv(root / "results/surface-4-20.csv")
+    row = table[(table.cross_slope_deg == 180) & (table.roll_deg == 10)].first_transition_fps.item()
+    assert surface.first_transition.sel(cross_slope_deg=180, roll_deg=10) == row
+    trade = td.read(root / "results/trade/trade-damping-friction.csv")
+    assert len(trade.first_transition.dims) == 6
+    assert td.read(root / "results/figure-4-09-bands.csv").columns[0] == "roll_deg"
+
+
+def test_tables_come_as_numpy_pandas_or_polars_make_them(lander, scene):
+    numbers = np.array([10, 11, 12], dtype=np.float32)
+    frame = pd.DataFrame({"horizontal_velocity_fps": numbers}, index=pd.Index(["a", "b", "c"], name="run"))
+    expected = td.land_many(lander, frame, scene=scene, progress=False)
+    assert expected.index.equals(frame.index)
+    for table in [{"horizontal_velocity_fps": numbers}, {"horizontal_velocity_fps": [10, 11, 12]}, {"horizontal_velocity_fps": frame.iloc[:, 0]}]:
+        pd.testing.assert_frame_equal(td.land_many(lander, table, scene=scene, progress=False), expected.reset_index(drop=True))
+    strided = {"horizontal_velocity_fps": np.repeat(numbers, 2)[::2]}
+    pd.testing.assert_frame_equal(td.land_many(lander, strided, scene=scene, progress=False), expected.reset_index(drop=True))
+
+
+def test_polars_tables(lander, scene):
+    import polars
+
+    table = polars.DataFrame({"horizontal_velocity_fps": [10.0, 11.0], "roll_deg": [0.0, None]})
+    landed = td.land_many(lander, table, scene=scene, progress=False)
+    assert landed.end_time_s[1] == td.land(lander, scene.replace(horizontal_velocity_fps=11)).end_time_s

@@ -1,0 +1,145 @@
+"""Long calls: Ctrl-C, progress, journals, threads and processes."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import touchdown as td
+
+from conftest import SHORT
+
+# Begins a call that takes minutes, interrupts it, and says how long the call went on, in milliseconds.
+INTERRUPTED = """
+import os, signal, threading, time
+import numpy as np
+import touchdown as td
+lander = td.vehicles.surveyor()
+scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11, cross_slope_deg=180, slope_deg=15, friction=1)
+at = []
+def interrupt(done, wanted, landings):
+    if landings and not at:
+        at.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+try:
+    {call}
+except KeyboardInterrupt:
+    print(1000 * (time.perf_counter() - at[0]))
+"""
+LONG_CALLS = [
+    "td.land_many(lander, {'roll_deg': np.linspace(0, 20, 100_000)}, scene=scene, progress=interrupt)",
+    "td.sweep(lander, scene, {'roll_deg': np.linspace(0, 20, 1000)}, progress=interrupt)",
+    "td.boundary(lander, scene, search={'scan_step_fps': 0.001}, progress=interrupt)",
+    "td.run('sweeps/surface-4-20.toml', '{folder}', progress=interrupt)",
+]
+
+
+@pytest.mark.parametrize("call", LONG_CALLS)
+def test_ctrl_c_stops_any_long_call(call, root, tmp_path):
+    script = INTERRUPTED.replace("{call}", call.replace("{folder}", str(tmp_path)))
+    done = subprocess.run([sys.executable, "-c", script], cwd=root, capture_output=True, text=True, timeout=60, check=False)
+    # That it ended in time says that it was interrupted; no test asserts how fast.
+    assert done.returncode == 0 and float(done.stdout) > 0, done.stderr
+
+
+def test_progress_comes_to_an_end(lander, scene):
+    told = []
+    td.land_many(lander, {"roll_deg": np.zeros(50)}, scene=scene, progress=lambda *counts: told.append(counts))
+    assert told[-1] == (50, 50, 50)
+
+
+def test_what_a_callable_raises_ends_the_call(lander, scene):
+    def refuse(done, wanted, landings):
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        td.sweep(lander, scene, {"roll_deg": np.linspace(0, 20, 1000)}, progress=refuse)
+
+
+def test_an_interrupted_sweep_goes_on(lander, scene, tmp_path):
+    axes = {"roll_deg": np.arange(0, 40, 1.0)}
+    options = {"search": SHORT, "out": tmp_path, "name": "rolls"}
+
+    def interrupt(done, wanted, landings):
+        if done >= 5:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        td.sweep(lander, scene, axes, progress=interrupt, **options)
+    assert [file.name for file in tmp_path.iterdir()] == ["rolls.journal"]
+    told = []
+    resumed = td.sweep(lander, scene, axes, progress=lambda *counts: told.append(counts), **options)
+    assert told[-1][0] == 40 and told[-1][2] < resumed.landings.sum()
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["rolls.csv", "rolls.json"]
+    assert resumed.equals(td.sweep(lander, scene, axes, search=SHORT, progress=False))
+
+
+def test_interrupted_cases_go_on_and_leave_the_table_of_the_command_line(lander, scene, tmp_path, program):
+    table = pd.DataFrame({"case": [f"no-{n}" for n in range(60)], "roll_deg": np.linspace(0, 20, 60)})
+    cases = table.assign(**scene.to_dict())
+    cases.to_csv(tmp_path / "cases.csv", index=False)
+    surveyor = "sweeps/vehicles/surveyor-table-4-1.toml"
+    program("land", "--vehicle", surveyor, "--cases", tmp_path / "cases.csv", "--out", tmp_path / "expected.csv", "--quiet")
+
+    def interrupt(done, wanted, landings):
+        if done:
+            raise KeyboardInterrupt
+
+    out = tmp_path / "landed.csv"
+    with pytest.raises(KeyboardInterrupt):
+        td.land_many(lander, table, scene=scene, out=out, progress=interrupt)
+    assert out.with_name("landed.csv.journal").is_file() and not out.exists()
+    told = []
+    landed = td.land_many(lander, table, scene=scene, out=out, progress=lambda *counts: told.append(counts))
+    assert told[-1][0] == 60 and 0 < told[-1][2] < 60
+    assert out.read_bytes() == (tmp_path / "expected.csv").read_bytes()
+    pd.testing.assert_frame_equal(landed, td.land_many(lander, table, scene=scene, progress=False))
+    (tmp_path / "mine.csv").write_text("mine")
+    with pytest.raises(td.InputError, match="exists and is no earlier result"):
+        td.land_many(lander, table, scene=scene, out=tmp_path / "mine.csv", progress=False)
+
+
+def test_a_journal_of_other_input_is_refused(lander, scene, tmp_path):
+    def interrupt(done, wanted, landings):
+        if done:
+            raise KeyboardInterrupt
+
+    axes = {"roll_deg": np.arange(0, 40, 1.0)}
+    with pytest.raises(KeyboardInterrupt):
+        td.sweep(lander, scene, axes, search=SHORT, out=tmp_path, progress=interrupt)
+    with pytest.raises(td.InputError, match="a journal of other input cannot be resumed"):
+        td.sweep(lander, scene.replace(friction=0.9), axes, search=SHORT, out=tmp_path, progress=False)
+
+
+def test_files_that_are_no_results_stay(lander, scene, tmp_path):
+    (tmp_path / "sweep.csv").write_text("mine\n")
+    with pytest.raises(td.InputError, match="exists and is no earlier result"):
+        td.sweep(lander, scene, {"roll_deg": [0]}, search=SHORT, out=tmp_path, progress=False)
+    td.sweep(lander, scene, {"roll_deg": [0]}, search=SHORT, out=tmp_path, overwrite=True, progress=False)
+
+
+def outcome(vehicle: td.Vehicle, scene: td.Scene) -> td.Landing:
+    return td.land(vehicle, scene)
+
+
+def test_threads_and_processes_get_the_same_landing(lander, scene):
+    expected = td.land(lander, scene)
+    with ThreadPoolExecutor(4) as pool:
+        assert set(pool.map(td.land, [lander] * 8, [scene] * 8)) == {expected}
+    for method in ("spawn", "fork"):
+        with ProcessPoolExecutor(2, get_context(method)) as pool:
+            assert set(pool.map(outcome, [lander] * 4, [scene] * 4)) == {expected}
+
+
+def test_searches_run_side_by_side(lander, scene):
+    rolls = [0, 10, 20]
+    search = lambda roll: td.boundary(lander, scene.replace(roll_deg=roll), search=SHORT, progress=False)  # noqa: E731
+    alone = [search(roll) for roll in rolls]
+    with ThreadPoolExecutor(3) as pool:
+        assert list(pool.map(search, rolls)) == alone

@@ -1,0 +1,108 @@
+//! What stands in a table of cases, however it is kept.
+
+use std::fmt;
+use std::path::Path;
+
+use csv::StringRecord;
+
+use crate::fingerprint::fingerprint;
+use crate::input_error::{InputError, Place};
+
+/// What stands in a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CaseCell<'c> {
+    /// Nothing.
+    Empty,
+    /// A number, in the unit of its column.
+    Number(f64),
+    /// A text, which may be that of a number.
+    Text(&'c str),
+}
+
+impl fmt::Display for CaseCell<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => Ok(()),
+            Self::Number(number) => number.fmt(f),
+            Self::Text(text) => f.write_str(text),
+        }
+    }
+}
+
+/// The cells of a table of cases.
+pub trait CaseCells: fmt::Debug + Send + Sync {
+    /// Number of rows.
+    fn len(&self) -> usize;
+
+    /// Whether there are no rows.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// What stands in a row and a column, both counted from 0.
+    fn cell(&self, row: usize, column: usize) -> CaseCell<'_>;
+
+    /// Brings an error to the row in which it arose.
+    fn at_row(&self, row: usize, error: InputError) -> InputError;
+
+    /// The same where all cells are.
+    fn fingerprint(&self) -> String;
+}
+
+/// The rows of a CSV file.
+#[derive(Debug)]
+pub(super) struct CsvRows {
+    place: Place,
+    rows: Vec<StringRecord>,
+    fingerprint: String,
+}
+
+impl CsvRows {
+    /// Heading and rows of the text of a file.
+    pub(super) fn parse(path: &Path, text: &str) -> Result<(StringRecord, Self), InputError> {
+        let place = Place::file(path);
+        let mut reader = csv::ReaderBuilder::new()
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let broken = |error: csv::Error| {
+            let place = match error.position() {
+                Some(position) => place.line(position.line() as usize),
+                None => place.clone(),
+            };
+            InputError::other(format!("not a table of comma-separated values: {error}")).at(place)
+        };
+        let heading = reader.headers().map_err(broken)?.clone();
+        let rows = reader.records().collect::<Result<_, _>>().map_err(broken)?;
+        let fingerprint = fingerprint(text);
+        let rows = Self {
+            place,
+            rows,
+            fingerprint,
+        };
+        Ok((heading, rows))
+    }
+}
+
+impl CaseCells for CsvRows {
+    fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn cell(&self, row: usize, column: usize) -> CaseCell<'_> {
+        match self.rows[row].get(column) {
+            None | Some("") => CaseCell::Empty,
+            Some(text) => CaseCell::Text(text),
+        }
+    }
+
+    fn at_row(&self, row: usize, error: InputError) -> InputError {
+        let line = self.rows[row]
+            .position()
+            .map_or(0, |position| position.line());
+        error.at(self.place.line(line as usize).row(row + 1))
+    }
+
+    fn fingerprint(&self) -> String {
+        self.fingerprint.clone()
+    }
+}

@@ -1,0 +1,220 @@
+//! The columns of a table of cases, and what a row says in them.
+
+use std::path::Path;
+
+use touchdown_dynamics::methods::Method;
+use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
+
+use super::cells::{CaseCell, CaseCells};
+use super::{OWN, REQUIRED};
+use crate::document::{Document, Value};
+use crate::input_error::InputError;
+use crate::parameter::{Home, Parameter};
+use crate::scene_input::NamedConditions;
+use crate::section::Section;
+use crate::settings_input::{self, crush_rule_name, friction_profile_name};
+
+/// A row of a table.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'r> {
+    pub(super) cells: &'r dyn CaseCells,
+    pub(super) number: usize,
+}
+
+impl<'r> Row<'r> {
+    fn cell(self, column: usize) -> CaseCell<'r> {
+        self.cells.cell(self.number, column)
+    }
+
+    /// What a row says as text in a column that is no parameter.
+    pub(super) fn text(self, column: Option<usize>) -> Option<String> {
+        match self.cell(column?) {
+            CaseCell::Empty => None,
+            said => Some(said.to_string()),
+        }
+    }
+}
+
+/// Which column of a table is what.
+#[derive(Debug, Clone)]
+pub(super) struct Columns {
+    pub(super) name: Option<usize>,
+    pub(super) vehicle_file: Option<usize>,
+    pub(super) vehicle: Vec<(usize, Parameter)>,
+    scene: Vec<(usize, Parameter)>,
+    solver: Vec<(usize, Parameter)>,
+}
+
+impl Columns {
+    pub(super) fn of(heading: &[&str]) -> Result<Self, InputError> {
+        let place = |own: &str| heading.iter().position(|name| *name == own);
+        let [name, vehicle_file, _] = OWN.map(place);
+        let mut columns = Self {
+            name,
+            vehicle_file,
+            vehicle: Vec::new(),
+            scene: Vec::new(),
+            solver: Vec::new(),
+        };
+        for (index, name) in heading.iter().enumerate() {
+            if heading[..index].contains(name) {
+                let said = format!("column {name} is there twice: expected once");
+                return Err(InputError::other(said));
+            }
+            if OWN.contains(name) {
+                continue;
+            }
+            let parameter = Parameter::named(name, MOST_LEGS).filter(|known| known.name() == *name);
+            let Some(parameter) = parameter else {
+                return Err(InputError::other(unknown(name)));
+            };
+            let same_kind = match parameter.home() {
+                Home::Scene => &mut columns.scene,
+                Home::Vehicle => &mut columns.vehicle,
+                Home::Sweep if name.starts_with("solver.") => &mut columns.solver,
+                Home::Sweep => return Err(InputError::other(unknown(name))),
+            };
+            if let Some((_, before)) = same_kind.iter().find(|(_, before)| *before == parameter) {
+                let before = before.name();
+                let said =
+                    format!("columns {before} and {name}: expected one spelling of a quantity");
+                return Err(InputError::other(said));
+            }
+            same_kind.push((index, parameter));
+        }
+        let has = |name: &str| {
+            let mut given = columns.scene.iter();
+            given.any(|(_, parameter)| parameter.program_name() == name)
+        };
+        match REQUIRED.iter().find(|name| !has(name)) {
+            Some(absent) => Err(InputError::other(format!(
+                "column {absent} is missing: expected {}",
+                REQUIRED.join(", ")
+            ))),
+            None => Ok(columns),
+        }
+    }
+
+    /// The scene of a row, for a vehicle and a method.
+    pub(super) fn scene(
+        &self,
+        row: Row,
+        vehicle: &Vehicle,
+        method: &Method,
+    ) -> Result<Scene, InputError> {
+        let mut conditions = NamedConditions::default();
+        let given = values(&self.scene, row)?;
+        for Given {
+            parameter, value, ..
+        } in &given
+        {
+            if let Value::Number(number) = value {
+                conditions.set(parameter.program_name(), *number);
+            }
+        }
+        conditions.scene_for(vehicle, method).map_err(|fault| {
+            let said = |one: &&Given| one.parameter.program_name() == fault.name;
+            match (fault.value, given.iter().find(said)) {
+                (
+                    Some(value),
+                    Some(Given {
+                        parameter, cell, ..
+                    }),
+                ) => {
+                    let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
+                    InputError::value(parameter.name(), cell, &allowed)
+                }
+                (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
+                (None, _) => InputError::missing(fault.name, &fault.allowed),
+            }
+        })
+    }
+
+    /// The settings of a row: those given, with the values of the row in place of their own.
+    pub(super) fn settings(&self, given: &Settings, row: Row) -> Result<Settings, InputError> {
+        let values = values(&self.solver, row)?;
+        if values.is_empty() {
+            return Ok(*given);
+        }
+        if given.method() != Method::Located {
+            let said = "solver.… columns and --method exclude each other: write solver.method here";
+            return Err(InputError::other(said));
+        }
+        let is_located = |one: &Given| {
+            one.parameter.name() != "solver.method"
+                || matches!(&one.value, Value::Text(word) if word == "located")
+        };
+        let mut text = format!(
+            "[solver]\ntime_limit_s = {}\ncrush_rule = \"{}\"\nfriction_profile = \"{}\"\n",
+            given.time_limit(),
+            crush_rule_name(given.crush_rule()),
+            friction_profile_name(given.friction_profile())
+        );
+        if given.goes_on() {
+            text += "stop = \"time\"\n";
+        }
+        if values.iter().all(is_located) {
+            text += &format!("tolerance = {}\n", given.tolerance());
+        }
+        let mut document = Document::parse(Path::new("solver"), &text)?;
+        for one in &values {
+            document.write(one.parameter.path(), one.value.clone());
+        }
+        Section::root(&document, &["solver"])
+            .and_then(|root| settings_input::settings_of_landing(&root))
+            .map_err(|error| at(&values, &error.nowhere()))
+    }
+}
+
+/// The complaint that no column may have this name.
+fn unknown(name: &str) -> String {
+    let mut alike = Parameter::nearest(name, MOST_LEGS);
+    alike.retain(|name| !name.starts_with("search.") && !name.starts_with("scene."));
+    let guess = match alike.as_slice() {
+        [] => String::new(),
+        names => format!("did you mean {}? ", names.join(" or ")),
+    };
+    format!(
+        "column {name}: no such column; {guess}expected {}, keys of the scene, and dotted keys of the vehicle and the \
+         solver, such as vehicle.strut.compression_damping; for remarks there is the column note",
+        OWN.join(", ")
+    )
+}
+
+/// A parameter with what a row says of it, as it stands there and as a value.
+pub(super) struct Given<'r> {
+    pub(super) parameter: &'r Parameter,
+    cell: CaseCell<'r>,
+    pub(super) value: Value,
+}
+
+/// What a row says of these parameters.
+pub(super) fn values<'r>(
+    columns: &'r [(usize, Parameter)],
+    row: Row<'r>,
+) -> Result<Vec<Given<'r>>, InputError> {
+    let said = columns.iter().filter_map(|(column, parameter)| {
+        let cell = row.cell(*column);
+        let value = match cell {
+            CaseCell::Empty => return None,
+            CaseCell::Number(number) => parameter.number(number),
+            CaseCell::Text(text) => parameter.value(text),
+        };
+        Some(value.map(|value| Given {
+            parameter,
+            cell,
+            value,
+        }))
+    });
+    said.collect()
+}
+
+/// A complaint that arose with these values.
+pub(super) fn at(values: &[Given], error: &InputError) -> InputError {
+    let said: Vec<String> = (values.iter())
+        .map(|one| format!("{} = {}", one.parameter.name(), one.cell))
+        .collect();
+    InputError::other(format!("at {}: {error}", said.join(", ")))
+}

@@ -1,0 +1,130 @@
+//! The files that a sweep leaves: tables, record, and pictures where they are drawn.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::file_writer::{Draft, Folder, WriteError};
+use crate::input_error::InputError;
+use crate::journal::InOrder;
+use crate::output_guard::OutputGuard;
+use crate::output_units::OutputUnits;
+use crate::results;
+use crate::sweep::{Sweep, partial};
+use crate::sweep_counts::SweepCounts;
+use crate::tables::{Tables, TablesError};
+
+/// Files by name.
+pub type NamedFiles = Vec<(String, Vec<u8>)>;
+
+/// What follows the name of a sweep in the names of its tables, and a column that each of them has.
+const TABLES: [(&str, &str); 9] = [
+    ("", "first_transition_to"),
+    ("-bands", "bracket_width_fps"),
+    ("-probabilities", "topple_probability"),
+    ("-sensitivity", "dvh_dp_fps_per_unit"),
+    ("-quantiles", "low_95_fps"),
+    ("-distribution", "cumulative_share"),
+    ("-edges", "edge_kind"),
+    ("-grid", "estimated_error_fps"),
+    ("-surface", "triangle"),
+];
+/// What follows it in the names of pictures.
+const PICTURES: [&str; 7] = [
+    "",
+    "-contours",
+    "-contours-negative",
+    "-perspective",
+    "-sensitivity",
+    "-probabilities",
+    "-distribution",
+];
+
+/// Whether a file that begins with this line is a table of a sweep: the one of its points is one of landings too.
+fn is_table(line: &str, column: &str) -> bool {
+    let has = |name: &str| {
+        let in_si = OutputUnits::Si.quantity(name);
+        (line.split(',')).any(|known| known == name || known == in_si.name())
+    };
+    has(column) || column == TABLES[0].1 && has("outcome") && has("end_time_s")
+}
+
+/// Checks that the results of a sweep may be written: what is in their places is earlier results.
+///
+/// # Errors
+/// Names the file that is not.
+pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(), InputError> {
+    let inputs: Vec<&Path> = [sweep.path.as_path(), sweep.vehicle.document.path()].into();
+    let guard = OutputGuard {
+        inputs: &inputs,
+        overwrite,
+    };
+    let stem = sweep.stem();
+    for (end, column) in TABLES {
+        let table = folder.path(&format!("{stem}{end}.csv"));
+        guard.check(&table, |line| is_table(line, column))?;
+    }
+    let record = folder.path(&format!("{stem}.json"));
+    let text = fs::read_to_string(&record).unwrap_or_default();
+    guard.check(&record, |_| text.contains("\"name\": \"touchdown\""))
+}
+
+/// Removes what an earlier run of a sweep of this name has written and this one has not, so that no results of two runs
+/// stand side by side.
+fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), WriteError> {
+    let tables = TABLES.iter().flat_map(|(end, _)| {
+        [".csv", ".parquet"].map(|form| folder.path(&format!("{stem}{end}{form}")))
+    });
+    let tables = tables.chain([folder.path(&format!("{stem}.json"))]);
+    let pictures = PICTURES
+        .iter()
+        .flat_map(|end| [".svg", ".png"].map(|form| folder.path(&format!("{stem}{end}{form}"))));
+    for file in tables.chain(pictures) {
+        if !written.contains(&file.as_path()) && file.is_file() {
+            fs::remove_file(&file).map_err(|error| WriteError { path: file, error })?;
+        }
+    }
+    Ok(())
+}
+
+/// Writes all results of a sweep into a folder, with the pictures that `draw` makes of the tables and the record: the points in
+/// numbers, and the files.
+///
+/// # Errors
+/// When a result is missing, something cannot be read or written, or a picture cannot be drawn.
+pub fn write<E: From<TablesError> + From<WriteError>>(
+    sweep: &Sweep,
+    results: &mut InOrder,
+    folder: &Folder,
+    version: &str,
+    has_parquet: bool,
+    draw: impl FnOnce(&Tables, &str) -> Result<NamedFiles, E>,
+) -> Result<(SweepCounts, Vec<PathBuf>), E> {
+    let tables = Tables::write(sweep, results, folder, has_parquet)?;
+    let record = results::record(sweep, &tables.counts, version);
+    let record = format!("{record:#}\n");
+
+    let mut files = draw(&tables, &record)?;
+    files.push((format!("{}.json", sweep.stem()), record.into_bytes()));
+    let mut drafts = files
+        .iter()
+        .map(|(name, bytes)| folder.draft_of(name, bytes))
+        .collect::<Result<Vec<_>, _>>()?;
+    drafts.extend(tables.parquet);
+    let beside = [
+        tables.bands,
+        tables.probabilities,
+        tables.quantiles,
+        tables.distribution,
+        tables.sensitivity,
+    ];
+    drafts.extend(beside.into_iter().flatten());
+    drafts.extend(tables.of_map.into_iter().flatten());
+    // The table comes last: where it stands, the others do too.
+    drafts.push(tables.points);
+    let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
+    remove_stale(&sweep.stem(), folder, &places)?;
+    if sweep.part.is_none() {
+        remove_stale(&partial(&sweep.stem()), folder, &places)?;
+    }
+    Ok((tables.counts, Draft::put_in_place(drafts)?))
+}

@@ -1,0 +1,73 @@
+//! The touchdown and the settings of a landing alone, each from a document of its own.
+
+use touchdown_dynamics::method::Method;
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
+
+use crate::document::Document;
+use crate::input_error::InputError;
+use crate::scene_input::{self, NamedConditions, SceneFault};
+use crate::section::Section;
+use crate::settings_input;
+use crate::sweep_file::locate_condition;
+
+/// Conditions of a touchdown, and the document that tells them under the keys of a table [scene].
+#[derive(Debug, Clone)]
+pub struct Touchdown {
+    document: Document,
+    conditions: NamedConditions,
+}
+
+impl Touchdown {
+    /// Takes the conditions from a document. Some may be missing, which a landing will ask for.
+    ///
+    /// # Errors
+    /// Names an unknown key, or the first value that is not allowed.
+    pub fn from_document(document: Document) -> Result<Self, InputError> {
+        let scene = Section::root(&document, &scene_input::scene_keys())?;
+        let conditions = NamedConditions::read(&scene)?;
+        let mut complete = conditions;
+        while let Err(fault) = complete.scene() {
+            match fault.value {
+                // Whatever is missing is no reason to complain about yet.
+                None if complete.get(fault.name).is_none() => complete.set(fault.name, 0.0),
+                _ => return Err(locate_condition(&fault, &scene, &[])),
+            }
+        }
+        Ok(Self {
+            document,
+            conditions,
+        })
+    }
+
+    /// The document.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The conditions by name.
+    pub fn conditions(&self) -> &NamedConditions {
+        &self.conditions
+    }
+
+    /// The scene for a vehicle and a method.
+    ///
+    /// # Errors
+    /// Names a condition that is missing, or one that the vehicle or the method does not know.
+    pub fn scene_for(&self, vehicle: &Vehicle, method: &Method) -> Result<Scene, InputError> {
+        let complain =
+            |fault: SceneFault| match Section::root(&self.document, &scene_input::scene_keys()) {
+                Ok(scene) => locate_condition(&fault, &scene, &[]),
+                Err(error) => error,
+            };
+        self.conditions.scene_for(vehicle, method).map_err(complain)
+    }
+}
+
+/// The settings of a landing from the table [solver] of a document, which has nothing else.
+///
+/// # Errors
+/// Names the first key that is unknown or has a value that is not allowed.
+pub fn settings(document: &Document) -> Result<Settings, InputError> {
+    settings_input::settings_of_landing(&Section::root(document, &["solver"])?)
+}

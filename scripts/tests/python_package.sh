@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# The Python package: built as one wheel, installed into a fresh environment, its tests and types.
+#
+#     scripts/tests/python_package.sh PYTHON
+#
+# PYTHON is the interpreter of the environment. The command line must have been built for release.
+set -euo pipefail
+python=$1
+cd "$(dirname "$0")/../../crates/python"
+
+"$python" -m pip install --quiet maturin==1.16.0 pytest==9.2.0 mypy==2.4.1 pandas-stubs==3.1.0.261029 types-tqdm==4.70.0.20261106 matplotlib
+wheels=$(mktemp -d)
+trap 'rm -rf "$wheels"' EXIT
+"$python" -m maturin build --release --quiet --out "$wheels"
+"$python" -m pip install --quiet "$wheels"/touchdown-*.whl
+"$python" -m pytest --quiet --pyargs touchdown tests
+"$python" -m mypy
