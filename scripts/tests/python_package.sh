@@ -8,10 +8,11 @@ set -euo pipefail
 python=$1
 cd "$(dirname "$0")/../../crates/python"
 
-"$python" -m pip install --quiet maturin==1.16.0 pytest==9.2.0 mypy==2.4.1 pandas-stubs==3.1.0.261029 types-tqdm==4.70.0.20261106 matplotlib
+"$python" -m pip install --quiet maturin==1.16.0 pytest==9.2.0 mypy==2.4.1 pandas-stubs==3.1.0.261029 types-tqdm==4.70.0.20261106
 wheels=$(mktemp -d)
 trap 'rm -rf "$wheels"' EXIT
 "$python" -m maturin build --release --quiet --out "$wheels"
-"$python" -m pip install --quiet "$wheels"/touchdown-*.whl
+wheel=("$wheels"/touchdown-*.whl)
+"$python" -m pip install --quiet "${wheel[0]}[plot]"
 "$python" -m pytest --quiet --pyargs touchdown tests
 "$python" -m mypy

@@ -19,6 +19,8 @@ from touchdown._html import OUTCOME_COLOURS
 from touchdown.errors import InputError
 
 _STABILITY = ["sigma_deg"]
+# Steps of an axis that are so many times the least one are gaps.
+_WIDE_STEP = 8
 
 
 def profile(ds: xr.Dataset, ax: Axes | None = None) -> Axes:
@@ -44,7 +46,8 @@ def profile(ds: xr.Dataset, ax: Axes | None = None) -> Axes:
                 if outcome := str(one.band_outcome.item()):
                     kinds.add(outcome)
                     ends = [one.band_from.item()] * 2, [one.band_to.item()] * 2
-                    ax.fill_between(borders[index : index + 2], *ends, color=OUTCOME_COLOURS[outcome], alpha=0.35, lw=0)
+                    colour = OUTCOME_COLOURS[outcome]
+                    ax.fill_between(borders[index : index + 2], *ends, color=colour, alpha=0.35, lw=0)
         ax.legend(handles=[Patch(color=OUTCOME_COLOURS[kind], alpha=0.35, label=kind) for kind in sorted(kinds)])
     ax.plot(along, ds.first_transition.values, "k.-", label="first transition")
     ax.set_xlabel(_title(axis))
@@ -67,8 +70,8 @@ def contours(ds: xr.Dataset, ax: Axes | None = None, levels: int | Sequence[floa
     """
     slow, fast = _axes(ds, 2)
     ax = ax or plt.figure().add_subplot()
-    height = ds.first_transition.transpose(slow, fast)
-    filled = ax.contourf(ds[fast], ds[slow], height, levels=levels, cmap="viridis")
+    height = _with_gaps(ds.first_transition.transpose(slow, fast))
+    filled = ax.contourf(height[fast], height[slow], height, levels=levels, cmap="viridis")
     ax.contour(filled, colors="k", linewidths=0.5)
     ax.figure.colorbar(filled, ax=ax, label=f"V_H, {height.units}")
     if "edge_kind" in ds:
@@ -147,6 +150,18 @@ def _matching(table: pd.DataFrame, pattern: str) -> list[str]:
     if not found:
         raise InputError.of_value("columns", pattern, f"columns of the history: {', '.join(map(str, table))}")
     return found
+
+
+def _with_gaps(height: xr.DataArray) -> xr.DataArray:
+    """Values along rising axes, with nothing between those that are far apart, such as slopes of −80 and 80 deg."""
+    for axis in map(str, height.dims):
+        height = height.sortby(axis)
+        along = height[axis].values
+        steps = np.diff(along)
+        wide = steps > _WIDE_STEP * steps.min(initial=np.inf)
+        amid = ((along[1:] + along[:-1]) / 2)[wide]
+        height = height.reindex({axis: np.sort(np.concatenate([along, amid]))})
+    return height
 
 
 def _borders(along: np.ndarray[tuple[int], np.dtype[np.float64]]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

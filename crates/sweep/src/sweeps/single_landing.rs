@@ -11,7 +11,7 @@ use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::locate_condition;
 
-/// Conditions of a touchdown, and the document that tells them under the keys of a table [scene].
+/// Conditions of a touchdown, and the document that tells them under the keys of a table `[scene]`.
 #[derive(Debug, Clone)]
 pub struct Touchdown {
     document: Document,
@@ -64,7 +64,7 @@ impl Touchdown {
     }
 }
 
-/// The settings of a landing from the table [solver] of a document, which has nothing else.
+/// The settings of a landing from the table `[solver]` of a document, which has nothing else.
 ///
 /// # Errors
 /// Names the first key that is unknown or has a value that is not allowed.

@@ -6,6 +6,7 @@
 //!   read. A sweep that none of them runs is checked with `--dry-run`;
 //! * `sh run`: commands that run here and must succeed;
 //! * `sh`: commands that take too long. Their options must parse;
+//! * `python`: what the tests of the Python package run;
 //! * `sh other`: commands of other programs, and commands whose output goes outside of the folder. Those of
 //!   `touchdown` only print, and are run.
 //!
@@ -134,6 +135,8 @@ fn check(folder: &Path, block: &Block, page: &[Block]) -> Result<(), String> {
             Ok(())
         }
         ["text"] => Ok(()),
+        // The tests of the Python package run these.
+        ["python"] => Ok(()),
         _ => Err(format!("no such kind of block: {}", info.join(" "))),
     }
 }
