@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyFloat, PyTuple};
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
@@ -25,7 +25,7 @@ use crate::interruptible::{self, Work};
 /// Columns of results by name, as Python takes them.
 type PyColumns<'py> = Vec<(String, Bound<'py, PyTuple>)>;
 
-/// Lands every row of a table of columns, each an array of numbers or a list of texts. With `out` results go to this file too, as the
+/// Lands every row of a table of columns, each an array of numbers, a list of texts, or the number of all rows. With `out` results go to this file too, as the
 /// command line writes it, and to a journal beside it until then.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "Python gives them by name")]
@@ -127,10 +127,15 @@ fn landed_into(
 enum Values {
     Numbers(Vec<f64>),
     Texts(Vec<Option<String>>),
+    /// The same number in all rows.
+    Same(f64),
 }
 
 impl Values {
     fn of(column: &Bound<PyAny>) -> PyResult<Self> {
+        if let Ok(number) = column.cast::<PyFloat>() {
+            return Ok(Self::Same(number.value()));
+        }
         match PyBuffer::<f64>::get(column) {
             Ok(numbers) => numbers.to_vec(column.py()).map(Self::Numbers),
             Err(_) => column.extract().map(Self::Texts),
@@ -144,15 +149,18 @@ struct ColumnsOfCases(Vec<Values>);
 
 impl CaseCells for ColumnsOfCases {
     fn len(&self) -> usize {
-        self.0.first().map_or(0, |column| match column {
-            Values::Numbers(numbers) => numbers.len(),
-            Values::Texts(texts) => texts.len(),
-        })
+        let length = |column: &Values| match column {
+            Values::Numbers(numbers) => Some(numbers.len()),
+            Values::Texts(texts) => Some(texts.len()),
+            Values::Same(_) => None,
+        };
+        self.0.iter().find_map(length).unwrap_or(0)
     }
 
     fn cell(&self, row: usize, column: usize) -> CaseCell<'_> {
         match &self.0[column] {
             Values::Numbers(numbers) => CaseCell::Number(numbers[row]),
+            Values::Same(number) => CaseCell::Number(*number),
             Values::Texts(texts) => match texts[row].as_deref() {
                 None | Some("") => CaseCell::Empty,
                 Some(text) => CaseCell::Text(text),
@@ -171,6 +179,7 @@ impl CaseCells for ColumnsOfCases {
                 fingerprint(&bits.join(","))
             }
             Values::Texts(texts) => fingerprint(&format!("{texts:?}")),
+            Values::Same(number) => number.to_string(),
         });
         prints.collect::<Vec<_>>().join(" ")
     }

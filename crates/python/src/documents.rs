@@ -104,7 +104,7 @@ pub struct Scene(pub Touchdown);
 
 #[pymethods]
 impl Scene {
-    /// Reads TOML text with the keys of a table [scene].
+    /// Reads TOML text with the keys of a table `[scene]`.
     #[new]
     fn new(text: &str) -> Result<Self, Failure> {
         Ok(Self(Touchdown::from_document(document(text)?)?))
@@ -123,7 +123,7 @@ pub struct Solver(pub Settings);
 
 #[pymethods]
 impl Solver {
-    /// Reads TOML text with a table [solver].
+    /// Reads TOML text with a table `[solver]`.
     #[new]
     fn new(text: &str) -> Result<Self, Failure> {
         Ok(Self(single_landing::settings(&document(text)?)?))

@@ -78,8 +78,7 @@ fn scene_for(
     scene: &Scene,
     solver: &Solver,
 ) -> Result<touchdown_dynamics::scene::Scene, Failure> {
-    let legs = vehicle.vehicle.legs().len();
-    Ok(scene.0.scene_for(legs, &solver.0.method())?)
+    Ok(scene.0.scene_for(&vehicle.vehicle, &solver.0.method())?)
 }
 
 /// Results of a landing in the units of the program, by name.

@@ -109,6 +109,17 @@ def test_tables_come_as_numpy_pandas_or_polars_make_them(lander, scene):
     pd.testing.assert_frame_equal(td.land_many(lander, strided, scene=scene, progress=False), expected.reset_index(drop=True))
 
 
+def test_a_scene_gives_what_the_table_does_not(lander, scene):
+    rough = scene.replace(gravity="mars", footing=[{"height_ft": 0.2}, {"height_m": 0.1}])
+    landed = td.land_many(lander, {"footing[1].height_m": [0.0, 0.05], "roll_deg": [0, 10]}, scene=rough, progress=False)
+    for row, height in enumerate([0.0, 0.05]):
+        alone = td.land(lander, rough.replace(footing=[{"height_m": height}, {"height_m": 0.1}], roll_deg=10 * row))
+        assert landed.end_time_s[row] == alone.end_time_s
+    thrust = scene.replace(thrust={"time_s": [0, 1], "force_lb": [100, 0]})
+    with pytest.raises(td.InputError, match="thrust = .*: expected conditions that are numbers"):
+        td.land_many(lander, {"roll_deg": [0.0]}, scene=thrust, progress=False)
+
+
 def test_polars_tables(lander, scene):
     import polars
 

@@ -226,6 +226,11 @@ impl<S: Real> Motion<S> {
         &self.legs[index].geometry
     }
 
+    /// Whether the ground under a leg is another than the surface.
+    pub fn has_ground_of_its_own(&self, leg: usize) -> bool {
+        !self.legs[leg].ground.is_even()
+    }
+
     /// Whether any of what is seldom there acts: a pad that presses on a stop or is on its edge, ground of its own
     /// under a leg, thrust.
     #[inline(always)]

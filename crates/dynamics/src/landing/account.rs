@@ -5,7 +5,7 @@ use super::trajectory::Trajectory;
 use crate::energy::{kinetic, released};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
-use crate::record::{Energies, Foot, Instant, Landing, LegWork};
+use crate::record::{Energies, EnergiesAt, Foot, Instant, Landing, LegWork};
 use crate::stability::StabilityMonitor;
 use crate::state::State;
 
@@ -17,7 +17,8 @@ impl Trajectory<'_> {
         {
             let time = history.next();
             let theta = ((time - self.time) / self.step.length).clamp(0.0, 1.0);
-            let instant = self.instant(&self.state_at(theta), time);
+            let thrust_work = self.thrust_work_at(theta);
+            let instant = self.instant(&self.state_at(theta), time, thrust_work);
             if let Some(history) = &mut self.history {
                 history.report(&instant);
             }
@@ -28,14 +29,14 @@ impl Trajectory<'_> {
     pub(super) fn report_end(&mut self) {
         let is_due = (self.history.as_ref()).is_some_and(|history| self.time > history.last);
         if is_due {
-            let instant = self.instant(&self.step.before, self.time);
+            let instant = self.instant(&self.step.before, self.time, self.thrust_work);
             if let Some(history) = &mut self.history {
                 history.report(&instant);
             }
         }
     }
 
-    fn instant(&self, state: &State<f64>, time: f64) -> Instant {
+    fn instant(&self, state: &State<f64>, time: f64, thrust_work: f64) -> Instant {
         let mut monitor = StabilityMonitor::new(&self.scene, self.calm_height);
         let seen = monitor
             .choose_plane(&self.motion, state)
@@ -46,10 +47,12 @@ impl Trajectory<'_> {
             pad_angle: self.modes[j].pad_angle(&self.laws[j], state.leg(j).pad_turn),
             sets: self.modes[j].sets(&self.laws[j], signals.leg(j)),
         });
-        let energies = [
-            kinetic(&self.motion, state),
-            released(&self.motion, &self.start, state),
-        ];
+        let has_thrust = !self.scene.conditions().thrust.is_none();
+        let energies = EnergiesAt {
+            kinetic: kinetic(&self.motion, state),
+            potential_change: released(&self.motion, &self.start, state),
+            thrust_work: has_thrust.then_some(thrust_work),
+        };
         Instant::new(time, state, &seen, energies, &signals, &loads, feet)
     }
 

@@ -101,6 +101,18 @@ impl Trajectory<'_> {
         Err(Outcome::Failure(Failure::Chattering))
     }
 
+    /// The ground of its own that a leg may have is not to reach into the body at first contact.
+    pub(super) fn refuse_ground_in_body(&self) -> Result<(), Outcome> {
+        let signals = self.signals.start();
+        let is_inside = |&leg: &usize| {
+            self.motion.has_ground_of_its_own(leg) && signals.of(leg, Signal::HardpointDepth) > 0.0
+        };
+        match (0..self.leg_count()).find(is_inside) {
+            Some(leg) => Err(Outcome::Failure(Failure::GroundInBody { leg })),
+            None => Ok(()),
+        }
+    }
+
     /// Recentres the coefficients of laws that bend gently; the laws themselves stay.
     #[inline(always)]
     pub(super) fn follow(&mut self) {

@@ -185,24 +185,34 @@ pub struct Instant {
     pub kinetic_energy: f64,
     /// Potential energy released since first contact, ft·lb.
     pub potential_change: f64,
+    /// Work done by the thrust since first contact, ft·lb, in scenes that have any.
+    pub thrust_work: Option<f64>,
     /// The legs.
     pub legs: PerLeg<LegInstant>,
 }
 
+/// Energies of the whole lander at one instant, ft·lb.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EnergiesAt {
+    pub(crate) kinetic: f64,
+    /// Released since first contact.
+    pub(crate) potential_change: f64,
+    pub(crate) thrust_work: Option<f64>,
+}
+
 impl Instant {
-    /// The instant at `time`, with `energies` kinetic and released, and the feet's state that only the laws know.
+    /// The instant at `time`, with its energies, and the feet's state that only the laws know.
     pub(crate) fn new(
         time: f64,
         state: &State<f64>,
         seen: &Observation,
-        energies: [f64; 2],
+        energies: EnergiesAt,
         signals: &Signals<f64>,
         loads: &PerLeg<LegLoads<f64>>,
         feet: PerLeg<Foot>,
     ) -> Self {
         let body = state.body();
         let q = body.quaternion;
-        let [kinetic_energy, potential_change] = energies;
         Self {
             time,
             position: body.position,
@@ -211,8 +221,9 @@ impl Instant {
             angular_velocity: body.rate,
             stability_angle: seen.angle,
             clearance: seen.clearance,
-            kinetic_energy,
-            potential_change,
+            kinetic_energy: energies.kinetic,
+            potential_change: energies.potential_change,
+            thrust_work: energies.thrust_work,
             legs: PerLeg::from_fn(feet.len(), |j| {
                 let leg = state.leg(j);
                 let sets = feet[j].sets;

@@ -116,6 +116,7 @@ impl<'o> Simulation<'o> {
         self.follow_thrust();
         let trajectory = &mut self.trajectory;
         trajectory.settle()?;
+        trajectory.refuse_ground_in_body()?;
         self.burst = (trajectory.events, trajectory.time);
         self.plan_step()?;
         Ok(())
@@ -373,7 +374,7 @@ impl<'o> Simulation<'o> {
         let verdict_found = judged.filter(|_| noted.is_none());
         let reach = verdict_found.map_or(reach, |(theta, _)| theta);
         trajectory.report(reach);
-        trajectory.add_thrust_work(reach);
+        trajectory.thrust_work = trajectory.thrust_work_at(reach);
         if verdict_found.is_some() || kink.is_some() {
             trajectory.buffers[0] = trajectory.signals_at(reach);
             trajectory.note_struts(Some(0), reach);

@@ -48,14 +48,11 @@ impl Trajectory<'_> {
         }
     }
 
-    /// Adds the work of the thrust up to fraction `reach` of the step.
-    pub(super) fn add_thrust_work(&mut self, reach: f64) {
-        if !self.pieces.thrust().is_none() {
-            self.thrust_work += self.thrust_work_up_to(reach);
+    /// Work of the thrust since first contact at fraction `reach` of the step, ft·lb.
+    pub(super) fn thrust_work_at(&self, reach: f64) -> f64 {
+        if self.pieces.thrust().is_none() {
+            return self.thrust_work;
         }
-    }
-
-    fn thrust_work_up_to(&self, reach: f64) -> f64 {
         let half = 0.5 * reach;
         let powers = GAUSS.map(|[node, weight]| {
             let theta = half * (1.0 + node);
@@ -63,6 +60,6 @@ impl Trajectory<'_> {
             let thrust = self.pieces.thrust().at(self.time_at(theta));
             weight * thrust * self.motion.speed_along_thrust(&state)
         });
-        half * self.step.length * powers.iter().sum::<f64>()
+        self.thrust_work + half * self.step.length * powers.iter().sum::<f64>()
     }
 }

@@ -13,9 +13,9 @@ use libm::cos;
 use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::{Hinge, Stops};
 use crate::integrator::event::{Bounds, Exit};
-use crate::leg_pieces::LegPieces;
+use crate::leg_pieces::{EdgePiece, LegPieces};
 use crate::outcome::{Failure, Outcome};
-use crate::parts::{LegDesign, PadEdge, StrutElement};
+use crate::parts::{LegDesign, StrutElement};
 use crate::rules::CrushRule;
 use crate::signal::{LegSignals, Signal};
 use crate::strut::{GentleKinks, Stance, StrutLaw};
@@ -42,8 +42,10 @@ pub struct LegLaws {
     /// Of the strut: absent in a shock absorber.
     cartridge: CrushLaw,
     stops: Stops,
-    /// Of pads that go on when they turn over.
-    edge: Option<PadEdge>,
+    /// Of the footpad on its edge: absent where such a landing ends.
+    edge: CrushLaw,
+    /// cos ξ below which a footpad is on its edge, or has no law.
+    least_inclination: f64,
     rule: CrushRule,
     friction: FrictionProfile,
 }
@@ -69,16 +71,14 @@ impl LegLaws {
                 outer: design.footpad.maximum_angle,
                 arrival: PAD_ARRIVAL,
             },
-            edge: design.footpad.edge,
+            edge: (design.footpad.edge.as_ref()).map_or_else(CrushLaw::absent, |edge| {
+                CrushLaw::of_edge(edge, &design.footpad.profile)
+            }),
+            least_inclination: (design.footpad.edge.as_ref())
+                .map_or(LEAST_PAD_INCLINATION, |edge| cos(edge.angle)),
             rule: CrushRule::default(),
             friction: FrictionProfile::default(),
         }
-    }
-
-    /// cos ξ below which a pad is on its edge, or has no law.
-    fn least_inclination(&self) -> f64 {
-        self.edge
-            .map_or(LEAST_PAD_INCLINATION, |edge| cos(edge.angle))
     }
 
     /// The same laws under another crush rule.
@@ -120,7 +120,8 @@ pub struct Sets {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LegMode {
     pad: [Crush; 2],
-    /// Whether it has turned over on its edge.
+    edge: Crush,
+    /// Whether the footpad has turned over on its edge: its sections rest meanwhile.
     is_on_edge: bool,
     block: Crush,
     cartridge: Crush,
@@ -138,6 +139,7 @@ impl LegMode {
     pub fn untouched(laws: &LegLaws) -> Self {
         Self {
             pad: [Crush::untouched(&laws.pad); 2],
+            edge: Crush::untouched(&laws.edge),
             is_on_edge: false,
             block: Crush::untouched(&laws.block),
             cartridge: Crush::untouched(&laws.cartridge),
@@ -175,9 +177,18 @@ impl LegMode {
         self.stance.is_hanging()
     }
 
-    /// Whether either pad section is in contact.
+    /// What of the footpad can touch the surface: its sections, or its edge.
+    fn pad_elements(&self) -> &[Crush] {
+        if self.is_on_edge {
+            std::slice::from_ref(&self.edge)
+        } else {
+            &self.pad
+        }
+    }
+
+    /// Whether a section of the pad, or its edge, is in contact.
     pub fn pad_in_contact(&self) -> bool {
-        self.pad.iter().any(Crush::in_contact)
+        self.pad_elements().iter().any(Crush::in_contact)
     }
 
     /// Whether the block is in contact.
@@ -203,6 +214,11 @@ impl LegMode {
         let [pad_is_watched, block_is_watched] =
             [self.pad_has_touched, self.block_has_touched].map(|has| self.is_contact_watched(has));
         let [outer, inner] = &mut self.pad;
+        let outer = if self.is_on_edge {
+            &mut self.edge
+        } else {
+            outer
+        };
         for (element, is_watched, signal) in [
             (outer, pad_is_watched, Signal::OuterInterference),
             (inner, pad_is_watched, Signal::InnerInterference),
@@ -215,21 +231,28 @@ impl LegMode {
     }
 
     fn pad_loaded(&self) -> bool {
-        self.pad.iter().any(Crush::is_loaded)
+        self.pad_elements().iter().any(Crush::is_loaded)
     }
 
     /// Coefficients of the active pieces.
     pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
         let load = self.cartridge.line(&laws.cartridge);
         let (strut, link) = self.stance.pieces(&laws.strut, &load);
-        let edge = laws.edge.filter(|_| self.is_on_edge);
-        let edge_load = edge.filter(|_| self.pad_loaded());
+        let slack = PressureLine::slack();
         LegPieces {
-            pad: match edge {
-                Some(_) => [PressureLine::slack(); 2],
-                None => self.pad.map(|section| section.line(&laws.pad)),
+            pad: if self.is_on_edge {
+                [slack; 2]
+            } else {
+                self.pad.map(|section| section.line(&laws.pad))
             },
-            edge_load: edge_load.map_or(0.0, |edge| edge.load),
+            edge: EdgePiece {
+                load: if self.is_on_edge {
+                    self.edge.line(&laws.edge)
+                } else {
+                    slack
+                },
+                is_active: if self.is_on_edge { 1.0 } else { 0.0 },
+            },
             block: self.block.line(&laws.block),
             pad_friction: self.pad_sliding.piece(laws.friction),
             block_friction: self.block_sliding.piece(laws.friction),
@@ -270,20 +293,33 @@ impl LegMode {
         let only = |holds: bool, range: Bounds| if holds { range } else { Bounds::FREE };
         let by_pivot = laws.rule == CrushRule::PivotRate;
         let pad_loaded = self.pad_loaded();
-        let [outer, inner] = &self.pad;
         let interference = |element: &Crush, law: &CrushLaw, has_touched: bool| {
             element.interference_bounds(law, self.is_contact_watched(has_touched))
         };
+        let [outer, inner] = &self.pad;
+        let [outer_bounds, inner_bounds] = if self.is_on_edge {
+            let edge = interference(&self.edge, &laws.edge, self.pad_has_touched);
+            [edge, Bounds::FREE]
+        } else {
+            [outer, inner].map(|section| interference(section, &laws.pad, self.pad_has_touched))
+        };
         [
-            interference(outer, &laws.pad, self.pad_has_touched),
-            interference(inner, &laws.pad, self.pad_has_touched),
+            outer_bounds,
+            inner_bounds,
             interference(&self.block, &laws.block, self.block_has_touched),
             (self.stance.stroke_bounds(&laws.strut)).meet(self.cartridge_bounds(laws)),
-            outer.rate_bounds(),
-            inner.rate_bounds(),
+            if self.is_on_edge {
+                self.edge.rate_bounds()
+            } else {
+                outer.rate_bounds()
+            },
+            only(!self.is_on_edge, inner.rate_bounds()),
             self.block.rate_bounds(),
             self.cartridge.rate_bounds(),
-            only(by_pivot, outer.drive_bounds().meet(inner.drive_bounds())),
+            only(
+                by_pivot && !self.is_on_edge,
+                outer.drive_bounds().meet(inner.drive_bounds()),
+            ),
             only(by_pivot, self.block.drive_bounds()),
             only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
             only(
@@ -299,17 +335,33 @@ impl LegMode {
         ]
     }
 
-    /// Range of cos ξ over which a loaded pad lies on its face, or on its edge.
+    /// Range of cos ξ over which the pad lies on its face, or on its edge.
     fn inclination_bounds(&self, laws: &LegLaws) -> Bounds {
-        if !self.pad_loaded() {
-            return Bounds::FREE;
+        let limit = laws.least_inclination;
+        if laws.edge.is_absent() {
+            if self.pad_loaded() {
+                Bounds::above(limit)
+            } else {
+                Bounds::FREE
+            }
+        } else if self.is_on_edge {
+            Bounds::below(limit).widened(INCLINATION_SLACK)
+        } else {
+            Bounds::above(limit).widened(INCLINATION_SLACK)
         }
-        let limit = laws.least_inclination();
-        match (laws.edge, self.is_on_edge) {
-            (None, _) => Bounds::above(limit),
-            (Some(_), false) => Bounds::above(limit).widened(INCLINATION_SLACK),
-            (Some(_), true) => Bounds::below(limit).widened(INCLINATION_SLACK),
+    }
+
+    /// The pad turns over on its edge, or back on its face.
+    fn turn_over(&mut self, laws: &LegLaws, signals: &LegSignals<f64>) {
+        let value = |signal: Signal| signals[signal as usize];
+        if self.is_on_edge {
+            self.edge
+                .leave_front(&laws.edge, value(Signal::OuterInterference));
+        } else {
+            self.pad[0].leave_front(&laws.pad, value(Signal::OuterInterference));
+            self.pad[1].leave_front(&laws.pad, value(Signal::InnerInterference));
         }
+        self.is_on_edge = !self.is_on_edge;
     }
 
     /// Range of the stroke over which the cartridge of the strut keeps its line.
@@ -334,6 +386,10 @@ impl LegMode {
         let value = |signal: Signal| signals[signal as usize];
         let driven = |rate: Signal| laws.rule == CrushRule::Section || value(rate) >= 0.0;
         match signal {
+            Signal::OuterInterference if self.is_on_edge => {
+                self.edge
+                    .cross_interference(&laws.edge, exit, value(signal), true);
+            }
             Signal::OuterInterference => {
                 let driven = driven(Signal::PivotRate);
                 self.pad[0].cross_interference(&laws.pad, exit, value(signal), driven);
@@ -346,6 +402,10 @@ impl LegMode {
                 let driven = driven(Signal::BlockCentreRate);
                 self.block
                     .cross_interference(&laws.block, exit, value(signal), driven);
+            }
+            Signal::OuterRate if self.is_on_edge => {
+                self.edge
+                    .leave_front(&laws.edge, value(Signal::OuterInterference));
             }
             Signal::OuterRate => {
                 self.pad[0].leave_front(&laws.pad, value(Signal::OuterInterference));
@@ -406,9 +466,7 @@ impl LegMode {
             | Signal::FootY
             | Signal::FootZ
             | Signal::HardpointDepth => {}
-            Signal::PadInclination if laws.edge.is_some() => {
-                self.is_on_edge = exit == Exit::Below;
-            }
+            Signal::PadInclination if !laws.edge.is_absent() => self.turn_over(laws, signals),
             Signal::PadInclination => {
                 return Err(Outcome::Failure(Failure::PadInclination { leg }));
             }

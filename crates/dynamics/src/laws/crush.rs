@@ -1,4 +1,4 @@
-//! Crushing of footpad sections, body blocks (model chapter 4) and the cartridges of struts.
+//! Crushing of footpad sections, body blocks (model chapter 4), edges of footpads and the cartridges of struts.
 //!
 //! An element's pressure profile p(I) is its crushing front; unloading and reloading run along
 //! the elastic line E (I − P) with E the slope of the first segment and P the plastic set. Between
@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::integrator::event::{Bounds, Exit};
 use crate::lanes::per_lane;
-use crate::parts::Honeycomb;
+use crate::parts::{Honeycomb, PadEdge};
 use crate::profile::{Profile, Segment};
 use crate::scalar::Real;
 
@@ -95,7 +95,29 @@ impl CrushLaw {
         Self::of_segments(front, 0.0)
     }
 
-    fn is_absent(&self) -> bool {
+    /// The law of a footpad's edge: load (lb) stands for pressure, depth for interference. Its load is reached at the depth
+    /// (ft) at which the footpad's profile ends to be elastic.
+    pub fn of_edge(edge: &PadEdge, profile: &Profile) -> Self {
+        let elastic = profile.segments()[0].upper;
+        let stiffness = edge.load / elastic;
+        let crushing = Segment {
+            offset: edge.load,
+            slope: 0.0,
+            upper: f64::INFINITY,
+        };
+        let front = [
+            Segment {
+                offset: 0.0,
+                slope: stiffness,
+                upper: elastic,
+            },
+            crushing,
+        ];
+        Self::of_segments(front.to_vec(), 0.0)
+    }
+
+    /// Whether there is no such element.
+    pub fn is_absent(&self) -> bool {
         self.segments.is_empty()
     }
 

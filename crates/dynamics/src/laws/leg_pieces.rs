@@ -11,8 +11,8 @@ use crate::strut::{LinkPiece, StrutPiece};
 pub struct LegPieces<S> {
     /// Pressure on the outboard and inboard pad sections.
     pub pad: [PressureLine<S>; 2],
-    /// Load of a pad on its edge, lb; 0 of one that is not.
-    pub edge_load: S,
+    /// Edge of the footpad.
+    pub edge: EdgePiece<S>,
     /// Pressure on the block.
     pub block: PressureLine<S>,
     /// Friction under the pad.
@@ -27,9 +27,30 @@ pub struct LegPieces<S> {
     pub hinge: HingePiece<S>,
 }
 
+/// A footpad's edge.
+#[derive(Debug, Clone, Copy)]
+pub struct EdgePiece<S> {
+    /// Load (lb) against its depth below the surface (ft).
+    pub load: PressureLine<S>,
+    /// 1 where the footpad is on its edge, 0 on its face.
+    pub is_active: S,
+}
+
+per_lane!(EdgePiece { load, is_active });
+
+impl EdgePiece<f64> {
+    /// Of a footpad on its face.
+    pub fn on_face() -> Self {
+        Self {
+            load: PressureLine::slack(),
+            is_active: 0.0,
+        }
+    }
+}
+
 per_lane!(LegPieces {
     pad,
-    edge_load,
+    edge,
     block,
     pad_friction,
     block_friction,
@@ -43,7 +64,7 @@ impl LegPieces<f64> {
     pub fn absent() -> Self {
         Self {
             pad: [PressureLine::slack(); 2],
-            edge_load: 0.0,
+            edge: EdgePiece::on_face(),
             block: PressureLine::slack(),
             pad_friction: FrictionPiece::none(),
             block_friction: FrictionPiece::none(),

@@ -46,6 +46,11 @@ pub enum Failure {
     NonFinite,
     /// The laws kept switching without time advancing.
     Chattering,
+    /// At first contact the ground under a leg reaches above its lower hardpoint, into the body.
+    GroundInBody {
+        /// Index of the leg, from 0.
+        leg: usize,
+    },
 }
 
 /// Coarse class of an outcome: the classes that a boundary search distinguishes.
@@ -102,6 +107,11 @@ impl fmt::Display for Failure {
             Self::StepCollapse => f.write_str("integration step collapsed"),
             Self::StepLimit => f.write_str("too many integration steps"),
             Self::NonFinite => f.write_str("a state is no longer finite"),
+            Self::GroundInBody { leg } => write!(
+                f,
+                "ground under leg {} reaches into the body at first contact",
+                leg + 1
+            ),
             Self::Chattering => f.write_str("contact laws chatter without advancing in time"),
         }
     }

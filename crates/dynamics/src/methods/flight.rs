@@ -6,7 +6,7 @@ use crate::landing::final_rates;
 use crate::motion::{Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
-use crate::record::{Energies, Foot, Instant, Landing, LegWork};
+use crate::record::{Energies, EnergiesAt, Foot, Instant, Landing, LegWork};
 use crate::scene::{Scene, Settings};
 use crate::stability::{StabilityMonitor, calm_height};
 use crate::state::State;
@@ -218,10 +218,11 @@ impl<'a> Flight<'a> {
         let kept = sets;
         let look = self.model.look(state, &mut sets);
         let loads = self.model.loads(state, &look);
-        let energies = [
-            kinetic(self.model.motion(), state),
-            released(self.model.motion(), &self.first, state),
-        ];
+        let energies = EnergiesAt {
+            kinetic: kinetic(self.model.motion(), state),
+            potential_change: released(self.model.motion(), &self.first, state),
+            thrust_work: None,
+        };
         let feet = PerLeg::from_fn(state.leg_count(), |j| Foot {
             pad_angle: state.leg(j).pad_turn,
             sets: kept[j],

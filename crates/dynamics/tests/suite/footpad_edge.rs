@@ -1,9 +1,14 @@
 //! Footpads that turn over and go on bearing a load.
 
-use crate::common::{level, settings, surveyor_leg};
+use std::sync::Arc;
+
+use crate::common::{level, settings, side_by_side, surveyor_leg};
+use touchdown_dynamics::attitude::{Attitude, Tip};
+use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::parts::PadEdge;
+use touchdown_dynamics::rules::CrushRule;
 use touchdown_dynamics::scene::{Conditions, Scene};
 use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
 
@@ -100,5 +105,43 @@ fn tolerances_agree_on_landings_with_pads_on_their_edges() {
             (loose.min_stability_angle - tight.min_stability_angle).abs() < 1e-3,
             "{k}"
         );
+    }
+}
+
+#[test]
+fn pads_on_their_edges_neither_chatter_nor_swing_for_ever() {
+    // Vehicles that come down on their side, spinning, so that pads land on their edges and roll over them.
+    let scenes = (0..120).map(|k| {
+        let of = |step: f64, range: f64| range * ((step * f64::from(k)) % 1.0);
+        Scene::new(Conditions {
+            attitude: Attitude::from_tip(Tip {
+                tip: 0.3 + of(0.37, 0.8),
+                azimuth: of(0.71, 6.0),
+                nominal_roll: 0.0,
+            }),
+            slope: of(0.13, 0.7),
+            vertical_velocity: 2.0 + of(0.29, 20.0),
+            angular_velocity: [of(0.53, 3.0) - 1.5, of(0.61, 3.0) - 1.5, 0.0],
+            ..level(40.0 * f64::from(k), 0.0, of(0.83, 25.0))
+        })
+        .unwrap()
+    });
+    let vehicle = Arc::new(lander(Some(as_in_1966())));
+    let settings = settings(3e-5).with_crush_rule(CrushRule::Section);
+    let requests = scenes.enumerate().map(|(key, scene)| Request {
+        key,
+        vehicle: vehicle.clone(),
+        scene,
+        settings,
+    });
+    let landings = side_by_side(requests);
+    for (k, landing) in landings.iter().enumerate() {
+        let evaluations = landing.evaluations;
+        assert!(
+            evaluations < 200_000,
+            "{k}: {evaluations}, {:?}",
+            landing.outcome
+        );
+        assert_ne!(landing.outcome.class(), Class::Failure, "{k}");
     }
 }

@@ -7,7 +7,7 @@ use touchdown_dynamics::ground::{Ground, LegFooting, Patch};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::motion::Motion;
-use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::scene::{Conditions, Scene};
 use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
@@ -210,4 +210,20 @@ fn landings_on_rough_ground_close_their_accounts_and_converge() {
         let apart = (image.min_stability_angle - tight.min_stability_angle).abs();
         assert!(apart < 1e-6, "{case}: {apart} rad from the mirror image");
     }
+}
+
+#[test]
+fn ground_that_reaches_into_the_body_at_first_contact_is_refused() {
+    let landing = |height: f64| {
+        let high = LegFooting {
+            block: raised(height),
+            ..LegFooting::default()
+        };
+        let even = LegFooting::default();
+        let scene = on(&[even, high, even], level(180.0, 0.0, 5.0));
+        land(&table_4_1(), &scene, &settings(1e-5)).outcome
+    };
+    let refused = Failure::GroundInBody { leg: 1 };
+    assert_eq!(landing(4.0), Outcome::Failure(refused));
+    assert_eq!(landing(0.5).class(), Class::Stable);
 }

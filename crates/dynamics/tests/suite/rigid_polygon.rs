@@ -5,6 +5,10 @@
 //! of a foot leaves the angular momentum about that foot, I_p ω = m (V h' − W b') at forward speed V and descent W with
 //! I_p = I + m r², and takes the rest of the energy. The body then turns about the foot, and topples when that carries the CG
 //! over it: ½ I_p ω² ≥ m g (r − h').
+//!
+//! With the nose up the trailing feet would touch first, the CG b' ahead of them. They do not stop: after a plastic impact the CG
+//! would descend at ω b' with ω = m (V h' + W b')/I_p, faster than the W before at any speed that topples, so the impact would have
+//! to pull the feet down. Friction turns the body and lifts them off instead.
 
 use crate::common::surveyor_leg;
 use touchdown_dynamics::attitude::{Attitude, Euler};

@@ -88,6 +88,23 @@ fn accounts_with_thrust_close_and_tolerances_agree() {
 }
 
 #[test]
+fn accounts_of_histories_with_thrust_close_at_every_instant() {
+    let scene = with(dying(), level(170.0, 10.0, 10.0));
+    let (landing, instants) = history(&table_4_1(), &scene, &settings(1e-9), 0.01);
+    assert!(instants.len() > 50);
+    for instant in &instants {
+        let thrust_work = instant.thrust_work.unwrap();
+        let works: f64 = instant.legs.iter().map(|leg| leg.work.total()).sum();
+        let open = landing.energies.initial_kinetic + instant.potential_change + thrust_work
+            - works
+            - instant.kinetic_energy;
+        assert!(open.abs() < 1e-3, "{} s: {open} ft lb", instant.time);
+    }
+    let last = instants.last().unwrap().thrust_work;
+    assert_eq!(last, Some(landing.energies.thrust));
+}
+
+#[test]
 fn thrust_beyond_the_weight_lifts_off_again_and_ends_at_the_time_limit() {
     let vehicle = ring(4);
     let scene = with(

@@ -56,6 +56,7 @@ const PAGE: [PagePanel; 6] = [
         &[
             ("kinetic", &["kinetic_energy_ftlb"]),
             ("released by gravity", &["potential_energy_change_ftlb"]),
+            ("work of the thrust", &["thrust_work_ftlb"]),
             ("work on struts", &["strut_work_#_ftlb"]),
             (
                 "crushing",

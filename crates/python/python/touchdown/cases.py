@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
 import pandas as pd
 
 from touchdown import _engine
 from touchdown._columns import columns_of, index_of, series
-from touchdown._documents import Document, solver_of
+from touchdown._documents import Document, same_quantity, solver_of
 from touchdown.errors import InputError
 from touchdown.progress import Watch, warn, watching
 from touchdown.scene import Scene
@@ -76,9 +74,7 @@ def land_many(
     """
     columns = columns_of(table)
     if scene is not None:
-        count = len(next(iter(columns.values()), ()))
-        same = scene.without(set(columns))
-        columns |= {name: _repeated(name, value, count) for name, value in _flat(same).items()}
+        columns |= _same_in_all_rows(scene, set(columns))
     with watching(progress, "landings") as watch:
         found, told = _engine.land_many(
             vehicle._engine, list(columns.items()), solver_of(solver), units, out, overwrite, threads, watch
@@ -88,20 +84,18 @@ def land_many(
     return pd.DataFrame(results, index=index_of(table), copy=False)
 
 
-def _flat(conditions: Mapping[str, Any]) -> dict[str, Any]:
-    """Conditions under the names that columns have."""
-    flat: dict[str, Any] = {}
-    for name, value in conditions.items():
+def _same_in_all_rows(scene: Scene, columns: set[str]) -> dict[str, float]:
+    """Conditions that are no columns, under the names that columns have."""
+    numbers: dict[str, float] = {}
+    for name, value in scene.without(columns).items():
         match value:
+            case int() | float():
+                numbers[name] = float(value)
+            case str() if name == "gravity":
+                numbers["gravity_fps2"] = dict(scene._engine.resolved())["gravity_fps2"]
             case list() if name == "footing":
                 for leg, footing in enumerate(value, 1):
-                    flat |= {f"footing[{leg}].{key}": number for key, number in footing.items()}
+                    numbers |= {f"footing[{leg}].{key}": float(number) for key, number in footing.items()}
             case _:
-                flat[name] = value
-    return flat
-
-
-def _repeated(name: str, value: Any, count: int) -> Any:
-    if isinstance(value, (int, float)):
-        return np.full(count, float(value))
-    raise InputError.of_value(name, value, "conditions that are numbers, where there are many landings")
+                raise InputError.of_value(name, value, "conditions that are numbers, where there are many landings")
+    return {name: numbers[name] for name in numbers if same_quantity(name) not in {same_quantity(column) for column in columns}}

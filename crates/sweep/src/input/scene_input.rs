@@ -10,6 +10,7 @@ use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Conditions, Scene};
 use touchdown_dynamics::thrust::{MOST_KNOTS, Thrust};
+use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
@@ -328,12 +329,12 @@ impl NamedConditions {
         }
     }
 
-    /// The scene that these conditions describe for a vehicle with so many legs, to be computed by a method.
+    /// The scene that these conditions describe for a vehicle, to be computed by a method.
     ///
     /// # Errors
-    /// As [`NamedConditions::scene`], and when there is ground under a leg that the vehicle does not have, or thrust that
-    /// the method does not know.
-    pub fn scene_for(&self, legs: usize, method: &Method) -> Result<Scene, SceneFault> {
+    /// As [`NamedConditions::scene`], and when there is ground under a leg that the vehicle does not have, or when the method
+    /// does not know thrust or the edges of footpads.
+    pub fn scene_for(&self, vehicle: &Vehicle, method: &Method) -> Result<Scene, SceneFault> {
         if !self.thrust_knots().is_empty() && *method != Method::Located {
             return Err(SceneFault {
                 name: THRUST_NAMES[0],
@@ -341,6 +342,16 @@ impl NamedConditions {
                 allowed: "no thrust: only the method \"located\" knows it".to_owned(),
             });
         }
+        let edge = (vehicle.legs().iter()).find_map(|leg| leg.design().footpad.edge);
+        if let Some(edge) = edge.filter(|_| *method != Method::Located) {
+            return Err(SceneFault {
+                name: "vehicle.footpad.edge_load_lb",
+                value: Some(edge.load),
+                allowed: "footpads without an edge: only the method \"located\" knows it"
+                    .to_owned(),
+            });
+        }
+        let legs = vehicle.legs().len();
         let beyond = FOOTING_NAMES.iter().skip(legs).flatten();
         if let Some(name) = beyond.copied().find(|name| self.get(name).is_some()) {
             return Err(SceneFault {

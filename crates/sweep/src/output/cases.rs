@@ -216,7 +216,7 @@ fn case(
     let vehicle = vehicles.with(file.as_deref(), &values(&columns.vehicle, row)?)?;
     let settings = columns.settings(settings, row)?;
     Ok(CaseRow {
-        scene: columns.scene(row, vehicle.legs().len(), &settings.method())?,
+        scene: columns.scene(row, &vehicle, &settings.method())?,
         vehicle,
         settings,
     })

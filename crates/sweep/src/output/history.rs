@@ -78,7 +78,10 @@ pub fn columns(instant: &Instant) -> Vec<(String, f64)> {
         ("kinetic_energy_ftlb", instant.kinetic_energy),
         ("potential_energy_change_ftlb", instant.potential_change),
     ];
-    let mut columns: Vec<(String, f64)> = body.map(|(name, value)| (name.to_owned(), value)).into();
+    let thrust = (instant.thrust_work).map(|work| ("thrust_work_ftlb", work));
+    let mut columns: Vec<(String, f64)> = (body.into_iter().chain(thrust))
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect();
     for (index, leg) in instant.legs.iter().enumerate() {
         columns.extend(leg_columns(index + 1, leg));
     }
@@ -150,6 +153,7 @@ mod tests {
             clearance: 1.0,
             kinetic_energy: 2.0,
             potential_change: 3.0,
+            thrust_work: None,
             legs: [leg; 3].into(),
         };
         let written = |units| {
@@ -170,5 +174,15 @@ mod tests {
         assert_eq!(lines[0].split(',').count(), 17 + 3 * 19);
         assert_eq!(lines[1].split(',').count(), 17 + 3 * 19);
         assert!(lines[1].starts_with("0.5,0,0,0"));
+        let mut history = History::new(OutputUnits::Si);
+        let thrust_work = Some(-2.0);
+        let under_thrust = Instant {
+            thrust_work,
+            ..instant
+        };
+        history.add(&under_thrust).unwrap();
+        let text = String::from_utf8(history.table().unwrap()).unwrap();
+        assert!(text.contains(",potential_energy_change_j,thrust_work_j,gamma_1_deg,"));
+        assert!(text.contains(",-2.711635896"), "{text}");
     }
 }

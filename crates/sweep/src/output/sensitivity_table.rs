@@ -1,7 +1,7 @@
 //! Sensitivities as a table: one row for each point and parameter.
 //!
 //! `vh_change_fps` is what the derivative makes of a change by `span`: 10 % of the parameter, or 1 deg
-//! (deg/s) of an angle (rate of turn). The numbers of a dependence that is not `smooth` are empty. What is told of the
+//! (deg/s) of an angle (rate of turn), or the step of a parameter that is 0. The numbers of a dependence that is not `smooth` are empty. What is told of the
 //! parameter is in the units of results, what is told of V_H in those of the program until the table is written.
 
 use crate::boundary::Boundary;
@@ -57,8 +57,9 @@ pub fn rows(
             slope.dependence.word().to_owned(),
             number(slope.step.map(|step| own.number(step))),
         ];
-        let numbers = match (slope.dependence, value.map(|value| span(parameter, value))) {
-            (Dependence::Smooth { derivative, error }, Some(span)) => {
+        let numbers = match (slope.dependence, value.zip(slope.step)) {
+            (Dependence::Smooth { derivative, error }, Some((value, step))) => {
+                let span = span(parameter, value, step);
                 let per_unit = [derivative, error].map(|slope| Some(own.derivative(slope)));
                 let changes = [derivative * span, error * span].map(Some);
                 [
@@ -77,10 +78,13 @@ pub fn rows(
     slopes.map(row).collect()
 }
 
-fn span(parameter: &Parameter, value: f64) -> f64 {
-    match parameter.is_angular() {
-        true => parameter.in_own_unit(ANGULAR_SPAN),
-        false => SPAN * value.abs(),
+fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
+    if parameter.is_angular() {
+        parameter.in_own_unit(ANGULAR_SPAN)
+    } else if value == 0.0 {
+        step
+    } else {
+        SPAN * value.abs()
     }
 }
 

@@ -11,8 +11,9 @@
 //! > h = L (ε / V_H)^(1/3), a tenth of L at most.
 //!
 //! L is the magnitude of the parameter, 30 deg for angles (the lander of three legs goes from its best
-//! to its worst side within 60), and 30 deg/s for rates of turn. A parameter that is 0 and no angle
-//! has no step. With the customary search (bracket 0.001 ft/s, tolerance 3e-5) h is 3.4 % of the
+//! to its worst side within 60), and 30 deg/s for rates of turn. Of a length that is 0, L is the height of
+//! the CG of the standing vehicle, of a product of inertia that is 0 the mean moment of inertia. Any other
+//! parameter that is 0 has no step. With the customary search (bracket 0.001 ft/s, tolerance 3e-5) h is 3.4 % of the
 //! parameter, or 1 deg.
 //!
 //! **Where there is no derivative** a word says so instead of a number ([`Dependence`]).
@@ -69,7 +70,7 @@ pub enum Dependence {
     Disputed,
     /// There is no transition here, or it lies below the lowest speed of the search.
     NoTransition,
-    /// The parameter is 0, of which no step follows.
+    /// The parameter is 0, and neither an angle, a length nor a product of inertia: no step follows.
     NoStep,
 }
 

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 
 use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::vehicle::Vehicle;
 
 use super::follow::Near;
 use super::{Dependence, Sensitivity, Slope, difference};
@@ -83,7 +84,9 @@ pub(crate) async fn of_point<Stop>(
                 resolution: width + transition.tolerance * speed,
                 at,
             };
-            let slope = |parameter| followed.slope(sweep, point, search, parameter, &counted);
+            let slope = |parameter| {
+                followed.slope(sweep, point, (&*case.vehicle, search), parameter, &counted)
+            };
             let slopes = join_all(sweep.sensitivity.iter().map(slope)).await?;
             Sensitivity {
                 speed: Some(speed),
@@ -119,11 +122,11 @@ impl FollowedTransition {
         &self,
         sweep: &Sweep,
         point: usize,
-        search: &Search,
+        (vehicle, search): (&Vehicle, &Search),
         parameter: &Parameter,
         land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Slope, Stop> {
-        let scaled = |value| Some((value, scale(parameter, value)?));
+        let scaled = |value| Some((value, scale(parameter, value, vehicle)?));
         let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
             return Ok(Slope {
                 step: None,
@@ -170,12 +173,21 @@ impl FollowedTransition {
     }
 }
 
-/// Scale over which V_H changes with a parameter, in its unit; `None` for 0.
-fn scale(parameter: &Parameter, value: f64) -> Option<f64> {
+/// Scale over which V_H changes with a parameter, in its unit; `None` for a parameter that is 0 and that nothing else of the
+/// vehicle compares with.
+fn scale(parameter: &Parameter, value: f64, vehicle: &Vehicle) -> Option<f64> {
+    let name = parameter.program_name();
     if parameter.is_angular() {
-        return Some(parameter.in_own_unit(ANGULAR_SCALE));
+        Some(parameter.in_own_unit(ANGULAR_SCALE))
+    } else if value != 0.0 {
+        Some(value.abs())
+    } else if name.ends_with("_ft") {
+        Some(parameter.in_own_unit(vehicle.standing_height()))
+    } else if name.starts_with("vehicle.inertia_slug_ft2.") {
+        Some(parameter.in_own_unit(vehicle.inertia().trace() / 3.0))
+    } else {
+        None
     }
-    (value != 0.0).then(|| value.abs())
 }
 
 /// Whether a transition that is not where it is expected jumps or vanishes, by an ordinary search.

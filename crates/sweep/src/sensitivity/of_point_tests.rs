@@ -8,13 +8,24 @@ use futures::executor::block_on;
 
 #[test]
 fn scales_are_magnitudes_but_of_angles() {
-    let scale = |name: &str, value| scale(&Parameter::named(name, 3).unwrap(), value);
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
+    let vehicle = Sweep::read(Path::new(path)).unwrap().vehicle.vehicle;
+    let scale = |name: &str, value| scale(&Parameter::named(name, 3).unwrap(), value, &vehicle);
     assert_eq!(scale("friction", 0.8), Some(0.8));
     assert_eq!(scale("friction", 0.0), None);
     assert_eq!(scale("roll_deg", 0.0), Some(30.0));
     assert_eq!(scale("angular_velocity_x_dps", 2.0), Some(30.0));
     assert_eq!(scale("vehicle.inertia_slug_ft2.xz", -5.87), Some(5.87));
     assert_eq!(scale("vehicle.legs[2].azimuth_deg", 120.0), Some(30.0));
+    let height = scale("vehicle.center_of_gravity_offset_x_ft", 0.0).unwrap();
+    assert!((2.0..5.0).contains(&height), "{height}");
+    let in_mm = scale("vehicle.center_of_gravity_offset_x_mm", 0.0).unwrap();
+    assert!((in_mm - 304.8 * height).abs() < 1e-9, "{in_mm}");
+    let mean = scale("vehicle.inertia_slug_ft2.xz", 0.0).unwrap();
+    assert!(
+        (mean - (138.12 + 134.29 + 145.78) / 3.0).abs() < 1e-9,
+        "{mean}"
+    );
 }
 
 /// What landings at friction μ and a speed come to.

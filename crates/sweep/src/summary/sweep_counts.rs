@@ -49,6 +49,10 @@ pub struct SweepCounts {
     pub with_failures: usize,
     /// See `with_failures`.
     pub with_undecided: usize,
+    /// Landings of a sweep of single landings in which crushing elements gave energy to the motion.
+    pub with_given: usize,
+    /// The most that they gave, ft·lb, and its point.
+    pub most_given: Option<(usize, f64)>,
     /// Probabilities, of a sweep of single landings.
     pub probabilities: Option<Probabilities>,
     /// Transition velocities, where points are sampled.
@@ -100,7 +104,19 @@ impl SweepCounts {
                 self.add_boundary(point, boundary);
                 self.add_sensitivity(sensitivity);
             }
-            Finding::Landing { outcome, .. } => {
+            Finding::Landing {
+                outcome,
+                given_by_crushing,
+                ..
+            } => {
+                if *given_by_crushing > 0.0 {
+                    self.with_given += 1;
+                    let is_most =
+                        (self.most_given).is_none_or(|(_, most)| *given_by_crushing > most);
+                    if is_most {
+                        self.most_given = Some((point, *given_by_crushing));
+                    }
+                }
                 self.landings += 1;
                 self.evaluations += finding.evaluations();
                 if let Some(probabilities) = &mut self.probabilities {

@@ -141,12 +141,11 @@ impl Sweep {
             conditions.set(HORIZONTAL_VELOCITY, search.from);
         }
         let vehicle = self.vehicle_at(axes, coordinates)?;
-        let legs = vehicle.legs().len();
         Ok(Case {
-            vehicle,
             scene: conditions
-                .scene_for(legs, &settings.method())
+                .scene_for(&vehicle, &settings.method())
                 .map_err(CaseFault::Scene)?,
+            vehicle,
             job,
             settings,
         })

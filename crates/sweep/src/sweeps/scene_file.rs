@@ -277,8 +277,9 @@ impl Stack {
         let settings = Section::root(&self.document, &SCENE_FILE)
             .and_then(|root| settings_input::settings_of_landing(&root));
         let settings = settings.map_err(blame(Home::Sweep))?;
-        let legs = vehicle.vehicle.legs().len();
-        let touchdown = self.conditions.scene_for(legs, &settings.method());
+        let touchdown = self
+            .conditions
+            .scene_for(&vehicle.vehicle, &settings.method());
         let touchdown = touchdown.map_err(|fault| match changes {
             Some(changes) => changes.blame_condition(&fault),
             None => locate_condition(&fault, scene, &[]),

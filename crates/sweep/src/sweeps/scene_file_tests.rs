@@ -253,6 +253,10 @@ fn gravity_and_thrust_that_cannot_be_are_refused_where_they_are_said() {
         ),
         ("[[case]]\n\"thrust.scale\" = 2\n", "a table [scene.thrust]"),
         (
+            "[[case]]\nvehicle.footpad.edge_angle_deg = 65\nvehicle.footpad.edge_load_lb = 187\nsolver.method = \"rk4\"\n",
+            "vehicle.footpad.edge_load_lb = 187: expected footpads without an edge",
+        ),
+        (
             "[solver]\nstop = \"never\"\n",
             "solver.stop = \"never\": expected \"verdict\" or \"time\"",
         ),

@@ -1,8 +1,8 @@
 //! The touchdown and the settings of a landing alone, each from a document of its own.
 
 use touchdown_dynamics::method::Method;
-use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::document::Document;
 use crate::input_error::InputError;
@@ -11,7 +11,7 @@ use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::locate_condition;
 
-/// Conditions of a touchdown, and the document that tells them under the keys of a table [scene].
+/// Conditions of a touchdown, and the document that tells them under the keys of a table `[scene]`.
 #[derive(Debug, Clone)]
 pub struct Touchdown {
     document: Document,
@@ -27,7 +27,7 @@ impl Touchdown {
         let scene = Section::root(&document, &scene_input::scene_keys())?;
         let conditions = NamedConditions::read(&scene)?;
         let mut complete = conditions;
-        while let Err(fault) = complete.scene_for(MOST_LEGS, &Method::Located) {
+        while let Err(fault) = complete.scene() {
             match fault.value {
                 // Whatever is missing is no reason to complain about yet.
                 None if complete.get(fault.name).is_none() => complete.set(fault.name, 0.0),
@@ -50,21 +50,21 @@ impl Touchdown {
         &self.conditions
     }
 
-    /// The scene for a vehicle with so many legs and a method.
+    /// The scene for a vehicle and a method.
     ///
     /// # Errors
     /// Names a condition that is missing, or one that the vehicle or the method does not know.
-    pub fn scene_for(&self, legs: usize, method: &Method) -> Result<Scene, InputError> {
+    pub fn scene_for(&self, vehicle: &Vehicle, method: &Method) -> Result<Scene, InputError> {
         let complain =
             |fault: SceneFault| match Section::root(&self.document, &scene_input::scene_keys()) {
                 Ok(scene) => locate_condition(&fault, &scene, &[]),
                 Err(error) => error,
             };
-        self.conditions.scene_for(legs, method).map_err(complain)
+        self.conditions.scene_for(vehicle, method).map_err(complain)
     }
 }
 
-/// The settings of a landing from the table [solver] of a document, which has nothing else.
+/// The settings of a landing from the table `[solver]` of a document, which has nothing else.
 ///
 /// # Errors
 /// Names the first key that is unknown or has a value that is not allowed.

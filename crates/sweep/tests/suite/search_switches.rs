@@ -3,7 +3,7 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::boundary::{Boundary, Extent};
@@ -12,6 +12,7 @@ use touchdown_sweep::design::Design;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::grid::Grid;
 use touchdown_sweep::levels::Levels;
+use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::refine::Refinement;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::scan::Scan;
@@ -171,4 +172,39 @@ fn first_transitions_are_the_same() {
         assert_eq!(transitions(&quick), transitions(&plain), "{}", sweep.title);
         assert!(landings(&quick) < landings(&plain), "{}", sweep.title);
     }
+}
+
+/// What a search with every skip finds, to the bit, of a vehicle with this gravity and a scene with this line.
+fn found_in_gravity(of_vehicle: &str, of_scene: &str) -> Vec<Vec<u8>> {
+    const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
+    let vehicle = SURVEYOR.replace("gravity_fps2 = 5.31", of_vehicle);
+    assert_ne!(vehicle, SURVEYOR);
+    let text = format!(
+        "title = \"Downhill\"\nvehicle = \"v.toml\"\n[scene]\nvertical_velocity_fps = 14\n\
+         cross_slope_deg = 180\nslope_deg = 15\nfriction = 1\n{of_scene}\n[axes]\nroll_deg = [0, 25, 50]\n\
+         [search]\nfrom_fps = 2\nto_fps = 20\nscan_step_fps = 0.5\ntolerance_fps = 0.01\nbands = \"all\"\n\
+         scan = \"skipping\"\nscan_looseness = 10\nrefinement = \"margin\"\n"
+    );
+    let source = |path: &str, text: String| Source {
+        path: path.into(),
+        text,
+    };
+    let sources = [source("s.toml", text), source("v.toml", vehicle)];
+    let sweep = Sweep::read_from(Path::new("s.toml"), Library::Copies(&sources)).unwrap();
+    let found = Workers::start(None).unwrap().points(&sweep, &[0, 1, 2]);
+    let found = found.unwrap();
+    let skipped = |found: &Finding| found.boundary().unwrap().skipped;
+    assert!(found.iter().any(|found| skipped(found).left_out > 0));
+    assert!(found.iter().any(|found| skipped(found).interpolated > 0));
+    found.iter().map(Finding::encode).collect()
+}
+
+/// Margins are told by the gravity in which the vehicle falls, wherever it stands.
+#[test]
+fn gravity_of_the_scene_is_searched_as_that_of_the_vehicle() {
+    let of_scene = found_in_gravity("gravity_fps2 = 0.5", "gravity_fps2 = 12.5");
+    assert_eq!(of_scene, found_in_gravity("gravity_fps2 = 12.5", ""));
+    let by_name = found_in_gravity("gravity_fps2 = 0.5", "gravity = \"mars\"");
+    assert_eq!(by_name, found_in_gravity("gravity_mps2 = 3.71", ""));
+    assert_ne!(of_scene, by_name);
 }

@@ -98,6 +98,34 @@ fn derivatives_are_differences_of_ordinary_sweeps() {
     }
 }
 
+/// A CG on the centreline has an offset of 0, and so have products of inertia of a lander with mirrored sides.
+#[test]
+fn lengths_and_products_of_inertia_that_are_zero_have_a_derivative_too() {
+    let cases = [
+        ("vehicle.center_of_gravity_offset_y_ft", 0.05, 0.1),
+        ("vehicle.inertia_slug_ft2.xy", 2.0, 3e-3),
+    ];
+    let found = slopes(MIRRORED, 5.0, &cases.map(|(name, ..)| name));
+    for ((name, reach, most), slope) in cases.into_iter().zip(&found) {
+        let ends = sweep(MIRRORED, &format!("{name:?}"), &[-reach, reach], 1e-5);
+        let speeds: Vec<f64> = find(&ends, 2)
+            .iter()
+            .map(|found| found.boundary().unwrap().transition.unwrap().speed())
+            .collect();
+        let direct = (speeds[1] - speeds[0]) / (2.0 * reach);
+        let [found, error] = derivative(slope);
+        let known = error + SCATTER / reach;
+        assert!(
+            (found - direct).abs() <= known,
+            "{name}: {found} {direct} ± {known}"
+        );
+        assert!(
+            known < most && most < found.abs(),
+            "{name}: {found} ± {known}"
+        );
+    }
+}
+
 /// Straight downhill at roll 0, legs 2 and 3 of a lander without products of inertia are mirror images,
 /// and nothing is gained by turning to either side. Legs together do what all do.
 #[test]

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::land_files::place_of;
 use crate::print::print;
 use crate::progress::Progress;
-use crate::{interrupt, report, summary};
+use crate::{interrupt, summary};
 
 /// Lands all cases and writes their results to `out`. Until then they are in a journal beside it, from which an
 /// interrupted run goes on.
@@ -67,7 +67,7 @@ pub fn run(
         } = finding
             && *given_by_crushing > 0.0
         {
-            let warning = report::given_by_crushing(*given_by_crushing, units);
+            let warning = summary::given_by_crushing(*given_by_crushing, units);
             eprintln!("touchdown: warning: case {name}: {warning}");
         }
     }

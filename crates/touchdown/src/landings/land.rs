@@ -203,7 +203,7 @@ fn land_once(
     let scene = options.touchdown.scene(
         &conditions,
         &options.set,
-        vehicle.vehicle.legs().len(),
+        &vehicle.vehicle,
         &settings.method(),
     )?;
     // No observations are needed without a history.

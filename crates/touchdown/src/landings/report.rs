@@ -16,7 +16,7 @@ use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
-use crate::summary::number;
+use crate::summary::{given_by_crushing, number};
 
 /// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
 pub fn degrees(angle: f64, decimals: u8) -> String {
@@ -218,16 +218,6 @@ fn verdict_time(landing: &Landing) -> f64 {
 pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
     let given = landing.energies.given_by_crushing();
     (given > 0.0).then(|| given_by_crushing(given, units))
-}
-
-/// The warning that crushing elements gave so much energy, ft·lb, told in these units.
-pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
-    let quantity = units.quantity("energy_ftlb");
-    let (energy, unit) = (quantity.number(energy), quantity.unit());
-    format!(
-        "crushing footpads or blocks added {energy:.4} {unit} to the motion, which no material does: \
-         they are too stiff for the crush laws"
-    )
 }
 
 /// Lines of a name and what belongs to it.

@@ -4,6 +4,7 @@ use clap::Args;
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::Scene;
+use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::parameter::Parameter;
@@ -124,15 +125,15 @@ impl TouchdownOptions {
         Ok(conditions)
     }
 
-    /// The scene of the conditions for a vehicle with so many legs and a method, with complaints in the words of the command line.
+    /// The scene of the conditions for a vehicle and a method, with complaints in the words of the command line.
     pub fn scene(
         &self,
         conditions: &NamedConditions,
         set: &[Assignment],
-        legs: usize,
+        vehicle: &Vehicle,
         method: &Method,
     ) -> Result<Scene, InputError> {
-        conditions.scene_for(legs, method).map_err(
+        conditions.scene_for(vehicle, method).map_err(
             |SceneFault {
                  name,
                  value,

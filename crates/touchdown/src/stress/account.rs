@@ -28,13 +28,22 @@ pub struct Account {
     landings: u64,
     evaluations: u64,
     kinds: BTreeMap<String, Kind>,
-    /// Greatest open part of the energy in play, and its landing.
-    open: Option<(f64, usize)>,
+    /// By how much accounts of energy stay open.
+    open: Vec<Open>,
     /// Most steps, and their landing.
     steps: Option<(u64, usize)>,
     invalid: u64,
     /// The first landings with invalid results, and what is wrong with them.
     complaints: Vec<(usize, String)>,
+}
+
+/// By how much the account of energy of a landing stays open.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    energy_ftlb: f64,
+    /// Of the energy involved.
+    part: f64,
+    landing: usize,
 }
 
 /// Landings with the same kind of end.
@@ -58,14 +67,14 @@ enum End {
 }
 
 impl Account {
-    /// Of no landings yet, computed with these settings.
-    pub fn of(settings: &Settings) -> Self {
+    /// Of no landings yet of a vehicle with so many legs, computed with these settings.
+    pub fn of(settings: &Settings, legs: usize) -> Self {
         Self {
-            checks: LandingChecks::of(settings),
+            checks: LandingChecks::of(settings, legs),
             landings: 0,
             evaluations: 0,
             kinds: BTreeMap::new(),
-            open: None,
+            open: Vec::new(),
             steps: None,
             invalid: 0,
             complaints: Vec::new(),
@@ -92,10 +101,12 @@ impl Account {
         if self.steps.is_none_or(|(most, _)| steps > most) {
             self.steps = Some((steps, number));
         }
-        if let Some(open) = self.checks.open(outcome, cells)
-            && self.open.is_none_or(|(most, _)| open > most)
-        {
-            self.open = Some((open, number));
+        if let Some([energy_ftlb, part]) = self.checks.open(outcome, cells) {
+            self.open.push(Open {
+                energy_ftlb,
+                part,
+                landing: number,
+            });
         }
         if let Some(complaint) = self.checks.complaint(outcome, cells) {
             self.invalid += 1;
@@ -121,6 +132,13 @@ impl Account {
         }
     }
 
+    /// The account that is most open, in parts of the energy involved.
+    fn most_open(&self) -> Option<&Open> {
+        // The first of those that are equally open.
+        let all = self.open.iter().rev();
+        all.max_by(|a, b| a.part.total_cmp(&b.part))
+    }
+
     fn failed(&self) -> u64 {
         let failed = self.kinds.values().filter(|kind| kind.end == End::Failed);
         failed.map(|kind| kind.count).sum()
@@ -137,10 +155,20 @@ impl Account {
             let percent = 100.0 * kind.count as f64 / landings;
             let _ = writeln!(text, "  {percent:8.4} %  {name} ({})", kind.count);
         }
-        if let Some((open, number)) = self.open {
+        if let Some(most) = self.most_open() {
+            let median = |of: fn(&Open) -> f64| median(self.open.iter().map(of).collect());
             let _ = writeln!(
                 text,
-                "  energy account open by at most {open:.1e} of the energy involved (landing {number})"
+                "  energy account open by at most {:.1e} of the energy involved (landing {}), {:.1e} in the median;\n  \
+                 by at most {:.1e} ft lb, {:.1e} ft lb in the median",
+                most.part,
+                most.landing,
+                median(|open| open.part),
+                self.open
+                    .iter()
+                    .map(|open| open.energy_ftlb)
+                    .fold(0.0, f64::max),
+                median(|open| open.energy_ftlb),
             );
         }
         if let Some((steps, number)) = self.steps {
@@ -179,14 +207,21 @@ impl Account {
         for (number, complaint) in &self.complaints {
             keep(*number, complaint);
         }
-        if let Some((_, number)) = self.open {
-            keep(number, "account of energy most open");
+        if let Some(most) = self.most_open() {
+            keep(most.landing, "account of energy most open");
         }
         if let Some((_, number)) = self.steps {
             keep(number, "most steps");
         }
         reasons
     }
+}
+
+/// The middle number, the greater of two; NaN of none.
+fn median(mut numbers: Vec<f64>) -> f64 {
+    let middle = numbers.len() / 2;
+    numbers.sort_unstable_by(f64::total_cmp);
+    numbers.get(middle).copied().unwrap_or(f64::NAN)
 }
 
 /// How a landing ended, whichever leg it was.

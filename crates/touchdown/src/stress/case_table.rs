@@ -2,23 +2,29 @@
 
 use std::collections::BTreeMap;
 
-use touchdown_sweep::sweep_file::Sweep;
+use super::wild_sweep::WildSweep;
 
 /// Landings by their numbers, and why each is worth landing again.
 pub type Reasons = BTreeMap<usize, Vec<String>>;
 
-/// A table for `touchdown land --cases`: every coordinate with all the digits of its number.
+/// A table for `touchdown land --cases` of landings of several vehicles over the same axes: every coordinate with all the
+/// digits of its number.
 ///
 /// # Errors
 /// None but those of memory.
-pub fn written(sweep: &Sweep, reasons: &Reasons) -> Result<Vec<u8>, csv::Error> {
+pub fn written(kept: &[(&WildSweep, Reasons)]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let axes = sweep.axes.iter().map(|axis| axis.name());
-    writer.write_record(["case", "note"].into_iter().chain(axes))?;
-    for (number, why) in reasons {
-        writer.write_field(number.to_string())?;
-        writer.write_field(why.join("; "))?;
-        writer.write_record(sweep.coordinates_written(*number))?;
+    if let Some((first, _)) = kept.first() {
+        let axes = first.sweep.axes.iter().map(|axis| axis.name());
+        writer.write_record(["case", "vehicle", "note"].into_iter().chain(axes))?;
+    }
+    for (wild, reasons) in kept {
+        for (number, why) in reasons {
+            writer.write_field(wild.case_name(*number))?;
+            writer.write_field(wild.vehicle_file())?;
+            writer.write_field(why.join("; "))?;
+            writer.write_record(wild.sweep.coordinates_written(*number))?;
+        }
     }
     writer
         .into_inner()

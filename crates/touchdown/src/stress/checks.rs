@@ -16,30 +16,33 @@ const LITTLE_ENERGY: f64 = 1.0;
 pub struct LandingChecks {
     time_limit: f64,
     tolerance: f64,
+    /// Names of the results.
+    names: Vec<String>,
 }
 
 impl LandingChecks {
-    /// Of landings computed with these settings.
-    pub fn of(settings: &Settings) -> Self {
+    /// Of landings of a vehicle with so many legs, computed with these settings.
+    pub fn of(settings: &Settings, legs: usize) -> Self {
         Self {
             time_limit: settings.time_limit(),
             tolerance: settings.tolerance(),
+            names: landing_table::names(legs),
         }
     }
 
-    /// The part of the energy involved by which its account stays open; none of landings that ended
-    /// without a result, as what broke them may show in the last step.
-    pub fn open(&self, outcome: &Outcome, cells: &[Cell]) -> Option<f64> {
-        let involved = number(cells, "initial_kinetic_energy_ftlb")
-            + number(cells, "potential_energy_change_ftlb").abs()
+    /// The energy, ft·lb, by which the account stays open, and its part of the energy involved; none of landings
+    /// that ended without a result, as what broke them may show in the last step.
+    pub fn open(&self, outcome: &Outcome, cells: &[Cell]) -> Option<[f64; 2]> {
+        let involved = self.number(cells, "initial_kinetic_energy_ftlb")
+            + self.number(cells, "potential_energy_change_ftlb").abs()
             + LITTLE_ENERGY;
-        let open = number(cells, "energy_closure_ftlb").abs() / involved;
-        (!matches!(outcome, Outcome::Failure(_))).then_some(open)
+        let open = self.number(cells, "energy_closure_ftlb").abs();
+        (!matches!(outcome, Outcome::Failure(_))).then_some([open, open / involved])
     }
 
     /// A count among the results.
     pub fn count(&self, cells: &[Cell], name: &str) -> u64 {
-        match cell(cells, name) {
+        match self.cell(cells, name) {
             Some(Cell::Count(count)) => *count,
             _ => 0,
         }
@@ -50,8 +53,8 @@ impl LandingChecks {
         if *outcome == Outcome::Failure(Failure::NonFinite) {
             return Some(Failure::NonFinite.to_string());
         }
-        let end = number(cells, "end_time_s");
-        for (name, cell) in names(cells).iter().zip(cells) {
+        let end = self.number(cells, "end_time_s");
+        for (name, cell) in self.names.iter().zip(cells) {
             let Cell::Number(number) = cell else {
                 continue;
             };
@@ -64,26 +67,21 @@ impl LandingChecks {
         if !(0.0..=self.time_limit).contains(&end) {
             return Some(format!("end_time_s is {end}"));
         }
-        let open = self.open(outcome, cells)?;
+        let [_, open] = self.open(outcome, cells)?;
         let most = OPEN * self.tolerance * (end / OPEN_IN).ceil().max(1.0);
         (open > most).then(|| format!("{open:.1e} of the energy is not accounted for"))
     }
-}
 
-/// Names of the results.
-fn names(cells: &[Cell]) -> Vec<String> {
-    landing_table::names(landing_table::leg_count(cells))
-}
+    fn number(&self, cells: &[Cell], name: &str) -> f64 {
+        match self.cell(cells, name) {
+            Some(Cell::Number(number)) => *number,
+            _ => f64::NAN,
+        }
+    }
 
-fn cell<'c>(cells: &'c [Cell], name: &str) -> Option<&'c Cell> {
-    let place = names(cells).iter().position(|known| known == name)?;
-    cells.get(place)
-}
-
-fn number(cells: &[Cell], name: &str) -> f64 {
-    match cell(cells, name) {
-        Some(Cell::Number(number)) => *number,
-        _ => f64::NAN,
+    fn cell<'c>(&self, cells: &'c [Cell], name: &str) -> Option<&'c Cell> {
+        let place = self.names.iter().position(|known| known == name)?;
+        cells.get(place)
     }
 }
 
@@ -115,7 +113,7 @@ pub mod tests {
 
     #[test]
     fn only_what_makes_no_sense_is_complained_of() {
-        let checks = LandingChecks::of(&settings());
+        let checks = LandingChecks::of(&settings(), 3);
         let complaint = |name, number| {
             let cells = landed(&[(name, Cell::Number(number))]);
             checks.complaint(&Outcome::UnstablePitch, &cells)
@@ -145,7 +143,7 @@ pub mod tests {
 
     #[test]
     fn energy_is_not_asked_of_landings_without_a_result() {
-        let checks = LandingChecks::of(&settings());
+        let checks = LandingChecks::of(&settings(), 3);
         let cells = landed(&[("energy_closure_ftlb", Cell::Number(50.0))]);
         let chattering = Outcome::Failure(Failure::Chattering);
         assert_eq!(checks.complaint(&chattering, &cells), None);

@@ -7,12 +7,13 @@ mod killed_run;
 mod kills;
 mod watchdog;
 mod wild;
+mod wild_sweep;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use clap::Args;
+use clap::{Args, value_parser};
 use touchdown_dynamics::scene::{CrushRule, Settings};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::InputError;
@@ -26,7 +27,7 @@ use crate::touchdown_options::finite;
 const EXAMPLES: &str = "\
 Examples:
   touchdown stress                                  # everything: some hours
-  touchdown stress --kills 20 --landings 1000       # a short run: one minute
+  touchdown stress --kills 20 --landings 500        # a short run: one minute
   touchdown stress --kills 0 --seed 2               # a million other landings
   touchdown stress --kills 0 --tolerance 1e-6       # at the tolerance of single landings
 
@@ -35,21 +36,27 @@ last rename, and started again with another number of threads. No kill may lose 
 the journal. The results of every completed run are compared byte for byte with those of an
 undisturbed run. If something is wrong, the folder is kept and its name printed.
 
-Wild landings: vehicles and touchdowns drawn at random (sweeps/stress/wild.toml): heavy and light,
-stiff and soft, slippery, steep, spinning, tilted up to lying on the side. No landing may panic, run
+Wild landings: vehicles with three, four, five and six legs, a quarter of the landings each, and
+touchdowns drawn at random (sweeps/stress/wild.toml): heavy and light, stiff and soft, slippery,
+steep, spinning, tilted up to lying on the side. No landing may panic, run
 without end, give a value that is not a number, or leave its energy account open by more than four
 times the tolerance, relative to the energy involved, for every three seconds begun. At most 1 % may
 end without a result where the model has a law (it has none for a loaded footpad inclined more than
 65 deg).
 
-The journal of the wild landings is in the output folder: run the same command again to continue
+The journals of the wild landings are in the output folder: run the same command again to continue
 after an interruption. stress-cases.csv then lists everything that went wrong and the extreme
 landings, with the reason in the column `note`. To compute them again, bit for bit at the same
 tolerance:
-  touchdown land --vehicle stress/stress-vehicle.toml --cases stress/stress-cases.csv \\
+  touchdown land --vehicle stress/stress-3-legs.toml --cases stress/stress-cases.csv \\
     --tolerance 3e-5 --out again.csv
 
+What is printed and listed is in feet and pounds.
+
 Exit code 0 if all checks pass, 1 if not.";
+
+/// Points that a sweep can have.
+const MOST_LANDINGS: u64 = 1_000_000_000_000;
 
 /// Options of `stress`.
 #[derive(Debug, Args)]
@@ -58,8 +65,8 @@ pub struct Options {
     /// Number of times a sweep is killed
     #[arg(long, value_name = "N", default_value_t = 200)]
     kills: u32,
-    /// Number of wild landings, at most 10^12
-    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    /// Number of wild landings, at most 10^12, a quarter of them with each number of legs from 3 to 6
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = value_parser!(u64).range(..=MOST_LANDINGS))]
     landings: u64,
     /// Seed of the random numbers; the same seed gives the same landings
     #[arg(long, value_name = "N", default_value_t = 1966)]
@@ -81,10 +88,7 @@ pub struct Options {
 /// Runs `stress`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     // Input that cannot be used is refused before anything is written or killed.
-    let landings = match options.landings {
-        0 => None,
-        count => Some(wild::sweep(count, options.seed, settings(options)?)?),
-    };
+    let wild = wild_sweep::sweeps(options.landings, options.seed, settings(options)?)?;
     let folder = Folder::open(&options.out)?;
     let workers = Workers::start(options.threads)?;
     let cancel = interrupt::flag()?;
@@ -97,8 +101,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if options.kills > 0 {
         print(&kills::run(&bench)?)?;
     }
-    if let Some(sweep) = landings {
-        wild::run(&bench, &sweep)?;
+    if !wild.is_empty() {
+        wild::run(&bench, &wild)?;
     }
     Ok(())
 }

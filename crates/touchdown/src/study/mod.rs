@@ -29,6 +29,8 @@ use crate::print::print;
 use results::Results;
 
 const EXAMPLE: &str = "\
+Studies are in feet and pounds, the units of the report that they compare with.
+
 Study phase-2 reads the results of these commands:
   touchdown sweep sweeps
   touchdown sweep sweeps/figure-*.toml --bands first --crush-rule section --out results/section-rule

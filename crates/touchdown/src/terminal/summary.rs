@@ -165,6 +165,14 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
         counts.disputed,
         "the first transition is disputed: small changes of the input move it by more than its bracket",
     );
+    if let Some((most, energy)) = counts.most_given {
+        text += &format!(
+            "  warning: at {}, most at {}: {}\n",
+            number(counts.with_given, "point"),
+            sweep.place(most),
+            given_by_crushing(energy, sweep.units)
+        );
+    }
     if let Some(probabilities) = &counts.probabilities {
         let undecided = probabilities.overall.undecided;
         if undecided > 0 {
@@ -175,6 +183,16 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
         }
     }
     text
+}
+
+/// The warning that crushing elements gave so much energy, ft·lb, told in these units.
+pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
+    let quantity = units.quantity("energy_ftlb");
+    let (energy, unit) = (quantity.number(energy), quantity.unit());
+    format!(
+        "crushing footpads or blocks added {energy:.4} {unit} to the motion, which no material does: \
+         they are too stiff for the crush laws"
+    )
 }
 
 /// A number of things, with the plural where it is needed.

@@ -25,6 +25,8 @@ const TOLERANCES: [f64; 8] = [1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-6, 1e-7, 1e-8];
 const QUICK_TOLERANCES: [f64; 3] = [1e-3, 1e-4, 1e-6];
 
 const MORE: &str = "\
+Everything is in feet and pounds, the units of the report whose landings are computed.
+
 Computes level landings of one vehicle on a slope of 15 deg at 14 ft/s at several tolerances and compares
 them with the same landings at 1e-11:
   forty landings around the toppling boundary: time and evaluations on one thread, errors of

@@ -369,6 +369,23 @@ fn elements_that_give_back_more_than_they_took_are_told() {
         "{}",
         told[0]
     );
+
+    // And in a sweep of single landings, of the points that are concerned.
+    let outcomes = SWEEP
+        .replace(
+            "[scene]",
+            "job = \"outcome\"\n[scene]\nhorizontal_velocity_fps = 11",
+        )
+        .replace(
+            "roll_deg = { from = -10, to = 10, step = 10 }",
+            "vehicle.footpad.crush_pressure_psf = [1578.8, 1e5]",
+        );
+    bench.write("sweep.toml", outcomes.split("[search]").next().unwrap());
+    let done = bench.run(&["sweep", "sweep.toml"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let warning = "warning: at 1 point, most at vehicle.footpad.crush_pressure_psf = 100000: \
+                   crushing footpads or blocks added ";
+    assert!(done.out.contains(warning), "{}", done.out);
 }
 
 #[test]

@@ -31,6 +31,8 @@ pub struct LegGeometry<S> {
     /// Centroid offset of a pad section from the pivot, 2 d_f / 3π.
     centroid: S,
     pad_height: S,
+    /// Depth of the edge of a pad below its pivot, ft: that of the lower section's centroid as the pad turns over.
+    edge_height: S,
     block_radius: S,
     block_depth: S,
 }
@@ -47,6 +49,7 @@ per_lane!(LegGeometry {
     extended_length,
     centroid,
     pad_height,
+    edge_height,
     block_radius,
     block_depth,
 });
@@ -65,6 +68,11 @@ impl<S: Real> LegGeometry<S> {
             });
         let (a, l) = (linkage.hardpoint_distance, linkage.lower_link_length);
         let constant = S::constant;
+        let centroid = 2.0 * footpad.diameter / (3.0 * std::f64::consts::PI);
+        let edge_height = footpad.edge.as_ref().map_or(0.0, |edge| {
+            let (sine, cosine) = sincos(edge.angle);
+            centroid * sine + footpad.height * cosine
+        });
         let (sin_azimuth, cos_azimuth) = sincos(design.azimuth);
         let (sin_beta, cos_beta) = sincos(linkage.hardpoint_angle);
         Self {
@@ -77,8 +85,9 @@ impl<S: Real> LegGeometry<S> {
             sin_beta: constant(sin_beta),
             cos_beta: constant(cos_beta),
             extended_length: constant(design.strut.extended_length),
-            centroid: constant(2.0 * footpad.diameter / (3.0 * std::f64::consts::PI)),
+            centroid: constant(centroid),
             pad_height: constant(footpad.height),
+            edge_height: constant(edge_height),
             block_radius: constant(block_radius),
             block_depth: constant(hardpoint_depth + block_height),
         }
@@ -110,6 +119,13 @@ impl<S: Real> LegGeometry<S> {
         centroid.add(self.centroids()[section], &pose.pad_y);
         centroid.add(height, &pose.pad_z);
         centroid
+    }
+
+    /// Depth of the edge of a pad below the ground, ft (negative above): it goes with the pivot, as the load acts there.
+    #[inline(always)]
+    pub fn edge_depth(&self, frame: &LegFrame<S>, pose: &LegPose<S>) -> S {
+        let n = &frame.pad.normal;
+        frame.pad.depth + pose.pivot.reach * n.x + pose.pivot.drop * n.z + self.edge_height
     }
 
     /// Lowest point of the rim of a pad on its edge, at half of its height, relative to the pivot, ft.

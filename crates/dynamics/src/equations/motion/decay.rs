@@ -59,8 +59,11 @@ impl<S: Real> LegMotion<S> {
         if pressed.pads {
             let [outer, inner] = self.pad_section_forces(&pose, pieces);
             let contact = Contact::of_pad(self, &posture);
-            let [along, across] =
-                contact.decays(outer + inner + pieces.edge_load, per_body, per_link);
+            let [along, across] = contact.decays(
+                outer + inner + self.edge_load(&frame, &pose, pieces),
+                per_body,
+                per_link,
+            );
             greatest += along;
             greatest += across;
         }

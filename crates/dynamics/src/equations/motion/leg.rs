@@ -178,6 +178,17 @@ impl<S: Real> LegMotion<S> {
         ]
     }
 
+    /// Load on the edge of the footpad, lb: 0 on its face.
+    #[inline(always)]
+    pub(super) fn edge_load(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        pieces: &LegPieces<S>,
+    ) -> S {
+        pieces.edge.load.at(self.geometry.edge_depth(frame, pose))
+    }
+
     /// Normal force (33) on the block per unit of relative pressure, lb.
     #[inline(always)]
     pub(super) fn block_force_per_pressure(&self, frame: &LegFrame<S>) -> S {
@@ -230,12 +241,12 @@ impl<S: Real> LegMotion<S> {
             let per_pressure = self.pad_force_per_pressure(&pose);
             let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
             let on_face = per_pressure * (pressure[0] + pressure[1]);
-            let edge_load = pieces.edge_load;
-            let normal = if FULL {
-                edge_load.where_zero(on_face, edge_load)
+            let edge_load = if FULL {
+                self.edge_load(&frame, &pose, pieces)
             } else {
-                on_face
+                S::zero()
             };
+            let normal = if FULL { on_face + edge_load } else { on_face };
             let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
             let pad = Touch::new(&frame.pad.normal, &pose.pivot, velocity, normal, drag);
             let along_z = pose.pad_z.dot(&pad.line);
@@ -247,7 +258,7 @@ impl<S: Real> LegMotion<S> {
             let on_face = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
             let torque = if FULL {
                 let lever = self.geometry.edge(&pose).turned().dot(&pad.line);
-                edge_load.where_zero(on_face, edge_load * lever)
+                on_face + edge_load * lever
             } else {
                 on_face
             };
@@ -302,20 +313,32 @@ impl<S: Real> LegMotion<S> {
         };
         // The laws take the pivot to swing with the rate state; a frozen link does not.
         let idle_swing = link_length * (leg.link_rate - derivative.link_angle);
+        let pivot_inward =
+            pad.velocity.inward - idle_swing * pose.link_normal.dot(&frame.pad.normal);
         let rates = self.geometry.pad_interference_rates(
             &frame,
             &pose,
-            pad.velocity.inward - idle_swing * pose.link_normal.dot(&frame.pad.normal),
+            pivot_inward,
             derivative.link_angle,
             pad_speed,
         );
+        let (outer, outer_rate) = if FULL {
+            // On its edge the depth of the edge stands for the interference of the outboard section.
+            let on_edge = pieces.edge.is_active;
+            (
+                on_edge.where_zero(outer, self.geometry.edge_depth(&frame, &pose)),
+                on_edge.where_zero(rates[0], pivot_inward),
+            )
+        } else {
+            (outer, rates[0])
+        };
         let foot = body.seen_from_center_of_gravity(&self.geometry.off_leg_plane(&pose.pivot));
         let signals = [
             outer,
             inner,
             pose.block_interference,
             pose.stroke,
-            rates[0],
+            outer_rate,
             rates[1],
             frame.block_interference_rate(block.velocity.inward),
             -pose.strut_lever * derivative.link_angle,

@@ -123,7 +123,13 @@ impl<S: Real> LegMotion<S> {
                 response.hinge_torque.link -= leaning;
             }
         }
-        let force = section_forces[0] + section_forces[1] + pieces.edge_load;
+        let edge_stiffness = pieces.edge.load.slope();
+        if !edge_stiffness.is_zero() {
+            let deeper = contact.along(&posture.frame.pad.normal);
+            press.add(edge_stiffness / per_pressure, &deeper);
+        }
+        let edge_load = self.edge_load(posture.frame, pose, pieces);
+        let force = section_forces[0] + section_forces[1] + edge_load;
         let [along, across] = contact.rub(force, &hinge_lever);
         response.push(&along);
         response.push(&across);

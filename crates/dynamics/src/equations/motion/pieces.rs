@@ -23,7 +23,7 @@ impl Pressed {
     pub(super) fn of<S: Real>(legs: &LegPieces<S>) -> Self {
         let [outer, inner] = &legs.pad;
         Self {
-            pads: !(outer.is_slack() && inner.is_slack() && legs.edge_load.is_zero()),
+            pads: !(outer.is_slack() && inner.is_slack() && legs.edge.load.is_slack()),
             blocks: !legs.block.is_slack(),
             stops: legs.hinge.is_pressed(),
         }
@@ -63,7 +63,7 @@ impl<S: Real> Pieces<S> {
     /// Whether any pad is on its edge.
     #[inline(always)]
     pub fn has_edges(&self) -> bool {
-        !self.legs.iter().all(|leg| leg.leg.edge_load.is_zero())
+        !self.legs.iter().all(|leg| leg.leg.edge.is_active.is_zero())
     }
 
     /// Thrust of the engine.

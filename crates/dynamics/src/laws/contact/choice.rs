@@ -5,7 +5,7 @@ use crate::crush::PressureLine;
 use crate::friction::Sliding;
 use crate::hinge::Hinge;
 use crate::integrator::event::Exit;
-use crate::leg_pieces::LegPieces;
+use crate::leg_pieces::{EdgePiece, LegPieces};
 use crate::outcome::{Failure, Outcome};
 use crate::rules::CrushRule;
 use crate::signal::{LegSignals, Signal};
@@ -76,15 +76,9 @@ impl LegLaws {
         );
         let hinge = Hinge::at(self.stops, value(Signal::PadTurn), value(Signal::PadRate));
         let (strut, link) = stance.pieces(&self.strut, &cartridge.line);
-        let is_inclined = value(Signal::PadInclination) < self.least_inclination();
-        let edge = self.edge.filter(|_| is_inclined);
-        let is_loaded = pad.iter().any(|section| !section.line.is_slack());
         *pieces = LegPieces {
-            pad: match edge {
-                Some(_) => [PressureLine::slack(); 2],
-                None => pad.map(|section| section.line),
-            },
-            edge_load: edge.filter(|_| is_loaded).map_or(0.0, |edge| edge.load),
+            pad: pad.map(|section| section.line),
+            edge: EdgePiece::on_face(),
             block: block.line,
             pad_friction: sliding(Signal::PadSliding),
             block_friction: sliding(Signal::BlockSliding),
@@ -116,7 +110,7 @@ impl LegLaws {
             return Some(Outcome::Bottomed { leg });
         }
         let loaded = pieces.pad.iter().any(|line| !line.is_slack());
-        let inclined = signals[Signal::PadInclination as usize] < self.least_inclination();
+        let inclined = signals[Signal::PadInclination as usize] < self.least_inclination;
         (loaded && inclined).then_some(Outcome::Failure(Failure::PadInclination { leg }))
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
 
 use super::cells::{CaseCell, CaseCells};
 use super::{OWN, REQUIRED};
@@ -96,11 +97,11 @@ impl Columns {
         }
     }
 
-    /// The scene of a row, for a vehicle with so many legs and a method.
+    /// The scene of a row, for a vehicle and a method.
     pub(super) fn scene(
         &self,
         row: Row,
-        legs: usize,
+        vehicle: &Vehicle,
         method: &Method,
     ) -> Result<Scene, InputError> {
         let mut conditions = NamedConditions::default();
@@ -113,7 +114,7 @@ impl Columns {
                 conditions.set(parameter.program_name(), *number);
             }
         }
-        conditions.scene_for(legs, method).map_err(|fault| {
+        conditions.scene_for(vehicle, method).map_err(|fault| {
             let said = |one: &&Given| one.parameter.program_name() == fault.name;
             match (fault.value, given.iter().find(said)) {
                 (
