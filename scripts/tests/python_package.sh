@@ -8,7 +8,7 @@ set -euo pipefail
 python=$1
 cd "$(dirname "$0")/../../crates/python"
 
-"$python" -m pip install --quiet maturin==1.16.0 pytest==9.2.0 mypy==2.4.1 pandas-stubs==3.1.0.261029 types-tqdm==4.70.0.20261106
+"$python" -m pip install --quiet maturin==1.16.0 pytest==9.2.0 mypy==2.4.1 pandas-stubs==3.1.0.261029 types-tqdm==4.70.0.20261106 joblib
 wheels=$(mktemp -d)
 trap 'rm -rf "$wheels"' EXIT
 "$python" -m maturin build --release --quiet --out "$wheels"

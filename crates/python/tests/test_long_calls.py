@@ -7,6 +7,7 @@ import sys
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 
+import joblib
 import numpy as np
 import pandas as pd
 import pytest
@@ -135,6 +136,11 @@ def test_threads_and_processes_get_the_same_landing(lander, scene):
     for method in ("spawn", "fork"):
         with ProcessPoolExecutor(2, get_context(method)) as pool:
             assert set(pool.map(outcome, [lander] * 4, [scene] * 4)) == {expected}
+
+
+def test_joblib_gets_the_same_landing(lander, scene):
+    landings = joblib.Parallel(n_jobs=2)(joblib.delayed(outcome)(lander, scene) for _ in range(4))
+    assert set(landings) == {td.land(lander, scene)}
 
 
 def test_searches_run_side_by_side(lander, scene):
