@@ -2,14 +2,17 @@
 
 use crate::common::random::{crush_rule, fixed_list, usual_conditions};
 use crate::common::scenes::history;
-use crate::common::{OFFSET, PRINCIPAL, ring, sample_deck, surveyor, table_4_1};
+use crate::common::{
+    OFFSET, PRINCIPAL, ring, sample_deck, settings, surveyor, surveyor_leg, table_4_1,
+};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
+use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::record::{Instant, Landing};
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
-use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
 
 /// Touchdowns that turn as well.
 fn touchdowns(count: usize) -> Vec<(Conditions, CrushRule)> {
@@ -224,6 +227,47 @@ fn a_quarter_of_a_turn_permutes_four_legs() {
 #[test]
 fn a_sixth_of_a_turn_permutes_six_legs() {
     turns_permute_legs(6);
+}
+
+#[test]
+fn a_leg_too_short_to_touch_changes_no_motion() {
+    let three = ring(3);
+    let mut legs = three.legs().to_vec();
+    let mut short = surveyor_leg(60.0);
+    for length in [
+        &mut short.linkage.lower_link_length,
+        &mut short.linkage.hardpoint_distance,
+        &mut short.strut.extended_length,
+        &mut short.strut.minimum_length,
+    ] {
+        *length *= 0.02;
+    }
+    short.block = None;
+    short.footpad.height = 0.02;
+    legs.insert(1, Leg::new(short).unwrap());
+    let height = three.center_of_gravity_height();
+    let inertia = Inertia {
+        xx: 142.22,
+        yy: 142.22,
+        zz: 142.22,
+        xy: 0.0,
+        xz: 0.0,
+        yz: 0.0,
+    };
+    let four = Vehicle::new(three.mass(), three.gravity(), height, inertia, legs).unwrap();
+    // Not compared: the stability angle, which is judged over neighbouring feet, also over those that hang in the air.
+    for (conditions, rule) in touchdowns(12) {
+        let scene = Scene::new(conditions).unwrap();
+        let settings = settings(1e-8).with_crush_rule(rule);
+        let [alone, beside] = [&three, &four].map(|vehicle| land(vehicle, &scene, &settings));
+        assert_eq!(alone.outcome.class(), beside.outcome.class());
+        assert!((alone.end_time - beside.end_time).abs() < 1e-6);
+        assert_eq!(beside.pad_contact[1], None);
+        for (leg, image) in [0, 2, 3].into_iter().enumerate() {
+            let apart = (alone.max_stroke[leg] - beside.max_stroke[image]).abs();
+            assert!(apart < 1e-7, "{apart} ft");
+        }
+    }
 }
 
 /// The vehicle turned from leg to leg of its own.
