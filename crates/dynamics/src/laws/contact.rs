@@ -177,6 +177,24 @@ impl LegMode {
         self.stance.is_hanging()
     }
 
+    /// What the signals of the outboard section are of, and its law: that section or, of a footpad on its edge, the edge.
+    fn outer<'a>(&'a self, laws: &'a LegLaws) -> (&'a Crush, &'a CrushLaw) {
+        if self.is_on_edge {
+            (&self.edge, &laws.edge)
+        } else {
+            (&self.pad[0], &laws.pad)
+        }
+    }
+
+    /// The same, to change it.
+    fn outer_mut<'a>(&'a mut self, laws: &'a LegLaws) -> (&'a mut Crush, &'a CrushLaw) {
+        if self.is_on_edge {
+            (&mut self.edge, &laws.edge)
+        } else {
+            (&mut self.pad[0], &laws.pad)
+        }
+    }
+
     /// What of the footpad can touch the surface: its sections, or its edge.
     fn pad_elements(&self) -> &[Crush] {
         if self.is_on_edge {
@@ -238,21 +256,19 @@ impl LegMode {
     pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
         let load = self.cartridge.line(&laws.cartridge);
         let (strut, link) = self.stance.pieces(&laws.strut, &load);
-        let slack = PressureLine::slack();
+        let (pad, edge) = if self.is_on_edge {
+            let edge = EdgePiece {
+                load: self.edge.line(&laws.edge),
+                is_active: 1.0,
+            };
+            ([PressureLine::slack(); 2], edge)
+        } else {
+            let sections = self.pad.map(|section| section.line(&laws.pad));
+            (sections, EdgePiece::on_face())
+        };
         LegPieces {
-            pad: if self.is_on_edge {
-                [slack; 2]
-            } else {
-                self.pad.map(|section| section.line(&laws.pad))
-            },
-            edge: EdgePiece {
-                load: if self.is_on_edge {
-                    self.edge.line(&laws.edge)
-                } else {
-                    slack
-                },
-                is_active: if self.is_on_edge { 1.0 } else { 0.0 },
-            },
+            pad,
+            edge,
             block: self.block.line(&laws.block),
             pad_friction: self.pad_sliding.piece(laws.friction),
             block_friction: self.block_sliding.piece(laws.friction),
@@ -296,28 +312,23 @@ impl LegMode {
         let interference = |element: &Crush, law: &CrushLaw, has_touched: bool| {
             element.interference_bounds(law, self.is_contact_watched(has_touched))
         };
-        let [outer, inner] = &self.pad;
-        let [outer_bounds, inner_bounds] = if self.is_on_edge {
-            let edge = interference(&self.edge, &laws.edge, self.pad_has_touched);
-            [edge, Bounds::FREE]
-        } else {
-            [outer, inner].map(|section| interference(section, &laws.pad, self.pad_has_touched))
-        };
+        let (outer, outer_law) = self.outer(laws);
+        let inner = &self.pad[1];
+        let is_on_face = !self.is_on_edge;
         [
-            outer_bounds,
-            inner_bounds,
+            interference(outer, outer_law, self.pad_has_touched),
+            only(
+                is_on_face,
+                interference(inner, &laws.pad, self.pad_has_touched),
+            ),
             interference(&self.block, &laws.block, self.block_has_touched),
             (self.stance.stroke_bounds(&laws.strut)).meet(self.cartridge_bounds(laws)),
-            if self.is_on_edge {
-                self.edge.rate_bounds()
-            } else {
-                outer.rate_bounds()
-            },
-            only(!self.is_on_edge, inner.rate_bounds()),
+            outer.rate_bounds(),
+            only(is_on_face, inner.rate_bounds()),
             self.block.rate_bounds(),
             self.cartridge.rate_bounds(),
             only(
-                by_pivot && !self.is_on_edge,
+                by_pivot && is_on_face,
                 outer.drive_bounds().meet(inner.drive_bounds()),
             ),
             only(by_pivot, self.block.drive_bounds()),
@@ -354,11 +365,9 @@ impl LegMode {
     /// The pad turns over on its edge, or back on its face.
     fn turn_over(&mut self, laws: &LegLaws, signals: &LegSignals<f64>) {
         let value = |signal: Signal| signals[signal as usize];
-        if self.is_on_edge {
-            self.edge
-                .leave_front(&laws.edge, value(Signal::OuterInterference));
-        } else {
-            self.pad[0].leave_front(&laws.pad, value(Signal::OuterInterference));
+        let (outer, law) = self.outer_mut(laws);
+        outer.leave_front(law, value(Signal::OuterInterference));
+        if !self.is_on_edge {
             self.pad[1].leave_front(&laws.pad, value(Signal::InnerInterference));
         }
         self.is_on_edge = !self.is_on_edge;
@@ -386,13 +395,10 @@ impl LegMode {
         let value = |signal: Signal| signals[signal as usize];
         let driven = |rate: Signal| laws.rule == CrushRule::Section || value(rate) >= 0.0;
         match signal {
-            Signal::OuterInterference if self.is_on_edge => {
-                self.edge
-                    .cross_interference(&laws.edge, exit, value(signal), true);
-            }
             Signal::OuterInterference => {
-                let driven = driven(Signal::PivotRate);
-                self.pad[0].cross_interference(&laws.pad, exit, value(signal), driven);
+                let driven = self.is_on_edge || driven(Signal::PivotRate);
+                let (outer, law) = self.outer_mut(laws);
+                outer.cross_interference(law, exit, value(signal), driven);
             }
             Signal::InnerInterference => {
                 let driven = driven(Signal::PivotRate);
@@ -403,12 +409,9 @@ impl LegMode {
                 self.block
                     .cross_interference(&laws.block, exit, value(signal), driven);
             }
-            Signal::OuterRate if self.is_on_edge => {
-                self.edge
-                    .leave_front(&laws.edge, value(Signal::OuterInterference));
-            }
             Signal::OuterRate => {
-                self.pad[0].leave_front(&laws.pad, value(Signal::OuterInterference));
+                let (outer, law) = self.outer_mut(laws);
+                outer.leave_front(law, value(Signal::OuterInterference));
             }
             Signal::InnerRate => {
                 self.pad[1].leave_front(&laws.pad, value(Signal::InnerInterference));

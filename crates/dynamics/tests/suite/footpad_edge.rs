@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::common::{level, settings, side_by_side, surveyor_leg};
+use crate::common::{even_inertia, level, settings, side_by_side, surveyor_leg};
 use touchdown_dynamics::attitude::{Attitude, Tip};
 use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::land::land;
@@ -10,7 +10,7 @@ use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::rules::CrushRule;
 use touchdown_dynamics::scene::{Conditions, Scene};
-use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
+use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
 fn lander(edge: Option<PadEdge>) -> Vehicle {
     let legs = [0.0, 120.0, 240.0].map(|azimuth| {
@@ -18,15 +18,7 @@ fn lander(edge: Option<PadEdge>) -> Vehicle {
         design.footpad.edge = edge;
         Leg::new(design).unwrap()
     });
-    let inertia = Inertia {
-        xx: 142.0,
-        yy: 142.0,
-        zz: 142.0,
-        xy: 0.0,
-        xz: 0.0,
-        yz: 0.0,
-    };
-    Vehicle::new(20.0, 5.31, 1.445, inertia, legs.to_vec()).unwrap()
+    Vehicle::new(20.0, 5.31, 1.445, even_inertia(142.0), legs.to_vec()).unwrap()
 }
 
 /// Steep and fast: pads turn over.

@@ -1,7 +1,7 @@
 //! Struts with honeycomb cartridges: the law of the cartridge, and landings on it.
 
 use crate::common::scenes::history;
-use crate::common::{level, settings, surveyor_leg};
+use crate::common::{even_inertia, level, settings, surveyor_leg};
 use std::f64::consts::TAU;
 use touchdown_dynamics::crush::{Crush, CrushLaw};
 use touchdown_dynamics::crush_load::CrushLoad;
@@ -9,7 +9,7 @@ use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Conditions, Scene};
-use touchdown_dynamics::vehicle::{Honeycomb, Inertia, Leg, Strut, StrutElement, Vehicle};
+use touchdown_dynamics::vehicle::{Honeycomb, Leg, Strut, StrutElement, Vehicle};
 
 /// Stiffness of unloading, lb/ft.
 const STIFFNESS: f64 = 40_000.0;
@@ -46,15 +46,7 @@ fn lander(legs: usize, friction: f64) -> Vehicle {
         Leg::new(design).unwrap()
     });
     let legs: Vec<Leg> = legs.collect();
-    let inertia = Inertia {
-        xx: 142.0,
-        yy: 142.0,
-        zz: 142.0,
-        xy: 0.0,
-        xz: 0.0,
-        yz: 0.0,
-    };
-    Vehicle::new(20.0, 5.31, 1.445, inertia, legs).unwrap()
+    Vehicle::new(20.0, 5.31, 1.445, even_inertia(142.0), legs).unwrap()
 }
 
 /// Work that crushes a cartridge to this stroke (ft), and the load there: the table, risen to at the elastic stiffness.

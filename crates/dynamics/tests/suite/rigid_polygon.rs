@@ -10,7 +10,7 @@
 //! would descend at ω b' with ω = m (V h' + W b')/I_p, faster than the W before at any speed that topples, so the impact would have
 //! to pull the feet down. Friction turns the body and lifts them off instead.
 
-use crate::common::surveyor_leg;
+use crate::common::{even_inertia, surveyor_leg};
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::ground::Ground;
@@ -20,7 +20,7 @@ use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::thrust::Thrust;
-use touchdown_dynamics::vehicle::{Honeycomb, Inertia, Leg, StrutElement, Vehicle};
+use touchdown_dynamics::vehicle::{Honeycomb, Leg, StrutElement, Vehicle};
 
 const MASS: f64 = 20.0;
 const GRAVITY: f64 = 5.31;
@@ -62,15 +62,7 @@ fn lander(force: f64) -> Vehicle {
         design.footpad.maximum_angle = 85f64.to_radians();
         Leg::new(design).unwrap()
     });
-    let inertia = Inertia {
-        xx: INERTIA,
-        yy: INERTIA,
-        zz: INERTIA,
-        xy: 0.0,
-        xz: 0.0,
-        yz: 0.0,
-    };
-    Vehicle::new(MASS, GRAVITY, 4.0, inertia, legs.to_vec()).unwrap()
+    Vehicle::new(MASS, GRAVITY, 4.0, even_inertia(INERTIA), legs.to_vec()).unwrap()
 }
 
 /// Whether the lander topples at a speed, its nose down, rolled by 0 or 45 deg.

@@ -3,7 +3,7 @@
 use crate::common::random::{crush_rule, fixed_list, usual_conditions};
 use crate::common::scenes::history;
 use crate::common::{
-    OFFSET, PRINCIPAL, ring, sample_deck, settings, surveyor, surveyor_leg, table_4_1,
+    OFFSET, PRINCIPAL, even_inertia, ring, sample_deck, settings, surveyor, surveyor_leg, table_4_1,
 };
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::record::{Instant, Landing};
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
-use touchdown_dynamics::vehicle::{Inertia, Leg, Vehicle};
+use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
 /// Touchdowns that turn as well.
 fn touchdowns(count: usize) -> Vec<(Conditions, CrushRule)> {
@@ -246,15 +246,14 @@ fn a_leg_too_short_to_touch_changes_no_motion() {
     short.footpad.height = 0.02;
     legs.insert(1, Leg::new(short).unwrap());
     let height = three.center_of_gravity_height();
-    let inertia = Inertia {
-        xx: 142.22,
-        yy: 142.22,
-        zz: 142.22,
-        xy: 0.0,
-        xz: 0.0,
-        yz: 0.0,
-    };
-    let four = Vehicle::new(three.mass(), three.gravity(), height, inertia, legs).unwrap();
+    let four = Vehicle::new(
+        three.mass(),
+        three.gravity(),
+        height,
+        even_inertia(142.22),
+        legs,
+    )
+    .unwrap();
     // Not compared: the stability angle, which is judged over neighbouring feet, also over those that hang in the air.
     for (conditions, rule) in touchdowns(12) {
         let scene = Scene::new(conditions).unwrap();

@@ -128,21 +128,25 @@ pub fn sample_deck() -> Vehicle {
     ring(3)
 }
 
-/// That vehicle with so many of its legs, evenly round the centreline.
-pub fn ring(legs: usize) -> Vehicle {
-    let inertia = Inertia {
-        xx: 142.22,
-        yy: 142.22,
-        zz: 142.22,
+/// The same moment of inertia (slug·ft²) about every axis.
+pub fn even_inertia(moment: f64) -> Inertia {
+    Inertia {
+        xx: moment,
+        yy: moment,
+        zz: moment,
         xy: 0.0,
         xz: 0.0,
         yz: 0.0,
-    };
+    }
+}
+
+/// That vehicle with so many of its legs, evenly round the centreline.
+pub fn ring(legs: usize) -> Vehicle {
     let azimuths = (0..legs).map(|leg| 360.0 * leg as f64 / legs as f64);
     let legs: Vec<Leg> = azimuths
         .map(|azimuth| Leg::new(surveyor_leg(azimuth)).unwrap())
         .collect();
-    Vehicle::new(20.0, 5.31, 1.5417, inertia, legs).unwrap()
+    Vehicle::new(20.0, 5.31, 1.5417, even_inertia(142.22), legs).unwrap()
 }
 
 /// Where tests put the CG off the centreline, ft.
