@@ -158,16 +158,21 @@ fn style(kind: EdgeKind) -> Style {
     }
 }
 
+/// What an edge of a kind parts, in words.
+pub fn words(kind: EdgeKind) -> &'static str {
+    match kind {
+        EdgeKind::End => "transitions end",
+        EdgeKind::Jump => "V_H jumps",
+        EdgeKind::Bands => "bands change in number",
+    }
+}
+
 fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = [
-        (EdgeKind::End, "transitions end"),
-        (EdgeKind::Jump, "V_H jumps"),
-        (EdgeKind::Bands, "bands change in number"),
-    ]
-    .into_iter()
-    .filter(|(kind, _)| map.edges.iter().any(|edge| edge.kind == *kind))
-    .map(|(kind, words)| (Mark::Line(style(kind)), words.to_owned()))
-    .collect();
+    let kinds = [EdgeKind::End, EdgeKind::Jump, EdgeKind::Bands];
+    let is_there = |kind: &EdgeKind| map.edges.iter().any(|edge| edge.kind == *kind);
+    let mut entries: Vec<Entry> = (kinds.into_iter().filter(is_there))
+        .map(|kind| (Mark::Line(style(kind)), words(kind).to_owned()))
+        .collect();
     let words = match caption.searched_to {
         Some(speed) => format!(
             "white: stable up to {} {}",
