@@ -114,6 +114,11 @@ fn draw_surface(canvas: &mut Canvas, map: &MapTable, levels: &Levels, point: &Vi
     }
 }
 
+/// The levels of a map for which none are chosen.
+pub fn levels(map: &MapTable) -> Levels {
+    Levels::of(&extent(map))
+}
+
 /// A surface with nothing but the extent and the heights of a map.
 fn extent(map: &MapTable) -> Surface {
     let corners = || map.triangles.iter().flatten();

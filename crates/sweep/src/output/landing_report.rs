@@ -130,3 +130,19 @@ fn integration(summary: &IntegrationSummary, legs: usize) -> Value {
         "variables": variables,
     })
 }
+
+/// What is to be told of a landing although its account closes: elements that gave back more than they took.
+pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
+    let given = landing.energies.given_by_crushing();
+    (given > 0.0).then(|| given_by_crushing(given, units))
+}
+
+/// The warning that crushing elements gave so much energy, ft·lb, told in these units.
+pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
+    let quantity = units.quantity("energy_ftlb");
+    let (energy, unit) = (quantity.number(energy), quantity.unit());
+    format!(
+        "crushing footpads or blocks added {energy:.4} {unit} to the motion, which no material does: \
+         they are too stiff for the crush laws"
+    )
+}

@@ -11,7 +11,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::landing_report::LandingReport;
+use touchdown_sweep::landing_report::{self, LandingReport};
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
@@ -243,7 +243,7 @@ fn land_once(
         true => format!("{:#}\n", report.json()),
         false => report::text(&report),
     })?;
-    if let Some(warning) = report::warning(&landing, units) {
+    if let Some(warning) = landing_report::warning(&landing, units) {
         eprintln!("touchdown: warning: {warning}");
     }
     match &landing.outcome {

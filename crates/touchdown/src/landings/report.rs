@@ -9,7 +9,7 @@ use touchdown_sweep::parameter::Home;
 use touchdown_sweep::settings_input::crush_rule_name;
 
 use crate::integration_report;
-use crate::summary::{given_by_crushing, number};
+use crate::summary::number;
 
 /// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
 pub fn degrees(angle: f64, decimals: u8) -> String {
@@ -119,12 +119,6 @@ pub fn text(report: &LandingReport) -> String {
 fn verdict_time(landing: &Landing) -> f64 {
     let beyond = landing.beyond.as_ref();
     beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
-}
-
-/// What is to be told of a landing although its account closes: elements that gave back more than they took.
-pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
-    let given = landing.energies.given_by_crushing();
-    (given > 0.0).then(|| given_by_crushing(given, units))
 }
 
 /// Lines of a name and what belongs to it.

@@ -185,16 +185,6 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
     text
 }
 
-/// The warning that crushing elements gave so much energy, ft·lb, told in these units.
-pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
-    let quantity = units.quantity("energy_ftlb");
-    let (energy, unit) = (quantity.number(energy), quantity.unit());
-    format!(
-        "crushing footpads or blocks added {energy:.4} {unit} to the motion, which no material does: \
-         they are too stiff for the crush laws"
-    )
-}
-
 /// A number of things, with the plural where it is needed.
 pub fn number(count: impl Display, thing: &str) -> String {
     let count = count.to_string();
