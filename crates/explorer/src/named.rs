@@ -109,6 +109,14 @@ impl Named {
         }
     }
 
+    /// Name of the source that the landings of a table start from: the first of all, where the table has no record.
+    pub fn source_of<'n>(&'n self, results: &'n Results) -> &'n str {
+        match &results.source {
+            Some(source) => source,
+            None => &self.sources[0].name,
+        }
+    }
+
     /// The table of results of a name.
     pub fn results(&self, name: &str) -> Option<&Results> {
         self.results.iter().find(|results| results.name == name)

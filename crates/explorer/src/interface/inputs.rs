@@ -47,16 +47,8 @@ fn results(named: &Named, results: &Results) -> Value {
         "title": title(results),
         "file": results.file,
         "kind": results.kind.word(),
-        "source": source_of(named, results),
+        "source": named.source_of(results),
         "axes": results.axes,
         "points": results.points,
     })
-}
-
-/// The source that the landings of a table start from: the first of all, where the table has no record.
-pub fn source_of<'n>(named: &'n Named, results: &'n Results) -> &'n str {
-    match &results.source {
-        Some(source) => source,
-        None => &named.sources[0].name,
-    }
 }

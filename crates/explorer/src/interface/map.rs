@@ -13,7 +13,6 @@ use touchdown_figures::unit::split_unit;
 
 use super::classes::class_words;
 use super::complaint::Complaint;
-use super::inputs::source_of;
 use super::request::{read, written};
 use crate::named::{Named, Results, ResultsKind};
 
@@ -77,7 +76,7 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
         "title": title(results),
         "conditions": caption.conditions,
         "statement": caption.statement,
-        "source": source_of(named, results),
+        "source": named.source_of(results),
         "speed_unit": unit.to_string(),
         "speed_column": format!("first_transition{}", unit.ending()),
         "axes": axes.iter().map(|axis| all.described(*axis)).collect::<Vec<_>>(),
@@ -99,7 +98,7 @@ pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
         .map(|(axis, value)| (axis.name.clone(), value.clone()))
         .collect();
     let unit = caption(results)?.speed_unit;
-    let source = source_of(named, results);
+    let source = named.source_of(results);
     let speed_name = format!("horizontal_velocity{}", unit.ending());
     let touchdown = |speed: f64| {
         let mut values = place.clone();

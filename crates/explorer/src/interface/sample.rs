@@ -5,7 +5,6 @@ use serde_json::{Value, json};
 
 use super::classes::{CLASSES, class_words};
 use super::complaint::Complaint;
-use super::inputs::source_of;
 use super::map::{cell, of_table, results_of, title, words_of};
 use super::request::{read, written};
 use crate::named::{Named, ResultsKind};
@@ -61,7 +60,7 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let class: Vec<usize> = outcome.iter().map(|place| class_of[*place]).collect();
     written(&json!({
         "title": title(results),
-        "source": source_of(named, results),
+        "source": named.source_of(results),
         "inputs": inputs,
         "outcomes": words,
         "outcome": outcome,

@@ -4,7 +4,6 @@ use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_sweep::landing_report::LandingReport;
 use touchdown_sweep::landing_table::why;
 use touchdown_sweep::method_input::method_words;
-use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
 use touchdown_sweep::settings_input::crush_rule_name;
 

@@ -16,7 +16,7 @@ use touchdown_sweep::{cases, method_input::method_words};
 use crate::failure::Failure;
 use crate::land_files::{interval, is_history};
 use crate::print::print;
-use crate::report::{self, degrees};
+use crate::report::degrees;
 use crate::summary;
 
 /// Lands all cases and writes their histories, every `seconds`, and their results to a folder, in the units of the file or
