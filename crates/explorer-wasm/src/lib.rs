@@ -77,7 +77,7 @@ fn open(input: &[u8]) -> Result<Named, Complaint> {
         .map(|Copy { path, text }| Source { path, text })
         .collect();
     let library = Library::Copies(&copies);
-    Ok(Named::read(&opened.files, library, opened.units)?)
+    Ok(Named::read(&opened.files, library, Some(opened.units))?)
 }
 
 fn answer(input: &[u8], name_length: usize) -> Result<String, Complaint> {

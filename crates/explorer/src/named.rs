@@ -35,14 +35,15 @@ pub struct Named {
 }
 
 impl Named {
-    /// Reads files: vehicles, scenes, sweeps, tables of results. Without any, the Surveyor.
+    /// Reads files: vehicles, scenes, sweeps, tables of results. Without any, the Surveyor. Units are those of the first file
+    /// unless others are given.
     ///
     /// # Errors
     /// Names the first file that is none of these, or what is wrong in it.
     pub fn read(
         files: &[PathBuf],
         library: Library,
-        units: OutputUnits,
+        units: Option<OutputUnits>,
     ) -> Result<Self, InputError> {
         let own = [library::Source {
             path: PathBuf::from(SURVEYOR),
@@ -51,7 +52,7 @@ impl Named {
         let mut named = Self {
             sources: Vec::new(),
             results: Vec::new(),
-            units,
+            units: OutputUnits::default(),
             files: files.to_owned(),
             copies: Vec::new(),
         };
@@ -65,6 +66,7 @@ impl Named {
                 .sources
                 .push(Source::of_vehicle(&mut reading, Path::new(SURVEYOR))?);
         }
+        named.units = units.unwrap_or(named.sources[0].units);
         named.copies = reading.copies;
         Ok(named)
     }

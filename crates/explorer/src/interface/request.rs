@@ -24,6 +24,10 @@ pub struct Asked {
 /// # Errors
 /// Says what is not as the interface has it.
 pub fn read<R: DeserializeOwned>(request: &str) -> Result<R, Complaint> {
+    // A list of its members would be taken for an object too.
+    if !request.trim_start().starts_with('{') {
+        return Err(Complaint::request("not a request: expected an object"));
+    }
     serde_json::from_str(request)
         .map_err(|error| Complaint::request(format!("not a request: {error}")))
 }

@@ -6,6 +6,7 @@ use serde_json::{Map, Value as Json};
 use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::document::{Document, Entry, Node, Value};
 use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
 use touchdown_sweep::single_landing::Touchdown;
 use touchdown_sweep::toml_text;
@@ -59,6 +60,10 @@ pub fn source(record: &str, path: &Path) -> Result<Source, InputError> {
         conditions,
         solver: solver(&input["solver"]).map_err(at)?,
         search,
+        units: match input["search"]["to_mps"].is_number() {
+            true => OutputUnits::Si,
+            false => OutputUnits::Us,
+        },
     })
 }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::document::{Document, Value};
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::scene_file::{self, SceneCase};
 use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
 use touchdown_sweep::sweep_file::Sweep;
@@ -70,6 +71,8 @@ pub struct Source {
     pub solver: Document,
     /// Range of V_H, ft/s.
     pub search: [f64; 2],
+    /// Units in which its file wants results.
+    pub units: OutputUnits,
 }
 
 impl Source {
@@ -102,6 +105,7 @@ impl Source {
             conditions,
             solver: nothing()?,
             search: SEARCHED,
+            units: OutputUnits::default(),
         })
     }
 
@@ -123,6 +127,7 @@ impl Source {
                 solver: solver_of(&case.document)?,
                 vehicle: case.vehicle,
                 search: SEARCHED,
+                units: read.units,
             })
         };
         read.cases.into_iter().map(source).collect()
@@ -152,6 +157,7 @@ impl Source {
             conditions,
             solver: solver_of(document)?,
             search: search.unwrap_or(SEARCHED),
+            units: sweep.units,
         };
         let first = sweep.axes.iter().zip(&first);
         source.with(first.map(|(axis, text)| (axis.name(), text.as_str())))

@@ -7,6 +7,7 @@ mod bad_sweeps;
 mod committed_results;
 mod document_examples;
 mod dry_runs;
+mod explore;
 mod full_disk;
 mod interruptions;
 mod legs;

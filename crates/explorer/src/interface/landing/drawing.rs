@@ -44,7 +44,8 @@ impl Drawing {
 /// A number to as many digits as a drawing needs.
 fn rounded(number: f64) -> f64 {
     const STEPS: f64 = 1e6;
-    (number * STEPS).round() / STEPS
+    // Without the sign of what is zero.
+    (number * STEPS).round() / STEPS + 0.0
 }
 
 fn triple(vector: &Vector3<f64>) -> Triple {

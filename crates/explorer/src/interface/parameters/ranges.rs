@@ -69,7 +69,8 @@ pub fn of(name: &str) -> Allowed {
         }
         "solver.tolerance" => Allowed::within(1e-12, 1e-2, "1e-12 ≤ value ≤ 1e-2"),
         "solver.time_limit_s" => Allowed::within(0.0, 1000.0, "0 < value ≤ 1000"),
-        "center_of_gravity_height_ft"
+        "azimuth_deg"
+        | "center_of_gravity_height_ft"
         | "center_of_gravity_offset_x_ft"
         | "center_of_gravity_offset_y_ft"
         | "inertia_slug_ft2.xy"

@@ -1,0 +1,339 @@
+//! Landings, parameters, strips and bands.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+use serde_json::{Value, json};
+
+use crate::common::{ask, named};
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let items = value.as_array().unwrap().iter();
+    items.map(|item| item.as_f64().unwrap()).collect()
+}
+
+fn landing(values: Value) -> Value {
+    ask("landing", &json!({"touchdown": {"values": values}})).unwrap()
+}
+
+#[test]
+fn there_is_always_something_to_explore() {
+    let inputs = ask("inputs", &json!({})).unwrap();
+    assert_eq!(inputs["sources"].as_array().unwrap().len(), 3);
+    assert_eq!(inputs["results"][0]["kind"], "map");
+    assert_eq!(inputs["results"][1]["kind"], "profile");
+    let alone = named(&[]);
+    assert_eq!(alone.sources[0].name, "surveyor-table-4-1");
+}
+
+#[test]
+fn every_kind_of_file_is_a_source() {
+    let named = named(&[
+        "sweeps/figure-4-09.toml",
+        "sweeps/vehicles/six-legs.toml",
+        "sweeps/figure-4-09.toml",
+    ]);
+    let names: Vec<&str> = named
+        .sources
+        .iter()
+        .map(|source| source.name.as_str())
+        .collect();
+    assert_eq!(names, ["figure-4-09", "six-legs", "figure-4-09-2"]);
+}
+
+#[test]
+fn a_history_has_the_instants_of_the_interval_and_the_end() {
+    let told = landing(json!({"horizontal_velocity_fps": 11.25}));
+    assert_eq!(told["outcome"], "stable-rockback");
+    let columns = told["history"]["columns"].as_array().unwrap();
+    assert_eq!(columns.len(), 17 + 3 * 19);
+    let times = numbers(&columns[0]["values"]);
+    assert_eq!(times[..3], [0.0, 0.01, 0.02]);
+    assert_eq!(times.last(), told["end_time_s"].as_f64().as_ref());
+    let drawn = told["drawing"]["instants"]["time_s"].as_array().unwrap();
+    assert_eq!(drawn.len(), times.len());
+    assert_eq!(
+        told["drawing"]["instants"]["legs"]
+            .as_array()
+            .unwrap()
+            .len(),
+        3
+    );
+    let without = ask("landing", &json!({"history": false, "drawing": false})).unwrap();
+    assert_eq!(
+        (&without["history"], &without["drawing"]),
+        (&Value::Null, &Value::Null)
+    );
+}
+
+#[test]
+fn energies_close() {
+    let told = landing(json!({"horizontal_velocity_fps": 11.25}));
+    let energies = &told["energies"];
+    let total = numbers(&energies["total"]);
+    let parts = energies["parts"].as_array().unwrap();
+    let closure = numbers(&energies["closure"]);
+    for (index, total) in total.iter().enumerate() {
+        let sum: f64 = parts
+            .iter()
+            .map(|part| numbers(&part["values"])[index])
+            .sum();
+        assert!((total - sum - closure[index]).abs() < 1e-9, "{index}");
+        assert!(
+            closure[index].abs() < 1e-3 * total,
+            "{index}: {}",
+            closure[index]
+        );
+    }
+}
+
+#[test]
+fn the_drawing_is_of_one_piece() {
+    let values = json!({"roll_deg": 20, "pitch_deg": -5, "footing[2].height_ft": 0.4, "footing[3].tilt_along_deg": 8,
+                        "vehicle.center_of_gravity_offset_x_ft": 0.2});
+    let told = landing(values);
+    let drawing = &told["drawing"];
+    let vehicle = &drawing["vehicle"];
+    let instants = &drawing["instants"];
+    let add = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + b).collect() };
+    let distance = |a: &[f64], b: &[f64]| {
+        a.iter()
+            .zip(b)
+            .map(|(a, b)| (a - b) * (a - b))
+            .sum::<f64>()
+            .sqrt()
+    };
+    let count = instants["time_s"].as_array().unwrap().len();
+    for index in (0..count).step_by(7) {
+        let rotation = numbers(&instants["rotation"][index]);
+        let center = numbers(&instants["center_of_gravity"][index]);
+        let in_ground = |point: &Value| {
+            let point = numbers(point);
+            let turned: Vec<f64> = (0..3)
+                .map(|row| {
+                    (0..3)
+                        .map(|column| rotation[3 * row + column] * point[column])
+                        .sum()
+                })
+                .collect();
+            add(&center, &turned)
+        };
+        for leg in 0..3 {
+            let (shape, moves) = (&vehicle["legs"][leg], &instants["legs"][leg]);
+            let pivot = numbers(&moves["pivot"][index]);
+            let link = distance(&in_ground(&shape["lower_hardpoint"]), &pivot);
+            assert!((link - shape["link_length"].as_f64().unwrap()).abs() < 1e-4);
+            let strut = distance(&in_ground(&shape["upper_hardpoint"]), &pivot);
+            let stroke = moves["stroke"][index].as_f64().unwrap();
+            assert!(
+                (strut + stroke - shape["strut"]["extended_length"].as_f64().unwrap()).abs() < 1e-4
+            );
+        }
+    }
+}
+
+#[test]
+fn forces_of_the_ground_are_those_of_the_history() {
+    let told = landing(json!({"horizontal_velocity_fps": 11.25, "cross_slope_deg": 150}));
+    let columns = told["history"]["columns"].as_array().unwrap();
+    let column = |name: &str| {
+        let found = columns
+            .iter()
+            .find(|column| column["name"] == name)
+            .unwrap();
+        numbers(&found["values"])
+    };
+    for leg in 1..=3 {
+        let [normal, friction] =
+            ["normal", "friction"].map(|kind| column(&format!("pad_{kind}_{leg}_lb")));
+        let forces = told["drawing"]["instants"]["legs"][leg - 1]["pad_force"]
+            .as_array()
+            .unwrap();
+        let up = numbers(&told["drawing"]["ground"]["normal"]);
+        for (index, force) in forces.iter().enumerate() {
+            let force = numbers(force);
+            let along: f64 = force.iter().zip(&up).map(|(f, n)| f * n).sum();
+            let all: f64 = force.iter().map(|part| part * part).sum::<f64>().sqrt();
+            assert!(
+                (along - normal[index]).abs() < 0.01 + 1e-5 * all,
+                "{along} {}",
+                normal[index]
+            );
+            let across = (all * all - along * along).max(0.0).sqrt();
+            assert!(
+                (across - friction[index].abs()).abs() < 0.2 + 1e-4 * all,
+                "{across} {}",
+                friction[index]
+            );
+        }
+    }
+}
+
+#[test]
+fn patches_are_where_the_feet_would_first_touch_them() {
+    let told = landing(json!({"slope_deg": 12, "footing[2].height_ft": 0.5}));
+    let ground = &told["drawing"]["ground"];
+    let normal = numbers(&ground["normal"]);
+    for patch in ground["patches"].as_array().unwrap() {
+        let point = numbers(&patch["point"]);
+        let height: f64 = normal.iter().zip(&point).map(|(n, p)| n * p).sum();
+        let expected = if patch["leg"] == 2 { 0.5 } else { 0.0 };
+        assert!((height - expected).abs() < 1e-5, "{patch}");
+        assert_eq!(patch["is_even"], json!(patch["leg"] != 2));
+    }
+}
+
+#[test]
+fn events_come_in_order_and_end_with_the_verdict() {
+    let told = landing(json!({"horizontal_velocity_fps": 12}));
+    let events = told["events"].as_array().unwrap();
+    let times: Vec<f64> = events
+        .iter()
+        .map(|event| event["time_s"].as_f64().unwrap())
+        .collect();
+    assert!(times.is_sorted());
+    let last = events.last().unwrap();
+    assert_eq!(
+        (&last["kind"], &last["time_s"]),
+        (&json!("verdict"), &told["end_time_s"])
+    );
+    assert!(
+        last["title"]
+            .as_str()
+            .unwrap()
+            .starts_with("unstable-pitch: its CG passed")
+    );
+}
+
+#[test]
+fn every_slider_end_is_a_landing_or_a_complaint_about_other_numbers() {
+    let parameters = ask("parameters", &json!({})).unwrap();
+    let parameters = parameters["parameters"].as_array().unwrap();
+    assert!(parameters.len() > 100);
+    for parameter in parameters
+        .iter()
+        .filter(|one| one["slider"].is_object() && one["leg"] != 3)
+    {
+        let (name, slider) = (parameter["name"].as_str().unwrap(), &parameter["slider"]);
+        let value = parameter["value"].as_f64().unwrap();
+        let [from, to] = ["from", "to"].map(|end| slider[end].as_f64().unwrap());
+        assert!(from <= value && value <= to, "{name}");
+        // The other form of the attitude wants all of its angles.
+        if name.starts_with("tip") || name == "nominal_roll_deg" {
+            continue;
+        }
+        for end in [from, to] {
+            let request =
+                json!({"touchdown": {"values": {(name): end}}, "history": false, "drawing": false});
+            if let Err(complaint) = ask("landing", &request) {
+                let depends = [
+                    "angle of the extended link",
+                    "below strut",
+                    "can span",
+                    "stands between",
+                    "polygon",
+                    "positive definite",
+                    "sum of the other two",
+                    "from another leg",
+                    "legs surround",
+                ];
+                let allowed = complaint.allowed.unwrap_or_default();
+                assert!(
+                    depends.iter().any(|words| allowed.contains(words)),
+                    "{name} = {end}: {}",
+                    complaint.message
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_never_allowed_is_refused() {
+    let parameters = ask("parameters", &json!({})).unwrap();
+    for parameter in parameters["parameters"].as_array().unwrap() {
+        let (name, allowed) = (parameter["name"].as_str().unwrap(), &parameter["allowed"]);
+        if !parameter["words"].as_array().unwrap().is_empty()
+            || name.starts_with("tip")
+            || name == "nominal_roll_deg"
+        {
+            continue;
+        }
+        for (end, is_open) in [("lower", "is_lower_open"), ("upper", "is_upper_open")] {
+            let bound = allowed[end].as_f64().unwrap();
+            let outward = if end == "lower" { -1.0 } else { 1.0 };
+            let beyond = match allowed[is_open].as_bool().unwrap() {
+                true => bound,
+                false => bound + outward * bound.abs().max(1.0) * 1e-3,
+            };
+            let request = json!({"touchdown": {"values": {(name): beyond}}, "history": false, "drawing": false});
+            let complaint =
+                (ask("landing", &request).map(drop)).expect_err(&format!("{name} = {beyond}"));
+            assert!(complaint.key.is_some(), "{name}: {}", complaint.message);
+        }
+    }
+}
+
+#[test]
+fn a_value_in_si_is_the_same_value() {
+    let si = landing(
+        json!({"vertical_velocity_mps": 4.2672, "vehicle.strut.preload_n": 822.9209988231925}),
+    );
+    let us = landing(json!({"vertical_velocity_fps": 14, "vehicle.strut.preload_lb": 185}));
+    assert_eq!(si["report"]["result"], us["report"]["result"]);
+}
+
+#[test]
+fn a_strip_fills_in_until_it_is_done() {
+    let mut known: Vec<Value> = Vec::new();
+    let mut rounds = 0;
+    let bands = loop {
+        let told = ask(
+            "strip",
+            &json!({"known": known, "most": 16, "resolution_fps": 0.01}),
+        )
+        .unwrap();
+        let new = told["landings"].as_array().unwrap();
+        assert!(new.len() <= 16);
+        for landing in new {
+            assert!(
+                known
+                    .iter()
+                    .all(|one| one["speed_fps"] != landing["speed_fps"])
+            );
+            known.push(json!({"speed_fps": landing["speed_fps"], "class": landing["class"]}));
+        }
+        rounds += 1;
+        if told["is_done"] == true {
+            break told["bands"].clone();
+        }
+        assert!(rounds < 50);
+    };
+    let bands = bands.as_array().unwrap();
+    assert_eq!(bands[0]["from_fps"], 0.0);
+    assert_eq!(bands.last().unwrap()["to_fps"], 25.0);
+    assert!(
+        bands
+            .windows(2)
+            .all(|pair| pair[0]["to_fps"] == pair[1]["from_fps"])
+    );
+    assert!((bands[0]["to_fps"].as_f64().unwrap() - 11.4).abs() < 0.02);
+
+    let found = ask("bands", &json!({})).unwrap();
+    let first = &found["first_transition"];
+    assert_eq!(
+        (&first["to"], &first["certainty"]),
+        (&json!("unstable"), &json!("certain"))
+    );
+    assert!((first["speed_fps"].as_f64().unwrap() - 11.4).abs() < 0.002);
+    assert_eq!(found["bands"].as_array().unwrap().len(), bands.len());
+}
+
+#[test]
+fn nobody_waits_for_what_is_over() {
+    use crate::common::NAMED;
+    use touchdown_explorer::interface::{Fault, answer};
+    for name in ["strip", "bands"] {
+        let complaint = answer(&NAMED, name, "{}", &|| true).unwrap_err();
+        assert_eq!(complaint.fault, Fault::Over);
+    }
+}

@@ -1,0 +1,7 @@
+//! Tests of the interface and of the server, in one program.
+
+mod answers;
+mod common;
+mod complaints;
+mod maps;
+mod wild_clients;

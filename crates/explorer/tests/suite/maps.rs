@@ -1,0 +1,114 @@
+//! Maps, places on them, and samples.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+use touchdown_explorer::interface::answer;
+use touchdown_explorer::named::Named;
+use touchdown_sweep::library::{Library, Source};
+
+use crate::common::ask;
+
+#[test]
+fn a_map_is_a_grid_with_gaps_and_jumps() {
+    let map = ask("map", &json!({"results": "surface-4-20"})).unwrap();
+    let speeds = map["grid"]["speeds"].as_array().unwrap();
+    assert_eq!(
+        speeds.len(),
+        map["axes"][0]["values"].as_array().unwrap().len()
+    );
+    assert_eq!(map["points"].as_array().unwrap().len(), 3969);
+    assert_eq!(map["words"]["gap"], "stable up to 25 ft/s");
+    assert_eq!(
+        map["words"]["jump"],
+        "V_H jumps by more than 2 ft/s between points"
+    );
+    assert!(!map["jump_cells"].as_array().unwrap().is_empty());
+    let levels = map["levels"].as_array().unwrap();
+    assert_eq!(levels.last().unwrap()["speed"], Value::Null);
+}
+
+#[test]
+fn landings_beside_a_boundary_end_differently() {
+    for (results, place) in [
+        (
+            "surface-4-20",
+            json!({"cross_slope_deg": 152, "roll_deg": -31}),
+        ),
+        ("figure-4-09", json!({"roll_deg": 1})),
+    ] {
+        let at = ask("at", &json!({"results": results, "place": place})).unwrap();
+        let class = |touchdown: &Value| {
+            let request = json!({"touchdown": touchdown, "history": false, "drawing": false});
+            ask("landing", &request).unwrap()["class"].clone()
+        };
+        assert_eq!(class(&at["below"]), "stable");
+        assert_eq!(class(&at["above"]), at["to"]);
+    }
+}
+
+#[test]
+fn any_two_of_more_axes_make_a_map() {
+    let table = "friction,slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,certainty\n";
+    let mut rows = String::from(table);
+    for (index, (friction, slope, roll)) in [0.8, 1.0]
+        .into_iter()
+        .flat_map(|friction| [10, 15].map(|slope| (friction, slope)))
+        .flat_map(|(friction, slope)| [-5, 5].map(|roll| (friction, slope, roll)))
+        .enumerate()
+    {
+        let speed = 10.0 + index as f64;
+        rows += &format!("{friction},{slope},{roll},unstable,{speed},{speed},{speed},certain\n");
+    }
+    let copies = [Source {
+        path: PathBuf::from("trade.csv"),
+        text: rows,
+    }];
+    let named = Named::read(
+        &[PathBuf::from("trade.csv")],
+        Library::Copies(&copies),
+        None,
+    )
+    .unwrap();
+    let ask = |request: Value| -> Value {
+        serde_json::from_str(&answer(&named, "map", &request.to_string(), &|| false).unwrap())
+            .unwrap()
+    };
+    let map = ask(json!({"results": "trade"}));
+    assert_eq!(map["other_axes"][0]["fixed"], -5.0);
+    assert_eq!(map["grid"]["speeds"], json!([[10.0, 12.0], [14.0, 16.0]]));
+    let map = ask(
+        json!({"results": "trade", "axes": ["roll_deg", "friction"], "fixed": {"slope_deg": 15}}),
+    );
+    assert_eq!(map["grid"]["speeds"], json!([[12.0, 16.0], [13.0, 17.0]]));
+}
+
+#[test]
+fn landings_of_a_sample_have_their_input_and_their_class() {
+    let text = "friction,vehicle.strut.preload_lb,outcome,end_time_s,failure\n0.8,180,stable-rockback,2.5,\n0.9,190,bottomed-leg-2,0.3,\n1,170,sliding,40,\n";
+    let copies = [Source {
+        path: PathBuf::from("drawn.csv"),
+        text: text.to_owned(),
+    }];
+    let named = Named::read(
+        &[PathBuf::from("drawn.csv")],
+        Library::Copies(&copies),
+        None,
+    )
+    .unwrap();
+    let told = answer(&named, "sample", r#"{"results": "drawn"}"#, &|| false).unwrap();
+    let told: Value = serde_json::from_str(&told).unwrap();
+    assert_eq!(told["inputs"][1]["values"], json!([180.0, 190.0, 170.0]));
+    assert_eq!(
+        told["outcomes"],
+        json!(["stable-rockback", "bottomed-leg-2", "sliding"])
+    );
+    let classes = told["class"].as_array().unwrap().iter();
+    let words: Vec<&Value> = classes
+        .map(|place| &told["classes"][place.as_u64().unwrap() as usize]["class"])
+        .collect();
+    assert_eq!(words, ["stable", "bottomed", "undecided"]);
+    assert_eq!(told["results"][1]["values"], json!([null, null, null]));
+}
