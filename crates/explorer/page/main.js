@@ -1,8 +1,13 @@
 import * as engine from "./engine/engine.js";
 import { byId, element } from "./look/elements.js";
 import { startTheme } from "./look/theme.js";
+import { Tabs } from "./look/tabs.js";
 import { LandingTab } from "./landing/landing_tab.js";
+import { fromAddress, toAddress } from "./present/address.js";
 import { Present } from "./present/present.js";
+
+/** How long nothing changes before the address takes it, ms. */
+const CALM = 250;
 
 startTheme(byId("theme", HTMLButtonElement));
 engine.connect();
@@ -13,17 +18,53 @@ function complain(error) {
   trouble.textContent = error instanceof Error ? error.message : String(error);
   trouble.hidden = false;
 }
+window.addEventListener("unhandledrejection", (event) => complain(event.reason));
 
 async function start() {
   const known = await engine.inputs();
   const present = new Present();
   present.source = known.sources[0].name;
   present.units = known.units;
+
+  const tabs = new Tabs(byId("tabs", HTMLElement), byId("content", HTMLElement));
+  const landing = new LandingTab(present, known.sources);
+  tabs.add("landing", "Landing", landing.root);
+
   const source = byId("source", HTMLSelectElement);
   source.append(...known.sources.map(({ name, title }) => element("option", { value: name }, title)));
-  const tab = new LandingTab(present, known.sources);
-  byId("content", HTMLElement).append(tab.root);
-  await tab.refresh();
+  source.addEventListener("change", () => present.replace({ source: source.value, values: {} }));
+  const units = byId("units", HTMLSelectElement);
+  units.addEventListener("change", () => present.setUnits(units.value === "SI" ? "SI" : "US"));
+
+  const restore = () => {
+    const { source: named, units: wanted, values, extra } = fromAddress(location.hash);
+    if (wanted === "US" || wanted === "SI") present.units = wanted;
+    const isKnown = known.sources.some(({ name }) => name === named);
+    if (named !== null && isKnown) present.source = named;
+    present.replace({ source: present.source, values: named === null || isKnown ? values : {} });
+    tabs.choose(extra.tab ?? "landing");
+    if (extra.t) {
+      landing.replay.player.go(Number(extra.t));
+      landing.replay.hasShown = true;
+    }
+  };
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let later;
+  const keep = () => {
+    source.value = present.source;
+    units.value = present.units;
+    clearTimeout(later);
+    later = setTimeout(() => {
+      const tab = tabs.chosen === "landing" ? "" : (tabs.chosen ?? "");
+      const hash = toAddress(present, { tab });
+      if (hash !== location.hash) history.replaceState(null, "", hash);
+    }, CALM);
+  };
+  for (const kind of ["values", "units"]) present.addEventListener(kind, keep);
+  tabs.addEventListener("chosen", keep);
+  window.addEventListener("hashchange", restore);
+  restore();
+  await landing.start();
 }
 
 start().catch(complain);

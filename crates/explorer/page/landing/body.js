@@ -24,7 +24,7 @@ export class Body {
     const [cx, cy] = shape.center;
     const deck = mean(lowers.map((point) => point.z));
     const top = Math.min(...uppers.map((point) => point.z), deck - 0.1 * size);
-    const beam = 0.011 * size;
+    const beam = 0.008 * size;
     const add = (/** @type {Vector3} */ from, /** @type {Vector3} */ to, thickness = beam) => {
       const mesh = rod(thickness, materials.metal);
       lay(mesh, from, to);
@@ -64,7 +64,7 @@ export class Body {
     add(new Vector3(cx, cy, roof), mast, 0.9 * beam);
     const plate = new Mesh(new BoxGeometry(1.15 * inner, 0.8 * inner, 0.04 * inner), materials.panel);
     plate.position.set(cx + 0.3 * inner, cy, mast.z);
-    plate.rotation.y = 0.5;
+    plate.rotation.y = -0.35;
     plate.castShadow = true;
     this.group.add(plate);
     this.blocks = shape.legs.map((leg) => this.#block(leg.block));

@@ -27,8 +27,8 @@ export class Forces {
     this.group.clear();
     this.faces = motion.drawing.vehicle.legs.map((leg) => (leg.block ? new Vector3(...leg.block.face) : null));
     this.arrows = this.faces.map(() => ({
-      pad: new Arrow(0.009 * this.size, this.materials.force),
-      block: new Arrow(0.009 * this.size, this.materials.blockForce),
+      pad: new Arrow(0.007 * this.size, this.materials.force),
+      block: new Arrow(0.007 * this.size, this.materials.blockForce),
     }));
     for (const { pad, block } of this.arrows) this.group.add(pad.group, block.group);
     this.scale = roundStep(motion.greatestForce / (0.5 * this.size));

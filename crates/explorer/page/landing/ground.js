@@ -8,6 +8,8 @@ import { Arrow, Label } from "./shapes.js";
 
 /** Half the side of the ground that is drawn, ft. */
 const HALF = 160;
+/** Length of the arrow of V_H in sizes of the lander, for each ft/s. */
+const LENGTH_A_SPEED = 0.024;
 const FEET_A_METRE = 1 / 0.3048;
 
 /** The surface with its grid, the ground under pads that is not the surface, and arrows downhill and along V_H. */
@@ -23,7 +25,7 @@ export class GroundModel {
     this.surface.receiveShadow = true;
     this.downhill = new Arrow(0.012 * size, materials.downhill);
     this.velocity = new Arrow(0.012 * size, materials.velocity);
-    this.words = { downhill: new Label(0.05 * size), velocity: new Label(0.05 * size) };
+    this.words = { downhill: new Label(0.036 * size), velocity: new Label(0.036 * size) };
     this.patches = new Group();
     this.group.add(
       this.surface, this.patches, this.downhill.group, this.velocity.group, this.words.downhill.sprite, this.words.velocity.sprite,
@@ -86,15 +88,15 @@ export class GroundModel {
     const raised = at.clone().addScaledVector(normal, 0.02 * size);
     const side = raised.clone().addScaledVector(across, 0.62 * size).addScaledVector(downhill, -0.2 * size);
     this.downhill.point(side, downhill.clone().multiplyScalar(0.4 * size));
-    const { text, paper, stable, paleText } = colours();
+    const { paper, stable, paleText } = colours();
     this.words.downhill.write("downhill", paleText, paper);
     this.words.downhill.sprite.position.copy(side).addScaledVector(downhill, 0.46 * size);
     const along = new Vector3(...ground.velocity_direction);
     along.addScaledVector(normal, -along.dot(normal)).normalize();
-    const tail = raised.clone().addScaledVector(along, -0.55 * size - 0.05 * speed * 0.3 * size);
-    this.velocity.point(tail, along.clone().multiplyScalar(0.05 * speed * 0.3 * size));
-    this.words.velocity.write(speedWords, stable || text, paper);
-    this.words.velocity.sprite.position.copy(tail).addScaledVector(normal, 0.07 * size);
+    const tail = raised.clone().addScaledVector(across, -0.62 * size).addScaledVector(downhill, -0.2 * size);
+    this.velocity.point(tail, along.clone().multiplyScalar(LENGTH_A_SPEED * speed * size));
+    this.words.velocity.write(speedWords, stable, paper);
+    this.words.velocity.sprite.position.copy(tail).addScaledVector(along, -0.06 * size);
     this.words.velocity.sprite.visible = speed > 0;
     this.#drawPatches(ground, vehicle);
   }

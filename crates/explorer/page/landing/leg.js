@@ -17,10 +17,10 @@ export class Leg {
     this.shape = shape;
     this.materials = materials;
     this.group = new Group();
-    this.forks = [rod(0.011 * size, materials.metal), rod(0.011 * size, materials.metal)];
+    this.forks = [rod(0.0085 * size, materials.metal), rod(0.0085 * size, materials.metal)];
     this.sleeveMaterial = /** @type {MeshStandardMaterial} */ (materials.sleeve.clone());
-    this.sleeve = rod(0.02 * size, this.sleeveMaterial);
-    this.rod = rod(0.012 * size, materials.rod);
+    this.sleeve = rod(0.017 * size, this.sleeveMaterial);
+    this.rod = rod(0.01 * size, materials.rod);
     this.pad = new Footpad(shape.footpad, materials);
     this.group.add(...this.forks, this.sleeve, this.rod, this.pad.group);
     const [x, y] = shape.outboard;

@@ -11,10 +11,10 @@ export function materials() {
   const flat = (/** @type {string} */ color, opacity = 1) =>
     new MeshBasicMaterial({ color, transparent: opacity < 1, opacity, side: DoubleSide, depthWrite: opacity === 1 });
   return {
-    metal: solid("#c9ced4"),
+    metal: solid("#d5d9de", 0.1, 0.55),
     dark: solid("#4a5058"),
     foil: new MeshStandardMaterial({ color: "#d9a53a", metalness: 0.45, roughness: 0.38, flatShading: true }),
-    panel: solid("#2a3f74", 0.4, 0.3),
+    panel: solid("#3f62b8", 0.1, 0.45),
     white: solid("#eceae4", 0, 0.7),
     rod: solid("#dfe3e8", 0.5, 0.25),
     sleeve: solid("#8b939d"),
@@ -24,12 +24,11 @@ export function materials() {
     polygon: flat(now.scene.polygon),
     critical: flat(now.jump),
     leaning: flat(now.jump, 0.22),
-    plumb: flat(now.scene.polygon),
+    plumb: flat(now.scene.path),
     force: flat(now.curves[0]),
     blockForce: flat(now.curves[3]),
     downhill: flat(now.scene.gridLine),
     velocity: flat(now.stable),
     path: flat(now.scene.path),
-    pathAhead: flat(now.scene.path, 0.35),
   };
 }

@@ -6,11 +6,11 @@ import { colours } from "../look/theme.js";
 
 /** Where the camera stands, in ground axes relative to what it looks at, in sizes of the lander. */
 const VIEWS = {
-  corner: [1.25, 1.0, -0.72],
-  uphill: [0, 1.75, -0.75],
-  downhill: [0, -1.8, -0.35],
-  side: [1.95, 0, -0.12],
-  top: [0, 0.001, -2.05],
+  corner: [1.35, 1.05, -0.72],
+  uphill: [0, 1.85, -0.75],
+  downhill: [0, -2, -0.3],
+  side: [2.1, 0, -0.16],
+  top: [0, 0.001, -2.5],
 };
 /** @typedef {keyof typeof VIEWS} View */
 

@@ -101,11 +101,11 @@ export class StagePanel {
   #writeLegend() {
     const force = this.view.hasForces && this.view.forceScale ? [`arrows: 1 ft is ${label(this.view.forceScale)} lb`] : [];
     const grid = this.view.speed?.units === "SI" ? "grid: 0.25 m" : "grid: 1 ft, bold 5 ft";
-    const parts = [["critical", "critical edge"], ["path", "path of the CG"], ["force", "forces on footpads"], ["block", "on blocks"]];
+    const parts = [["polygon", "polygon of the feet"], ["critical", "critical edge"], ["path", "path of the CG"], ["force", "forces on footpads"], ["block", "on blocks"]];
     const entries = parts
       .filter(([kind]) => this.view.hasForces || (kind !== "force" && kind !== "block"))
       .map(([kind, text]) => element("span", {}, element("i", { class: `key ${kind}` }), subscripted(text)));
-    this.legend.replaceChildren(...entries, ...[...force, grid].map((text) => element("span", {}, text)));
+    this.legend.replaceChildren(...entries, ...[...force, "struts redden with their stroke, pads and blocks as they crush", grid].map((text) => element("span", {}, text)));
   }
 }
 

@@ -17,7 +17,7 @@ const LIGHT = {
   jump: "#be1e64",
   lowest: "#e65a00",
   scene: {
-    sky: "#dfe6ee", ground: "#b9b3a8", gridLine: "#6f6a62", haze: "#dfe6ee", path: "#262626", polygon: "#262626",
+    sky: "#dfe6ee", ground: "#b9b3a8", gridLine: "#6f6a62", haze: "#dfe6ee", path: "#262626", polygon: "#ffffff",
     shine: 2.6, ambient: 1.5, ghost: "#8a8f96",
   },
 };
