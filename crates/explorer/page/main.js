@@ -2,6 +2,7 @@ import * as engine from "./engine/engine.js";
 import { byId, element } from "./look/elements.js";
 import { startTheme } from "./look/theme.js";
 import { Tabs } from "./look/tabs.js";
+import { MapTab } from "./map/map_tab.js";
 import { LandingTab } from "./landing/landing_tab.js";
 import { fromAddress, toAddress } from "./present/address.js";
 import { Present } from "./present/present.js";
@@ -29,6 +30,18 @@ async function start() {
   const tabs = new Tabs(byId("tabs", HTMLElement), byId("content", HTMLElement));
   const landing = new LandingTab(present, known.sources);
   tabs.add("landing", "Landing", landing.root);
+
+  const explore = (/** @type {Event} */ event) => {
+    present.replace(/** @type {CustomEvent<import("./engine/types.js").Touchdown>} */ (event).detail);
+    tabs.choose("landing");
+  };
+  const boundaries = known.results.filter(({ kind }) => kind !== "sample");
+  const map = boundaries.length ? new MapTab(boundaries, present) : undefined;
+  if (map) {
+    tabs.add("map", "Map", map.root);
+    map.addEventListener("explore", explore);
+    tabs.addEventListener("chosen", () => tabs.chosen === "map" && !map.map && map.load(boundaries[0].name));
+  }
 
   const source = byId("source", HTMLSelectElement);
   source.append(...known.sources.map(({ name, title }) => element("option", { value: name }, title)));

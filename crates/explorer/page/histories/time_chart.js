@@ -139,9 +139,12 @@ export class TimeChart {
     this.cursor.style.transform = `translateX(${this.plot.valToPos(time, "x")}px)`;
     const { times, curves } = this.content;
     const index = nearest(times, time);
-    for (const [number, { values }] of curves.entries()) this.readings[number].textContent = label(values[index], 4);
+    for (const [number, { values }] of curves.entries()) this.readings[number].textContent = reading(values[index]);
   }
 }
+
+/** A value to four digits; what is next to nothing is nothing. @param {number | null} value */
+const reading = (value) => label(value !== null && Math.abs(value) < 1e-6 ? 0 : value, 4);
 
 /** @param {Content} content @returns {uPlot.AlignedData} */
 const data = ({ times, curves }) => /** @type {uPlot.AlignedData} */ ([times, ...curves.map(({ values }) => values)]);

@@ -93,10 +93,10 @@ export class GroundModel {
     this.words.downhill.sprite.position.copy(side).addScaledVector(downhill, 0.46 * size);
     const along = new Vector3(...ground.velocity_direction);
     along.addScaledVector(normal, -along.dot(normal)).normalize();
-    const tail = raised.clone().addScaledVector(across, -0.62 * size).addScaledVector(downhill, -0.2 * size);
+    const tail = raised.clone().addScaledVector(across, -0.5 * size).addScaledVector(downhill, -0.15 * size);
     this.velocity.point(tail, along.clone().multiplyScalar(LENGTH_A_SPEED * speed * size));
     this.words.velocity.write(speedWords, stable, paper);
-    this.words.velocity.sprite.position.copy(tail).addScaledVector(along, -0.06 * size);
+    this.words.velocity.sprite.position.copy(tail).addScaledVector(normal, 0.05 * size);
     this.words.velocity.sprite.visible = speed > 0;
     this.#drawPatches(ground, vehicle);
   }

@@ -49,9 +49,10 @@ export class Replay {
    * Shows landings, at their end when they are the first.
    * @param {Landing[]} landings
    * @param {Units} units
+   * @param {number[]} [places] which panels they are for
    */
-  show(landings, units) {
-    landings.forEach((landing, index) => this.panels[index].show(landing, speedOf(landing, units)));
+  show(landings, units, places = [...landings.keys()]) {
+    landings.forEach((landing, index) => this.panels[places[index]].show(landing, speedOf(landing, units)));
     this.player.setEnd(Math.max(...landings.map(({ end_time_s }) => end_time_s)), !this.hasShown);
     this.hasShown = true;
     this.bar.setEvents(landings.flatMap(({ events }) => events).sort((a, b) => a.time_s - b.time_s));

@@ -89,7 +89,7 @@ export class StagePanel {
     word.style.color = classColour(landing.class);
     const least = landing.report.result.min_stability_angle_deg;
     const at = `${landing.outcome} at ${fixed(landing.end_time_s, 3)} s`;
-    const sigma = typeof least === "number" ? ` · least stability angle ${label(least, 5)} deg` : "";
+    const sigma = typeof least === "number" ? ` · least stability angle ${fixed(least, 3)} deg` : "";
     const why = element("p", {}, landing.failure ?? landing.why);
     this.outcome.replaceChildren(element("p", { class: "word" }, dot, word), element("p", { class: "detail" }, at + sigma), why);
     if (landing.warning) this.outcome.append(element("p", { class: "warning" }, landing.warning));

@@ -38,7 +38,7 @@ const DARK = {
   jump: "#ff5c9f",
   lowest: "#ff8a3c",
   scene: {
-    sky: "#0b0e13", ground: "#69655e", gridLine: "#a9a397", haze: "#0b0e13", path: "#f0f0f0", polygon: "#f0f0f0",
+    sky: "#0b0e13", ground: "#69655e", gridLine: "#a9a397", haze: "#0b0e13", path: "#ffd75e", polygon: "#ffffff",
     shine: 2.4, ambient: 0.8, ghost: "#70757c",
   },
 };
