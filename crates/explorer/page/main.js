@@ -6,6 +6,7 @@ import { MapTab } from "./map/map_tab.js";
 import { LandingTab } from "./landing/landing_tab.js";
 import { fromAddress, toAddress } from "./present/address.js";
 import { Present } from "./present/present.js";
+import { SampleTab } from "./sample/sample_tab.js";
 
 /** How long nothing changes before the address takes it, ms. */
 const CALM = 250;
@@ -41,6 +42,14 @@ async function start() {
     tabs.add("map", "Map", map.root);
     map.addEventListener("explore", explore);
     tabs.addEventListener("chosen", () => tabs.chosen === "map" && !map.map && map.load(boundaries[0].name));
+  }
+
+  const samples = known.results.filter(({ kind }) => kind === "sample");
+  const sample = samples.length ? new SampleTab(samples, present) : undefined;
+  if (sample) {
+    tabs.add("dispersion", "Dispersion", sample.root);
+    sample.addEventListener("explore", explore);
+    tabs.addEventListener("chosen", () => tabs.chosen === "dispersion" && !sample.sample && sample.load(samples[0].name));
   }
 
   const source = byId("source", HTMLSelectElement);

@@ -61,7 +61,7 @@ function together(landings) {
   return known[0].all.map((panel, index) => {
     const curves = known.flatMap(({ all, dash, word }) =>
       all[index].curves.map((curve, number) => ({
-        name: all[index].curves.length > 1 ? `${curve.name}, ${word}` : word,
+        name: all[index].curves.length > 1 && !dash ? curve.name : word,
         values: at.map((_, instant) => curve.values[instant] ?? null),
         colour: curveColour(number),
         dash,

@@ -24,9 +24,9 @@ export class SurfaceView {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(30, 1, 0.05, 50);
-    this.camera.position.set(-2.3, 2.6, 3.9);
+    this.camera.position.set(-2.9, 3.1, 4.8);
     this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.target.set(0, 0.35, 0);
+    this.controls.target.set(0, 0.25, 0);
     this.controls.listenToKeyEvents(this.canvas);
     this.controls.addEventListener("change", () => this.draw());
     const sun = new DirectionalLight(0xffffff, 1.9);
