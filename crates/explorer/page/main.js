@@ -6,6 +6,7 @@ import { MapTab } from "./map/map_tab.js";
 import { LandingTab } from "./landing/landing_tab.js";
 import { fromAddress, toAddress } from "./present/address.js";
 import { Present } from "./present/present.js";
+import { TakeAway } from "./take/take_away.js";
 import { SampleTab } from "./sample/sample_tab.js";
 
 /** How long nothing changes before the address takes it, ms. */
@@ -41,7 +42,7 @@ async function start() {
   if (map) {
     tabs.add("map", "Map", map.root);
     map.addEventListener("explore", explore);
-    tabs.addEventListener("chosen", () => tabs.chosen === "map" && !map.map && map.load(boundaries[0].name));
+    tabs.addEventListener("chosen", () => tabs.chosen === "map" && map.open());
   }
 
   const samples = known.results.filter(({ kind }) => kind === "sample");
@@ -49,7 +50,7 @@ async function start() {
   if (sample) {
     tabs.add("dispersion", "Dispersion", sample.root);
     sample.addEventListener("explore", explore);
-    tabs.addEventListener("chosen", () => tabs.chosen === "dispersion" && !sample.sample && sample.load(samples[0].name));
+    tabs.addEventListener("chosen", () => tabs.chosen === "dispersion" && sample.open());
   }
 
   const source = byId("source", HTMLSelectElement);
@@ -58,17 +59,29 @@ async function start() {
   const units = byId("units", HTMLSelectElement);
   units.addEventListener("change", () => present.setUnits(units.value === "SI" ? "SI" : "US"));
 
-  const restore = () => {
+  const { player, panels } = landing.replay;
+  const address = () => {
+    const tab = tabs.chosen === "landing" ? "" : (tabs.chosen ?? "");
+    const [panel] = panels;
+    const view = panel.view.view === "corner" ? "" : panel.view.view;
+    const t = player.isPlaying || player.time >= player.end ? "" : player.time.toFixed(3);
+    return toAddress(present, { tab, view, t, ...map?.state(), ...sample?.state() });
+  };
+  byId("take", HTMLElement).append(new TakeAway(present, landing.replay, map, () => location.href.split("#")[0] + address()).root);
+
+  const restore = async () => {
     const { source: named, units: wanted, values, extra } = fromAddress(location.hash);
     if (wanted === "US" || wanted === "SI") present.units = wanted;
     const isKnown = known.sources.some(({ name }) => name === named);
     if (named !== null && isKnown) present.source = named;
+    map?.restore(extra);
+    sample?.restore(extra);
+    const isView = panels[0].viewButtons?.some(({ dataset }) => dataset.view === extra.view);
+    if (isView) panels[0].view.view = /** @type {import("./landing/stage.js").View} */ (extra.view);
     present.replace({ source: present.source, values: named === null || isKnown ? values : {} });
     tabs.choose(extra.tab ?? "landing");
-    if (extra.t) {
-      landing.replay.player.go(Number(extra.t));
-      landing.replay.hasShown = true;
-    }
+    await landing.refresh();
+    if (extra.t) player.go(Number(extra.t));
   };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let later;
@@ -77,16 +90,17 @@ async function start() {
     units.value = present.units;
     clearTimeout(later);
     later = setTimeout(() => {
-      const tab = tabs.chosen === "landing" ? "" : (tabs.chosen ?? "");
-      const hash = toAddress(present, { tab });
-      if (hash !== location.hash) history.replaceState(null, "", hash);
+      if (address() !== location.hash) history.replaceState(null, "", address());
     }, CALM);
   };
   for (const kind of ["values", "units"]) present.addEventListener(kind, keep);
+  for (const kind of ["time", "state"]) player.addEventListener(kind, keep);
+  for (const kind of ["loaded", "landed"]) map?.addEventListener(kind, keep);
+  for (const kind of ["loaded", "axes"]) sample?.addEventListener(kind, keep);
+  panels[0].root.addEventListener("view", keep);
   tabs.addEventListener("chosen", keep);
   window.addEventListener("hashchange", restore);
-  restore();
-  await landing.start();
+  await Promise.all([restore(), landing.sliders.refresh()]);
 }
 
 start().catch(complain);

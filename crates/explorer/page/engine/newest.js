@@ -5,13 +5,17 @@
 export class Newest {
   /** @type {(() => Promise<void>) | undefined} */
   #waiting;
-  #isBusy = false;
+  /** @type {Promise<void> | undefined} */
+  #busy;
 
-  /** @param {() => Promise<void>} task */
-  async run(task) {
+  /** Ends when nothing waits any more. @param {() => Promise<void>} task */
+  run(task) {
     this.#waiting = task;
-    if (this.#isBusy) return;
-    this.#isBusy = true;
+    this.#busy ??= this.#work();
+    return this.#busy;
+  }
+
+  async #work() {
     try {
       while (this.#waiting) {
         const next = this.#waiting;
@@ -19,12 +23,7 @@ export class Newest {
         await next();
       }
     } finally {
-      this.#isBusy = false;
+      this.#busy = undefined;
     }
-  }
-
-  /** Whether a newer task waits. */
-  get isOutdated() {
-    return this.#waiting !== undefined;
   }
 }

@@ -23,8 +23,8 @@ export class GroundModel {
     this.surface = new Mesh(new PlaneGeometry(2 * HALF, 2 * HALF), this.#surfaceMaterial());
     this.surface.matrixAutoUpdate = false;
     this.surface.receiveShadow = true;
-    this.downhill = new Arrow(0.012 * size, materials.downhill);
-    this.velocity = new Arrow(0.012 * size, materials.velocity);
+    this.downhill = new Arrow(0.008 * size, materials.downhill);
+    this.velocity = new Arrow(0.009 * size, materials.velocity);
     this.words = { downhill: new Label(0.036 * size), velocity: new Label(0.036 * size) };
     this.patches = new Group();
     this.group.add(
@@ -87,10 +87,10 @@ export class GroundModel {
     const { size } = this;
     const raised = at.clone().addScaledVector(normal, 0.02 * size);
     const side = raised.clone().addScaledVector(across, 0.62 * size).addScaledVector(downhill, -0.2 * size);
-    this.downhill.point(side, downhill.clone().multiplyScalar(0.4 * size));
+    this.downhill.point(side, downhill.clone().multiplyScalar(0.3 * size));
     const { paper, stable, paleText } = colours();
     this.words.downhill.write("downhill", paleText, paper);
-    this.words.downhill.sprite.position.copy(side).addScaledVector(downhill, 0.46 * size);
+    this.words.downhill.sprite.position.copy(side).addScaledVector(downhill, 0.35 * size);
     const along = new Vector3(...ground.velocity_direction);
     along.addScaledVector(normal, -along.dot(normal)).normalize();
     const tail = raised.clone().addScaledVector(across, -0.5 * size).addScaledVector(downhill, -0.15 * size);

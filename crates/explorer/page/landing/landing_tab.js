@@ -25,11 +25,6 @@ export class LandingTab {
     present.addEventListener("units", () => this.refresh());
   }
 
-  /** Asks for everything afresh. */
-  async start() {
-    await Promise.all([this.refresh(), this.sliders.refresh()]);
-  }
-
   /** Lands afresh. */
   refresh() {
     return this.newest.run(async () => {

@@ -75,6 +75,7 @@ export class Label {
     const now = [text, colour, halo].join();
     if (now === this.written) return;
     this.written = now;
+    Object.assign(this.sprite.userData, { text, colour });
     const size = 44;
     const context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
     const font = `600 ${size}px system-ui, sans-serif`;

@@ -21,6 +21,8 @@ export class ContourMap {
     this.onChoose = onChoose;
     this.canvas = element("canvas", { tabindex: 0, role: "application", "aria-label": "Contour map; arrow keys go from point to point, Enter lands there" });
     this.root = element("div", { class: "contour" }, this.canvas);
+    /** Size of the picture, pixels. */
+    this.size = [800, 640];
     /** Size and colours that the picture was painted for. */
     this.looks = "";
     this.canvas.addEventListener("pointermove", (event) => this.#hover(event));
@@ -50,7 +52,7 @@ export class ContourMap {
   }
 
   get area() {
-    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    const [width, height] = this.size;
     return { left: ROOM.left, top: ROOM.top, width: width - ROOM.left - ROOM.right, height: height - ROOM.top - ROOM.bottom };
   }
 
@@ -104,6 +106,7 @@ export class ContourMap {
     const { map } = this;
     const [width, height] = [this.root.clientWidth, this.root.clientHeight];
     if (!map || width < 50 || height < 50) return;
+    this.size = [width, height];
     const ratio = window.devicePixelRatio;
     const looks = [width, height, ratio, colours().paper].join();
     if (!this.picture || this.looks !== looks) {
@@ -129,7 +132,7 @@ export class ContourMap {
   paint(context, map) {
     const now = colours();
     context.fillStyle = now.paper;
-    context.fillRect(0, 0, this.root.clientWidth, this.root.clientHeight);
+    context.fillRect(0, 0, this.size[0], this.size[1]);
     this.#fill(context, map);
     this.#frame(context, map);
     this.#lines(context, map);

@@ -8,6 +8,7 @@ import { ContourMap } from "./contour_map.js";
 import { legendOf } from "./legend.js";
 import { partOf, partsOf } from "./parts.js";
 import { Sections } from "./sections.js";
+import { nearestPoint } from "./view.js";
 import { SurfaceView } from "./surface_view.js";
 
 /** @typedef {import("../engine/types.js").MapAnswer} MapAnswer */
@@ -22,6 +23,8 @@ export class MapTab extends EventTarget {
    */
   constructor(results, present) {
     super();
+    /** @type {Record<string, string> | undefined} what an address asks for */
+    this.wanted = undefined;
     this.results = results;
     this.present = present;
     const hover = (/** @type {MapPoint | undefined} */ point) => this.#tell(point ?? this.chosen);
@@ -36,9 +39,9 @@ export class MapTab extends EventTarget {
     this.title = element("h2");
     this.reading = element("p", { class: "reading", role: "status" });
     this.legend = element("div", { class: "map-legend" });
-    this.open = [button("Explore the landing below"), button("Explore the landing above")];
+    this.explore = [button("Explore the landing below"), button("Explore the landing above")];
     this.pair = new Replay(["Just below the boundary", "Just above the boundary"]);
-    const captions = element("div", { class: "pair-captions" }, ...this.open);
+    const captions = element("div", { class: "pair-captions" }, ...this.explore);
     this.pairRoot = element("section", { class: "pair", hidden: true, "aria-label": "Landings below and above the boundary" },
       element("h2", {}, "Just below the boundary, and just above it"), captions, this.pair.root);
     this.plane = element("div", { class: "plane" }, this.contour.root, this.surface.root);
@@ -46,10 +49,42 @@ export class MapTab extends EventTarget {
       element("div", { class: "map-head" }, element("label", {}, "Results ", this.which), this.axes),
       this.title, this.plane, this.profile.root, this.legend, this.reading, this.sections.root, this.pairRoot);
     this.which.addEventListener("change", () => this.load(this.which.value));
-    this.open.forEach((made, index) => made.addEventListener("click", () => {
+    this.explore.forEach((made, index) => made.addEventListener("click", () => {
       const touchdown = this.ends?.[index];
       if (touchdown) this.dispatchEvent(new CustomEvent("explore", { detail: touchdown }));
     }));
+  }
+
+  /** Loads what was asked for, or the first results, when the tab is first seen. */
+  async open() {
+    if (this.map || this.isOpening) return;
+    this.isOpening = true;
+    const { results, axes, at } = this.wanted ?? {};
+    const known = this.results.some(({ name }) => name === results);
+    await this.load(known && results ? results : this.results[0].name, known ? axes?.split(",") : undefined);
+    this.isOpening = false;
+    const place = at?.split(",").map(Number);
+    if (!known || !place || !this.map || place.some(Number.isNaN)) return;
+    const point = nearestPoint(this.map, place[0], place[1] ?? 0);
+    if (point) await this.choose(point);
+  }
+
+  /** What an address holds of the map. */
+  state() {
+    if (!this.map || !this.name) return this.wanted ?? {};
+    return {
+      results: this.name === this.results[0].name ? "" : this.name,
+      axes: this.map.other_axes.length ? this.map.axes.map(({ name }) => name).join(",") : "",
+      at: this.chosen ? this.chosen.place.join(",") : "",
+    };
+  }
+
+  /** @param {Record<string, string>} extra of an address */
+  restore({ results, axes, at }) {
+    if (!results && !at) return;
+    this.wanted = { results: results ?? this.results[0].name, axes: axes ?? "", at: at ?? "" };
+    if (!axes) delete (/** @type {Record<string, string>} */ (this.wanted)).axes;
+    this.map = undefined;
   }
 
   /**
@@ -189,7 +224,7 @@ export class MapTab extends EventTarget {
       const landings = await Promise.all(wanted.map((touchdown) => engine.landing({ touchdown, units })));
       this.pairRoot.hidden = false;
       this.pair.panels.forEach(({ root }, index) => (root.hidden = this.ends?.[index] === null));
-      this.open.forEach((made, index) => (made.hidden = this.ends?.[index] === null));
+      this.explore.forEach((made, index) => (made.hidden = this.ends?.[index] === null));
       this.pair.show(landings, units, this.ends.flatMap((touchdown, index) => (touchdown ? [index] : [])));
       this.dispatchEvent(new Event("landed"));
     });

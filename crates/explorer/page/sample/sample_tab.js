@@ -16,6 +16,9 @@ export class SampleTab extends EventTarget {
    */
   constructor(results, present) {
     super();
+    this.results = results;
+    /** @type {Record<string, string> | undefined} what an address asks for */
+    this.wanted = undefined;
     this.present = present;
     this.newest = new Newest();
     this.which = element("select", { "aria-label": "Sample" }, ...results.map(({ name, title }) => element("option", { value: name }, title)));
@@ -25,24 +28,47 @@ export class SampleTab extends EventTarget {
     this.scatter = new Scatter(() => this.#count(), (landing) => void this.replayOne(landing));
     this.counts = element("div", { class: "counts", role: "status" });
     this.reading = element("p", { class: "reading" }, "Drag a rectangle to select landings; click one to replay it.");
-    this.open = button("Explore this landing");
-    this.open.hidden = true;
+    this.explore = button("Explore this landing");
+    this.explore.hidden = true;
     this.replay = new Replay(["The landing that was chosen"]);
     this.replay.root.hidden = true;
     this.root = element("section", { class: "sample-tab" },
       element("div", { class: "map-head" }, element("label", {}, "Sample ", this.which), element("label", {}, "across ", this.across), element("label", {}, "up ", this.up)),
       this.title,
-      element("div", { class: "plane" }, this.scatter.root, element("div", { class: "chosen" }, this.counts, this.reading, this.open)),
+      element("div", { class: "plane" }, this.scatter.root, element("div", { class: "chosen" }, this.counts, this.reading, this.explore)),
       this.replay.root);
     this.which.addEventListener("change", () => this.load(this.which.value));
     for (const select of [this.across, this.up]) select.addEventListener("change", () => this.#draw());
-    this.open.addEventListener("click", () => {
+    this.explore.addEventListener("click", () => {
       if (this.chosen) this.dispatchEvent(new CustomEvent("explore", { detail: this.chosen }));
     });
     onTheme(() => this.#count());
   }
 
-  /** @param {string} name @param {[string, string]} [axes] */
+  /** Loads what was asked for, or the first sample, when the tab is first seen. */
+  async open() {
+    if (this.sample || this.isOpening) return;
+    this.isOpening = true;
+    const { sample, over } = this.wanted ?? {};
+    const known = this.results.some(({ name }) => name === sample);
+    await this.load(known && sample ? sample : this.results[0].name, over?.split(","));
+    this.isOpening = false;
+  }
+
+  /** What an address holds of the sample. */
+  state() {
+    if (!this.sample || !this.name) return this.wanted ?? {};
+    return { sample: this.name === this.results[0].name ? "" : this.name, over: `${this.across.value},${this.up.value}` };
+  }
+
+  /** @param {Record<string, string>} extra of an address */
+  restore({ sample, over }) {
+    if (!sample && !over) return;
+    this.wanted = { sample: sample ?? this.results[0].name, ...(over ? { over } : {}) };
+    this.sample = undefined;
+  }
+
+  /** @param {string} name @param {string[]} [axes] */
   async load(name, axes) {
     this.which.value = name;
     const sample = await engine.sample(name);
@@ -115,7 +141,7 @@ export class SampleTab extends EventTarget {
       const { units } = this.present;
       const landed = await engine.landing({ touchdown: /** @type {import("../engine/types.js").Touchdown} */ (this.chosen), units });
       this.replay.root.hidden = false;
-      this.open.hidden = false;
+      this.explore.hidden = false;
       this.replay.show([landed], units);
     });
   }
