@@ -1,6 +1,7 @@
 import uPlot from "../vendor/uplot.js";
 import { element } from "../look/elements.js";
 import { colours, curveColour } from "../look/theme.js";
+import { font, textScale } from "../look/text.js";
 import { label } from "../look/words.js";
 
 /** @typedef {{ name: string, values: (number | null)[], colour?: string, dash?: number[], width?: number, fill?: string }} Curve */
@@ -46,7 +47,8 @@ export class TimeChart {
   #build(content) {
     this.plot?.destroy();
     const { text, grid } = colours();
-    const axis = { stroke: text, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, font: "11px system-ui, sans-serif" };
+    const scale = textScale();
+    const axis = { stroke: text, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, font: font(11) };
     const written = (/** @type {uPlot} */ _, /** @type {number[]} */ values) => values.map((value) => label(value, 4));
     const options = /** @type {uPlot.Options} */ ({
       width: Math.max(this.place.clientWidth, 120),
@@ -55,8 +57,8 @@ export class TimeChart {
       cursor: { y: false, points: { show: false }, drag: { setScale: false, x: false, y: false } },
       scales: { x: { time: false }, y: { range: (_, low, high) => padded(low, high) } },
       axes: [
-        { ...axis, size: 26, values: written, space: 44 },
-        { ...axis, size: 52, values: written, space: 26 },
+        { ...axis, size: 26 * scale, values: written, space: 44 * scale },
+        { ...axis, size: 52 * scale, values: written, space: 26 * scale },
       ],
       series: [
         {},

@@ -1,6 +1,7 @@
 import { Histories } from "../histories/histories.js";
 import { element } from "../look/elements.js";
 import { label } from "../look/words.js";
+import { NumbersTable } from "./numbers_table.js";
 import { Player } from "./player.js";
 import { StagePanel } from "./stage_panel.js";
 import { TransportBar } from "./transport.js";
@@ -17,7 +18,8 @@ export class Replay {
     this.bar = new TransportBar(this.player, names.length > 1 ? "both landings" : "the landing");
     this.histories = new Histories(this.player);
     this.stages = element("div", { class: "stages" }, ...this.panels.map(({ root }) => root));
-    this.root = element("div", { class: "replay" }, this.stages, this.bar.root, this.histories.root);
+    this.numbers = new NumbersTable();
+    this.root = element("div", { class: "replay" }, this.stages, this.bar.root, this.histories.root, this.numbers.root);
     this.player.addEventListener("time", () => this.panels.forEach(({ view }) => view.at(this.player.time)));
     this.root.addEventListener("keydown", (event) => {
       if (event.key !== " " || !(event.target instanceof HTMLCanvasElement)) return;
@@ -57,6 +59,7 @@ export class Replay {
     this.hasShown = true;
     this.bar.setEvents(landings.flatMap(({ events }) => events).sort((a, b) => a.time_s - b.time_s));
     this.histories.show(landings);
+    this.numbers.show(landings);
   }
 }
 

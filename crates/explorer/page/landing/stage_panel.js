@@ -22,7 +22,8 @@ export class StagePanel {
     this.canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": `${name}, in three dimensions` });
     this.outcome = element("div", { class: "outcome", role: "status", "aria-live": "polite" });
     this.legend = element("div", { class: "stage-legend" });
-    this.root = element("div", { class: "stage" }, this.canvas, this.outcome, this.#buttons(), this.legend);
+    const picture = element("div", { class: "stage" }, this.canvas);
+    this.root = element("div", { class: "stage-panel" }, element("div", { class: "stage-and-words" }, this.outcome, picture, this.#buttons(), this.legend));
     this.view = new LandingView(this.canvas);
     this.canvas.addEventListener("keydown", (event) => this.#turn(event));
     onTheme(() => this.landing && this.#write(this.landing));

@@ -1,5 +1,6 @@
 import { element } from "../look/elements.js";
 import { classColour, colours, onTheme, regionColour } from "../look/theme.js";
+import { font, scaled, textScale } from "../look/text.js";
 import { label, roundValues } from "../look/words.js";
 import { disc, openTriangle } from "./marks.js";
 
@@ -59,7 +60,8 @@ export class BoundaryChart {
 
   get area() {
     const { clientWidth, clientHeight } = this.root;
-    return { left: ROOM.left, top: ROOM.top, width: clientWidth - ROOM.left - ROOM.right, height: clientHeight - ROOM.top - ROOM.bottom };
+    const room = scaled(ROOM);
+    return { left: room.left, top: room.top, width: clientWidth - room.left - room.right, height: clientHeight - room.top - room.bottom };
   }
 
   /** @param {MouseEvent} event */
@@ -106,29 +108,29 @@ export class BoundaryChart {
     const { area, ends } = this;
     const content = /** @type {Content} */ (this.content);
     const now = colours();
-    context.font = "11px system-ui, sans-serif";
+    context.font = font(11);
     context.fillStyle = now.text;
     context.strokeStyle = now.grid;
     context.textAlign = "center";
     context.textBaseline = "top";
-    for (const x of roundValues(ends.left, ends.right, area.width / 60)) {
+    for (const x of roundValues(ends.left, ends.right, area.width / (60 * textScale()))) {
       context.strokeRect(px(x), area.top, 0, area.height);
       context.fillText(label(x), px(x), area.top + area.height + 5);
     }
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const speed of roundValues(ends.low, ends.high, area.height / 26)) {
+    for (const speed of roundValues(ends.low, ends.high, area.height / (26 * textScale()))) {
       context.strokeRect(area.left, py(speed), area.width, 0);
       context.fillText(label(speed), area.left - 5, py(speed));
     }
     context.textAlign = "center";
-    context.font = "12px system-ui, sans-serif";
-    context.fillText(content.title, area.left + 0.5 * area.width, area.top + area.height + 28);
+    context.font = font(12);
+    context.fillText(content.title, area.left + 0.5 * area.width, area.top + area.height + 28 * textScale());
     context.textAlign = "left";
-    context.fillText(`V_H, ${content.unit}`, 4, 12);
+    context.fillText(`V_H, ${content.unit}`, 4, 12 * textScale());
     context.fillStyle = now.paleText;
     context.textAlign = "right";
-    context.fillText(content.note, area.left + area.width, 12);
+    context.fillText(content.note, area.left + area.width, 12 * textScale());
     if (content.chosen !== null) {
       context.fillStyle = now.jump;
       context.fillRect(px(content.chosen) - 1, area.top, 2, area.height);

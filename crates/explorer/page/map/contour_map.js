@@ -1,5 +1,6 @@
 import { element } from "../look/elements.js";
 import { colours, onTheme } from "../look/theme.js";
+import { font, scaled, textScale } from "../look/text.js";
 import { label, roundValues } from "../look/words.js";
 import { crosshair, disc, openTriangle } from "./marks.js";
 import { band, bandsOf, joined, pieces, trianglesOf } from "./triangles.js";
@@ -53,7 +54,8 @@ export class ContourMap {
 
   get area() {
     const [width, height] = this.size;
-    return { left: ROOM.left, top: ROOM.top, width: width - ROOM.left - ROOM.right, height: height - ROOM.top - ROOM.bottom };
+    const room = scaled(ROOM);
+    return { left: room.left, top: room.top, width: width - room.left - room.right, height: height - room.top - room.bottom };
   }
 
   /** Pixel of a place. @param {number} slow @param {number} fast @returns {[number, number]} */
@@ -108,7 +110,7 @@ export class ContourMap {
     if (!map || width < 50 || height < 50) return;
     this.size = [width, height];
     const ratio = window.devicePixelRatio;
-    const looks = [width, height, ratio, colours().paper].join();
+    const looks = [width, height, ratio, colours().paper, textScale()].join();
     if (!this.picture || this.looks !== looks) {
       this.looks = looks;
       this.picture = document.createElement("canvas");
@@ -143,7 +145,6 @@ export class ContourMap {
   /** @param {CanvasRenderingContext2D} context @param {MapAnswer} map */
   #fill(context, map) {
     const trace = (/** @type {[number, number][]} */ polygon) => {
-      context.beginPath();
       for (const [index, [x, y]] of polygon.entries()) {
         if (index === 0) context.moveTo(x, y);
         else context.lineTo(x, y);
@@ -154,18 +155,19 @@ export class ContourMap {
       const [{ values: slow }, { values: fast }] = map.axes;
       context.fillStyle = colours().paper === "#ffffff" ? map.colours.jump_cell : "#3a2430";
       for (const [row, column] of map.jump_cells) {
+        context.beginPath();
         trace([[0, 0], [0, 1], [1, 1], [1, 0]].map(([r, c]) => this.pixel(slow[row + r], fast[column + c])));
         context.fill();
       }
     }
     for (const { low, high, colour } of bandsOf(map.levels)) {
+      // All of a band is one shape, so that no seams show between its parts.
       context.fillStyle = context.strokeStyle = colour;
       context.lineWidth = 0.6;
-      for (const polygon of band(this.triangles ?? [], low, high)) {
-        trace(polygon.map(([slow, fast]) => this.pixel(slow, fast)));
-        context.fill();
-        context.stroke();
-      }
+      context.beginPath();
+      for (const polygon of band(this.triangles ?? [], low, high)) trace(polygon.map(([slow, fast]) => this.pixel(slow, fast)));
+      context.fill();
+      context.stroke();
     }
   }
 
@@ -173,12 +175,12 @@ export class ContourMap {
   #frame(context, map) {
     const { left, top, width, height } = this.area;
     const now = colours();
-    context.font = "12px system-ui, sans-serif";
+    context.font = font(12);
     context.fillStyle = now.text;
     context.textAlign = "center";
     context.textBaseline = "top";
     const { slowEnds, fastEnds } = /** @type {ReturnType<typeof viewOf>} */ (this.view);
-    for (const value of roundValues(fastEnds.low, fastEnds.high, width / 60)) {
+    for (const value of roundValues(fastEnds.low, fastEnds.high, width / scaled({ step: 60 }).step)) {
       const [x] = this.pixel(slowEnds.low, value);
       context.fillText(label(value), x, top + height + 6);
       context.globalAlpha = 0.12;
@@ -187,7 +189,7 @@ export class ContourMap {
     }
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const value of roundValues(slowEnds.low, slowEnds.high, height / 40)) {
+    for (const value of roundValues(slowEnds.low, slowEnds.high, height / scaled({ step: 40 }).step)) {
       const [, y] = this.pixel(value, fastEnds.low);
       context.fillText(label(value), left - 6, y);
       context.globalAlpha = 0.12;
@@ -198,10 +200,10 @@ export class ContourMap {
     context.lineWidth = 1;
     context.strokeRect(left, top, width, height);
     context.textAlign = "center";
-    context.font = "13px system-ui, sans-serif";
-    context.fillText(map.axes[1].title, left + 0.5 * width, top + height + 32);
+    context.font = font(13);
+    context.fillText(map.axes[1].title, left + 0.5 * width, top + height + scaled({ down: 32 }).down);
     context.save();
-    context.translate(14, top + 0.5 * height);
+    context.translate(scaled({ in: 14 }).in, top + 0.5 * height);
     context.rotate(-Math.PI / 2);
     context.fillText(map.axes[0].title, 0, 0);
     context.restore();
@@ -241,11 +243,12 @@ export class ContourMap {
         if (free !== undefined) labels.push([...places[free], label(speed)]);
       }
     }
-    context.font = "11px system-ui, sans-serif";
+    context.font = font(11);
     for (const [x, y, text] of labels) {
       const half = 0.5 * context.measureText(text).width + 3;
+      const { tall } = scaled({ tall: 15 });
       context.fillStyle = "#ffffffd9";
-      context.fillRect(x - half, y - 7.5, 2 * half, 15);
+      context.fillRect(x - half, y - 0.5 * tall, 2 * half, tall);
       context.fillStyle = "#262626";
       context.fillText(text, x, y + 0.5);
     }
@@ -299,12 +302,13 @@ export class ContourMap {
     const bottom = top + 34 + step * count;
     context.textAlign = "left";
     context.fillStyle = colours().text;
-    context.font = "12px system-ui, sans-serif";
-    context.fillText("V", x, top + 8);
-    context.font = "9px system-ui, sans-serif";
-    context.fillText("H", x + 8, top + 11);
-    context.font = "12px system-ui, sans-serif";
-    context.fillText(`, ${map.speed_unit}`, x + 15, top + 8);
+    context.font = font(12);
+    const { v, h, up, down } = scaled({ v: 8, h: 15, up: 8, down: 11 });
+    context.fillText("V", x, top + up);
+    context.font = font(9);
+    context.fillText("H", x + v, top + down);
+    context.font = font(12);
+    context.fillText(`, ${map.speed_unit}`, x + h, top + up);
     for (const [index, { speed, colour }] of map.levels.entries()) {
       const y = bottom - step * (index + 1);
       context.fillStyle = colour;

@@ -1,5 +1,6 @@
 import { element } from "../look/elements.js";
 import { classColour, colours, onTheme } from "../look/theme.js";
+import { font, scaled, textScale } from "../look/text.js";
 import { label, roundValues } from "../look/words.js";
 import { crosshair } from "../map/marks.js";
 
@@ -49,7 +50,8 @@ export class Scatter {
 
   get area() {
     const { clientWidth, clientHeight } = this.root;
-    return { left: ROOM.left, top: ROOM.top, width: clientWidth - ROOM.left - ROOM.right, height: clientHeight - ROOM.top - ROOM.bottom };
+    const room = scaled(ROOM);
+    return { left: room.left, top: room.top, width: clientWidth - room.left - room.right, height: clientHeight - room.top - room.bottom };
   }
 
   /** Shares of the width and height of the chart. @param {number} landing @returns {[number, number] | undefined} */
@@ -149,26 +151,26 @@ export class Scatter {
     const py = (/** @type {number} */ share) => top + (1 - share) * height;
     context.fillStyle = now.text;
     context.strokeStyle = now.grid;
-    context.font = "12px system-ui, sans-serif";
+    context.font = font(12);
     context.textAlign = "center";
     context.textBaseline = "top";
     const share = (/** @type {number} */ axis, /** @type {number} */ value) => (value - ends[axis].low) / (ends[axis].high - ends[axis].low);
-    for (const value of roundValues(ends[0].low, ends[0].high, width / 70)) {
+    for (const value of roundValues(ends[0].low, ends[0].high, width / (70 * textScale()))) {
       const x = px(share(0, value));
       context.strokeRect(x, top, 0, height);
       context.fillText(label(value), x, top + height + 6);
     }
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const value of roundValues(ends[1].low, ends[1].high, height / 40)) {
+    for (const value of roundValues(ends[1].low, ends[1].high, height / (40 * textScale()))) {
       const y = py(share(1, value));
       context.strokeRect(left, y, width, 0);
       context.fillText(label(value), left - 6, y);
     }
     context.textAlign = "center";
-    context.fillText(quantities[0].title, left + 0.5 * width, top + height + 32);
+    context.fillText(quantities[0].title, left + 0.5 * width, top + height + 32 * textScale());
     context.save();
-    context.translate(14, top + 0.5 * height);
+    context.translate(14 * textScale(), top + 0.5 * height);
     context.rotate(-Math.PI / 2);
     context.fillText(quantities[1].title, 0, 0);
     context.restore();

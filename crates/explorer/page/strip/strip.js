@@ -1,13 +1,14 @@
 import * as engine from "../engine/engine.js";
 import { element } from "../look/elements.js";
 import { classColour, colours, onTheme, regionColour } from "../look/theme.js";
+import { font, scaled, textScale } from "../look/text.js";
 import { label, roundValues, subscripted } from "../look/words.js";
 
 /** @typedef {import("../engine/types.js").StripLanding} StripLanding */
 /** @typedef {import("../engine/types.js").Band} Band */
 
-const HEIGHT = 74;
-const BAND = { top: 20, height: 26 };
+/** Where the bands lie, pixels at the usual size of text. */
+const PLACE = { top: 20, height: 26 };
 /** Landings of one request; few while others wait. */
 const MOST = 16;
 /** How long nothing moves before the strip is filled in, ms. */
@@ -140,44 +141,45 @@ export class OutcomeStrip {
     if (width < 20) return;
     const ratio = window.devicePixelRatio;
     this.canvas.width = width * ratio;
-    this.canvas.height = HEIGHT * ratio;
+    this.canvas.height = this.canvas.clientHeight * ratio;
     const context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
     context.scale(ratio, ratio);
     const { from } = this.range;
     const to = Number(this.handle.max) || this.range.to;
     const at = (/** @type {number} */ speed) => 8 + ((width - 16) * (speed - from)) / (to - from);
     const now = colours();
+    const bar = scaled(PLACE);
     context.globalAlpha = this.isStale ? 0.45 : 1;
-    context.font = "12px system-ui, sans-serif";
+    context.font = font(12);
     for (const band of this.bands) {
       const [left, right] = [at(band.from_fps), at(band.to_fps)];
       context.fillStyle = band.class === "stable" ? `${classColour("stable")}33` : regionColour(band.class);
-      context.fillRect(left, BAND.top, right - left, BAND.height);
+      context.fillRect(left, bar.top, right - left, bar.height);
       context.fillStyle = classColour(band.class);
-      context.fillRect(left, BAND.top + BAND.height - 4, right - left, 4);
+      context.fillRect(left, bar.top + bar.height - 4, right - left, 4);
       context.textAlign = "center";
-      if (context.measureText(band.word).width < right - left - 8) context.fillText(band.word, 0.5 * (left + right), BAND.top + 15);
+      if (context.measureText(band.word).width < right - left - 8) context.fillText(band.word, 0.5 * (left + right), bar.top + 0.62 * bar.height);
     }
     context.strokeStyle = now.paleText;
     for (const { speed_fps } of this.known) {
       context.beginPath();
-      context.moveTo(at(speed_fps), BAND.top - 4);
-      context.lineTo(at(speed_fps), BAND.top);
+      context.moveTo(at(speed_fps), bar.top - 4);
+      context.lineTo(at(speed_fps), bar.top);
       context.stroke();
     }
     context.globalAlpha = 1;
     context.strokeStyle = now.text;
-    context.strokeRect(8, BAND.top, width - 16, BAND.height);
+    context.strokeRect(8, bar.top, width - 16, bar.height);
     context.fillStyle = now.text;
     const scale = this.present.units === "SI" ? FPS_A_MPS : 1;
-    for (const value of roundValues(from / scale, to / scale, width / 70)) {
+    for (const value of roundValues(from / scale, to / scale, width / (70 * textScale()))) {
       const x = at(value * scale);
-      context.fillRect(x, BAND.top + BAND.height, 1, 5);
-      context.fillText(label(value), x, BAND.top + BAND.height + 18);
+      context.fillRect(x, bar.top + bar.height, 1, 5);
+      context.fillText(label(value), x, bar.top + bar.height + 5 + 13 * textScale());
     }
     const x = at(this.speed);
     context.fillStyle = now.jump;
-    context.fillRect(x - 1.25, BAND.top - 8, 2.5, BAND.height + 14);
+    context.fillRect(x - 1.25, bar.top - 8, 2.5, bar.height + 14);
     context.beginPath();
     context.moveTo(x - 7, 4);
     context.lineTo(x + 7, 4);
