@@ -49,9 +49,16 @@ FLOORS = {
         ["tables"],
         ["words", "png"],
     ],
+    "explorer": [
+        ["lib"],
+        ["server"],
+        ["page"],
+        ["interface"],
+        ["named"],
+    ],
     "touchdown": [
         ["main"],
-        ["stress", "study", "work_precision"],
+        ["explore", "stress", "study", "work_precision"],
         ["landings", "surface", "sweeps"],
         ["pictures"],
         ["import_deck", "new", "shell"],

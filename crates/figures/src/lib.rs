@@ -12,11 +12,12 @@ mod words;
 
 pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, work_precision};
 use charts::{distribution_chart, history_page, probability_chart, shading, tornado_words};
-use maps::{colour_bar, isolines, map_legend, view_point};
-pub use maps::{contour_map, leading_feet, levels, map_view, perspective, refined_map, surface};
-pub use page::legend;
-use page::{canvas, frame, palette, sheet, style, text, thinning, ticks};
+use maps::{colour_bar, isolines, view_point};
+pub use maps::{
+    contour_map, leading_feet, levels, map_legend, map_view, perspective, refined_map, surface,
+};
+use page::{canvas, frame, sheet, text, thinning, ticks};
+pub use page::{legend, palette, style};
 pub use tables::{bands_table, boundary_table, history_table, map_table, sensitivity_table};
 use tables::{profile_points, table};
-use words::unit;
-pub use words::{axis_title, caption, figure_error, number, parameter_words, speed_unit};
+pub use words::{axis_title, caption, figure_error, number, parameter_words, speed_unit, unit};

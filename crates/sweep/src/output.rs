@@ -4,6 +4,7 @@ pub mod bands_table;
 pub mod cases;
 pub mod history;
 pub mod input_keys;
+pub mod landing_report;
 pub mod map_tables;
 pub(crate) mod parquet_table;
 pub mod result_files;

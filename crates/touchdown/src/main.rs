@@ -3,6 +3,7 @@
 //! The program `touchdown`: one landing, a table of landings, or a sweep for the speed at which
 //! the lander begins to topple.
 
+mod explore;
 mod import_deck;
 mod landings;
 mod new;
@@ -61,6 +62,8 @@ enum Command {
     Merge(merge::Options),
     /// Draw the pictures of result tables
     Plot(plot::Options),
+    /// Open a page in the browser in which a landing answers as sliders move
+    Explore(explore::Options),
     /// Write a commented vehicle, sweep or scene file as a starting point
     New(new::Options),
     /// Find slope and cross-slope from the times at which the footpads touched the surface
@@ -86,6 +89,7 @@ fn main() -> ExitCode {
         Command::Sweep(options) => sweep::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Plot(options) => plot::run(&options),
+        Command::Explore(options) => explore::run(&options),
         Command::New(options) => new::run(&options),
         Command::Surface(options) => surface::run(&options),
         Command::ImportDeck(options) => import_deck::run(&options),

@@ -174,6 +174,11 @@ impl StabilityMonitor {
         }
     }
 
+    /// The critical feet that were chosen.
+    pub fn critical_feet(&self) -> CriticalFeet {
+        self.feet
+    }
+
     /// Judges motion from now on as subsided only while the CG is within `calm_height` (ft) of the surface.
     pub fn set_calm_height(&mut self, calm_height: f64) {
         self.calm_height = calm_height;

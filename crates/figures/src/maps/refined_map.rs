@@ -114,6 +114,11 @@ fn draw_surface(canvas: &mut Canvas, map: &MapTable, levels: &Levels, point: &Vi
     }
 }
 
+/// The levels of a map for which none are chosen.
+pub fn levels(map: &MapTable) -> Levels {
+    Levels::of(&extent(map))
+}
+
 /// A surface with nothing but the extent and the heights of a map.
 fn extent(map: &MapTable) -> Surface {
     let corners = || map.triangles.iter().flatten();
@@ -158,16 +163,21 @@ fn style(kind: EdgeKind) -> Style {
     }
 }
 
+/// What an edge of a kind parts, in words.
+pub fn words(kind: EdgeKind) -> &'static str {
+    match kind {
+        EdgeKind::End => "transitions end",
+        EdgeKind::Jump => "V_H jumps",
+        EdgeKind::Bands => "bands change in number",
+    }
+}
+
 fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = [
-        (EdgeKind::End, "transitions end"),
-        (EdgeKind::Jump, "V_H jumps"),
-        (EdgeKind::Bands, "bands change in number"),
-    ]
-    .into_iter()
-    .filter(|(kind, _)| map.edges.iter().any(|edge| edge.kind == *kind))
-    .map(|(kind, words)| (Mark::Line(style(kind)), words.to_owned()))
-    .collect();
+    let kinds = [EdgeKind::End, EdgeKind::Jump, EdgeKind::Bands];
+    let is_there = |kind: &EdgeKind| map.edges.iter().any(|edge| edge.kind == *kind);
+    let mut entries: Vec<Entry> = (kinds.into_iter().filter(is_there))
+        .map(|kind| (Mark::Line(style(kind)), words(kind).to_owned()))
+        .collect();
     let words = match caption.searched_to {
         Some(speed) => format!(
             "white: stable up to {} {}",

@@ -225,7 +225,7 @@ impl NamedConditions {
     }
 
     /// Knots of the thrust: time, s, and force, lb.
-    pub(crate) fn thrust_knots(&self) -> &[[f64; 2]] {
+    pub fn thrust_knots(&self) -> &[[f64; 2]] {
         &self.thrust.0[..self.thrust.1]
     }
 

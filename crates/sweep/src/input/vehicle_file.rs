@@ -143,7 +143,7 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
 
 /// The number of a vehicle file under a dotted key: a leg's own or else that of all legs. When they are left out the
 /// scale of a table is 1 and the offset of the CG 0.
-pub(crate) fn number(document: &Document, path: &KeyPath) -> Option<f64> {
+pub fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     let of_all = || document.number(&path.of_all_legs()?);
     let by_default = || match path.steps.last()?.key.as_str() {
         SCALE => Some(1.0),

@@ -1,6 +1,6 @@
 //! Values set on the command line: `vehicle.strut.preload_lb=200`, by the names that axes have.
 
-use crate::document::Value;
+use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::parameter::{Home, Parameter};
@@ -71,11 +71,13 @@ impl Assignment {
         self.refuse(&format!("expected {allowed}"))
     }
 
-    pub(crate) fn path(&self) -> &KeyPath {
+    /// The key within the part of the input that the parameter belongs to.
+    pub fn path(&self) -> &KeyPath {
         self.parameter.path()
     }
 
-    pub(crate) fn value(&self) -> Value {
+    /// The value in the unit of the program.
+    pub fn value(&self) -> Value {
         self.value.clone()
     }
 }
@@ -103,14 +105,14 @@ pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
     }
 }
 
-/// The vehicle with the set values in place of those of its file.
+/// The document of a vehicle with the set values in place of those of its file. It is yet to be read.
 ///
 /// # Errors
-/// When that is no vehicle.
-pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile, InputError> {
-    let of_vehicle = || (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
+/// When the vehicle has no such leg.
+pub fn vehicle_document(file: &VehicleFile, set: &[Assignment]) -> Result<Document, InputError> {
     let mut document = file.document.clone();
-    for one in of_vehicle() {
+    let of_vehicle = (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
+    for one in of_vehicle {
         vehicle_file::write(
             &mut document,
             one.parameter().name(),
@@ -119,6 +121,16 @@ pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile
         )
         .map_err(|error| one.refuse(&error.to_string()))?;
     }
+    Ok(document)
+}
+
+/// The vehicle with the set values in place of those of its file.
+///
+/// # Errors
+/// When that is no vehicle.
+pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile, InputError> {
+    let document = vehicle_document(file, set)?;
+    let of_vehicle = || (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
     let said = || {
         let said = of_vehicle().map(|one| format!("{}={}", one.parameter.name(), one.text));
         said.collect::<Vec<_>>().join(" --set ")

@@ -221,6 +221,12 @@ impl Parameter {
     }
 }
 
+/// Names of all parameters of vehicles with so many legs, in the units of the program.
+pub fn names(legs: usize) -> impl Iterator<Item = String> {
+    let scene = scene_input::names(legs).map(str::to_owned);
+    scene.chain(dotted_names(legs))
+}
+
 /// Names of all parameters outside of the scene.
 fn dotted_names(legs: usize) -> Vec<String> {
     let vehicle = vehicle_file::numbers(legs).into_iter();

@@ -46,6 +46,10 @@ pub struct SceneCase {
     pub vehicle: VehicleFile,
     /// How it touches down.
     pub scene: Scene,
+    /// The same by name.
+    pub conditions: NamedConditions,
+    /// The scene file with the solver of this case.
+    pub document: Document,
     /// How that is computed.
     pub settings: Settings,
 }
@@ -55,14 +59,22 @@ pub struct SceneCase {
 /// # Errors
 /// Names file, line, case, key and value of the first thing wrong, and what is allowed.
 pub fn read(path: &Path) -> Result<SceneFile, InputError> {
-    let document = Library::Disk.document(path)?;
+    read_from(path, Library::Disk)
+}
+
+/// Reads a scene file and the vehicle files that it names from a library.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from(path: &Path, library: Library) -> Result<SceneFile, InputError> {
+    let document = library.document(path)?;
     let root = Section::root(&document, &SCENE_FILE)?;
     if let Some(title) = root.optional("title") {
         title.text()?;
     }
     let units = OutputUnits::read(&root)?;
     let scene = root.section("scene", &scene_input::scene_keys())?;
-    let stack = Stack::of(path, &document, &root, &scene)?;
+    let stack = Stack::of(path, library, &document, &root, &scene)?;
     let cases = cases(&root, &scene, stack)?;
     Ok(SceneFile { units, cases })
 }
@@ -191,28 +203,31 @@ fn unknown(name: &str, legs: usize) -> String {
 }
 
 /// The input after the changes of all cases so far.
-struct Stack {
+struct Stack<'l> {
     path: PathBuf,
+    library: Library<'l>,
     /// The scene file, of which the solver is read.
     document: Document,
     vehicle: Document,
     conditions: NamedConditions,
 }
 
-impl Stack {
+impl<'l> Stack<'l> {
     fn of(
         path: &Path,
+        library: Library<'l>,
         document: &Document,
         root: &Section,
         scene: &Section,
     ) -> Result<Self, InputError> {
-        let vehicle = named_vehicle(&root.value("vehicle", VEHICLE)?, path, Library::Disk)?;
+        let vehicle = named_vehicle(&root.value("vehicle", VEHICLE)?, path, library)?;
         let conditions = NamedConditions::read(scene)?;
         // Errors in these files are reported for the files, not for the first case.
         settings_input::settings_of_landing(root)?;
         VehicleFile::from_document(vehicle.clone())?;
         Ok(Self {
             path: path.to_owned(),
+            library,
             document: document.clone(),
             vehicle,
             conditions,
@@ -221,7 +236,7 @@ impl Stack {
 
     fn change(&mut self, changes: &Changes) -> Result<(), InputError> {
         if let Some(found) = &changes.vehicle {
-            self.vehicle = named_vehicle(found, &self.path, Library::Disk)?;
+            self.vehicle = named_vehicle(found, &self.path, self.library)?;
         }
         let scene = changes
             .parameters
@@ -288,6 +303,8 @@ impl Stack {
             name,
             vehicle,
             scene: touchdown,
+            conditions: self.conditions,
+            document: self.document.clone(),
             settings,
         })
     }

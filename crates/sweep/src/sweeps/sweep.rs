@@ -114,6 +114,11 @@ impl Sweep {
         }
     }
 
+    /// The files that were read, word for word.
+    pub fn sources(&self) -> &[Source] {
+        &self.sources
+    }
+
     /// The same sweep, of whose points there are results of some only.
     #[must_use]
     pub fn in_part(mut self, points: usize) -> Self {

@@ -6,6 +6,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::cases::{self, CaseTable};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::landing_report;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -67,7 +68,7 @@ pub fn run(
         } = finding
             && *given_by_crushing > 0.0
         {
-            let warning = summary::given_by_crushing(*given_by_crushing, units);
+            let warning = landing_report::given_by_crushing(*given_by_crushing, units);
             eprintln!("touchdown: warning: case {name}: {warning}");
         }
     }

@@ -1,6 +1,5 @@
 //! The account of an integration, as the program of 1966 printed it at the end of a run (3.4.4.3).
 
-use serde_json::{Value, json};
 use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 
 /// The account for a reader; empty for a method that keeps none.
@@ -30,31 +29,4 @@ pub fn text(summary: &IntegrationSummary, legs: usize) -> String {
 fn row(name: &str, counts: &[u64]) -> String {
     let cells: String = counts.iter().map(|count| format!("{count:>7}")).collect();
     format!("{name:<28}{cells}\n")
-}
-
-/// The account for a program; null for a method that keeps none.
-pub fn json(summary: &IntegrationSummary, legs: usize) -> Value {
-    if summary.critical.is_empty() {
-        return Value::Null;
-    }
-    let variables: Vec<Value> = variable_names(legs)
-        .into_iter()
-        .enumerate()
-        .map(|(index, name)| {
-            json!({
-                "variable": name,
-                "critical": summary.critical[index],
-                "sum_of_errors": summary.arithmetic[index],
-                "sum_of_absolute_errors": summary.absolute[index],
-            })
-        })
-        .collect();
-    json!({
-        "intervals": summary.intervals,
-        "mean_interval_s": summary.mean_interval(),
-        "bypassed": summary.bypassed,
-        "by_decade_from_0.1_s_down": summary.by_decade,
-        "by_cuts": summary.by_cuts,
-        "variables": variables,
-    })
 }

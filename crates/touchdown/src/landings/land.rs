@@ -11,6 +11,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::landing_report::{self, LandingReport};
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
@@ -20,7 +21,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 use crate::failure::Failure;
 use crate::land_files::{interval, is_history, place_of};
 use crate::print::print;
-use crate::report::{self, Report};
+use crate::report;
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
 use crate::units::UnitsOption;
@@ -228,7 +229,8 @@ fn land_once(
         let table = history.table().map_err(Failure::running)?;
         folder.write_files(&[(name, table)])?;
     }
-    let report = Report {
+    let report = LandingReport {
+        version: env!("CARGO_PKG_VERSION"),
         vehicle,
         set: &options.set,
         conditions: &conditions,
@@ -239,9 +241,9 @@ fn land_once(
     };
     print(&match options.json {
         true => format!("{:#}\n", report.json()),
-        false => report.text(),
+        false => report::text(&report),
     })?;
-    if let Some(warning) = report::warning(&landing, units) {
+    if let Some(warning) = landing_report::warning(&landing, units) {
         eprintln!("touchdown: warning: {warning}");
     }
     match &landing.outcome {

@@ -1,22 +1,14 @@
-//! The report of one landing, as text and as JSON.
+//! The report of one landing as text.
 
-use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Landing, LegWork};
-use touchdown_dynamics::methods::IntegrationSummary;
-use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::assignment::Assignment;
-use touchdown_sweep::fingerprint::fingerprint;
-use touchdown_sweep::landing_table::{self, why};
-use touchdown_sweep::method_input::{method_name, method_words};
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::landing_report::LandingReport;
+use touchdown_sweep::landing_table::why;
+use touchdown_sweep::method_input::method_words;
 use touchdown_sweep::parameter::Home;
-use touchdown_sweep::results;
-use touchdown_sweep::scene_input::NamedConditions;
-use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
-use touchdown_sweep::vehicle_file::VehicleFile;
+use touchdown_sweep::settings_input::crush_rule_name;
 
 use crate::integration_report;
-use crate::summary::{given_by_crushing, number};
+use crate::summary::number;
 
 /// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
 pub fn degrees(angle: f64, decimals: u8) -> String {
@@ -25,199 +17,107 @@ pub fn degrees(angle: f64, decimals: u8) -> String {
     format!("{rounded:.*}", usize::from(decimals))
 }
 
-/// What is told of a landing.
-pub struct Report<'r> {
-    /// What landed.
-    pub vehicle: &'r VehicleFile,
-    /// What of it was set on the command line.
-    pub set: &'r [Assignment],
-    /// How it touched down.
-    pub conditions: &'r NamedConditions,
-    /// How the landing was computed.
-    pub settings: &'r Settings,
-    /// How it went.
-    pub landing: &'r Landing,
-    /// The account of its integration.
-    pub integration: &'r IntegrationSummary,
-    /// The units in which it is told.
-    pub units: OutputUnits,
-}
-
-impl Report<'_> {
-    /// The touchdown, by name.
-    fn scene(&self) -> impl Iterator<Item = (String, f64)> {
-        let told = |(name, value): (&str, f64)| {
-            let quantity = self.units.quantity(name);
-            (quantity.name().to_owned(), quantity.number(value))
-        };
-        self.conditions.resolved().into_iter().map(told)
+/// The report as text.
+pub fn text(report: &LandingReport) -> String {
+    let (landing, units) = (report.landing, report.units);
+    let given: Vec<String> = (report.scene())
+        .map(|(name, value)| format!("{name} {value}"))
+        .collect();
+    let energies = &landing.energies;
+    let work = |of: fn(&LegWork) -> f64| energies.legs.iter().map(of).sum::<f64>();
+    let changes: String = (report.set.iter())
+        .filter(|one| one.parameter().home() == Home::Vehicle)
+        .map(|one| format!("with {} = {}\n", one.parameter().name(), one.text()))
+        .collect();
+    let name = &report.vehicle.name;
+    let mut lines = Lines(format!("{name}\n{changes}{}\n\n", wrapped(&given)));
+    lines.add(
+        "outcome",
+        format!("{} at {:.6} s", landing.outcome, verdict_time(landing)),
+    );
+    lines.add("why", why(&landing.outcome));
+    if let Some(beyond) = &landing.beyond {
+        let said = format!("to {:.6} s: {}", landing.end_time, beyond.end);
+        lines.add("went on", said);
     }
-
-    /// The report as text.
-    pub fn text(&self) -> String {
-        let (landing, units) = (self.landing, self.units);
-        let given: Vec<String> = (self.scene())
-            .map(|(name, value)| format!("{name} {value}"))
-            .collect();
-        let energies = &landing.energies;
-        let work = |of: fn(&LegWork) -> f64| energies.legs.iter().map(of).sum::<f64>();
-        let changes: String = (self.set.iter())
-            .filter(|one| one.parameter().home() == Home::Vehicle)
-            .map(|one| format!("with {} = {}\n", one.parameter().name(), one.text()))
-            .collect();
-        let name = &self.vehicle.name;
-        let mut lines = Lines(format!("{name}\n{changes}{}\n\n", wrapped(&given)));
-        lines.add(
-            "outcome",
-            format!("{} at {:.6} s", landing.outcome, verdict_time(landing)),
-        );
-        lines.add("why", why(&landing.outcome));
-        if let Some(beyond) = &landing.beyond {
-            let said = format!("to {:.6} s: {}", landing.end_time, beyond.end);
-            lines.add("went on", said);
-        }
-        lines.add(
-            "least stability angle",
-            format!(
-                "{} deg at {:.4} s",
-                degrees(landing.min_stability_angle, 4),
-                landing.min_stability_time
-            ),
-        );
-        let length = units.quantity("clearance_ft");
-        lines.add(
-            "least ground clearance",
-            format!(
-                "{:.5} {}",
-                length.number(landing.min_clearance),
-                length.unit()
-            ),
-        );
-        let legs = landing.leg_count();
-        lines.legs("leg", (1..=legs).map(|leg| leg.to_string()));
-        lines.legs(
-            "footpad contact, s",
-            landing.pad_contact.into_iter().map(time),
-        );
-        lines.legs(
-            "block contact, s",
-            landing.block_contact.into_iter().map(time),
-        );
-        let force = units.quantity("strut_force_lb");
-        lines.legs(
-            &format!("largest strut force, {}", force.unit()),
-            (landing.max_strut_force.into_iter()).map(|f| format!("{:.1}", force.number(f))),
-        );
-        let energy = units.quantity("energy_ftlb");
-        let closure = energy.number(energies.closure());
-        let thrust = ("+ work of the thrust", energies.thrust);
-        let terms = [
-            ("kinetic energy at contact", energies.initial_kinetic),
-            ("+ potential energy released", energies.potential_change),
-            ("- struts", work(|leg| leg.strut)),
-            ("- footpads, crushing", work(|leg| leg.pad_crush)),
-            ("- footpads, sliding", work(|leg| leg.pad_friction)),
-            ("- blocks, crushing", work(|leg| leg.block_crush)),
-            ("- blocks, sliding", work(|leg| leg.block_friction)),
-            ("- stops", work(|leg| leg.stop)),
-            ("- kinetic energy at the end", energies.final_kinetic),
-        ];
-        let (gained, spent) = terms.split_at(2);
-        let thrust = Some(&thrust).filter(|(_, work)| *work != 0.0);
-        for &(name, value) in gained.iter().chain(thrust).chain(spent) {
-            let (value, unit) = (energy.number(value), energy.unit());
-            lines.add(name, format!("{value:>14.4} {unit}"));
-        }
-        lines.add("= closure", format!("{closure:>14.3e} {}", energy.unit()));
-        lines.add(
-            "computation",
-            format!(
-                "{}, {}, {}",
-                number(landing.steps, "step"),
-                number(landing.events, "event"),
-                number(landing.evaluations, "derivative evaluation"),
-            ),
-        );
-        let settings = self.settings;
-        lines.add(
-            "",
-            format!(
-                "{}, crush rule {}",
-                method_words(&settings.method(), settings.tolerance()),
-                crush_rule_name(settings.crush_rule())
-            ),
-        );
-        lines.0 + &integration_report::text(self.integration, legs)
+    lines.add(
+        "least stability angle",
+        format!(
+            "{} deg at {:.4} s",
+            degrees(landing.min_stability_angle, 4),
+            landing.min_stability_time
+        ),
+    );
+    let length = units.quantity("clearance_ft");
+    lines.add(
+        "least ground clearance",
+        format!(
+            "{:.5} {}",
+            length.number(landing.min_clearance),
+            length.unit()
+        ),
+    );
+    let legs = landing.leg_count();
+    lines.legs("leg", (1..=legs).map(|leg| leg.to_string()));
+    lines.legs(
+        "footpad contact, s",
+        landing.pad_contact.into_iter().map(time),
+    );
+    lines.legs(
+        "block contact, s",
+        landing.block_contact.into_iter().map(time),
+    );
+    let force = units.quantity("strut_force_lb");
+    lines.legs(
+        &format!("largest strut force, {}", force.unit()),
+        (landing.max_strut_force.into_iter()).map(|f| format!("{:.1}", force.number(f))),
+    );
+    let energy = units.quantity("energy_ftlb");
+    let closure = energy.number(energies.closure());
+    let thrust = ("+ work of the thrust", energies.thrust);
+    let terms = [
+        ("kinetic energy at contact", energies.initial_kinetic),
+        ("+ potential energy released", energies.potential_change),
+        ("- struts", work(|leg| leg.strut)),
+        ("- footpads, crushing", work(|leg| leg.pad_crush)),
+        ("- footpads, sliding", work(|leg| leg.pad_friction)),
+        ("- blocks, crushing", work(|leg| leg.block_crush)),
+        ("- blocks, sliding", work(|leg| leg.block_friction)),
+        ("- stops", work(|leg| leg.stop)),
+        ("- kinetic energy at the end", energies.final_kinetic),
+    ];
+    let (gained, spent) = terms.split_at(2);
+    let thrust = Some(&thrust).filter(|(_, work)| *work != 0.0);
+    for &(name, value) in gained.iter().chain(thrust).chain(spent) {
+        let (value, unit) = (energy.number(value), energy.unit());
+        lines.add(name, format!("{value:>14.4} {unit}"));
     }
-
-    /// The report as JSON.
-    pub fn json(&self) -> Value {
-        let (vehicle, settings, landing) = (self.vehicle, self.settings, self.landing);
-        let scene: Map<String, Value> = (self.scene())
-            .map(|(name, value)| (name, json!(value)))
-            .collect();
-        let result: Map<String, Value> = landing_table::columns_in(self.units, landing)
-            .into_iter()
-            .map(|(name, cell)| (name, cell.into()))
-            .collect();
-        let work = landing.energies.legs.iter().map(|leg| {
-            let works = [
-                ("strut_ftlb", leg.strut),
-                ("pad_crush_ftlb", leg.pad_crush),
-                ("pad_friction_ftlb", leg.pad_friction),
-                ("block_crush_ftlb", leg.block_crush),
-                ("block_friction_ftlb", leg.block_friction),
-                ("stop_ftlb", leg.stop),
-            ];
-            let works = works.into_iter().map(|(name, value)| {
-                let quantity = self.units.quantity(name);
-                (quantity.name().to_owned(), json!(quantity.number(value)))
-            });
-            works.collect::<Map<String, Value>>()
-        });
-        let end = self.units.quantity("final_kinetic_energy_ftlb");
-        let mut report = json!({
-            "program": results::program(env!("CARGO_PKG_VERSION")),
-            "commit": results::COMMIT,
-            "vehicle_file": vehicle.document.path().display().to_string(),
-            "vehicle_fingerprint": fingerprint(&vehicle.document.source().text),
-            "set": (self.set.iter())
-                .map(|one| (one.parameter().name().to_owned(), json!(one.text())))
-                .collect::<Map<String, Value>>(),
-            "scene": scene,
-            "solver": {
-                "tolerance": settings.tolerance(),
-                "time_limit_s": settings.time_limit(),
-                "crush_rule": crush_rule_name(settings.crush_rule()),
-                "friction_profile": friction_profile_name(settings.friction_profile()),
-                "method": method_name(&settings.method()),
-            },
-            "result": result,
-            "why": why(&landing.outcome),
-            "min_stability_time_s": landing.min_stability_time,
-            "events": landing.events,
-            "work_by_leg": work.collect::<Vec<_>>(),
-            (end.name()): end.number(landing.energies.final_kinetic),
-            "integration": integration_report::json(self.integration, landing.leg_count()),
-        });
-        if let Some(beyond) = &landing.beyond {
-            report["verdict_time_s"] = json!(beyond.verdict_time);
-            report["went_on_to"] = json!(beyond.end.to_string());
-        }
-        report
-    }
+    lines.add("= closure", format!("{closure:>14.3e} {}", energy.unit()));
+    lines.add(
+        "computation",
+        format!(
+            "{}, {}, {}",
+            number(landing.steps, "step"),
+            number(landing.events, "event"),
+            number(landing.evaluations, "derivative evaluation"),
+        ),
+    );
+    let settings = report.settings;
+    lines.add(
+        "",
+        format!(
+            "{}, crush rule {}",
+            method_words(&settings.method(), settings.tolerance()),
+            crush_rule_name(settings.crush_rule())
+        ),
+    );
+    lines.0 + &integration_report::text(report.integration, legs)
 }
 
 /// When the verdict fell, s.
 fn verdict_time(landing: &Landing) -> f64 {
     let beyond = landing.beyond.as_ref();
     beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
-}
-
-/// What is to be told of a landing although its account closes: elements that gave back more than they took.
-pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
-    let given = landing.energies.given_by_crushing();
-    (given > 0.0).then(|| given_by_crushing(given, units))
 }
 
 /// Lines of a name and what belongs to it.

@@ -7,6 +7,7 @@ use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::history::History;
+use touchdown_sweep::landing_report;
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::scene_file::{self, SceneCase, SceneFile};
@@ -15,7 +16,7 @@ use touchdown_sweep::{cases, method_input::method_words};
 use crate::failure::Failure;
 use crate::land_files::{interval, is_history};
 use crate::print::print;
-use crate::report::{self, degrees};
+use crate::report::degrees;
 use crate::summary;
 
 /// Lands all cases and writes their histories, every `seconds`, and their results to a folder, in the units of the file or
@@ -59,7 +60,7 @@ pub fn run(
     let written = folder.write_files(&files)?;
     print(&text(&cases, &landings, units))?;
     for (case, landing) in cases.iter().zip(&landings) {
-        if let Some(warning) = report::warning(landing, units) {
+        if let Some(warning) = landing_report::warning(landing, units) {
             eprintln!("touchdown: warning: case {}: {warning}", case.name);
         }
     }

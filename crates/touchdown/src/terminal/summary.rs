@@ -7,6 +7,7 @@ use touchdown_sweep::boundary::{Extent, Transition};
 use touchdown_sweep::certainty::{Certainty, LEAST_LANDINGS};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::hidden_band_checks::HiddenBandChecks;
+use touchdown_sweep::landing_report;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
@@ -170,7 +171,7 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
             "  warning: at {}, most at {}: {}\n",
             number(counts.with_given, "point"),
             sweep.place(most),
-            given_by_crushing(energy, sweep.units)
+            landing_report::given_by_crushing(energy, sweep.units)
         );
     }
     if let Some(probabilities) = &counts.probabilities {
@@ -183,16 +184,6 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
         }
     }
     text
-}
-
-/// The warning that crushing elements gave so much energy, ft·lb, told in these units.
-pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
-    let quantity = units.quantity("energy_ftlb");
-    let (energy, unit) = (quantity.number(energy), quantity.unit());
-    format!(
-        "crushing footpads or blocks added {energy:.4} {unit} to the motion, which no material does: \
-         they are too stiff for the crush laws"
-    )
 }
 
 /// A number of things, with the plural where it is needed.

@@ -1,0 +1,65 @@
+//! What a page can ask: a name and a JSON text, answered by a JSON text.
+//!
+//! An answer depends on the request and on what was named, and on nothing else: no files, clocks or threads.
+
+mod bands;
+mod classes;
+mod complaint;
+mod inputs;
+mod landing;
+mod map;
+mod parameters;
+mod request;
+mod sample;
+mod speeds;
+mod strip;
+mod take_away;
+mod touchdown;
+
+use crate::named::Named;
+
+pub use complaint::{Complaint, Fault};
+
+/// Names of all requests.
+pub const NAMES: [&str; 11] = [
+    "inputs",
+    "parameters",
+    "landing",
+    "strip",
+    "bands",
+    "map",
+    "at",
+    "sample",
+    "scene_file",
+    "history_file",
+    "command",
+];
+
+/// Asked between landings: whether the answer is no longer wanted.
+pub type IsOver<'a> = &'a dyn Fn() -> bool;
+
+/// Answers a request.
+///
+/// # Errors
+/// Says what cannot be answered, in the words of the command line.
+pub fn answer(
+    named: &Named,
+    name: &str,
+    request: &str,
+    is_over: IsOver,
+) -> Result<String, Complaint> {
+    match name {
+        "inputs" => inputs::answer(named, request),
+        "parameters" => parameters::answer(named, request),
+        "landing" => landing::answer(named, request),
+        "strip" => strip::answer(named, request, is_over),
+        "bands" => bands::answer(named, request, is_over),
+        "map" => map::answer(named, request),
+        "at" => map::answer_at(named, request),
+        "sample" => sample::answer(named, request),
+        "scene_file" => take_away::scene_file(named, request),
+        "history_file" => take_away::history_file(named, request),
+        "command" => take_away::command(named, request),
+        _ => Err(Complaint::unknown(name, &NAMES)),
+    }
+}

@@ -1,0 +1,139 @@
+//! `landing`: one landing, its history, and what it takes to draw it.
+
+mod drawing;
+mod energies;
+mod events;
+mod history;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use touchdown_dynamics::land::land_with_summary;
+use touchdown_dynamics::landing::{Instant, Landing};
+use touchdown_dynamics::outcome::Outcome;
+use touchdown_sweep::landing_report::{self, LandingReport};
+use touchdown_sweep::landing_table::why;
+
+use super::classes::{ClassWords, class_words};
+use super::complaint::Complaint;
+use super::request::{Asked, read, units, written};
+use super::touchdown::Touchdown;
+use crate::named::Named;
+
+use drawing::Drawing;
+use energies::Energies;
+use events::Event;
+use history::History;
+
+/// Time between instants where none is asked for, s, and most instants of a landing.
+const INTERVAL: f64 = 0.01;
+const MOST_INSTANTS: f64 = 20_000.0;
+
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Request {
+    touchdown: Asked,
+    units: Option<String>,
+    interval_s: f64,
+    history: bool,
+    drawing: bool,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self {
+            touchdown: Asked::default(),
+            units: None,
+            interval_s: INTERVAL,
+            history: true,
+            drawing: true,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Answer {
+    outcome: String,
+    #[serde(flatten)]
+    class: ClassWords,
+    why: String,
+    failure: Option<String>,
+    warning: Option<String>,
+    end_time_s: f64,
+    verdict_time_s: f64,
+    report: Value,
+    events: Vec<Event>,
+    history: Option<History>,
+    energies: Option<Energies>,
+    drawing: Option<Drawing>,
+}
+
+pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let units = units(request.units.as_deref(), named.units)?;
+    let touchdown = Touchdown::of(named, &request.touchdown)?;
+    let scene = touchdown.scene()?;
+    let wants_instants = request.history || request.drawing;
+    let seconds = interval(&touchdown, request.interval_s)?;
+    let seconds = if wants_instants {
+        seconds
+    } else {
+        f64::INFINITY
+    };
+
+    let vehicle = &touchdown.vehicle.vehicle;
+    let mut instants: Vec<Instant> = Vec::new();
+    let mut observe = |instant: &Instant| instants.push(instant.clone());
+    let (landing, integration) =
+        land_with_summary(vehicle, &scene, &touchdown.settings, seconds, &mut observe);
+
+    let report = LandingReport {
+        version: env!("CARGO_PKG_VERSION"),
+        vehicle: &touchdown.vehicle,
+        set: &touchdown.set,
+        conditions: &touchdown.conditions,
+        settings: &touchdown.settings,
+        landing: &landing,
+        integration: &integration,
+        units,
+    };
+    written(&Answer {
+        outcome: landing.outcome.to_string(),
+        class: class_words(landing.outcome.class()),
+        why: why(&landing.outcome),
+        failure: match &landing.outcome {
+            Outcome::Failure(reason) => Some(reason.to_string()),
+            _ => None,
+        },
+        warning: landing_report::warning(&landing, units),
+        end_time_s: landing.end_time,
+        verdict_time_s: verdict_time(&landing),
+        report: report.json(),
+        events: events::of(&landing),
+        history: request.history.then(|| History::of(&instants, units)),
+        energies: request.history.then(|| Energies::of(&instants, units)),
+        drawing: request
+            .drawing
+            .then(|| Drawing::of(vehicle, &scene, &instants)),
+    })
+}
+
+/// Checks the time between instants, s.
+///
+/// # Errors
+/// When there would be too many.
+pub fn interval(touchdown: &Touchdown, seconds: f64) -> Result<f64, Complaint> {
+    let least = touchdown.settings.time_limit() / MOST_INSTANTS;
+    match seconds >= least {
+        true => Ok(seconds),
+        false => {
+            let allowed = format!("at least {least} s, the time limit over {MOST_INSTANTS}");
+            Err(Complaint::value("interval_s", seconds, &allowed))
+        }
+    }
+}
+
+/// When the verdict fell, s.
+fn verdict_time(landing: &Landing) -> f64 {
+    let beyond = landing.beyond.as_ref();
+    beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
+}

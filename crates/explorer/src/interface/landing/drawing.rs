@@ -1,0 +1,52 @@
+//! What it takes to draw a landing: the ground, the vehicle, and where everything is at every instant.
+//!
+//! Ground axes X (across the slope), Y (horizontal, uphill) and Z (down), from the point of the surface below the CG at first
+//! contact; ft and lb.
+
+mod ground;
+mod motion;
+mod shape;
+
+use nalgebra::Vector3;
+use serde::Serialize;
+use touchdown_dynamics::landing::Instant;
+use touchdown_dynamics::motion::Motion;
+use touchdown_dynamics::scene::Scene;
+use touchdown_dynamics::vehicle::Vehicle;
+
+use ground::Ground;
+use motion::Instants;
+use shape::Shape;
+
+/// A vector, rounded.
+type Triple = [f64; 3];
+
+/// A landing as it is drawn.
+#[derive(Debug, Serialize)]
+pub struct Drawing {
+    ground: Ground,
+    vehicle: Shape,
+    instants: Instants,
+}
+
+impl Drawing {
+    /// Of a landing with these instants.
+    pub fn of(vehicle: &Vehicle, scene: &Scene, instants: &[Instant]) -> Self {
+        let motion = Motion::new(vehicle, scene);
+        Self {
+            ground: Ground::of(vehicle, scene, &motion),
+            vehicle: Shape::of(vehicle, &motion),
+            instants: Instants::of(vehicle, scene, &motion, instants),
+        }
+    }
+}
+
+/// A number to as many digits as a drawing needs.
+fn rounded(number: f64) -> f64 {
+    const STEPS: f64 = 1e6;
+    (number * STEPS).round() / STEPS
+}
+
+fn triple(vector: &Vector3<f64>) -> Triple {
+    [vector.x, vector.y, vector.z].map(rounded)
+}

@@ -1,0 +1,47 @@
+//! The history of a landing, column by column.
+
+use serde::Serialize;
+use touchdown_dynamics::landing::Instant;
+use touchdown_figures::axis_title::column_words;
+use touchdown_figures::unit::split_unit;
+use touchdown_sweep::history::columns;
+use touchdown_sweep::output_units::OutputUnits;
+
+/// Columns under the names of history files.
+#[derive(Debug, Serialize)]
+pub struct History {
+    columns: Vec<Column>,
+}
+
+#[derive(Debug, Serialize)]
+struct Column {
+    name: String,
+    title: String,
+    unit: &'static str,
+    values: Vec<f64>,
+}
+
+impl History {
+    /// Of the instants of a landing.
+    pub fn of(instants: &[Instant], units: OutputUnits) -> Self {
+        let first = instants.first().map(columns).unwrap_or_default();
+        let quantities: Vec<_> = (first.iter())
+            .map(|(name, _)| units.quantity(name))
+            .collect();
+        let mut told: Vec<Column> = (quantities.iter())
+            .map(|quantity| Column {
+                name: quantity.name().to_owned(),
+                title: column_words(quantity.name()),
+                unit: split_unit(quantity.name()).1,
+                values: Vec::with_capacity(instants.len()),
+            })
+            .collect();
+        for instant in instants {
+            let values = columns(instant).into_iter().zip(&quantities);
+            for (column, ((_, value), quantity)) in told.iter_mut().zip(values) {
+                column.values.push(quantity.number(value));
+            }
+        }
+        Self { columns: told }
+    }
+}

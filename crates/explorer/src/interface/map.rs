@@ -1,0 +1,200 @@
+//! `map` and `at`: transitions over one or more axes, as our pictures show them.
+
+mod picture;
+mod table;
+
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+use touchdown_figures::bands_table::BandsTable;
+use touchdown_figures::boundary_table::Kind;
+use touchdown_figures::caption::Caption;
+use touchdown_figures::speed_unit::SpeedUnit;
+use touchdown_figures::unit::split_unit;
+
+use super::classes::class_words;
+use super::complaint::Complaint;
+use super::request::{read, written};
+use crate::named::{Named, Results, ResultsKind};
+
+use picture::Picture;
+pub use table::cell;
+use table::{Point, Transitions, described};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    results: String,
+    #[serde(default)]
+    axes: Vec<String>,
+    #[serde(default)]
+    fixed: Map<String, Value>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AtRequest {
+    results: String,
+    place: Map<String, Value>,
+}
+
+pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let results = transitions_of(named, &request.results)?;
+    let all = Transitions::read(results)?;
+    let axes = all.chosen(&request.axes)?;
+    let fixed = all.fixed(&axes, &request.fixed)?;
+    let points: Vec<&Point> = all.within(&fixed).collect();
+    let caption = caption(results)?;
+    let picture = match axes[..] {
+        [slow, fast] => Picture::of(results, &all, [slow, fast], &points, &caption)?,
+        _ => Picture::default(),
+    };
+    let bands = match (&results.bands, all.axes.len(), axes.len()) {
+        (Some(bands), 1, 1) => {
+            Some(BandsTable::parse(bands).map_err(|error| of_table(results, error))?)
+        }
+        _ => None,
+    };
+    let unit = caption.speed_unit;
+    let told = points.iter().map(|point| {
+        let place: Vec<Value> = axes.iter().map(|axis| point.place[*axis].clone()).collect();
+        let mut told = point.told(place);
+        if let (Some(bands), Some(at)) = (&bands, point.place[0].as_f64()) {
+            told["bands"] = bands_at(bands, at);
+        }
+        told
+    });
+    let told: Vec<Value> = told.collect();
+    let others = (0..all.axes.len()).filter(|axis| !axes.contains(axis));
+    let others = others.map(|axis| {
+        let mut other = all.described(axis);
+        other["fixed"] = fixed[axis].clone().unwrap_or_default();
+        other
+    });
+    let others: Vec<Value> = others.collect();
+    let mut answer = json!({
+        "title": title(results),
+        "conditions": caption.conditions,
+        "statement": caption.statement,
+        "source": named.source_of(results),
+        "speed_unit": unit.to_string(),
+        "speed_column": format!("first_transition{}", unit.ending()),
+        "axes": axes.iter().map(|axis| all.described(*axis)).collect::<Vec<_>>(),
+        "other_axes": others,
+        "points": told,
+        "searched_to": caption.searched_to,
+        "kinds": Kind::ALL.map(kind_words),
+    });
+    picture.tell(&mut answer)?;
+    written(&answer)
+}
+
+pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: AtRequest = read(request)?;
+    let results = transitions_of(named, &request.results)?;
+    let all = Transitions::read(results)?;
+    let point = all.nearest(&request.place)?;
+    let place: Map<String, Value> = (all.axes.iter().zip(&point.place))
+        .map(|(axis, value)| (axis.name.clone(), value.clone()))
+        .collect();
+    let unit = caption(results)?.speed_unit;
+    let source = named.source_of(results);
+    let speed_name = format!("horizontal_velocity{}", unit.ending());
+    let touchdown = |speed: f64| {
+        let mut values = place.clone();
+        values.insert(speed_name.clone(), json!(speed));
+        // What a sweep varies of its search is no number of a landing.
+        values.retain(|name, _| !name.starts_with("search."));
+        json!({"source": source, "values": values})
+    };
+    let searched_to = caption(results)?.searched_to;
+    let below = match &point.transition {
+        Some(found) => found.low.map(touchdown),
+        None => searched_to.map(touchdown),
+    };
+    let above = point.transition.as_ref().map(|found| touchdown(found.high));
+    let mut told = point.told(Vec::new());
+    told["place"] = json!(place);
+    told["below"] = json!(below);
+    told["above"] = json!(above);
+    written(&told)
+}
+
+/// The table of results of a name.
+///
+/// # Errors
+/// When there is none.
+pub fn results_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Complaint> {
+    named.results(name).ok_or_else(|| {
+        let known: Vec<&str> = named.results.iter().map(|one| one.name.as_str()).collect();
+        let allowed = match known.is_empty() {
+            true => "a table of results that was named when the explorer was started".to_owned(),
+            false => format!("one of {}", known.join(", ")),
+        };
+        Complaint::value("results", format!("{name:?}"), &allowed)
+    })
+}
+
+fn transitions_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Complaint> {
+    let results = results_of(named, name)?;
+    match results.kind {
+        ResultsKind::Sample => Err(Complaint::value(
+            "results",
+            format!("{name:?}"),
+            "a table of transitions: this one has landings, which sample tells",
+        )),
+        ResultsKind::Map | ResultsKind::Profile => Ok(results),
+    }
+}
+
+/// A complaint about a table.
+pub fn of_table(results: &Results, error: impl std::fmt::Display) -> Complaint {
+    Complaint::request(format!("{}: {error}", results.file))
+}
+
+/// The title in the record of a table, or else its name.
+pub fn title(results: &Results) -> String {
+    match caption(results) {
+        Ok(caption) => caption.title,
+        Err(_) => results.name.clone(),
+    }
+}
+
+fn caption(results: &Results) -> Result<Caption, Complaint> {
+    let speed_unit = SpeedUnit::of_table(&results.table);
+    match &results.record {
+        Some(record) => {
+            Caption::from_record(record, speed_unit).map_err(|error| of_table(results, error))
+        }
+        None => Ok(Caption {
+            title: results.name.clone(),
+            speed_unit,
+            ..Caption::default()
+        }),
+    }
+}
+
+fn kind_words(kind: Kind) -> Value {
+    let words = super::classes::class_named(kind.name()).map(class_words);
+    json!(words)
+}
+
+/// The bands at a place of a profile.
+fn bands_at(bands: &BandsTable, place: f64) -> Value {
+    let at = bands.at(&[place]);
+    at.iter()
+        .map(|band| {
+            let name = band.kind.map_or("stable", Kind::name);
+            let words = super::classes::class_named(name).map(class_words);
+            let mut told = json!(words);
+            told["from"] = json!(band.from);
+            told["to"] = json!(band.to);
+            told
+        })
+        .collect()
+}
+
+/// An axis or a column in words.
+pub fn words_of(name: &str, values: Vec<Value>) -> Value {
+    described(name, split_unit(name).1, values)
+}

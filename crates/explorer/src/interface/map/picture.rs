@@ -1,0 +1,171 @@
+//! What a map looks like in our pictures: grid or triangles, jumps, edges, levels with their colours, and words.
+
+use serde_json::{Value, json};
+use touchdown_figures::boundary_table::{
+    BoundaryTable, Kind, Point as TablePoint, Transition as TableTransition,
+};
+use touchdown_figures::caption::Caption;
+use touchdown_figures::legend::Mark;
+use touchdown_figures::levels::Levels;
+use touchdown_figures::map_legend;
+use touchdown_figures::map_table::{EdgeKind, MapTable};
+use touchdown_figures::refined_map;
+use touchdown_figures::surface::{Cell, Surface};
+use touchdown_figures::{number, palette};
+
+use super::of_table;
+use super::table::{Point, Transitions};
+use crate::interface::classes::hex;
+use crate::interface::complaint::Complaint;
+use crate::named::Results;
+
+/// A map over two axes, or less where there is none.
+#[derive(Default)]
+pub struct Picture {
+    /// Velocities on a grid.
+    surface: Option<Surface>,
+    /// Triangles and edges.
+    refined: Option<MapTable>,
+    /// Which levels are drawn.
+    levels: Option<Levels>,
+    /// Words of jumps.
+    jump_words: Option<String>,
+    /// Words of points without a transition.
+    gap_words: String,
+}
+
+impl Picture {
+    /// Of points over two axes.
+    pub fn of(
+        results: &Results,
+        all: &Transitions,
+        [slow, fast]: [usize; 2],
+        points: &[&Point],
+        caption: &Caption,
+    ) -> Result<Self, Complaint> {
+        let gap_words = match caption.searched_to {
+            Some(speed) => format!(
+                "stable up to {} {}",
+                number::label(speed),
+                caption.speed_unit
+            ),
+            None => "no transition".to_owned(),
+        };
+        if let (Some(surface), 2, [0, 1]) = (&results.surface, all.axes.len(), [slow, fast]) {
+            let refined = MapTable::parse(surface, results.edges.as_deref())
+                .map_err(|error| of_table(results, error))?;
+            let levels = refined_map::levels(&refined);
+            return Ok(Self {
+                refined: Some(refined),
+                levels: Some(levels),
+                gap_words,
+                ..Self::default()
+            });
+        }
+        let names = [slow, fast].map(|axis| all.axes[axis].name.clone());
+        let surface =
+            table(points, [slow, fast], &names).and_then(|table| Surface::of(&table, |_| true));
+        let jump_words = surface.as_ref().and_then(|surface| {
+            let entries = map_legend::of_map(surface, caption);
+            let jump = entries.into_iter().find(|(mark, _)| *mark == Mark::Jump);
+            jump.map(|(_, words)| words)
+        });
+        Ok(Self {
+            levels: surface.as_ref().map(Levels::of),
+            surface,
+            refined: None,
+            jump_words,
+            gap_words,
+        })
+    }
+
+    /// Adds the picture to an answer.
+    pub fn tell(&self, answer: &mut Value) -> Result<(), Complaint> {
+        let surface = self.surface.as_ref();
+        answer["grid"] = json!(surface.map(|surface| json!({"speeds": surface.speeds})));
+        answer["jump"] = json!(surface.map(|surface| surface.jump));
+        answer["jump_bars"] = json!(surface.map(Surface::jump_bars).unwrap_or_default());
+        answer["jump_cells"] = json!(surface.map(jump_cells).unwrap_or_default());
+        answer["lowest"] = json!(surface.map(Surface::lowest_in_rows).unwrap_or_default());
+        let refined = self.refined.as_ref();
+        answer["triangles"] = json!(refined.map(triangles));
+        answer["edges"] = json!(refined.map(edges).unwrap_or_default());
+        answer["levels"] = json!(self.levels.as_ref().map(levels).unwrap_or_default());
+        answer["words"] = json!({
+            "gap": self.gap_words,
+            "jump": self.jump_words,
+            "jump_cell": "not interpolated across a jump",
+            "end": refined_map::words(EdgeKind::End),
+            "bands": refined_map::words(EdgeKind::Bands),
+            "edge_jump": refined_map::words(EdgeKind::Jump),
+        });
+        answer["colours"] = json!({
+            "jump": hex(palette::JUMP),
+            "jump_cell": hex(palette::JUMP_CELL),
+            "gap": hex(palette::NONE),
+            "line": hex(palette::LINE),
+            "lowest": hex(palette::LOWEST),
+            "end": hex(palette::NONE),
+            "bands": hex(palette::BISECTOR),
+        });
+        Ok(())
+    }
+}
+
+/// The points as a table over two axes; none where these are words.
+fn table(points: &[&Point], axes: [usize; 2], names: &[String; 2]) -> Option<BoundaryTable> {
+    let points: Option<Vec<TablePoint>> = (points.iter())
+        .map(|point| {
+            let place = axes.map(|axis| point.place[axis].as_f64());
+            Some(TablePoint {
+                coordinates: vec![place[0]?, place[1]?],
+                transition: match &point.transition {
+                    None => None,
+                    Some(found) => Some(TableTransition {
+                        kind: Kind::from_name(&found.to)?,
+                        speed: found.speed,
+                        low: found.low,
+                        high: found.high,
+                    }),
+                },
+            })
+        })
+        .collect();
+    Some(BoundaryTable {
+        axes: names.to_vec(),
+        points: points?,
+        others: Vec::new(),
+    })
+}
+
+fn jump_cells(surface: &Surface) -> Vec<[usize; 2]> {
+    let cells = surface.cells().filter(|(_, cell)| *cell == Cell::Jump);
+    cells.map(|(place, _)| place).collect()
+}
+
+fn triangles(map: &MapTable) -> Vec<[[f64; 3]; 3]> {
+    let corners =
+        |triangle: &[([f64; 2], f64); 3]| triangle.map(|([slow, fast], speed)| [slow, fast, speed]);
+    map.triangles.iter().map(corners).collect()
+}
+
+fn edges(map: &MapTable) -> Vec<Value> {
+    let edges = map.edges.iter().map(|edge| {
+        let kind = match edge.kind {
+            EdgeKind::End => "end",
+            EdgeKind::Jump => "jump",
+            EdgeKind::Bands => "bands",
+        };
+        json!({"kind": kind, "places": edge.places})
+    });
+    edges.collect()
+}
+
+/// Bands of colour from below: up to which speed each holds.
+fn levels(levels: &Levels) -> Vec<Value> {
+    let bands = levels.bands().into_iter().map(|[low, high]| {
+        let speed = high.is_finite().then_some(high);
+        json!({"speed": speed, "colour": hex(levels.colour(low))})
+    });
+    bands.collect()
+}

@@ -1,0 +1,219 @@
+//! `parameters`: every number of scene, attitude, vehicle and solver, with what a slider needs.
+
+mod groups;
+mod ranges;
+mod slider;
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use touchdown_dynamics::attitude::Attitude;
+use touchdown_figures::axis_title::axis_title;
+use touchdown_figures::unit::split_unit;
+use touchdown_sweep::assignment::{self, Assignment};
+use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::parameter::{self, Home, Parameter};
+use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
+use touchdown_sweep::vehicle_file::{self, VehicleFile};
+
+use super::complaint::Complaint;
+use super::request::{Asked, read, written};
+use super::touchdown::Touchdown;
+use crate::named::Named;
+
+use ranges::Allowed;
+use slider::Slider;
+
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[derive(Default)]
+struct Request {
+    touchdown: Asked,
+}
+
+#[derive(Serialize)]
+struct Told {
+    name: String,
+    title: String,
+    unit: &'static str,
+    value: Value,
+    /// Whether the input gives it, or it follows by default.
+    is_given: bool,
+    slider: Option<Slider>,
+    si: Option<InSi>,
+    allowed: Allowed,
+    group: &'static str,
+    leg: Option<usize>,
+    /// Of a leg's number: whether the leg has its own.
+    is_own: bool,
+    words: Vec<&'static str>,
+}
+
+#[derive(Serialize)]
+struct InSi {
+    name: String,
+    unit: &'static str,
+    value: f64,
+    slider: Option<Slider>,
+}
+
+pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let touchdown = Touchdown::of(named, &request.touchdown)?;
+    let legs = touchdown.vehicle.vehicle.legs().len();
+    let mut told: Vec<Told> = parameter::names(legs)
+        .filter_map(|name| tell(&touchdown, Parameter::named(&name, legs)?))
+        .collect();
+    told.sort_by_key(|one| (one.leg.is_some(), groups::place(one.group)));
+    written(&json!({ "parameters": told }))
+}
+
+fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
+    let name = parameter.program_name();
+    let (value, is_given) = match parameter.home() {
+        Home::Scene => of_scene(touchdown, name)?,
+        Home::Vehicle => (of_vehicle(touchdown, &parameter)?, true),
+        Home::Sweep => return of_solver(touchdown, &parameter),
+    };
+    let (group, leg) = groups::of(name);
+    let allowed = ranges::of(name);
+    let shown = ranges::shown(name, value);
+    let in_si = OutputUnits::Si.quantity(name);
+    Some(Told {
+        title: title(name),
+        unit: split_unit(name).1,
+        value: json!(value),
+        is_given,
+        slider: Some(Slider::over(shown, value, &allowed)),
+        si: (in_si.name() != name).then(|| InSi {
+            name: in_si.name().to_owned(),
+            unit: split_unit(in_si.name()).1,
+            value: in_si.number(value),
+            slider: Some(Slider::over(
+                shown.map(|end| in_si.number(end)),
+                in_si.number(value),
+                &allowed.in_unit(|end| in_si.number(end)),
+            )),
+        }),
+        allowed,
+        group,
+        leg,
+        is_own: leg.is_some() && is_own(touchdown, &parameter),
+        words: Vec::new(),
+        name: name.to_owned(),
+    })
+}
+
+/// The title of a parameter without its unit.
+fn title(name: &str) -> String {
+    let title = axis_title(name);
+    let unit = split_unit(name).1;
+    let bare = title.strip_suffix(unit).unwrap_or(&title);
+    bare.trim_end_matches([' ', ',']).to_owned()
+}
+
+/// The value of a condition, and whether it is given; none where it does not belong to this touchdown.
+fn of_scene(touchdown: &Touchdown, name: &str) -> Option<(f64, bool)> {
+    let conditions = &touchdown.conditions;
+    if let Some(value) = conditions.get(name) {
+        return Some((value, true));
+    }
+    let resolved = conditions.resolved();
+    if let Some((_, value)) = resolved.iter().find(|(known, _)| *known == name) {
+        return Some((*value, false));
+    }
+    if name.starts_with("thrust.") {
+        let has_thrust = !conditions.thrust_knots().is_empty();
+        let default = if name == "thrust.scale" { 1.0 } else { 0.0 };
+        return has_thrust.then_some((default, false));
+    }
+    if let Some(of_pad) = name
+        .split_once("].block_")
+        .map(|(leg, key)| format!("{leg}].{key}"))
+    {
+        return of_scene(touchdown, &of_pad).map(|(value, _)| (value, false));
+    }
+    if name.starts_with("footing[") {
+        return Some((0.0, false));
+    }
+    if name == "gravity_fps2" {
+        return Some((touchdown.vehicle.vehicle.gravity(), false));
+    }
+    let attitude = touchdown.scene().ok()?.conditions().attitude;
+    Some((in_other_form(&attitude, name)?, false))
+}
+
+/// An angle of the form in which the attitude is not given, deg.
+fn in_other_form(attitude: &Attitude, name: &str) -> Option<f64> {
+    let (euler, tip) = (attitude.euler(), attitude.tip());
+    let angle = match name {
+        "pitch_deg" => euler.pitch,
+        "yaw_deg" => euler.yaw,
+        "roll_deg" => euler.roll,
+        "tip_deg" => tip.tip,
+        "tip_azimuth_deg" => tip.azimuth,
+        "nominal_roll_deg" => tip.nominal_roll,
+        _ => return None,
+    };
+    // Rounding of the way to radians and back is no part of it.
+    const STEPS: f64 = 1e9;
+    Some((angle.to_degrees() * STEPS).round() / STEPS + 0.0)
+}
+
+/// The value of a number of the vehicle; none where it has no such part.
+fn of_vehicle(touchdown: &Touchdown, parameter: &Parameter) -> Option<f64> {
+    let file = &touchdown.vehicle;
+    let value = vehicle_file::number(&file.document, parameter.path())?;
+    // A scale is 1 by default, also that of a table that this vehicle lacks: it takes none.
+    if parameter.program_name().ends_with(".scale") {
+        let same = Assignment::new(parameter.program_name(), &value.to_string()).ok()?;
+        let document = assignment::vehicle_document(file, &[same]).ok()?;
+        VehicleFile::from_document(document).ok()?;
+    }
+    Some(value)
+}
+
+fn is_own(touchdown: &Touchdown, parameter: &Parameter) -> bool {
+    let document = &touchdown.vehicle.document;
+    parameter.home() == Home::Scene && touchdown.conditions.get(parameter.program_name()).is_some()
+        || document.number(parameter.path()).is_some()
+}
+
+fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
+    let name = parameter.program_name();
+    let settings = &touchdown.settings;
+    let (value, slider) = match name.strip_prefix("solver.")? {
+        "tolerance" => (json!(settings.tolerance()), None),
+        "time_limit_s" => {
+            let limit = settings.time_limit();
+            let shown = ranges::shown(name, limit);
+            (
+                json!(limit),
+                Some(Slider::over(shown, limit, &ranges::of(name))),
+            )
+        }
+        "crush_rule" => (json!(crush_rule_name(settings.crush_rule())), None),
+        "friction_profile" => (
+            json!(friction_profile_name(settings.friction_profile())),
+            None,
+        ),
+        "stop" => {
+            let word = parameter.words().get(usize::from(settings.goes_on()));
+            (json!(word), None)
+        }
+        _ => return None,
+    };
+    Some(Told {
+        name: name.to_owned(),
+        title: title(name),
+        unit: split_unit(name).1,
+        value,
+        is_given: touchdown.solver.number(parameter.path()).is_some(),
+        slider,
+        si: None,
+        allowed: ranges::of(name),
+        group: "solver",
+        leg: None,
+        is_own: false,
+        words: parameter.words().to_vec(),
+    })
+}

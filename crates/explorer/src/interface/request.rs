@@ -1,0 +1,68 @@
+//! Requests and answers as JSON.
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use touchdown_sweep::output_units::OutputUnits;
+
+use super::complaint::Complaint;
+
+/// A touchdown of a request.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Asked {
+    /// Where to start.
+    pub source: Option<String>,
+    /// Text of a vehicle file in place of the source's own.
+    pub vehicle: Option<String>,
+    /// Numbers and words by dotted names.
+    pub values: Map<String, Value>,
+}
+
+/// Reads a request.
+///
+/// # Errors
+/// Says what is not as the interface has it.
+pub fn read<R: DeserializeOwned>(request: &str) -> Result<R, Complaint> {
+    serde_json::from_str(request)
+        .map_err(|error| Complaint::request(format!("not a request: {error}")))
+}
+
+/// Writes an answer.
+///
+/// # Errors
+/// None but a fault of the program.
+pub fn written(answer: &impl Serialize) -> Result<String, Complaint> {
+    serde_json::to_string(answer).map_err(Complaint::engine)
+}
+
+/// A number of a request that lies in a range.
+///
+/// # Errors
+/// When it does not.
+pub fn within(key: &str, number: f64, [least, greatest]: [f64; 2]) -> Result<f64, Complaint> {
+    match (least..=greatest).contains(&number) {
+        true => Ok(number),
+        false => {
+            let allowed = format!("{least} ≤ value ≤ {greatest}");
+            Err(Complaint::value(key, number, &allowed))
+        }
+    }
+}
+
+/// Units of an answer.
+///
+/// # Errors
+/// When there are no such units.
+pub fn units(word: Option<&str>, default: OutputUnits) -> Result<OutputUnits, Complaint> {
+    match word {
+        None => Ok(default),
+        Some("US") => Ok(OutputUnits::Us),
+        Some("SI") => Ok(OutputUnits::Si),
+        Some(other) => Err(Complaint::value(
+            "units",
+            format!("{other:?}"),
+            "\"US\" or \"SI\"",
+        )),
+    }
+}

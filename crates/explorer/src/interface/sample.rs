@@ -1,0 +1,81 @@
+//! `sample`: landings of a table, with the input of each.
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use super::classes::{CLASSES, class_words};
+use super::complaint::Complaint;
+use super::map::{cell, of_table, results_of, title, words_of};
+use super::request::{read, written};
+use crate::named::{Named, ResultsKind};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    results: String,
+}
+
+pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let results = results_of(named, &request.results)?;
+    if results.kind != ResultsKind::Sample {
+        let allowed = "a table of landings: this one has transitions, which map tells";
+        return Err(Complaint::value(
+            "results",
+            format!("{:?}", results.name),
+            allowed,
+        ));
+    }
+    let mut reader = csv::Reader::from_reader(results.table.as_bytes());
+    let heading = reader
+        .headers()
+        .map_err(|error| of_table(results, error))?
+        .clone();
+    let mut columns: Vec<Vec<Value>> = vec![Vec::new(); heading.len()];
+    for row in reader.records() {
+        let row = row.map_err(|error| of_table(results, error))?;
+        for (column, text) in columns.iter_mut().zip(&row) {
+            column.push(cell(text));
+        }
+    }
+    let axes = results.axes.len();
+    let outcomes = columns[axes].clone();
+    let mut told = heading
+        .iter()
+        .zip(columns)
+        .map(|(name, values)| words_of(name, values));
+    let inputs: Vec<Value> = told.by_ref().take(axes).collect();
+    let others: Vec<Value> = told.skip(1).collect();
+    let mut words: Vec<String> = Vec::new();
+    let mut outcome = Vec::new();
+    for cell in &outcomes {
+        let word = cell.as_str().unwrap_or_default();
+        let place = words.iter().position(|known| known == word);
+        outcome.push(place.unwrap_or_else(|| {
+            words.push(word.to_owned());
+            words.len() - 1
+        }));
+    }
+    let class_of: Vec<usize> = words.iter().map(|word| class_place(word)).collect();
+    let class: Vec<usize> = outcome.iter().map(|place| class_of[*place]).collect();
+    written(&json!({
+        "title": title(results),
+        "source": named.source_of(results),
+        "inputs": inputs,
+        "outcomes": words,
+        "outcome": outcome,
+        "classes": CLASSES.map(class_words),
+        "class": class,
+        "results": others,
+    }))
+}
+
+/// Place of the class of an outcome among all classes.
+fn class_place(outcome: &str) -> usize {
+    let class = match outcome {
+        "time-expired" | "sliding" => "undecided",
+        word => word.split('-').next().unwrap_or_default(),
+    };
+    let place = CLASSES.iter().position(|known| known.to_string() == class);
+    place.unwrap_or(CLASSES.len() - 1)
+}

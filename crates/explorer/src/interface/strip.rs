@@ -1,0 +1,213 @@
+//! `strip`: how landings end over a range of V_H, a few landings at a time.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::scene::Settings;
+
+use super::IsOver;
+use super::classes::{ClassWords, class_named, class_words};
+use super::complaint::Complaint;
+use super::request::{Asked, read, within, written};
+use super::speeds::land_at;
+use super::touchdown::Touchdown;
+use crate::named::Named;
+
+/// Landings that are asked for at a time where nothing is said, and at most.
+const FEW: usize = 16;
+const MOST: usize = 64;
+/// Landings that a request may know already.
+const MOST_KNOWN: usize = 2000;
+/// Steps of the first scan, and parts of the range between neighbours that differ at the end.
+const SCAN: usize = 32;
+const RESOLUTION: f64 = 500.0;
+/// Greatest speed, ft/s.
+const FASTEST: f64 = 1e4;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    #[serde(default)]
+    touchdown: Asked,
+    from_fps: Option<f64>,
+    to_fps: Option<f64>,
+    #[serde(default)]
+    known: Vec<Known>,
+    most: Option<usize>,
+    resolution_fps: Option<f64>,
+}
+
+#[derive(Deserialize)]
+struct Known {
+    speed_fps: f64,
+    class: String,
+}
+
+#[derive(Serialize)]
+struct Answer {
+    landings: Vec<Told>,
+    bands: Vec<Band>,
+    is_done: bool,
+}
+
+#[derive(Serialize)]
+struct Told {
+    speed_fps: f64,
+    class: String,
+    outcome: String,
+}
+
+#[derive(Serialize)]
+struct Band {
+    from_fps: f64,
+    to_fps: f64,
+    #[serde(flatten)]
+    class: ClassWords,
+}
+
+/// A speed, ft/s, and how landings end there.
+type Ended = (f64, Class);
+
+pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let touchdown = Touchdown::of(named, &request.touchdown)?;
+    let scene = touchdown.scene()?;
+    let range = range(&touchdown, request.from_fps, request.to_fps)?;
+    let width = range[1] - range[0];
+    let resolution = request.resolution_fps.unwrap_or(width / RESOLUTION);
+    within("resolution_fps", resolution, [1e-4 * width, width])?;
+    let most = request.most.unwrap_or(FEW);
+    within("most", most as f64, [1.0, MOST as f64])?;
+    let mut ended = known(&request.known, range)?;
+
+    let wanted = wanted(&ended, range, resolution);
+    let is_done = wanted.len() <= most;
+    let speeds = spread(&wanted, most);
+    let vehicle = Arc::new(touchdown.vehicle.vehicle.clone());
+    let settings = settings(&touchdown)?;
+    let landings = land_at(&vehicle, &scene, &settings, &speeds, is_over)?;
+    let told: Vec<Told> = (speeds.iter().zip(&landings))
+        .map(|(speed, landing)| Told {
+            speed_fps: *speed,
+            class: landing.outcome.class().to_string(),
+            outcome: landing.outcome.to_string(),
+        })
+        .collect();
+    let new = speeds.iter().zip(&landings);
+    ended.extend(new.map(|(speed, landing)| (*speed, landing.outcome.class())));
+    ended.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    let is_done = is_done && self::wanted(&ended, range, resolution).is_empty();
+    written(&Answer {
+        landings: told,
+        bands: bands(&ended, range),
+        is_done,
+    })
+}
+
+/// The range of a request, ft/s: that of the source where it is left out.
+///
+/// # Errors
+/// When it is none.
+pub fn range(
+    touchdown: &Touchdown,
+    from: Option<f64>,
+    to: Option<f64>,
+) -> Result<[f64; 2], Complaint> {
+    let [low, high] = touchdown.source.search;
+    let from = within("from_fps", from.unwrap_or(low), [0.0, FASTEST])?;
+    let to = within("to_fps", to.unwrap_or(high), [0.0, FASTEST])?;
+    match to - from > 1e-3 {
+        true => Ok([from, to]),
+        false => Err(Complaint::value(
+            "to_fps",
+            to,
+            &format!("more than from_fps, {from}"),
+        )),
+    }
+}
+
+/// Settings of landings of which only the class is asked for: they end at the verdict, at the tolerance of searches unless
+/// another is given.
+///
+/// # Errors
+/// None but a fault of the program.
+pub fn settings(touchdown: &Touchdown) -> Result<Settings, Complaint> {
+    let settings = touchdown.settings;
+    let tolerance = match touchdown.gives_tolerance() {
+        true => settings.tolerance(),
+        false => Settings::BOUNDARY_TOLERANCE,
+    };
+    let of_search = Settings::new(tolerance, settings.time_limit(), settings.crush_rule());
+    let of_search = of_search.map_err(Complaint::engine)?;
+    Ok(of_search.with_friction_profile(settings.friction_profile()))
+}
+
+fn known(known: &[Known], [from, to]: [f64; 2]) -> Result<Vec<Ended>, Complaint> {
+    within("known", known.len() as f64, [0.0, MOST_KNOWN as f64])?;
+    let ended = known.iter().map(|one| {
+        within("known.speed_fps", one.speed_fps, [from, to])?;
+        let class = class_named(&one.class).ok_or_else(|| {
+            let allowed = "stable, unstable, bottomed, failure or undecided";
+            Complaint::value("known.class", format!("{:?}", one.class), allowed)
+        })?;
+        Ok((one.speed_fps, class))
+    });
+    let mut ended = ended.collect::<Result<Vec<Ended>, Complaint>>()?;
+    ended.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    Ok(ended)
+}
+
+/// Speeds that would tell something new: those of the first scan, then the middles between neighbours that differ.
+fn wanted(ended: &[Ended], [from, to]: [f64; 2], resolution: f64) -> Vec<f64> {
+    let step = (to - from) / SCAN as f64;
+    let scan = (0..=SCAN).map(|index| {
+        if index == SCAN {
+            to
+        } else {
+            from + step * index as f64
+        }
+    });
+    let is_known = |speed: f64| {
+        ended
+            .iter()
+            .any(|(known, _)| (known - speed).abs() < 1e-6 * step)
+    };
+    let scan: Vec<f64> = scan.filter(|speed| !is_known(*speed)).collect();
+    if !scan.is_empty() {
+        return scan;
+    }
+    let pairs = ended.windows(2);
+    let differ = pairs.filter(|pair| pair[0].1 != pair[1].1 && pair[1].0 - pair[0].0 > resolution);
+    differ.map(|pair| 0.5 * (pair[0].0 + pair[1].0)).collect()
+}
+
+/// So many of these speeds at most, evenly spread.
+fn spread(speeds: &[f64], most: usize) -> Vec<f64> {
+    if speeds.len() <= most {
+        return speeds.to_vec();
+    }
+    let last = (most.max(2) - 1) as f64;
+    let place = |index: usize| (index as f64 * (speeds.len() - 1) as f64 / last).round() as usize;
+    (0..most).map(|index| speeds[place(index)]).collect()
+}
+
+/// Runs of landings that end alike, which meet half-way.
+fn bands(ended: &[Ended], [from, to]: [f64; 2]) -> Vec<Band> {
+    let runs: Vec<&[Ended]> = ended.chunk_by(|a, b| a.1 == b.1).collect();
+    let mut low = from;
+    let mut bands = Vec::new();
+    for (index, run) in runs.iter().enumerate() {
+        let high = match runs.get(index + 1) {
+            Some(next) => 0.5 * (run[run.len() - 1].0 + next[0].0),
+            None => to,
+        };
+        bands.push(Band {
+            from_fps: low,
+            to_fps: high,
+            class: class_words(run[0].1),
+        });
+        low = high;
+    }
+    bands
+}

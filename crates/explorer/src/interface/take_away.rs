@@ -1,0 +1,230 @@
+//! `scene_file`, `history_file` and `command`: a landing to be computed again elsewhere.
+
+use serde::Deserialize;
+use serde_json::json;
+use touchdown_dynamics::land::land_observed;
+use touchdown_dynamics::landing::Instant;
+use touchdown_sweep::assignment::Assignment;
+use touchdown_sweep::document::{Entry, Node, Value};
+use touchdown_sweep::history::History;
+use touchdown_sweep::parameter::Home;
+use touchdown_sweep::toml_text;
+
+use super::complaint::Complaint;
+use super::landing::interval;
+use super::request::{Asked, read, units, written};
+use super::touchdown::Touchdown;
+use crate::named::{Named, SourceKind};
+
+const SCENE_FILE: &str = "touchdown.toml";
+const VEHICLE_FILE: &str = "vehicle.toml";
+/// Options of `touchdown land` that give conditions.
+const OPTIONS: [(&str, &str); 12] = [
+    ("vertical_velocity_fps", "--vertical-velocity"),
+    ("horizontal_velocity_fps", "--horizontal-velocity"),
+    ("cross_slope_deg", "--cross-slope"),
+    ("slope_deg", "--slope"),
+    ("friction", "--friction"),
+    ("block_friction", "--block-friction"),
+    ("pitch_deg", "--pitch"),
+    ("yaw_deg", "--yaw"),
+    ("roll_deg", "--roll"),
+    ("tip_deg", "--tip"),
+    ("tip_azimuth_deg", "--tip-azimuth"),
+    ("nominal_roll_deg", "--nominal-roll"),
+];
+/// Options that give the solver.
+const SOLVER_OPTIONS: [(&str, &str); 5] = [
+    ("tolerance", "--tolerance"),
+    ("time_limit_s", "--time-limit"),
+    ("crush_rule", "--crush-rule"),
+    ("friction_profile", "--friction-profile"),
+    ("stop", "--stop"),
+];
+
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Request {
+    touchdown: Asked,
+    units: Option<String>,
+    interval_s: f64,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self {
+            touchdown: Asked::default(),
+            units: None,
+            interval_s: 0.01,
+        }
+    }
+}
+
+pub fn scene_file(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let units = units(request.units.as_deref(), named.units)?;
+    let touchdown = Touchdown::of(named, &request.touchdown)?;
+    touchdown.scene()?;
+    let mut entries = vec![
+        entry("vehicle", Value::Text(VEHICLE_FILE.to_owned())),
+        entry("units", Value::Text(units.to_string())),
+        entry("scene", Value::Table(scene_entries(&touchdown))),
+    ];
+    entries.extend(touchdown.solver.root().iter().cloned());
+    let files = [
+        json!({"name": SCENE_FILE, "text": toml_text::text(&entries)}),
+        json!({"name": VEHICLE_FILE, "text": toml_text::text(touchdown.vehicle.document.root())}),
+    ];
+    written(&json!({ "files": files }))
+}
+
+pub fn history_file(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let units = units(request.units.as_deref(), named.units)?;
+    let touchdown = Touchdown::of(named, &request.touchdown)?;
+    let scene = touchdown.scene()?;
+    let seconds = interval(&touchdown, request.interval_s)?;
+    let mut history = History::new(units);
+    let mut added = Ok(());
+    let mut observe = |instant: &Instant| {
+        if added.is_ok() {
+            added = history.add(instant);
+        }
+    };
+    let vehicle = &touchdown.vehicle.vehicle;
+    land_observed(vehicle, &scene, &touchdown.settings, seconds, &mut observe);
+    added.map_err(Complaint::engine)?;
+    let table = history.table().map_err(Complaint::engine)?;
+    let text = String::from_utf8(table).map_err(Complaint::engine)?;
+    written(&json!({"files": [json!({"name": "history.csv", "text": text})]}))
+}
+
+pub fn command(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: Request = read(request)?;
+    let touchdown = Touchdown::of(named, &request.touchdown)?;
+    touchdown.scene()?;
+    let source = touchdown.source;
+    let vehicle_file = source.vehicle.document.path().display().to_string();
+    let is_own_vehicle = request.touchdown.vehicle.is_some();
+    // A sweep's vehicle may have values of axes, and a scene file's those of its cases.
+    let is_as_in_file = matches!(source.kind, SourceKind::Vehicle);
+    let has_thrust = !touchdown.conditions.thrust_knots().is_empty();
+    if is_own_vehicle || !is_as_in_file || has_thrust {
+        let command = format!("touchdown land {SCENE_FILE} --out landing");
+        return written(&json!({"command": command, "needs": [SCENE_FILE, VEHICLE_FILE]}));
+    }
+    let mut words = vec!["touchdown land --vehicle".to_owned(), quoted(&vehicle_file)];
+    let mut set = Vec::new();
+    for (name, value) in given(&touchdown) {
+        match OPTIONS.iter().find(|(known, _)| *known == name) {
+            Some((_, option)) => words.push(format!("{option}={value}")),
+            None => set.push(format!("{name}={value}")),
+        }
+    }
+    let of_vehicle = |one: &&Assignment| one.parameter().home() == Home::Vehicle;
+    set.extend(
+        (touchdown.set.iter().filter(of_vehicle))
+            .map(|one| format!("{}={}", one.parameter().name(), one.text())),
+    );
+    for entry in solver_entries(&touchdown) {
+        if let Some((_, option)) = SOLVER_OPTIONS.iter().find(|(key, _)| *key == entry.key) {
+            match &entry.node.value {
+                Value::Number(number) => words.push(format!("{option}={number}")),
+                Value::Text(word) => words.push(format!("{option}={word}")),
+                _ => {}
+            }
+        }
+    }
+    words.extend(set.iter().map(|one| format!("--set {}", quoted(one))));
+    written(&json!({"command": words.join(" "), "needs": []}))
+}
+
+/// The conditions that are given, by name.
+fn given(touchdown: &Touchdown) -> Vec<(&'static str, f64)> {
+    let conditions = &touchdown.conditions;
+    let resolved = conditions.resolved().into_iter();
+    resolved
+        .filter(|(name, _)| conditions.get(name).is_some())
+        .collect()
+}
+
+/// Entries of the table `[solver]`.
+fn solver_entries<'t>(touchdown: &'t Touchdown) -> &'t [Entry] {
+    match touchdown.solver.root() {
+        [
+            Entry {
+                node:
+                    Node {
+                        value: Value::Table(entries),
+                        ..
+                    },
+                ..
+            },
+        ] => entries,
+        _ => &[],
+    }
+}
+
+/// Entries of the table `[scene]`.
+fn scene_entries(touchdown: &Touchdown) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    let mut thrust = Vec::new();
+    let mut footing: Vec<Vec<Entry>> = Vec::new();
+    let knots = touchdown.conditions.thrust_knots();
+    if !knots.is_empty() {
+        let list = |index: usize| {
+            let numbers = knots.iter().map(|knot| node(Value::Number(knot[index])));
+            Value::List(numbers.collect())
+        };
+        thrust = vec![entry("time_s", list(0)), entry("force_lb", list(1))];
+    }
+    for (name, value) in given(touchdown) {
+        let number = Value::Number(value);
+        if let Some(key) = name.strip_prefix("thrust.") {
+            thrust.push(entry(key, number));
+            continue;
+        }
+        let of_leg = name
+            .strip_prefix("footing[")
+            .and_then(|rest| rest.split_once("]."));
+        match of_leg.and_then(|(leg, key)| Some((leg.parse::<usize>().ok()?, key))) {
+            Some((leg, key)) => {
+                footing.resize_with(footing.len().max(leg), Vec::new);
+                footing[leg - 1].push(entry(key, number));
+            }
+            None => entries.push(entry(name, number)),
+        }
+    }
+    if !thrust.is_empty() {
+        entries.push(entry("thrust", Value::Table(thrust)));
+    }
+    if !footing.is_empty() {
+        let tables = footing.into_iter().map(|leg| node(Value::Table(leg)));
+        entries.push(entry("footing", Value::List(tables.collect())));
+    }
+    entries
+}
+
+fn entry(key: &str, value: Value) -> Entry {
+    Entry {
+        key: key.to_owned(),
+        node: node(value),
+    }
+}
+
+fn node(value: Value) -> Node {
+    Node {
+        line: 1,
+        written: String::new(),
+        value,
+    }
+}
+
+/// A word for a shell.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=+:,".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    }
+}

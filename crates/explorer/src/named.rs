@@ -1,0 +1,135 @@
+//! What there is to explore: the files that were named, read once.
+
+mod reading;
+mod record;
+mod results;
+mod source;
+
+use std::path::{Path, PathBuf};
+
+use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::library::{self, Library};
+use touchdown_sweep::output_units::OutputUnits;
+
+use reading::Reading;
+pub use results::{Results, ResultsKind};
+pub use source::{Source, SourceKind};
+
+/// The vehicle to begin with where none is named.
+const SURVEYOR: &str = "sweeps/vehicles/surveyor-table-4-1.toml";
+const SURVEYOR_TEXT: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+
+/// Everything that requests can name.
+#[derive(Debug, Clone)]
+pub struct Named {
+    /// Touchdowns to start from, at least one.
+    pub sources: Vec<Source>,
+    /// Tables of results.
+    pub results: Vec<Results>,
+    /// Units of answers that ask for none.
+    pub units: OutputUnits,
+    /// The files as they were named.
+    pub files: Vec<PathBuf>,
+    /// Copies of all files that were read.
+    pub copies: Vec<library::Source>,
+}
+
+impl Named {
+    /// Reads files: vehicles, scenes, sweeps, tables of results. Without any, the Surveyor.
+    ///
+    /// # Errors
+    /// Names the first file that is none of these, or what is wrong in it.
+    pub fn read(
+        files: &[PathBuf],
+        library: Library,
+        units: OutputUnits,
+    ) -> Result<Self, InputError> {
+        let own = [library::Source {
+            path: PathBuf::from(SURVEYOR),
+            text: SURVEYOR_TEXT.to_owned(),
+        }];
+        let mut named = Self {
+            sources: Vec::new(),
+            results: Vec::new(),
+            units,
+            files: files.to_owned(),
+            copies: Vec::new(),
+        };
+        let mut reading = Reading::of(library);
+        for file in files {
+            named.add(&mut reading, file)?;
+        }
+        if named.sources.is_empty() {
+            let mut reading = Reading::of(Library::Copies(&own));
+            named
+                .sources
+                .push(Source::of_vehicle(&mut reading, Path::new(SURVEYOR))?);
+        }
+        named.copies = reading.copies;
+        Ok(named)
+    }
+
+    fn add(&mut self, reading: &mut Reading, file: &Path) -> Result<(), InputError> {
+        match file.extension().and_then(|ending| ending.to_str()) {
+            Some("csv") => {
+                let (mut results, source) = Results::read(reading, file)?;
+                if let Some(source) = source {
+                    results.source = Some(self.add_source(source));
+                }
+                results.name = unnamed(&results.name, |name| self.results(name).is_some());
+                self.results.push(results);
+            }
+            Some("toml") => {
+                for source in Source::read(reading, file)? {
+                    self.add_source(source);
+                }
+            }
+            _ => {
+                let complaint =
+                    "expected a vehicle, scene or sweep file (.toml), or a table of results (.csv)";
+                return Err(InputError::other(complaint).at(Place::file(file)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds a source under a name that no other has.
+    fn add_source(&mut self, mut source: Source) -> String {
+        source.name = unnamed(&source.name, |name| self.source(Some(name)).is_some());
+        let name = source.name.clone();
+        self.sources.push(source);
+        name
+    }
+
+    /// The source of a name.
+    pub fn source(&self, name: Option<&str>) -> Option<&Source> {
+        match name {
+            None => self.sources.first(),
+            Some(name) => self.sources.iter().find(|source| source.name == name),
+        }
+    }
+
+    /// Name of the source that the landings of a table start from: the first of all, where the table has no record.
+    pub fn source_of<'n>(&'n self, results: &'n Results) -> &'n str {
+        match &results.source {
+            Some(source) => source,
+            None => &self.sources[0].name,
+        }
+    }
+
+    /// The table of results of a name.
+    pub fn results(&self, name: &str) -> Option<&Results> {
+        self.results.iter().find(|results| results.name == name)
+    }
+}
+
+/// A name, with a number where it is taken.
+fn unnamed(name: &str, is_taken: impl Fn(&str) -> bool) -> String {
+    let mut free = name.to_owned();
+    let mut number = 1;
+    while is_taken(&free) {
+        number += 1;
+        free = format!("{name}-{number}");
+    }
+    free
+}

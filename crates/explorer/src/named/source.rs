@@ -1,0 +1,196 @@
+//! Touchdowns to start from: of vehicle, scene and sweep files.
+
+use std::path::Path;
+
+use touchdown_sweep::assignment::{self, Assignment};
+use touchdown_sweep::document::{Document, Value};
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::scene_file::{self, SceneCase};
+use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
+use touchdown_sweep::sweep_file::Sweep;
+use touchdown_sweep::toml_text;
+use touchdown_sweep::vehicle_file::VehicleFile;
+
+use super::reading::Reading;
+
+/// The table of an input file that says how landings are computed.
+const SOLVER: &str = "solver";
+/// Where V_H is searched if nothing says so, ft/s.
+pub const SEARCHED: [f64; 2] = [0.0, 25.0];
+/// The baseline of the report: the touchdown of a vehicle alone.
+const BASELINE: [(&str, f64); 5] = [
+    ("vertical_velocity_fps", 14.0),
+    (HORIZONTAL_VELOCITY, 8.0),
+    ("cross_slope_deg", 180.0),
+    ("slope_deg", 15.0),
+    ("friction", 1.0),
+];
+
+/// Where a source comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SourceKind {
+    /// A vehicle file.
+    Vehicle,
+    /// A case of a scene file.
+    Scene,
+    /// A sweep file, at its first point.
+    Sweep,
+    /// The record beside a table of results, without the values of its axes.
+    Results,
+}
+
+impl SourceKind {
+    /// Its word in answers.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Vehicle => "vehicle",
+            Self::Scene => "scene",
+            Self::Sweep => "sweep",
+            Self::Results => "results",
+        }
+    }
+}
+
+/// A touchdown to start from.
+#[derive(Debug, Clone)]
+pub struct Source {
+    /// Its name in requests.
+    pub name: String,
+    /// What people read.
+    pub title: String,
+    /// The file.
+    pub file: String,
+    /// Where it comes from.
+    pub kind: SourceKind,
+    /// What lands.
+    pub vehicle: VehicleFile,
+    /// How it touches down.
+    pub conditions: NamedConditions,
+    /// The table `[solver]` alone.
+    pub solver: Document,
+    /// Range of V_H, ft/s.
+    pub search: [f64; 2],
+}
+
+impl Source {
+    /// What a file of any kind describes.
+    pub fn read(reading: &mut Reading, file: &Path) -> Result<Vec<Self>, InputError> {
+        let document = reading.document(file)?;
+        let has = |key: &str| document.root().iter().any(|entry| entry.key == key);
+        if has("axes") || has("search") {
+            return Ok(vec![Self::of_sweep(reading, file, &document)?]);
+        }
+        if has("scene") || has("case") {
+            return Self::of_scene_file(reading, file);
+        }
+        Ok(vec![Self::of_vehicle(reading, file)?])
+    }
+
+    /// A vehicle at the baseline of the report.
+    pub fn of_vehicle(reading: &mut Reading, file: &Path) -> Result<Self, InputError> {
+        let vehicle = VehicleFile::from_document(reading.document(file)?)?;
+        let mut conditions = NamedConditions::default();
+        for (name, value) in BASELINE {
+            conditions.set(name, value);
+        }
+        Ok(Self {
+            name: stem(file),
+            title: vehicle.name.clone(),
+            file: file.display().to_string(),
+            kind: SourceKind::Vehicle,
+            vehicle,
+            conditions,
+            solver: nothing()?,
+            search: SEARCHED,
+        })
+    }
+
+    fn of_scene_file(reading: &mut Reading, file: &Path) -> Result<Vec<Self>, InputError> {
+        let read = scene_file::read_from(file, reading.library)?;
+        let is_single = read.cases.len() == 1;
+        let source = |case: SceneCase| -> Result<Self, InputError> {
+            let name = match is_single {
+                true => stem(file),
+                false => format!("{}-{}", stem(file), case.name),
+            };
+            reading.keep(case.vehicle.document.source());
+            Ok(Self {
+                title: format!("{}: {}", case.vehicle.name, name),
+                name,
+                file: file.display().to_string(),
+                kind: SourceKind::Scene,
+                conditions: case.conditions,
+                solver: solver_of(&case.document)?,
+                vehicle: case.vehicle,
+                search: SEARCHED,
+            })
+        };
+        read.cases.into_iter().map(source).collect()
+    }
+
+    fn of_sweep(
+        reading: &mut Reading,
+        file: &Path,
+        document: &Document,
+    ) -> Result<Self, InputError> {
+        let sweep = Sweep::read_from(file, reading.library)?;
+        for source in sweep.sources() {
+            reading.keep(source.clone());
+        }
+        let first = sweep.coordinates_written(0);
+        let mut conditions = sweep.fixed;
+        let search = sweep.search().map(|search| [search.from, search.to]);
+        if let Some([from, to]) = search {
+            conditions.set(HORIZONTAL_VELOCITY, 0.5 * (from + to));
+        }
+        let source = Self {
+            name: stem(file),
+            title: sweep.title.clone(),
+            file: file.display().to_string(),
+            kind: SourceKind::Sweep,
+            vehicle: sweep.vehicle.clone(),
+            conditions,
+            solver: solver_of(document)?,
+            search: search.unwrap_or(SEARCHED),
+        };
+        let first = sweep.axes.iter().zip(&first);
+        source.with(first.map(|(axis, text)| (axis.name(), text.as_str())))
+    }
+
+    /// The same with other values of parameters, as tables write them.
+    pub(super) fn with<'t>(
+        mut self,
+        values: impl Iterator<Item = (&'t str, &'t str)>,
+    ) -> Result<Self, InputError> {
+        let set = values.map(|(name, text)| Assignment::new(name, text));
+        let set: Vec<Assignment> = set.collect::<Result<_, _>>()?;
+        assignment::set_conditions(&mut self.conditions, &set);
+        self.vehicle = assignment::set_vehicle(&self.vehicle, &set)?;
+        let of_solver = |one: &&Assignment| one.parameter().program_name().starts_with("solver.");
+        for one in set.iter().filter(of_solver) {
+            self.solver.write(one.path(), one.value());
+        }
+        Ok(self)
+    }
+}
+
+/// A document that says nothing.
+pub(super) fn nothing() -> Result<Document, InputError> {
+    Document::parse(Path::new(""), "")
+}
+
+/// The table `[solver]` of a document, alone.
+fn solver_of(document: &Document) -> Result<Document, InputError> {
+    let is_solver = |entry: &&_| {
+        let entry: &touchdown_sweep::document::Entry = entry;
+        entry.key == SOLVER && matches!(entry.node.value, Value::Table(_))
+    };
+    let solver: Vec<_> = document.root().iter().filter(is_solver).cloned().collect();
+    Document::parse(document.path(), &toml_text::text(&solver))
+}
+
+/// Name of a file without folder and ending.
+pub(super) fn stem(file: &Path) -> String {
+    let stem = file.file_stem().unwrap_or(file.as_os_str());
+    stem.to_string_lossy().into_owned()
+}

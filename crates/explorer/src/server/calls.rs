@@ -1,0 +1,50 @@
+//! Calls of the interface, each on a thread that computes, for as long as somebody waits.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use hyper::StatusCode;
+use tokio::task::spawn_blocking;
+use tokio::time::timeout_at;
+
+use super::limits::{ANSWER_TIME, Limits};
+use super::reply::{self, Reply};
+use crate::interface::{self, Complaint};
+use crate::named::Named;
+
+/// Tells the thread that computes once nobody waits: also when the connection is closed, which drops what waits for it.
+struct Wanted(Arc<AtomicBool>);
+
+impl Drop for Wanted {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Answers a request of the interface when its turn comes.
+pub async fn answer(named: &Arc<Named>, limits: &Limits, name: &str, request: String) -> Reply {
+    let deadline = Instant::now() + ANSWER_TIME;
+    let Ok(waiting) = limits.waiting().try_acquire() else {
+        return reply::refusal(StatusCode::TOO_MANY_REQUESTS, "too many requests wait");
+    };
+    let turn = limits.turns(name).acquire_owned();
+    let Ok(Ok(turn)) = timeout_at(deadline.into(), turn).await else {
+        return reply::complaint(&Complaint::over());
+    };
+    drop(waiting);
+    let over = Arc::new(AtomicBool::new(false));
+    let _wanted = Wanted(Arc::clone(&over));
+    let (named, name) = (Arc::clone(named), name.to_owned());
+    let answered = spawn_blocking(move || {
+        // A landing that is under way ends on its own: until then its turn is taken.
+        let _turn = turn;
+        let is_over = || over.load(Ordering::Relaxed) || Instant::now() > deadline;
+        interface::answer(&named, &name, &request, &is_over)
+    });
+    match answered.await {
+        Ok(Ok(json)) => reply::answer(json),
+        Ok(Err(complaint)) => reply::complaint(&complaint),
+        Err(error) => reply::complaint(&Complaint::engine(error)),
+    }
+}

@@ -1,0 +1,139 @@
+//! Who may ask: whoever has the token, from a page of this server.
+
+use std::net::{IpAddr, SocketAddr};
+
+use hyper::header::{HOST, HeaderMap, ORIGIN};
+
+/// Header by which browsers tell where a request comes from.
+const FETCH_SITE: &str = "sec-fetch-site";
+
+/// What requests have to bring.
+#[derive(Debug)]
+pub struct Gate {
+    token: String,
+    address: SocketAddr,
+}
+
+impl Gate {
+    /// For requests to this address with this token.
+    pub fn new(token: String, address: SocketAddr) -> Self {
+        Self { token, address }
+    }
+
+    /// The path behind the token, if a request may pass.
+    pub fn admit<'p>(&self, headers: &HeaderMap, path: &'p str) -> Option<&'p str> {
+        let (token, rest) = path.strip_prefix('/')?.split_once('/')?;
+        let may_pass = is_same(token, &self.token) && self.is_own(headers);
+        may_pass.then_some(rest)
+    }
+
+    /// Whether a request is meant for this server and comes from a page of it: neither a name that somebody made point
+    /// here, nor another site.
+    fn is_own(&self, headers: &HeaderMap) -> bool {
+        let text = |name: &str| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
+        let Some(host) = text(HOST.as_str()).filter(|host| self.is_own_host(host)) else {
+            return false;
+        };
+        let is_single = headers.get_all(HOST).iter().count() == 1;
+        let is_own_origin = match text(ORIGIN.as_str()) {
+            None => true,
+            Some(origin) => origin.strip_prefix("http://") == Some(host),
+        };
+        let is_own_site = match text(FETCH_SITE) {
+            None => true,
+            Some(site) => ["same-origin", "none"].contains(&site),
+        };
+        is_single && is_own_origin && is_own_site
+    }
+
+    /// Whether this is a name of this server: an address in digits, or localhost, with its port.
+    fn is_own_host(&self, host: &str) -> bool {
+        let listens_beyond = !self.address.ip().is_loopback();
+        if let Ok(named) = host.parse::<SocketAddr>() {
+            let is_reached: bool = match named.ip() {
+                ip if ip == self.address.ip() => true,
+                IpAddr::V4(ip) if ip.is_loopback() => true,
+                IpAddr::V6(ip) if ip.is_loopback() => true,
+                _ => listens_beyond,
+            };
+            return is_reached && named.port() == self.address.port();
+        }
+        host == format!("localhost:{}", self.address.port())
+    }
+}
+
+/// Compares without telling by the time how much is alike.
+fn is_same(given: &str, token: &str) -> bool {
+    let bytes = given.bytes().zip(token.bytes());
+    let different = bytes.fold(0, |different, (a, b)| different | (a ^ b));
+    given.len() == token.len() && different == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hyper::header::{HeaderName, HeaderValue};
+
+    fn admits(listen: &str, path: &str, headers: &[(&str, &str)]) -> bool {
+        let gate = Gate::new("secret".to_owned(), listen.parse().unwrap());
+        let mut map = HeaderMap::new();
+        for (name, value) in headers {
+            let name: HeaderName = name.parse().unwrap();
+            map.append(name, HeaderValue::from_str(value).unwrap());
+        }
+        gate.admit(&map, path) == Some("api/inputs")
+    }
+
+    #[test]
+    fn only_own_pages_with_the_token_pass() {
+        const OWN: &str = "127.0.0.1:8000";
+        let path = "/secret/api/inputs";
+        let host = ("host", OWN);
+        assert!(admits(OWN, path, &[host]));
+        assert!(admits(OWN, path, &[("host", "localhost:8000")]));
+        assert!(admits(OWN, path, &[("host", "[::1]:8000")]));
+        assert!(admits(
+            OWN,
+            path,
+            &[host, ("origin", "http://127.0.0.1:8000")]
+        ));
+        assert!(admits(
+            OWN,
+            path,
+            &[host, ("sec-fetch-site", "same-origin")]
+        ));
+        for headers in [
+            &[][..],
+            &[("host", "127.0.0.1:8001")],
+            &[("host", "127.0.0.1")],
+            &[("host", "evil.example:8000")],
+            &[("host", "192.168.0.7:8000")],
+            &[host, host],
+            &[host, ("origin", "null")],
+            &[host, ("origin", "https://127.0.0.1:8000")],
+            &[host, ("origin", "http://localhost:8000")],
+            &[host, ("origin", "http://evil.example")],
+            &[host, ("sec-fetch-site", "cross-site")],
+            &[host, ("sec-fetch-site", "same-site")],
+        ] {
+            assert!(!admits(OWN, path, headers), "{headers:?}");
+        }
+        for path in [
+            "/",
+            "/secret",
+            "/secre/api/inputs",
+            "/secrets/api/inputs",
+            "//api/inputs",
+            "api/inputs",
+        ] {
+            assert!(!admits(OWN, path, &[host]), "{path}");
+        }
+    }
+
+    #[test]
+    fn whoever_listens_beyond_this_machine_is_asked_by_address() {
+        let path = "/secret/api/inputs";
+        assert!(admits("0.0.0.0:80", path, &[("host", "192.168.0.7:80")]));
+        assert!(!admits("0.0.0.0:80", path, &[("host", "evil.example:80")]));
+    }
+}

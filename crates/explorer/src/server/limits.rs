@@ -1,0 +1,105 @@
+//! How much of everything a client may have.
+
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use tokio::sync::Semaphore;
+
+/// Connections at a time, below the number of files that a program may have open.
+pub const CONNECTIONS: usize = 512;
+/// Time for the head of a request, and for its body.
+pub const HEADER_TIME: Duration = Duration::from_secs(5);
+pub const BODY_TIME: Duration = Duration::from_secs(10);
+/// Headers of a request, and all their bytes.
+pub const HEADERS: usize = 64;
+pub const HEADER_BYTES: usize = 32 * 1024;
+/// Bytes of a request's body.
+pub const BODY_BYTES: usize = 256 * 1024;
+/// Time for an answer, what it waits included.
+pub const ANSWER_TIME: Duration = Duration::from_secs(30);
+/// Requests that wait for their turn.
+const WAITING: usize = 64;
+/// Requests in a second, on average, and at once.
+const RATE: f64 = 500.0;
+const BURST: f64 = 1000.0;
+
+/// Turns at computing. Long answers never keep a landing waiting: they have turns of their own.
+#[derive(Debug)]
+pub struct Limits {
+    quick: Arc<Semaphore>,
+    long: Arc<Semaphore>,
+    waiting: Semaphore,
+    counts: [usize; 2],
+    allowance: Mutex<Allowance>,
+}
+
+#[derive(Debug)]
+struct Allowance {
+    requests: f64,
+    since: Instant,
+}
+
+impl Limits {
+    /// Half of the cores for long answers, a quarter for quick ones: whatever else runs here keeps the rest.
+    pub fn of_this_machine() -> Self {
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let counts = [cores.div_ceil(4), cores.div_ceil(2)];
+        Self {
+            quick: Arc::new(Semaphore::new(counts[0])),
+            long: Arc::new(Semaphore::new(counts[1])),
+            waiting: Semaphore::new(WAITING),
+            counts,
+            allowance: Mutex::new(Allowance {
+                requests: BURST,
+                since: Instant::now(),
+            }),
+        }
+    }
+
+    /// Threads that compute.
+    pub fn threads(&self) -> usize {
+        self.counts.iter().sum()
+    }
+
+    /// Turns of requests like this.
+    pub fn turns(&self, name: &str) -> Arc<Semaphore> {
+        Arc::clone(match name {
+            "strip" | "bands" => &self.long,
+            _ => &self.quick,
+        })
+    }
+
+    /// Places to wait in.
+    pub fn waiting(&self) -> &Semaphore {
+        &self.waiting
+    }
+
+    /// Whether one more request is within the rate.
+    pub fn allow(&self) -> bool {
+        let Ok(mut allowance) = self.allowance.lock() else {
+            return false;
+        };
+        let now = Instant::now();
+        let gained = RATE * (now - allowance.since).as_secs_f64();
+        allowance.requests = (allowance.requests + gained).min(BURST);
+        allowance.since = now;
+        let is_within = allowance.requests >= 1.0;
+        if is_within {
+            allowance.requests -= 1.0;
+        }
+        is_within
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_burst_uses_the_allowance_up() {
+        let limits = Limits::of_this_machine();
+        let allowed = (0..10_000).filter(|_| limits.allow()).count();
+        assert!((1000..9000).contains(&allowed), "{allowed}");
+    }
+}

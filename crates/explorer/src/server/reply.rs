@@ -1,0 +1,86 @@
+//! Replies, each with what keeps a browser from doing more than it should.
+
+use http_body_util::Full;
+use hyper::body::Bytes;
+use hyper::header::{
+    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue,
+    REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
+};
+use hyper::{Response, StatusCode};
+
+use crate::interface::{Complaint, Fault};
+use crate::page::{INDEX, PageFile};
+
+/// A reply.
+pub type Reply = Response<Full<Bytes>>;
+
+const JSON: &str = "application/json";
+/// What a page may load: nothing but what this server has, and the scripts that stand in the page itself under its nonce.
+const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' NONCE; style-src 'self' 'unsafe-inline'; \
+    img-src 'self' data: blob:; font-src 'self'; media-src blob:; connect-src 'self'; worker-src 'self' blob:; \
+    base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// An answer of the interface.
+pub fn answer(json: String) -> Reply {
+    reply(StatusCode::OK, JSON, Bytes::from(json))
+}
+
+/// A complaint of the interface.
+pub fn complaint(complaint: &Complaint) -> Reply {
+    let status = match complaint.fault {
+        Fault::Request => StatusCode::BAD_REQUEST,
+        Fault::Unknown => StatusCode::NOT_FOUND,
+        Fault::Over => StatusCode::REQUEST_TIMEOUT,
+        Fault::Engine => StatusCode::INTERNAL_SERVER_ERROR,
+    };
+    reply(status, JSON, Bytes::from(complaint.json()))
+}
+
+/// A refusal of another status.
+pub fn refusal(status: StatusCode, said: &str) -> Reply {
+    let body = Complaint::request(said).json();
+    reply(status, JSON, Bytes::from(body))
+}
+
+/// A file of the page. The page itself is told this nonce, which no page has a second time.
+pub fn file(file: PageFile, nonce: &str) -> Reply {
+    let text = std::str::from_utf8(file.bytes)
+        .ok()
+        .filter(|_| file.path == INDEX);
+    if let Some(text) = text {
+        let page = text.replace("<script", &format!("<script nonce=\"{nonce}\""));
+        let mut reply = reply(StatusCode::OK, file.media_type(), Bytes::from(page));
+        let policy = POLICY.replace("NONCE", &format!("'nonce-{nonce}'"));
+        if let Ok(policy) = HeaderValue::try_from(policy) {
+            reply.headers_mut().insert(CONTENT_SECURITY_POLICY, policy);
+        }
+        return reply;
+    }
+    let bytes = Bytes::from_static(file.bytes);
+    let mut reply = reply(StatusCode::OK, file.media_type(), bytes);
+    if file.is_gzip {
+        (reply.headers_mut()).insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+    }
+    reply
+}
+
+fn reply(status: StatusCode, media_type: &'static str, body: Bytes) -> Reply {
+    let mut reply = Response::new(Full::new(body));
+    *reply.status_mut() = status;
+    let headers = reply.headers_mut();
+    if let Ok(policy) = HeaderValue::try_from(POLICY.replace("NONCE", "")) {
+        headers.insert(CONTENT_SECURITY_POLICY, policy);
+    }
+    for (name, value) in [
+        (CONTENT_TYPE, media_type),
+        (CACHE_CONTROL, "no-store"),
+        (REFERRER_POLICY, "no-referrer"),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    ] {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    for name in ["cross-origin-opener-policy", "cross-origin-resource-policy"] {
+        headers.insert(name, HeaderValue::from_static("same-origin"));
+    }
+    reply
+}

@@ -1,0 +1,148 @@
+//! The report of one landing as JSON.
+
+use serde_json::{Map, Value, json};
+use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
+use touchdown_dynamics::scene::Settings;
+
+use crate::assignment::Assignment;
+use crate::fingerprint::fingerprint;
+use crate::landing_table::{self, why};
+use crate::method_input::method_name;
+use crate::output_units::OutputUnits;
+use crate::results;
+use crate::scene_input::NamedConditions;
+use crate::settings_input::{crush_rule_name, friction_profile_name};
+use crate::vehicle_file::VehicleFile;
+
+/// What is told of a landing.
+#[derive(Debug, Clone, Copy)]
+pub struct LandingReport<'r> {
+    /// Version of the program.
+    pub version: &'r str,
+    /// What landed.
+    pub vehicle: &'r VehicleFile,
+    /// What was set in place of numbers of the input.
+    pub set: &'r [Assignment],
+    /// How it touched down.
+    pub conditions: &'r NamedConditions,
+    /// How the landing was computed.
+    pub settings: &'r Settings,
+    /// How it went.
+    pub landing: &'r Landing,
+    /// The account of its integration.
+    pub integration: &'r IntegrationSummary,
+    /// The units in which it is told.
+    pub units: OutputUnits,
+}
+
+impl LandingReport<'_> {
+    /// The touchdown, by name.
+    pub fn scene(&self) -> impl Iterator<Item = (String, f64)> {
+        let told = |(name, value): (&str, f64)| {
+            let quantity = self.units.quantity(name);
+            (quantity.name().to_owned(), quantity.number(value))
+        };
+        self.conditions.resolved().into_iter().map(told)
+    }
+
+    /// The report.
+    pub fn json(&self) -> Value {
+        let (vehicle, settings, landing) = (self.vehicle, self.settings, self.landing);
+        let scene: Map<String, Value> = (self.scene())
+            .map(|(name, value)| (name, json!(value)))
+            .collect();
+        let result: Map<String, Value> = landing_table::columns_in(self.units, landing)
+            .into_iter()
+            .map(|(name, cell)| (name, cell.into()))
+            .collect();
+        let work = landing.energies.legs.iter().map(|leg| {
+            let works = [
+                ("strut_ftlb", leg.strut),
+                ("pad_crush_ftlb", leg.pad_crush),
+                ("pad_friction_ftlb", leg.pad_friction),
+                ("block_crush_ftlb", leg.block_crush),
+                ("block_friction_ftlb", leg.block_friction),
+                ("stop_ftlb", leg.stop),
+            ];
+            let works = works.into_iter().map(|(name, value)| {
+                let quantity = self.units.quantity(name);
+                (quantity.name().to_owned(), json!(quantity.number(value)))
+            });
+            works.collect::<Map<String, Value>>()
+        });
+        let end = self.units.quantity("final_kinetic_energy_ftlb");
+        let mut report = json!({
+            "program": results::program(self.version),
+            "commit": results::COMMIT,
+            "vehicle_file": vehicle.document.path().display().to_string(),
+            "vehicle_fingerprint": fingerprint(&vehicle.document.source().text),
+            "set": (self.set.iter())
+                .map(|one| (one.parameter().name().to_owned(), json!(one.text())))
+                .collect::<Map<String, Value>>(),
+            "scene": scene,
+            "solver": {
+                "tolerance": settings.tolerance(),
+                "time_limit_s": settings.time_limit(),
+                "crush_rule": crush_rule_name(settings.crush_rule()),
+                "friction_profile": friction_profile_name(settings.friction_profile()),
+                "method": method_name(&settings.method()),
+            },
+            "result": result,
+            "why": why(&landing.outcome),
+            "min_stability_time_s": landing.min_stability_time,
+            "events": landing.events,
+            "work_by_leg": work.collect::<Vec<_>>(),
+            (end.name()): end.number(landing.energies.final_kinetic),
+            "integration": integration(self.integration, landing.leg_count()),
+        });
+        if let Some(beyond) = &landing.beyond {
+            report["verdict_time_s"] = json!(beyond.verdict_time);
+            report["went_on_to"] = json!(beyond.end.to_string());
+        }
+        report
+    }
+}
+
+/// The account of an integration; null for a method that keeps none.
+fn integration(summary: &IntegrationSummary, legs: usize) -> Value {
+    if summary.critical.is_empty() {
+        return Value::Null;
+    }
+    let variables: Vec<Value> = variable_names(legs)
+        .into_iter()
+        .enumerate()
+        .map(|(index, name)| {
+            json!({
+                "variable": name,
+                "critical": summary.critical[index],
+                "sum_of_errors": summary.arithmetic[index],
+                "sum_of_absolute_errors": summary.absolute[index],
+            })
+        })
+        .collect();
+    json!({
+        "intervals": summary.intervals,
+        "mean_interval_s": summary.mean_interval(),
+        "bypassed": summary.bypassed,
+        "by_decade_from_0.1_s_down": summary.by_decade,
+        "by_cuts": summary.by_cuts,
+        "variables": variables,
+    })
+}
+
+/// What is to be told of a landing although its account closes: elements that gave back more than they took.
+pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
+    let given = landing.energies.given_by_crushing();
+    (given > 0.0).then(|| given_by_crushing(given, units))
+}
+
+/// The warning that crushing elements gave so much energy, ft·lb, told in these units.
+pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
+    let quantity = units.quantity("energy_ftlb");
+    let (energy, unit) = (quantity.number(energy), quantity.unit());
+    format!(
+        "crushing footpads or blocks added {energy:.4} {unit} to the motion, which no material does: \
+         they are too stiff for the crush laws"
+    )
+}
