@@ -68,13 +68,13 @@ export const strip = (request, signal) => ask("strip", request, signal);
 export const bands = (request, signal) => ask("bands", request, signal);
 
 /**
- * @param {{ results: string, axes?: string[], fixed?: Record<string, number> }} request
+ * @param {{ results: string, axes?: string[], fixed?: Record<string, number | string> }} request
  * @returns {Promise<import("./types.js").MapAnswer>}
  */
 export const map = (request) => ask("map", request);
 
 /**
- * @param {{ results: string, place: Record<string, number> }} request
+ * @param {{ results: string, place: Record<string, number | string> }} request
  * @returns {Promise<import("./types.js").At>}
  */
 export const at = (request) => ask("at", request);
@@ -90,5 +90,5 @@ export const sceneFile = (request) => ask("scene_file", request);
  * @returns {Promise<{ files: { name: string, text: string }[] }>} */
 export const historyFile = (request) => ask("history_file", request);
 
-/** @param {{ touchdown: Touchdown, units: string }} request @returns {Promise<{ command: string }>} */
+/** @param {{ touchdown: Touchdown, units: string }} request @returns {Promise<{ command: string, needs: string[] }>} */
 export const command = (request) => ask("command", request);

@@ -15,9 +15,9 @@ export function energyContent(energies, times, events) {
   const floor = { name: "", values: below, colour: "transparent", width: 0 };
   const layers = energies.parts.map((part, index) => {
     below = below.map((sum, instant) => sum + part.values[instant]);
-    return { name: part.title, values: below, colour: curveColour(index), width: 1 };
+    return { name: part.title, values: below, readings: part.values, colour: curveColour(index), width: 1 };
   });
-  const total = { name: "had and released", values: energies.total, colour: colours().text, dash: [5, 4], width: 1.6 };
+  const total = { name: "at contact and released since", values: energies.total, colour: colours().text, dash: [5, 4], width: 1.6 };
   const bands = layers.map((layer, index) => {
     /** @type {[number, number]} */
     const series = [index + 2, index + 1];

@@ -4,7 +4,8 @@ import { colours, curveColour } from "../look/theme.js";
 import { font, textScale } from "../look/text.js";
 import { label } from "../look/words.js";
 
-/** @typedef {{ name: string, values: (number | null)[], colour?: string, dash?: number[], width?: number, fill?: string }} Curve */
+/** @typedef {{ name: string, values: (number | null)[], colour?: string, dash?: number[], width?: number,
+ *   readings?: number[] }} Curve what is read at the cursor is its value unless it has readings; a curve without a name is only there for bands */
 /**
  * What a chart shows over time. `bands` are pairs of numbers of curves between which is filled.
  * @typedef {{ title: string, unit: string, times: number[], curves: Curve[], bands?: { series: [number, number], fill: string }[],
@@ -62,11 +63,10 @@ export class TimeChart {
       ],
       series: [
         {},
-        ...content.curves.map(({ colour, dash, width, fill }, index) => ({
+        ...content.curves.map(({ colour, dash, width }, index) => ({
           stroke: colour ?? curveColour(index),
           width: width ?? 1.6,
           dash,
-          fill,
           points: { show: false },
           spanGaps: false,
         })),
@@ -105,7 +105,7 @@ export class TimeChart {
       key.style.color = colour ?? curveColour(index);
       const reading = element("output");
       this.readings.push(reading);
-      return element("span", {}, key, `${name} `, reading);
+      return name ? element("span", {}, key, `${name} `, reading) : "";
     });
     this.caption.replaceChildren(element("strong", {}, unit ? `${title}, ${unit}` : title), ...names);
   }
@@ -141,7 +141,7 @@ export class TimeChart {
     this.cursor.style.transform = `translateX(${this.plot.valToPos(time, "x")}px)`;
     const { times, curves } = this.content;
     const index = nearest(times, time);
-    for (const [number, { values }] of curves.entries()) this.readings[number].textContent = reading(values[index]);
+    for (const [number, { values, readings }] of curves.entries()) this.readings[number].textContent = reading((readings ?? values)[index]);
   }
 }
 

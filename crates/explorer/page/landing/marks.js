@@ -32,9 +32,7 @@ export class Marks {
   /** @param {import("./motion.js").Motion} motion */
   set(motion) {
     for (const side of this.sides) side.removeFromParent();
-    const [ring] = motion.drawing.instants.polygon;
-    this.ring = ring;
-    this.sides = ring.map(() => rod(0.004 * this.size, this.materials.polygon));
+    this.sides = motion.drawing.vehicle.legs.map(() => rod(0.004 * this.size, this.materials.polygon));
     for (const side of this.sides) {
       side.castShadow = false;
       this.group.add(side);
@@ -68,10 +66,9 @@ export class Marks {
     this.ball.position.copy(pose.center);
     this.ball.quaternion.copy(pose.rotation);
     this.done?.geometry.setDrawRange(0, 36 * Math.round(share * (this.segments ?? 0)));
-    if (!this.ring || !this.surface) return;
+    if (!this.surface) return;
     for (const [index, side] of this.sides.entries()) {
-      const [a, b] = [this.ring[index], this.ring[(index + 1) % this.ring.length]];
-      lay(side, pose.legs[a - 1].pivot, pose.legs[b - 1].pivot);
+      lay(side, pose.legs[index].pivot, pose.legs[(index + 1) % pose.legs.length].pivot);
     }
     const edge = pose.criticalEdge;
     this.critical.visible = this.leaning.visible = edge !== null;

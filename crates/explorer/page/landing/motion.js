@@ -5,7 +5,7 @@ import { Matrix4, Quaternion, Vector3 } from "../vendor/three.js";
 /**
  * Where everything is at an instant, in ground axes, in ft and lb.
  * @typedef {{ center: Vector3, rotation: Quaternion, legs: LegPose[], criticalEdge: [number, number] | null,
- *   stabilityAngle: number, isFootDown: boolean[] }} Pose
+ *   stabilityAngle: number }} Pose
  * @typedef {{ pivot: Vector3, padAxis: Vector3, padCrush: [number, number], blockCrush: number, stroke: number,
  *   strutForce: number, padForce: Vector3, blockForce: Vector3 }} LegPose
  */
@@ -39,7 +39,6 @@ export class Motion {
       })),
       criticalEdge: null,
       stabilityAngle: 0,
-      isFootDown: [],
     };
   }
 
@@ -70,7 +69,10 @@ export class Motion {
     const { pose } = this;
     const between = (/** @type {Vector3} */ into, /** @type {number[][]} */ list) =>
       into.set(...three(0, 1, 2, (axis) => list[i][axis] + part * (list[j][axis] - list[i][axis])));
-    const mix = (/** @type {number[]} */ list) => list[i] + part * (list[j] - list[i]);
+    const mix = (/** @type {(number | number[])[]} */ list, axis = 0) => {
+      const [before, after] = [list[i], list[j]].map((value) => (typeof value === "number" ? value : value[axis]));
+      return before + part * (after - before);
+    };
     between(pose.center, instants.center_of_gravity);
     pose.rotation.copy(this.rotations[i]).slerp(this.rotations[j], part);
     for (const [number, leg] of instants.legs.entries()) {
@@ -79,15 +81,16 @@ export class Motion {
       between(into.padAxis, leg.pad_axis).normalize();
       between(into.padForce, leg.pad_force);
       between(into.blockForce, leg.block_force);
-      into.padCrush[0] = leg.pad_crush[i][0] + part * (leg.pad_crush[j][0] - leg.pad_crush[i][0]);
-      into.padCrush[1] = leg.pad_crush[i][1] + part * (leg.pad_crush[j][1] - leg.pad_crush[i][1]);
-      into.blockCrush = mix(leg.block_crush);
+      // What is pressed in now may be elastic and more than what stays.
+      for (const half of /** @type {const} */ ([0, 1])) {
+        into.padCrush[half] = Math.max(mix(leg.pad_crush, half), mix(leg.pad_interference, half));
+      }
+      into.blockCrush = Math.max(mix(leg.block_crush), mix(leg.block_interference));
       into.stroke = mix(leg.stroke);
       into.strutForce = mix(leg.strut_force);
     }
     const near = part < 0.5 ? i : j;
     pose.criticalEdge = instants.critical_edge[near];
-    pose.isFootDown = instants.is_foot_down[near];
     pose.stabilityAngle = mix(instants.stability_angle_deg);
     return pose;
   }

@@ -1,11 +1,10 @@
 import { element } from "../look/elements.js";
 import { classColour, colours, onTheme, regionColour } from "../look/theme.js";
-import { font, scaled, textScale } from "../look/text.js";
+import { font, scaled, textScale, writeWords } from "../look/text.js";
 import { label, roundValues } from "../look/words.js";
 import { disc, openTriangle } from "./marks.js";
 
 /** @typedef {import("../engine/types.js").MapPoint} MapPoint */
-/** @typedef {import("../engine/types.js").Class} Class */
 
 /**
  * V_H over one axis. `breaks` tells where the line must not join a point to the next.
@@ -51,7 +50,7 @@ export class BoundaryChart {
   get ends() {
     const places = this.content?.places ?? [];
     const xs = places.map(({ x }) => x);
-    const speeds = places.flatMap(({ point }) => [point.speed, ...(point.bands ?? []).flatMap((band) => [band.from_fps, band.to_fps])]);
+    const speeds = places.flatMap(({ point }) => [point.speed, ...(point.bands ?? []).flatMap((band) => [band.from, band.to])]);
     const known = speeds.filter((speed) => speed !== null);
     const [low, high] = known.length ? [Math.min(...known), Math.max(...known)] : [0, 1];
     const margin = 0.08 * (high - low || 1);
@@ -98,7 +97,7 @@ export class BoundaryChart {
       for (const band of point.bands ?? []) {
         if (band.class === "stable") continue;
         context.fillStyle = regionColour(band.class);
-        context.fillRect(px(left), py(band.to_fps), px(right) - px(left) + 0.5, py(band.from_fps) - py(band.to_fps));
+        context.fillRect(px(left), py(band.to), px(right) - px(left) + 0.5, py(band.from) - py(band.to));
       }
     }
   }
@@ -125,12 +124,12 @@ export class BoundaryChart {
     }
     context.textAlign = "center";
     context.font = font(12);
-    context.fillText(content.title, area.left + 0.5 * area.width, area.top + area.height + 28 * textScale());
+    writeWords(context, content.title, area.left + 0.5 * area.width, area.top + area.height + 28 * textScale());
     context.textAlign = "left";
-    context.fillText(`V_H, ${content.unit}`, 4, 12 * textScale());
+    writeWords(context, `V_H, ${content.unit}`, 4, 12 * textScale());
     context.fillStyle = now.paleText;
     context.textAlign = "right";
-    context.fillText(content.note, area.left + area.width, 12 * textScale());
+    writeWords(context, content.note, area.left + area.width, 12 * textScale());
     if (content.chosen !== null) {
       context.fillStyle = now.jump;
       context.fillRect(px(content.chosen) - 1, area.top, 2, area.height);
@@ -158,7 +157,7 @@ export class BoundaryChart {
     const radius = places.length > 60 ? 2.5 : 4;
     for (const { x, point } of places) {
       if (point.speed === null) openTriangle(context, px(x), this.area.top + 5, radius, now.stable);
-      else disc(context, px(x), py(point.speed), radius, classColour(/** @type {Class} */ (point.to)) ?? now.text);
+      else disc(context, px(x), py(point.speed), radius, point.to ? classColour(point.to) : now.text);
     }
   }
 }

@@ -1,6 +1,6 @@
 import { element } from "../look/elements.js";
 import { colours, onTheme } from "../look/theme.js";
-import { font, scaled, textScale } from "../look/text.js";
+import { font, scaled, textScale, writeWords } from "../look/text.js";
 import { label, roundValues } from "../look/words.js";
 import { crosshair, disc, openTriangle } from "./marks.js";
 import { band, bandsOf, joined, pieces, trianglesOf } from "./triangles.js";
@@ -180,7 +180,7 @@ export class ContourMap {
     context.textAlign = "center";
     context.textBaseline = "top";
     const { slowEnds, fastEnds } = /** @type {ReturnType<typeof viewOf>} */ (this.view);
-    for (const value of roundValues(fastEnds.low, fastEnds.high, width / scaled({ step: 60 }).step)) {
+    for (const value of roundValues(fastEnds.low, fastEnds.high, width / (60 * textScale()))) {
       const [x] = this.pixel(slowEnds.low, value);
       context.fillText(label(value), x, top + height + 6);
       context.globalAlpha = 0.12;
@@ -189,7 +189,7 @@ export class ContourMap {
     }
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const value of roundValues(slowEnds.low, slowEnds.high, height / scaled({ step: 40 }).step)) {
+    for (const value of roundValues(slowEnds.low, slowEnds.high, height / (40 * textScale()))) {
       const [, y] = this.pixel(value, fastEnds.low);
       context.fillText(label(value), left - 6, y);
       context.globalAlpha = 0.12;
@@ -201,11 +201,11 @@ export class ContourMap {
     context.strokeRect(left, top, width, height);
     context.textAlign = "center";
     context.font = font(13);
-    context.fillText(map.axes[1].title, left + 0.5 * width, top + height + scaled({ down: 32 }).down);
+    writeWords(context, map.axes[1].title, left + 0.5 * width, top + height + 32 * textScale());
     context.save();
-    context.translate(scaled({ in: 14 }).in, top + 0.5 * height);
+    context.translate(14 * textScale(), top + 0.5 * height);
     context.rotate(-Math.PI / 2);
-    context.fillText(map.axes[0].title, 0, 0);
+    writeWords(context, map.axes[0].title, 0, 0);
     context.restore();
   }
 
@@ -246,7 +246,7 @@ export class ContourMap {
     context.font = font(11);
     for (const [x, y, text] of labels) {
       const half = 0.5 * context.measureText(text).width + 3;
-      const { tall } = scaled({ tall: 15 });
+      const tall = 15 * textScale();
       context.fillStyle = "#ffffffd9";
       context.fillRect(x - half, y - 0.5 * tall, 2 * half, tall);
       context.fillStyle = "#262626";
@@ -268,20 +268,15 @@ export class ContourMap {
   #points(context, map) {
     const now = colours();
     if (map.grid) {
-      /** @type {Map<number, MapPoint>} */
-      const lowest = new Map();
-      for (const point of map.points) {
-        const known = lowest.get(point.place[0]);
-        if (point.speed !== null && (known?.speed ?? Infinity) > point.speed) lowest.set(point.place[0], point);
-      }
-      for (const { place } of lowest.values()) disc(context, ...this.pixel(place[0], place[1]), 4, now.lowest);
+      for (const [slow, fast] of map.lowest) disc(context, ...this.pixel(slow, fast), 4, now.lowest);
       const { width, height } = this.area;
       const room = Math.min(width / map.axes[1].values.length, height / map.axes[0].values.length);
       const half = room > 24 ? 5 : Math.max(Math.min(0.3 * room, 3.5), 1.5);
       for (const { place, to } of map.points) {
-        if (to === "none") openTriangle(context, ...this.pixel(place[0], place[1]), half, now.stable);
+        if (to === null) openTriangle(context, ...this.pixel(place[0], place[1]), half, now.stable);
       }
     }
+    if (!map.grid && !map.triangles) this.#scattered(context, map);
     for (const { place, to, certainty } of map.points) {
       const isDoubtful = to === "failure" || to === "undecided";
       if (isDoubtful) disc(context, ...this.pixel(place[0], place[1]), 3.5, now[/** @type {"failure"} */ (to)]);
@@ -290,6 +285,17 @@ export class ContourMap {
       context.lineWidth = 1.5;
       const [x, y] = this.pixel(place[0], place[1]);
       context.strokeRect(x - 4, y - 4, 8, 8);
+    }
+  }
+
+  /** Points that no surface joins, in the colours of their bands. @param {CanvasRenderingContext2D} context @param {MapAnswer} map */
+  #scattered(context, map) {
+    const radius = Math.max(2, Math.min(7, 160 / Math.sqrt(map.points.length)));
+    const bands = bandsOf(map.levels);
+    for (const { place, speed } of map.points) {
+      const [x, y] = this.pixel(place[0], place[1]);
+      if (speed === null) openTriangle(context, x, y, 0.7 * radius, colours().stable);
+      else disc(context, x, y, radius, bands.find(({ high }) => speed < high)?.colour ?? colours().text);
     }
   }
 
@@ -303,12 +309,7 @@ export class ContourMap {
     context.textAlign = "left";
     context.fillStyle = colours().text;
     context.font = font(12);
-    const { v, h, up, down } = scaled({ v: 8, h: 15, up: 8, down: 11 });
-    context.fillText("V", x, top + up);
-    context.font = font(9);
-    context.fillText("H", x + v, top + down);
-    context.font = font(12);
-    context.fillText(`, ${map.speed_unit}`, x + h, top + up);
+    writeWords(context, `V_H, ${map.speed_unit}`, x, top + 8 * textScale());
     for (const [index, { speed, colour }] of map.levels.entries()) {
       const y = bottom - step * (index + 1);
       context.fillStyle = colour;

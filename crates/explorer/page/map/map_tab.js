@@ -37,6 +37,7 @@ export class MapTab extends EventTarget {
     this.which = element("select", { "aria-label": "Results" }, ...results.map(({ name, title }) => element("option", { value: name }, title)));
     this.axes = element("span", { class: "axes" });
     this.title = element("h2");
+    this.conditions = element("p", { class: "conditions" });
     this.reading = element("p", { class: "reading", role: "status" });
     this.legend = element("div", { class: "map-legend" });
     this.explore = [button("Explore the landing below"), button("Explore the landing above")];
@@ -47,7 +48,7 @@ export class MapTab extends EventTarget {
     this.plane = element("div", { class: "plane" }, this.contour.root, this.surface.root);
     this.root = element("section", { class: "map-tab" },
       element("div", { class: "map-head" }, element("label", {}, "Results ", this.which), this.axes),
-      this.title, this.plane, this.profile.root, this.legend, this.reading, this.sections.root, this.pairRoot);
+      this.title, this.conditions, this.plane, this.profile.root, this.legend, this.reading, this.sections.root, this.pairRoot);
     this.which.addEventListener("change", () => this.load(this.which.value));
     this.explore.forEach((made, index) => made.addEventListener("click", () => {
       const touchdown = this.ends?.[index];
@@ -91,7 +92,7 @@ export class MapTab extends EventTarget {
    * Shows results.
    * @param {string} name
    * @param {string[]} [axes]
-   * @param {Record<string, number>} [fixed]
+   * @param {Record<string, number | string>} [fixed]
    */
   async load(name, axes, fixed) {
     this.which.value = name;
@@ -110,6 +111,7 @@ export class MapTab extends EventTarget {
     this.chosen = undefined;
     this.pairRoot.hidden = true;
     this.title.replaceChildren(subscripted(map.title));
+    this.conditions.textContent = [map.conditions, map.statement].filter(Boolean).join(" · ");
     const isMap = map.axes.length > 1;
     this.plane.hidden = !isMap;
     this.sections.root.hidden = !isMap;
@@ -159,9 +161,9 @@ export class MapTab extends EventTarget {
       this.axes.append(element("label", {}, `${word} `, select));
     }
     for (const axis of map.other_axes) {
-      const select = element("select", { "aria-label": axis.title }, ...axis.values.map((value) => element("option", { value }, label(value))));
-      select.value = String(axis.fixed ?? axis.values[0]);
-      select.addEventListener("change", () => this.load(name, names, { ...fixed, [axis.name]: Number(select.value) }));
+      const select = element("select", { "aria-label": axis.title }, ...axis.values.map((value) => element("option", {}, typeof value === "number" ? label(value) : value)));
+      select.selectedIndex = Math.max(axis.values.indexOf(/** @type {number} */ (axis.fixed)), 0);
+      select.addEventListener("change", () => this.load(name, names, { ...fixed, [axis.name]: axis.values[select.selectedIndex] }));
       this.axes.append(element("label", {}, `${axis.title} `, select));
     }
     this.#writeParts();
@@ -189,9 +191,9 @@ export class MapTab extends EventTarget {
       return;
     }
     const where = map.axes.map(({ title, unit }, axis) => `${title.replace(/,[^,]*$/, "")} ${label(point.place[axis])}${unit ? ` ${unit}` : ""}`).join(", ");
-    const kind = map.kinds.find(({ to }) => to === point.to)?.word ?? point.to;
+    const kind = map.kinds.find((known) => known.class === point.to)?.word ?? "";
     const value = point.speed === null
-      ? (map.words.gap ?? "no transition")
+      ? (map.words.gap || (map.searched_to === null ? "no transition" : `stable up to ${label(map.searched_to)} ${map.speed_unit}`))
       : `V_H = ${label(point.speed, 7)} ${map.speed_unit}, above: ${kind}`;
     const bracket = point.low !== null && point.high !== null ? `, between ${label(point.low, 8)} and ${label(point.high, 8)}` : "";
     const certain = point.certainty ? `; ${point.certainty}` : "";

@@ -34,6 +34,7 @@ export function partOf(map, [first, last]) {
     ...map,
     axes: [{ ...slow, values }, ...others],
     points: map.points.filter(({ place }) => isIn(place[0])),
+    lowest: map.lowest.filter(([at]) => isIn(at)),
     grid: { speeds: map.grid.speeds.slice(first, last + 1) },
     jump_bars: map.jump_bars.filter((bar) => bar.every(([at]) => isIn(at))),
     jump_cells: map.jump_cells

@@ -63,7 +63,7 @@ function throughTriangles(map, along, at) {
     cuts.push({ from, to });
   }
   cuts.sort((a, b) => a.from[0] - b.from[0]);
-  const kind = map.points.find(({ speed }) => speed !== null)?.to ?? "unstable";
+  const kind = map.points.find(({ speed }) => speed !== null)?.to ?? null;
   return cuts.flatMap(({ from, to }, index) => {
     const next = cuts[index + 1];
     const place = (/** @type {[number, number]} */ [x, speed], /** @type {boolean} */ breaks) => {

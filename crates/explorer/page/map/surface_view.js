@@ -148,7 +148,7 @@ export class SurfaceView {
     const lines = [];
     const side = 0.6 / Math.max(...map.axes.map(({ values }) => values.length), 12);
     for (const { place, to } of map.points) {
-      if (to !== "none" || !map.grid) continue;
+      if (to !== null || !map.grid) continue;
       const [x, y, z] = this.at(place[0], place[1], floor);
       const ring = [[x, z - side], [x + side, z + 0.75 * side], [x - side, z + 0.75 * side]];
       for (let i = 0; i < 3; i += 1) lines.push(ring[i][0], y, ring[i][1], ring[(i + 1) % 3][0], y, ring[(i + 1) % 3][1]);

@@ -93,7 +93,7 @@ export class SampleTab extends EventTarget {
       const found = quantities.find((quantity) => quantity.name === name) ?? quantities[0];
       return { title: withUnit(found.title, found.unit), values: found.values };
     };
-    this.scatter.set([of(this.across.value), of(this.up.value)], sample.class.map((index) => sample.classes[index]));
+    this.scatter.set([of(this.across.value), of(this.up.value)], sample.class.map((index) => sample.classes[index].class));
     this.#count();
     this.dispatchEvent(new Event("axes"));
   }
@@ -108,9 +108,9 @@ export class SampleTab extends EventTarget {
     for (const [landing, index] of sample.class.entries()) {
       if (!this.scatter.isSelected(landing)) continue;
       all += 1;
-      counts.set(sample.classes[index], (counts.get(sample.classes[index]) ?? 0) + 1);
+      counts.set(sample.classes[index].class, (counts.get(sample.classes[index].class) ?? 0) + 1);
     }
-    const rows = sample.kinds.map((kind) => {
+    const rows = sample.classes.map((kind) => {
       const count = counts.get(kind.class) ?? 0;
       const dot = element("span", { class: "dot" });
       dot.style.background = classColour(kind.class);

@@ -1,6 +1,6 @@
 import { element } from "../look/elements.js";
 import { classColour, colours, onTheme } from "../look/theme.js";
-import { font, scaled, textScale } from "../look/text.js";
+import { font, scaled, textScale, writeWords } from "../look/text.js";
 import { label, roundValues } from "../look/words.js";
 import { crosshair } from "../map/marks.js";
 
@@ -168,11 +168,11 @@ export class Scatter {
       context.fillText(label(value), left - 6, y);
     }
     context.textAlign = "center";
-    context.fillText(quantities[0].title, left + 0.5 * width, top + height + 32 * textScale());
+    writeWords(context, quantities[0].title, left + 0.5 * width, top + height + 32 * textScale());
     context.save();
     context.translate(14 * textScale(), top + 0.5 * height);
     context.rotate(-Math.PI / 2);
-    context.fillText(quantities[1].title, 0, 0);
+    writeWords(context, quantities[1].title, 0, 0);
     context.restore();
     const radius = classes.length > 4000 ? 1.6 : classes.length > 800 ? 2.4 : 3.6;
     for (const [landing, of] of classes.entries()) {

@@ -72,7 +72,7 @@ function drawPanel(svg, { title, unit, times, curves, bands }, left, top) {
   svg.font = "10px";
   for (const [index, curve] of curves.entries()) {
     const colour = curve.colour ?? curveColour(index);
-    if (colour === "transparent") continue;
+    if (!curve.name) continue;
     svg.strokeStyle = svg.fillStyle = colour;
     svg.lineWidth = curve.width ?? 1.6;
     svg.setLineDash(curve.dash ?? []);
