@@ -100,6 +100,20 @@ export class BoundaryChart {
         context.fillRect(px(left), py(band.to), px(right) - px(left) + 0.5, py(band.from) - py(band.to));
       }
     }
+    this.#word(context, px, py);
+  }
+
+  /** Says what the landings of the widest band do. @param {CanvasRenderingContext2D} context @param {(x: number) => number} px @param {(speed: number) => number} py */
+  #word(context, px, py) {
+    const all = (this.content?.places ?? []).flatMap(({ x, point }) => (point.bands ?? []).map((band) => ({ x, ...band })));
+    const others = all.filter((band) => band.class !== "stable");
+    if (!others.length) return;
+    const widest = others.reduce((best, band) => (band.to - band.from > best.to - best.from ? band : best), others[0]);
+    context.fillStyle = classColour(widest.class);
+    context.font = font(16);
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(widest.word, px(widest.x), py(0.5 * (widest.from + widest.to)));
   }
 
   /** @param {CanvasRenderingContext2D} context @param {(x: number) => number} px @param {(speed: number) => number} py */

@@ -113,8 +113,11 @@ export class MapTab extends EventTarget {
     this.title.replaceChildren(subscripted(map.title));
     this.conditions.textContent = [map.conditions, map.statement].filter(Boolean).join(" · ");
     const isMap = map.axes.length > 1;
+    // Points that no surface joins have neither a surface nor sections.
+    const isJoined = map.grid !== null || map.triangles !== null;
     this.plane.hidden = !isMap;
-    this.sections.root.hidden = !isMap;
+    this.surface.root.hidden = !isJoined;
+    this.sections.root.hidden = !isMap || !isJoined;
     this.profile.root.hidden = isMap;
     this.#writeAxes();
     this.legend.replaceChildren(...legendOf(map));

@@ -31,7 +31,8 @@ export function nearestPoint(map, slow, fast) {
   let best;
   let least = Infinity;
   for (const point of map.points) {
-    const distance = ((point.place[0] - slow) / slowEnds.span) ** 2 + ((point.place[1] - fast) / fastEnds.span) ** 2;
+    const across = point.place.length > 1 ? (point.place[1] - fast) / fastEnds.span : 0;
+    const distance = ((point.place[0] - slow) / slowEnds.span) ** 2 + across ** 2;
     if (distance < least) [best, least] = [point, distance];
   }
   return best;
