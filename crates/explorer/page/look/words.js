@@ -15,7 +15,10 @@ export function label(value, digits = 6) {
  * @param {number} value
  * @param {number} decimals
  */
-export const fixed = (value, decimals) => value.toFixed(decimals).replace("-", "−");
+export function fixed(value, decimals) {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
+}
 
 /** @param {string} unit */
 export const inUnit = (unit) => (unit ? ` ${unit}` : "");
