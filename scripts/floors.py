@@ -51,14 +51,15 @@ FLOORS = {
     ],
     "explorer": [
         ["lib"],
-        ["server"],
+        ["export", "server"],
         ["page"],
         ["interface"],
         ["named"],
     ],
     "touchdown": [
         ["main"],
-        ["explore", "stress", "study", "work_precision"],
+        ["stress", "study", "work_precision"],
+        ["explore"],
         ["landings", "surface", "sweeps"],
         ["pictures"],
         ["import_deck", "new", "shell"],

@@ -93,6 +93,8 @@ impl Server {
                 tokio::time::sleep(REST).await;
                 continue;
             };
+            // Answers are written whole: nothing is gained by waiting for more. Should this fail, they only come later.
+            let _ = stream.set_nodelay(true);
             let service = Arc::clone(&service);
             tokio::spawn(async move {
                 let answer = service_fn(|request| service.answer(request));

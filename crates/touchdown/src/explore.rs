@@ -1,17 +1,21 @@
 //! `touchdown explore`: a page in the browser in which a landing answers as sliders move.
 
 use std::net::{IpAddr, SocketAddr};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use clap::Args;
+use touchdown_explorer::export;
 use touchdown_explorer::named::Named;
 use touchdown_explorer::server::{LOOPBACK, Server};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::library::Library;
+use touchdown_sweep::output_guard::OutputGuard;
 
 use crate::failure::Failure;
+use crate::land_files::place_of;
 use crate::print::print;
+use crate::summary;
 use crate::units::UnitsOption;
 
 const EXAMPLES: &str = "\
@@ -22,9 +26,11 @@ Examples:
   A vehicle of your own, a sweep of it, and the map that came of that:
     touchdown explore lander.toml trade.toml results/trade.csv --open
 
+  The same as one file for somebody who has not got this program:
+    touchdown explore results/trade.csv --export trade.html
+
 What is named can be looked at and started from: vehicle, scene and sweep files, and tables of transitions and landings as
-touchdown sweep writes them, with what stands beside them (bands, edges, surface, record). Nothing else on the disk is
-served, and nothing is written.
+touchdown sweep writes them, with what stands beside them (bands, edges, surface, record). Nothing else on the disk is served.
 
 The page is served to this machine alone, under an address that nobody can guess. Ctrl-C ends it.";
 
@@ -50,14 +56,26 @@ pub struct Options {
     /// network unencrypted
     #[arg(long, value_name = "ADDRESS", default_value_t = LOOPBACK.into())]
     listen: IpAddr,
+    /// Write the page with all that was named into one file, which works without this program and without a network
+    #[arg(long, value_name = "FILE.html", conflicts_with_all = ["port", "open", "listen"], help_heading = "Output")]
+    export: Option<PathBuf>,
+    /// Also replace an existing file that is not an exported page
+    #[arg(long, requires = "export", help_heading = "Output")]
+    overwrite: bool,
     #[command(flatten)]
     units: UnitsOption,
 }
+
+/// How an exported page begins.
+const PAGE: &str = "<!doctype html>";
 
 /// Runs `explore`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let units = options.units.given().unwrap_or_default();
     let named = Named::read(&options.files, Library::Disk, units)?;
+    if let Some(file) = &options.export {
+        return export(options, &named, file);
+    }
     let address = SocketAddr::new(options.listen, options.port);
     let server = Server::bind(address, named).map_err(|error| {
         let said = format!("{address} cannot be listened on: {error}");
@@ -74,6 +92,19 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         eprintln!("touchdown: warning: no browser could be opened; open the link yourself");
     }
     server.run().map_err(Failure::running)
+}
+
+fn export(options: &Options, named: &Named, file: &Path) -> Result<(), Failure> {
+    let inputs: Vec<&Path> = options.files.iter().map(PathBuf::as_path).collect();
+    let guard = OutputGuard {
+        inputs: &inputs,
+        overwrite: options.overwrite,
+    };
+    guard.check(file, |line| line.starts_with(PAGE))?;
+    let (folder, name) = place_of(file)?;
+    let page = export::page(named).map_err(Failure::running)?;
+    let written = folder.write_files(&[(name, page.into_bytes())])?;
+    print(&summary::written(&written))
 }
 
 /// Opens an address in the browser of the desktop; whether there was a way to.

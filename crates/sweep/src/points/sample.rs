@@ -37,7 +37,8 @@ impl SampleDesign {
     /// Most points that it has.
     pub fn most_points(self) -> usize {
         match self {
-            Self::MonteCarlo => 1_000_000_000_000,
+            // Or as many as the machine can count.
+            Self::MonteCarlo => usize::try_from(1_000_000_000_000_u64).unwrap_or(usize::MAX),
             // Its strata are shuffled in memory.
             Self::LatinHypercube => 1_000_000,
             // The sequence has no more.
