@@ -1,8 +1,7 @@
 import { EngineError } from "./engine.js";
 
-/** What the worker runs: it answers one request after the other by the module. `ADDRESS` is that of `wasm/module.js`. */
+/** What the worker runs after the text of `wasm/module.js`: it answers one request after the other. */
 const WORKER = `
-import { openExported } from ADDRESS;
 let answer;
 onmessage = async ({ data: { inside, name, request } }) => {
   try {
@@ -22,10 +21,11 @@ onmessage = async ({ data: { inside, name, request } }) => {
  * @returns {import("./engine.js").Transport}
  */
 export function overModule(inside) {
-  // The names under which an exported page has its scripts.
-  const address = JSON.stringify(import.meta.resolve("page/wasm/module.js"));
-  const script = new Blob([WORKER.replace("ADDRESS", () => address)], { type: "text/javascript" });
-  const worker = new Worker(URL.createObjectURL(script), { type: "module" });
+  // An exported page has its scripts as addresses that hold them. From disk it may start only workers that import nothing.
+  const [, packed] = import.meta.resolve("page/wasm/module.js").split(";base64,");
+  const source = new TextDecoder().decode(Uint8Array.from(atob(packed), (digit) => digit.charCodeAt(0)));
+  const script = new Blob([source.replace(/^export /gm, ""), WORKER], { type: "text/javascript" });
+  const worker = new Worker(URL.createObjectURL(script));
   /** @type {Job[]} */
   const waiting = [];
   /** @type {Job | undefined} */

@@ -22,8 +22,9 @@ export class StagePanel {
     this.canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": `${name}, in three dimensions` });
     this.outcome = element("div", { class: "outcome", role: "status", "aria-live": "polite" });
     this.legend = element("div", { class: "stage-legend" });
+    this.warning = element("p", { class: "warning" });
     const picture = element("div", { class: "stage" }, this.canvas);
-    this.root = element("div", { class: "stage-panel" }, element("div", { class: "stage-and-words" }, this.outcome, picture, this.#buttons(), this.legend));
+    this.root = element("div", { class: "stage-panel" }, element("div", { class: "stage-and-words" }, this.outcome, picture, this.#buttons(), this.legend, this.warning));
     this.view = new LandingView(this.canvas);
     this.canvas.addEventListener("keydown", (event) => this.#turn(event));
     onTheme(() => this.landing && this.#write(this.landing));
@@ -93,7 +94,7 @@ export class StagePanel {
     const sigma = typeof least === "number" ? ` · least stability angle ${fixed(least, 3)} deg` : "";
     const why = element("p", {}, landing.failure ?? landing.why);
     this.outcome.replaceChildren(element("p", { class: "word" }, dot, word), element("p", { class: "detail" }, at + sigma), why);
-    if (landing.warning) this.outcome.append(element("p", { class: "warning" }, landing.warning));
+    this.warning.textContent = landing.warning ?? "";
     this.outcome.dataset.class = landing.class;
     this.outcome.dataset.outcome = landing.outcome;
     this.#writeLegend();

@@ -83,7 +83,7 @@ test("text has enough contrast in dark and light", async () => {
         return 0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5);
       };
       const of = (/** @type {string} */ name) => luminance(style.getPropertyValue(name).trim());
-      return ["--text", "--pale", "--accent", "--error", "--stable", "--unstable", "--failure"].flatMap((name) =>
+      return ["--text", "--pale", "--accent", "--error", "--warning", "--stable", "--unstable", "--failure"].flatMap((name) =>
         ["--paper", "--panel"].map((under) => {
           const [high, low] = [of(name), of(under)].sort((a, b) => b - a);
           return { pair: `${name} on ${under}`, ratio: (high + 0.05) / (low + 0.05) };
