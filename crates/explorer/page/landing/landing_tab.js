@@ -1,0 +1,46 @@
+import * as engine from "../engine/engine.js";
+import { Newest } from "../engine/newest.js";
+import { element } from "../look/elements.js";
+import { OutcomeStrip } from "../strip/strip.js";
+import { Sliders } from "../sliders/sliders.js";
+import { Replay, speedOf } from "./replay.js";
+
+/** Instants of a landing while a slider moves. */
+const COARSE = 240;
+
+/** The present landing: its numbers, its picture and histories, and how its neighbours in V_H end. */
+export class LandingTab {
+  /** @param {import("../present/present.js").Present} present @param {import("../engine/types.js").Source[]} sources */
+  constructor(present, sources) {
+    this.present = present;
+    this.replay = new Replay(["The landing"]);
+    this.strip = new OutcomeStrip(present, sources);
+    this.sliders = new Sliders(present);
+    this.newest = new Newest();
+    this.replay.bar.root.after(this.strip.root);
+    const show = element("div", { class: "show" }, this.replay.root);
+    const aside = element("aside", { class: "aside", "aria-label": "Numbers" }, this.sliders.root);
+    this.root = element("section", { class: "landing-tab" }, aside, show);
+    present.addEventListener("values", () => this.refresh());
+    present.addEventListener("units", () => this.refresh());
+  }
+
+  /** Lands afresh. */
+  refresh() {
+    return this.newest.run(async () => {
+      const { touchdown, units, isMoving } = this.present;
+      const interval_s = isMoving && this.landing ? Math.max(this.landing.end_time_s / COARSE, 0.01) : 0.01;
+      try {
+        const landing = await engine.landing({ touchdown, units, interval_s });
+        this.landing = landing;
+        this.replay.show([landing], units);
+        this.strip.follow(speedOf(landing, units).fps);
+        this.sliders.complain(null);
+        this.root.dispatchEvent(new Event("landed"));
+      } catch (error) {
+        if (!(error instanceof engine.EngineError)) throw error;
+        this.sliders.complain(error.complaint);
+      }
+    });
+  }
+}

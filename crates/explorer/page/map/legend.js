@@ -1,0 +1,25 @@
+import { element } from "../look/elements.js";
+import { subscripted } from "../look/words.js";
+
+/** What the marks of a map mean, in the words of our pictures. @param {import("../engine/types.js").MapAnswer} map */
+export function legendOf(map) {
+  /** @type {HTMLElement[]} */
+  const entries = [];
+  const add = (/** @type {string} */ kind, /** @type {string | null | undefined} */ words) => {
+    if (words) entries.push(element("span", {}, element("i", { class: `mark ${kind}` }), subscripted(words)));
+  };
+  const hasGaps = map.points.some(({ to }) => to === null);
+  if (map.grid) {
+    add("lowest", `lowest V_H at each ${(map.axes[0].title.split(/ angle| [^ ]*,|,/)[0] || map.axes[0].name).toLowerCase()}`);
+    if (map.jump_bars.length) add("jump", map.words.jump);
+    if (map.jump_cells.length) add("torn", map.words.jump_cell);
+  }
+  if (hasGaps) add(map.triangles ? "white" : "gap", map.words.gap);
+  const edges = new Set(map.edges.map(({ kind }) => kind));
+  for (const kind of ["end", "jump", "bands"]) if (edges.has(/** @type {"end"} */ (kind))) add(`edge-${kind}`, map.words[kind === "jump" ? "edge_jump" : kind]);
+  if (map.points.some(({ certainty }) => certainty === "disputed")) add("disputed", "disputed: the smallest change of the input decides");
+  for (const kind of ["failure", "undecided"]) {
+    if (map.points.some(({ to }) => to === kind)) add(kind, map.kinds.find((known) => known.class === kind)?.word ?? kind);
+  }
+  return entries;
+}

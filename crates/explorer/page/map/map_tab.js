@@ -1,0 +1,243 @@
+import * as engine from "../engine/engine.js";
+import { Newest } from "../engine/newest.js";
+import { Replay } from "../landing/replay.js";
+import { button, element } from "../look/elements.js";
+import { label, subscripted } from "../look/words.js";
+import { BoundaryChart } from "./boundary_chart.js";
+import { ContourMap } from "./contour_map.js";
+import { legendOf } from "./legend.js";
+import { partOf, partsOf } from "./parts.js";
+import { Sections } from "./sections.js";
+import { nearestPoint } from "./view.js";
+import { SurfaceView } from "./surface_view.js";
+
+/** @typedef {import("../engine/types.js").MapAnswer} MapAnswer */
+/** @typedef {import("../engine/types.js").MapPoint} MapPoint */
+/** @typedef {import("../engine/types.js").Touchdown} Touchdown */
+
+/** Results of sweeps and maps: contours, surface, sections, and the landings just below and just above the boundary. */
+export class MapTab extends EventTarget {
+  /**
+   * @param {import("../engine/types.js").ResultsEntry[]} results
+   * @param {import("../present/present.js").Present} present
+   */
+  constructor(results, present) {
+    super();
+    /** @type {Record<string, string> | undefined} what an address asks for */
+    this.wanted = undefined;
+    this.results = results;
+    this.present = present;
+    const hover = (/** @type {MapPoint | undefined} */ point) => this.#tell(point ?? this.chosen);
+    const choose = (/** @type {MapPoint} */ point) => void this.choose(point);
+    this.contour = new ContourMap(hover, choose);
+    this.surface = new SurfaceView(choose);
+    this.sections = new Sections(hover, choose);
+    this.profile = new BoundaryChart(hover, choose);
+    this.newest = new Newest();
+    this.which = element("select", { "aria-label": "Results" }, ...results.map(({ name, title }) => element("option", { value: name }, title)));
+    this.axes = element("span", { class: "axes" });
+    this.title = element("h2");
+    this.conditions = element("p", { class: "conditions" });
+    this.reading = element("p", { class: "reading", role: "status" });
+    this.legend = element("div", { class: "map-legend" });
+    this.explore = [button("Explore the landing below"), button("Explore the landing above")];
+    this.pair = new Replay(["Just below the boundary", "Just above the boundary"]);
+    const captions = element("div", { class: "pair-captions" }, ...this.explore);
+    this.pairRoot = element("section", { class: "pair", hidden: true, "aria-label": "Landings below and above the boundary" },
+      element("h2", {}, "Just below the boundary, and just above it"), captions, this.pair.root);
+    this.plane = element("div", { class: "plane" }, this.contour.root, this.surface.root);
+    this.root = element("section", { class: "map-tab" },
+      element("div", { class: "map-head" }, element("label", {}, "Results ", this.which), this.axes),
+      this.title, this.conditions, this.plane, this.profile.root, this.legend, this.reading, this.sections.root, this.pairRoot);
+    this.which.addEventListener("change", () => this.load(this.which.value));
+    this.explore.forEach((made, index) => made.addEventListener("click", () => {
+      const touchdown = this.ends?.[index];
+      if (touchdown) this.dispatchEvent(new CustomEvent("explore", { detail: touchdown }));
+    }));
+  }
+
+  /** Loads what was asked for, or the first results, when the tab is first seen. */
+  async open() {
+    if (this.map || this.isOpening) return;
+    this.isOpening = true;
+    const { results, axes, at } = this.wanted ?? {};
+    const known = this.results.some(({ name }) => name === results);
+    await this.load(known && results ? results : this.results[0].name, known ? axes?.split(",") : undefined);
+    this.isOpening = false;
+    const place = at?.split(",").map(Number);
+    if (!known || !place || !this.map || place.some(Number.isNaN)) return;
+    const point = nearestPoint(this.map, place[0], place[1] ?? 0);
+    if (point) await this.choose(point);
+  }
+
+  /** What an address holds of the map. */
+  state() {
+    if (!this.map || !this.name) return this.wanted ?? {};
+    return {
+      results: this.name === this.results[0].name ? "" : this.name,
+      axes: this.map.other_axes.length ? this.map.axes.map(({ name }) => name).join(",") : "",
+      at: this.chosen ? this.chosen.place.join(",") : "",
+    };
+  }
+
+  /** @param {Record<string, string>} extra of an address */
+  restore({ results, axes, at }) {
+    if (!results && !at) return;
+    this.wanted = { results: results ?? this.results[0].name, axes: axes ?? "", at: at ?? "" };
+    if (!axes) delete (/** @type {Record<string, string>} */ (this.wanted)).axes;
+    this.map = undefined;
+  }
+
+  /**
+   * Shows results.
+   * @param {string} name
+   * @param {string[]} [axes]
+   * @param {Record<string, number | string>} [fixed]
+   */
+  async load(name, axes, fixed) {
+    this.which.value = name;
+    const map = await engine.map({ results: name, ...(axes ? { axes } : {}), ...(fixed ? { fixed } : {}) });
+    this.name = name;
+    this.whole = map;
+    const parts = partsOf(map);
+    this.#show(map, parts[parts.length - 1]);
+  }
+
+  /** @param {MapAnswer} whole @param {[number, number]} rows that are shown */
+  #show(whole, rows) {
+    const map = partOf(whole, rows);
+    this.map = map;
+    this.rows = rows;
+    this.chosen = undefined;
+    this.pairRoot.hidden = true;
+    this.title.replaceChildren(subscripted(map.title));
+    this.conditions.textContent = [map.conditions, map.statement].filter(Boolean).join(" · ");
+    const isMap = map.axes.length > 1;
+    // Points that no surface joins have neither a surface nor sections.
+    const isJoined = map.grid !== null || map.triangles !== null;
+    this.plane.hidden = !isMap;
+    this.surface.root.hidden = !isJoined;
+    this.sections.root.hidden = !isMap || !isJoined;
+    this.profile.root.hidden = isMap;
+    this.#writeAxes();
+    this.legend.replaceChildren(...legendOf(map));
+    if (isMap) {
+      this.contour.set(map);
+      this.contour.choose(undefined);
+      this.surface.set(map);
+      this.surface.choose(undefined);
+      const least = lowest(map.points);
+      if (least) this.sections.show(map, least);
+    } else {
+      this.#showProfile();
+    }
+    this.#tell(undefined);
+    this.dispatchEvent(new Event("loaded"));
+  }
+
+  #showProfile() {
+    const { map } = this;
+    if (!map) return;
+    const places = map.points.map((point) => ({ x: point.place[0], point, breaks: false })).sort((a, b) => a.x - b.x);
+    this.profile.set({ title: map.axes[0].title, note: "", unit: map.speed_unit, places, searchedTo: map.searched_to, chosen: this.chosen?.place[0] ?? null });
+  }
+
+  /** Which two axes, and where along the others. */
+  #writeAxes() {
+    const { map, name } = this;
+    this.axes.replaceChildren();
+    if (!map || !name || map.axes.length < 2) return;
+    const all = [...map.axes, ...map.other_axes];
+    const fixed = Object.fromEntries(map.other_axes.map((axis) => [axis.name, axis.fixed ?? axis.values[0]]));
+    const names = map.axes.map((axis) => axis.name);
+    for (const [index, word] of ["up", "across"].entries()) {
+      const select = element("select", { "aria-label": `Axis ${word}` }, ...all.map((axis) => element("option", { value: axis.name }, axis.title)));
+      select.value = names[index];
+      select.addEventListener("change", () => {
+        const wanted = [...names];
+        // The other axis goes where this one was.
+        const other = wanted.indexOf(select.value);
+        if (other >= 0) wanted[other] = names[index];
+        wanted[index] = select.value;
+        this.load(name, wanted, Object.fromEntries(Object.entries(fixed).filter(([key]) => !wanted.includes(key))));
+      });
+      this.axes.append(element("label", {}, `${word} `, select));
+    }
+    for (const axis of map.other_axes) {
+      const select = element("select", { "aria-label": axis.title }, ...axis.values.map((value) => element("option", {}, typeof value === "number" ? label(value) : value)));
+      select.selectedIndex = Math.max(axis.values.indexOf(/** @type {number} */ (axis.fixed)), 0);
+      select.addEventListener("change", () => this.load(name, names, { ...fixed, [axis.name]: axis.values[select.selectedIndex] }));
+      this.axes.append(element("label", {}, `${axis.title} `, select));
+    }
+    this.#writeParts();
+  }
+
+  #writeParts() {
+    const { whole } = this;
+    if (!whole) return;
+    const parts = partsOf(whole);
+    if (parts.length < 2) return;
+    const { title, values } = whole.axes[0];
+    const options = parts.map(([first, last]) => element("option", { value: first }, `${label(values[first])} to ${label(values[last])}`));
+    const select = element("select", { "aria-label": `Part of ${title}` }, ...options);
+    select.value = String(this.rows?.[0] ?? 0);
+    select.addEventListener("change", () => this.#show(whole, parts[select.selectedIndex]));
+    this.axes.append(element("label", {}, "part ", select));
+  }
+
+  /** Writes what is known of a point. @param {MapPoint | undefined} point */
+  #tell(point) {
+    const { map } = this;
+    if (!map) return;
+    if (!point) {
+      this.reading.textContent = "Point at the map to read a value; click to land just below and just above the boundary there.";
+      return;
+    }
+    const where = map.axes.map(({ title, unit }, axis) => `${title.replace(/,[^,]*$/, "")} ${label(point.place[axis])}${unit ? ` ${unit}` : ""}`).join(", ");
+    const kind = map.kinds.find((known) => known.class === point.to)?.word ?? "";
+    const value = point.speed === null
+      ? (map.words.gap || (map.searched_to === null ? "no transition" : `stable up to ${label(map.searched_to)} ${map.speed_unit}`))
+      : `V_H = ${label(point.speed, 7)} ${map.speed_unit}, above: ${kind}`;
+    const bracket = point.low !== null && point.high !== null ? `, between ${label(point.low, 8)} and ${label(point.high, 8)}` : "";
+    const certain = point.certainty ? `; ${point.certainty}` : "";
+    const disputed = point.disputed ? ` from ${label(point.disputed[0], 7)} to ${label(point.disputed[1], 7)}` : "";
+    this.reading.replaceChildren(subscripted(`${where}: ${value}${bracket}${certain}${disputed}`));
+  }
+
+  /** Lands on both sides of the boundary at a point. @param {MapPoint} point */
+  async choose(point) {
+    const { map, name } = this;
+    if (!map || !name) return;
+    this.chosen = point;
+    if (map.axes.length > 1) {
+      this.contour.choose(point);
+      this.surface.choose(point);
+      this.sections.show(map, point);
+    } else {
+      this.#showProfile();
+    }
+    this.#tell(point);
+    await this.newest.run(async () => {
+      const { units } = this.present;
+      const place = Object.fromEntries([
+        ...map.axes.map((axis, index) => [axis.name, point.place[index]]),
+        ...map.other_axes.map((axis) => [axis.name, axis.fixed ?? axis.values[0]]),
+      ]);
+      const at = await engine.at({ results: name, place });
+      this.ends = [at.below, at.above];
+      const wanted = this.ends.flatMap((touchdown) => (touchdown ? [touchdown] : []));
+      const landings = await Promise.all(wanted.map((touchdown) => engine.landing({ touchdown, units })));
+      this.pairRoot.hidden = false;
+      this.pair.panels.forEach(({ root }, index) => (root.hidden = this.ends?.[index] === null));
+      this.explore.forEach((made, index) => (made.hidden = this.ends?.[index] === null));
+      this.pair.show(landings, units, this.ends.flatMap((touchdown, index) => (touchdown ? [index] : [])));
+      this.dispatchEvent(new Event("landed"));
+    });
+  }
+}
+
+/** The point with the lowest transition. @param {MapPoint[]} points */
+function lowest(points) {
+  const known = points.filter(({ speed }) => speed !== null);
+  return known.reduce((best, point) => (Number(point.speed) < Number(best.speed) ? point : best), known[0]) ?? points[0];
+}

@@ -1,0 +1,172 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { baseline, calm, land, outcome, picture, slide, start } from "./harness.mjs";
+
+/** @type {Awaited<ReturnType<typeof start>>} */
+let explorer;
+before(async () => (explorer = await start()));
+after(() => explorer.stop());
+
+test("the page loads without complaints and shows a landing with its histories", async () => {
+  const page = await explorer.open();
+  assert.equal(await outcome(page), "stable-subsided");
+  assert.ok((await page.locator(".landing-tab .chart canvas").count()) >= 8);
+  await page.waitForFunction(() => document.querySelector(".strip-words")?.textContent?.includes("topples"));
+  // Four corners and the middle of the picture are not one colour: something has been drawn.
+  const colours = await page.evaluate(() => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(".landing-tab .stage canvas"));
+    return new Promise((resolve) => requestAnimationFrame(() => {
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [32, 32];
+      const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext("2d"));
+      canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", bubbles: true }));
+      requestAnimationFrame(() => {
+        context.drawImage(canvas, 0, 0, 32, 32);
+        resolve(new Set(new Uint32Array(context.getImageData(0, 0, 32, 32).data.buffer)).size);
+      });
+    }));
+  });
+  assert.ok(colours > 20, `${colours} colours`);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("a slider changes the outcome and the picture", async () => {
+  const page = await explorer.open();
+  const before = await picture(page);
+  await slide(page, "horizontal_velocity_fps", 12);
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="unstable-pitch"]');
+  await calm(page);
+  assert.ok((await explorer.differing(before, await picture(page))) > 500);
+  await slide(page, "horizontal_velocity_fps", 8);
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="stable-subsided"]');
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("a number of the vehicle changes the landing, and goes back", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=11.25");
+  await page.getByPlaceholder("Search numbers").fill("strut preload");
+  const row = page.locator('[data-name="vehicle.strut.preload_lb"]');
+  await row.locator('input[type="text"]').fill("300");
+  await row.locator('input[type="text"]').press("Enter");
+  const wanted = land(...baseline, "--horizontal-velocity", "11.25", "--set", "vehicle.strut.preload_lb=300").result;
+  await page.waitForFunction((end) => document.querySelector(".landing-tab .outcome")?.textContent?.includes(`${end} s`), wanted.end_time_s.toFixed(3));
+  await row.locator(".back").click();
+  const usual = land(...baseline, "--horizontal-velocity", "11.25").result;
+  await page.waitForFunction((end) => document.querySelector(".landing-tab .outcome")?.textContent?.includes(`${end} s`), usual.end_time_s.toFixed(3));
+  assert.equal(await row.locator('input[type="text"]').inputValue(), "185");
+  await page.context().close();
+});
+
+test("numbers are those of touchdown land, digit for digit", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=11.3&v.roll_deg=7.5");
+  await page.locator(".landing-tab .numbers summary").click();
+  await page.waitForSelector(".landing-tab .numbers tr");
+  const shown = await page.locator(".landing-tab .numbers tr").evaluateAll((rows) =>
+    Object.fromEntries(rows.map((row) => [row.dataset.name, row.querySelector("td")?.textContent])));
+  const { result } = land(...baseline, "--horizontal-velocity", "11.3", "--roll", "7.5");
+  assert.deepEqual(Object.keys(shown), Object.keys(result));
+  for (const [name, value] of Object.entries(result)) assert.equal(shown[name], String(value ?? ""), name);
+  await page.context().close();
+});
+
+test("numbers out of range are told beside the slider in the words of the command line", async () => {
+  const page = await explorer.open();
+  const row = page.locator('[data-name="slope_deg"]');
+  await row.locator('input[type="text"]').fill("95");
+  await row.locator('input[type="text"]').press("Enter");
+  const complaint = row.locator(".complaint");
+  await page.waitForFunction(() => document.querySelector('[data-name="slope_deg"] .complaint')?.textContent);
+  assert.match((await complaint.textContent()) ?? "", /slope_deg.*95.*90/);
+  await row.locator('input[type="text"]').fill("10");
+  await row.locator('input[type="text"]').press("Enter");
+  await page.waitForFunction(() => document.querySelector('[data-name="slope_deg"] .complaint')?.textContent === "");
+  // What the browser writes of a refused request is no complaint of the page.
+  assert.deepEqual(explorer.complaints().filter((text) => !text.includes("status of 400")), []);
+  await page.context().close();
+});
+
+test("play reaches the end, and time, histories and picture go together", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=12");
+  const end = await page.locator(".landing-tab .clock").textContent();
+  await page.getByLabel("Speed").first().selectOption("1");
+  const atEnd = await picture(page);
+  await page.getByRole("button", { name: "Play" }).first().click();
+  await page.waitForFunction(() => {
+    const time = parseFloat(document.querySelector(".landing-tab .clock")?.textContent ?? "");
+    return time > 0.2 && time < 1;
+  });
+  await page.waitForSelector('.landing-tab .play[aria-label="Play"]', { timeout: 20000 });
+  assert.equal(await page.locator(".landing-tab .clock").textContent(), end);
+  await calm(page);
+  assert.equal(await explorer.differing(atEnd, await picture(page)), 0);
+  const [slider] = await page.locator(".landing-tab .timeline input").all();
+  await slider.fill("0.3");
+  await calm(page);
+  assert.ok((await explorer.differing(atEnd, await picture(page))) > 500);
+  const shift = await page.locator(".landing-tab .time-cursor").first().evaluate((cursor) => cursor.style.transform);
+  assert.match(shift, /translateX\(\d+/);
+  await page.context().close();
+});
+
+test("views from uphill, side and top differ, and the keyboard turns the camera", async () => {
+  const page = await explorer.open();
+  const pictures = [];
+  for (const view of ["View from uphill", "View from the side", "View from above"]) {
+    await page.getByRole("button", { name: view }).first().click();
+    await calm(page);
+    pictures.push(await picture(page));
+  }
+  await page.locator(".landing-tab .stage canvas").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowRight");
+  await calm(page);
+  pictures.push(await picture(page));
+  for (const [index, one] of pictures.entries()) {
+    for (const other of pictures.slice(index + 1)) assert.ok((await explorer.differing(one, other)) > 500);
+  }
+  await page.context().close();
+});
+
+test("the strip has a handle, and bands with their certainty are found", async () => {
+  const page = await explorer.open();
+  await page.getByLabel("Horizontal velocity V_H").last().waitFor({ state: "attached" });
+  await page.locator('.strip-line input[type="range"]').fill("15");
+  await page.waitForSelector('.landing-tab .outcome[data-class="unstable"]');
+  await page.getByRole("button", { name: "Find the bands exactly" }).click();
+  await page.waitForFunction(() => document.querySelector(".strip-words")?.textContent?.includes("(certain)"), undefined, { timeout: 60000 });
+  assert.match((await page.locator(".strip-words").textContent()) ?? "", /stable 0 to 11\.3/);
+  await page.context().close();
+});
+
+test("the address restores what is shown", async () => {
+  const page = await explorer.open();
+  await slide(page, "horizontal_velocity_fps", 12);
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="unstable-pitch"]');
+  await page.getByRole("button", { name: "View from the side" }).first().click();
+  await page.locator(".landing-tab .timeline input").fill("0.4");
+  await page.waitForFunction(() => location.hash.includes("t=0.4") && location.hash.includes("view=side"));
+  const hash = await page.evaluate(() => location.hash);
+  await calm(page);
+  const before = await picture(page);
+  const again = await explorer.open(hash);
+  await again.waitForFunction(() => document.querySelector(".landing-tab .clock")?.textContent === "0.400 s");
+  assert.equal(await outcome(again), "unstable-pitch");
+  await calm(again);
+  assert.equal(await explorer.differing(before, await picture(again)), 0);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+  await again.context().close();
+});
+
+test("units change numbers and titles", async () => {
+  const page = await explorer.open();
+  await page.getByLabel("Units").selectOption("SI");
+  await page.waitForFunction(() => [...document.querySelectorAll(".chart strong")].some((title) => title.textContent === "Clearance, m"));
+  const row = page.locator('[data-name="vertical_velocity_fps"]');
+  assert.equal(await row.locator(".unit").textContent(), "m/s");
+  assert.equal(await row.locator('input[type="text"]').inputValue(), "4.2672");
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});

@@ -1,0 +1,103 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { calm, picture, start } from "./harness.mjs";
+
+/** @type {Awaited<ReturnType<typeof start>>} */
+let explorer;
+before(async () => (explorer = await start()));
+after(() => explorer.stop());
+
+/** @param {import("playwright-core").Page} page */
+async function openMap(page) {
+  await page.getByRole("tab", { name: "Map" }).click();
+  await page.waitForFunction(() => document.querySelector(".map-legend")?.childElementCount);
+  await calm(page);
+}
+
+/** Ends of the two landings that are shown. @param {import("playwright-core").Page} page */
+const ends = (page) => page.locator(".pair .outcome").evaluateAll((parts) => parts.map((part) => /** @type {HTMLElement} */ (part).dataset.class));
+
+test("a click on the map shows two landings with different ends, which play in step", async () => {
+  const page = await explorer.open();
+  await openMap(page);
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".contour canvas").boundingBox());
+  // Straight downhill without roll lies at the bottom, in the middle.
+  await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.88 * box.height);
+  await page.waitForSelector(".pair .outcome[data-class]");
+  await page.waitForFunction(() => document.querySelectorAll(".pair .outcome[data-class]").length === 2);
+  assert.deepEqual(await ends(page), ["stable", "unstable"]);
+  const reading = (await page.locator(".reading").first().textContent()) ?? "";
+  assert.match(reading, /VH = 11\.\d+ ft\/s, above: topples, between 11\.\d+ and 11\.\d+; certain/);
+  await page.locator(".pair .timeline input").fill("0.25");
+  await calm(page);
+  const early = await picture(page, ".pair .stage");
+  await page.locator(".pair .timeline input").fill("1");
+  await calm(page);
+  assert.ok((await explorer.differing(early, await picture(page, ".pair .stage"))) > 500);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("pointing tells a value, and the surface and the sections are drawn", async () => {
+  const page = await explorer.open("#tab=map");
+  await openMap(page);
+  const before = await page.locator(".reading").first().textContent();
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".contour canvas").boundingBox());
+  await page.mouse.move(box.x + 0.55 * box.width, box.y + 0.7 * box.height);
+  await page.waitForFunction((text) => document.querySelector(".reading")?.textContent !== text, before);
+  const surface = await picture(page, ".surface");
+  await page.locator(".surface canvas").focus();
+  const place = /** @type {{ x: number, y: number }} */ (await page.locator(".surface canvas").boundingBox());
+  await page.mouse.move(place.x + 200, place.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(place.x + 320, place.y + 240, { steps: 4 });
+  await page.mouse.up();
+  await calm(page);
+  assert.ok((await explorer.differing(surface, await picture(page, ".surface"))) > 500);
+  await page.getByLabel("Axis up").selectOption("roll_deg");
+  await page.waitForFunction(() => /** @type {HTMLSelectElement} */ (document.querySelector('[aria-label="Axis across"]')).value === "cross_slope_deg");
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("the keyboard goes from point to point of the map and lands", async () => {
+  const page = await explorer.open("#tab=map");
+  await openMap(page);
+  await page.locator(".contour canvas").focus();
+  for (const key of ["ArrowDown", "ArrowDown", "ArrowRight", "Enter"]) await page.keyboard.press(key);
+  await page.waitForSelector(".pair .outcome[data-class]", { state: "attached" });
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("a link restores a point of a profile, and its landing is explored further", async () => {
+  const page = await explorer.open("#tab=map&results=figure-4-09&at=10");
+  await page.waitForFunction(() => document.querySelectorAll(".pair .outcome[data-class]").length === 2);
+  assert.deepEqual(await ends(page), ["stable", "unstable"]);
+  await page.getByRole("button", { name: "Explore the landing above" }).click();
+  await page.waitForSelector('.landing-tab .outcome[data-class="unstable"]');
+  assert.equal(await page.locator('[data-name="roll_deg"] input[type="text"]').inputValue(), "10");
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("landings of a sample are selected and replayed", async () => {
+  const page = await explorer.open("#tab=dispersion");
+  await page.waitForSelector(".counts td");
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".scatter canvas").boundingBox());
+  await page.mouse.move(box.x + 0.2 * box.width, box.y + 0.2 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.6 * box.height, { steps: 4 });
+  await page.mouse.up();
+  const caption = (await page.locator(".counts caption").textContent()) ?? "";
+  const count = Number(/^(\d+) of 300/.exec(caption)?.[1]);
+  assert.ok(count > 20 && count < 280, caption);
+  await page.locator(".scatter canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".sample-tab .outcome[data-class]");
+  const told = /Landing 2, ([a-z0-9-]+):/.exec((await page.locator(".sample-tab .reading").textContent()) ?? "")?.[1];
+  assert.equal(await page.locator(".sample-tab .outcome").getAttribute("data-outcome"), told);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
