@@ -1,7 +1,7 @@
 //! The interface of the explorer as a WebAssembly module, so that an exported page computes landings itself.
 //!
-//! Texts go through two buffers: a caller makes room with [`explorer_input`], writes there, calls, and reads as many bytes as
-//! the call says from [`explorer_output`].
+//! Texts go through two buffers: a caller makes room with `explorer_input`, writes there, calls, and reads as many bytes as
+//! the call says from `explorer_output`.
 
 #![cfg(target_family = "wasm")]
 // A name that a module exports must not be mangled, which is an unsafe attribute because two such names could clash: these
