@@ -1,6 +1,6 @@
 import {
-  CanvasTexture, CircleGeometry, Group, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, RepeatWrapping, RingGeometry,
-  SRGBColorSpace, Vector3,
+  CanvasTexture, CircleGeometry, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, RepeatWrapping, RingGeometry,
+  ShadowMaterial, SRGBColorSpace, Vector3,
 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
 import { Arrow, Label } from "./shapes.js";
@@ -52,15 +52,18 @@ export class GroundModel {
     this.gridStep = 1;
     const { ground, gridLine } = colours().scene;
     this.grid = gridTexture(ground, gridLine);
-    this.surface = new Mesh(new PlaneGeometry(2 * HALF, 2 * HALF), new MeshLambertMaterial({ map: this.grid }));
+    this.surface = new Mesh(new PlaneGeometry(2 * HALF, 2 * HALF), new MeshBasicMaterial({ map: this.grid }));
     this.surface.matrixAutoUpdate = false;
-    this.surface.receiveShadow = true;
+    // A plane has one shade all over. Only the ground about the lander asks what is in its shadow.
+    this.shadow = new Mesh(new PlaneGeometry(2.4 * size, 2.4 * size), new ShadowMaterial({ opacity: 0.42 }));
+    this.shadow.matrixAutoUpdate = false;
+    this.shadow.receiveShadow = true;
     this.downhill = new Arrow(0.008 * size, materials.downhill);
     this.velocity = new Arrow(0.009 * size, materials.velocity);
     this.words = { downhill: new Label(0.036 * size), velocity: new Label(0.036 * size) };
     this.patches = new Group();
     this.group.add(
-      this.surface, this.patches, this.downhill.group, this.velocity.group, this.words.downhill.sprite, this.words.velocity.sprite,
+      this.surface, this.shadow, this.patches, this.downhill.group, this.velocity.group, this.words.downhill.sprite, this.words.velocity.sprite,
     );
   }
 
@@ -78,6 +81,7 @@ export class GroundModel {
     const at = new Vector3(...ground.surface_point);
     this.surface.matrix.copy(new Matrix4().makeBasis(across, downhill, normal).setPosition(at));
     this.surface.matrixWorldNeedsUpdate = true;
+    this.plane = { normal, at };
     this.gridStep = units === "SI" ? 0.2 * FEET_A_METRE : 1;
     const tiles = (2 * HALF) / (LINES * this.gridStep);
     this.grid.repeat.set(tiles, tiles);
@@ -98,6 +102,15 @@ export class GroundModel {
     this.words.velocity.sprite.position.copy(tail).addScaledVector(normal, 0.05 * size);
     this.words.velocity.sprite.visible = speed > 0;
     this.#drawPatches(ground, vehicle);
+  }
+
+  /** Keeps the shadow under the lander. @param {Vector3} center of gravity */
+  place(center) {
+    if (!this.plane) return;
+    const { normal, at } = this.plane;
+    const height = center.clone().sub(at).dot(normal);
+    this.shadow.matrix.copy(this.surface.matrix).setPosition(center.clone().addScaledVector(normal, 0.015 - height));
+    this.shadow.matrixWorldNeedsUpdate = true;
   }
 
   /** @param {import("../engine/types.js").Ground} ground @param {import("../engine/types.js").VehicleShape} vehicle */

@@ -13,6 +13,10 @@ const VIEWS = {
   side: [2.1, 0, -0.16],
   top: [0, 0.001, -2.5],
 };
+/** Mean interval of pictures that is too long, ms, and the coarsest they become for it. */
+const SLOW = 36;
+const COARSEST = 0.5;
+
 /** @typedef {keyof typeof VIEWS} View */
 
 /** A picture of three dimensions on a canvas: lights, camera, and a frame whose axes are those of the ground. */
@@ -52,6 +56,10 @@ export class Stage {
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.later = undefined;
     this.ratio = 0;
+    /** How much coarser pictures are while something moves, and what tells: when the last one was, and the mean interval, ms. */
+    this.pace = 1;
+    this.last = 0;
+    this.interval = 0;
     this.followed = new Vector3();
     new ResizeObserver(() => this.fit()).observe(canvas.parentElement ?? canvas);
     this.recolour();
@@ -121,13 +129,26 @@ export class Stage {
   draw() {
     if (this.isWanted) return;
     this.isWanted = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((now) => {
       this.isWanted = false;
-      const { moving, still } = this.sharpness;
+      const { still } = this.sharpness;
+      if (!this.keepsSize) this.#keepPace(now);
+      const moving = this.pace * this.sharpness.moving;
       this.#render(moving);
       clearTimeout(this.later);
       if (still > moving && !this.keepsSize) this.later = setTimeout(() => this.render(), STILL);
     });
+  }
+
+  /** Pictures that come too slowly while something moves become coarser. @param {number} now ms */
+  #keepPace(now) {
+    const passed = now - this.last;
+    this.last = now;
+    if (passed > 500) return;
+    this.interval += 0.12 * (passed - this.interval);
+    if (this.interval < SLOW || this.pace <= COARSEST) return;
+    this.pace = Math.max(0.8 * this.pace, COARSEST);
+    this.interval = 0;
   }
 
   /** Draws at once, as fine as can be. */

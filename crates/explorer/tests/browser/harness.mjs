@@ -68,7 +68,7 @@ export async function start() {
       const page = await context.newPage();
       page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
       page.on("pageerror", (error) => complaints.push(String(error.stack)));
-      await page.goto((process.env.PAGE ?? address) + hash);
+      await page.goto(address + hash);
       await page.waitForSelector(".landing-tab .outcome[data-class]", { state: "attached" });
       await calm(page);
       return page;
