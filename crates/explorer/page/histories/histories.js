@@ -27,14 +27,30 @@ export class Histories {
         this.player.pause();
         this.player.go(time);
       });
+      chart.onSeen = () => this.#draw();
       this.charts.push(chart);
       this.root.append(chart.root);
     }
     for (const extra of this.charts.splice(contents.length)) extra.root.remove();
-    contents.forEach((content, index) => {
-      this.charts[index].time = this.player.time;
-      this.charts[index].set(content);
-    });
+    contents.forEach((content, index) => this.charts[index].offer(content));
+    this.#draw();
+  }
+
+  /** Draws charts that can be seen, one a frame, so that the picture above never waits for them. */
+  #draw() {
+    if (this.isDrawing) return;
+    this.isDrawing = true;
+    const step = () => {
+      const next = this.charts.find((chart) => chart.isWaiting);
+      if (!next) {
+        this.isDrawing = false;
+        return;
+      }
+      next.time = this.player.time;
+      next.draw();
+      requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
   }
 }
 

@@ -28,11 +28,34 @@ export class TimeChart {
     this.built = "";
     /** @type {HTMLElement[]} */
     this.readings = [];
+    /** @type {Content | undefined} */
+    this.offered = undefined;
+    /** What is shown. @type {Content | undefined} */
+    this.content = undefined;
+    this.isSeen = false;
+    /** @type {() => void} */
+    this.onSeen = () => {};
     new ResizeObserver(() => this.#resize()).observe(this.place);
+    new IntersectionObserver(([entry]) => {
+      this.isSeen = entry.isIntersecting;
+      if (this.isSeen) this.onSeen();
+    }).observe(this.root);
   }
 
-  /** @param {Content} content */
-  set(content) {
+  /** Takes what is to be shown, when there is time for it. @param {Content} content */
+  offer(content) {
+    this.offered = content;
+  }
+
+  /** Whether something is to be drawn that can be seen. */
+  get isWaiting() {
+    return this.offered !== undefined && this.isSeen;
+  }
+
+  draw() {
+    const content = this.offered;
+    if (!content) return;
+    this.offered = undefined;
     const looks = content.curves.map(({ name, colour, dash }) => [name, colour, dash]);
     const built = JSON.stringify([content.title, content.unit, looks, colours().paper]);
     this.content = content;

@@ -1,8 +1,10 @@
 import {
-  CircleGeometry, Color, Group, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, RingGeometry, Vector3,
+  CanvasTexture, CircleGeometry, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, RepeatWrapping, RingGeometry,
+  ShadowMaterial, SRGBColorSpace, Vector3,
 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
 import { Arrow, Label } from "./shapes.js";
+import { sharpness } from "./sharpness.js";
 
 /** @typedef {import("./materials.js").Materials} Materials */
 
@@ -12,6 +14,33 @@ const HALF = 160;
 const LENGTH_A_SPEED = 0.024;
 const FEET_A_METRE = 1 / 0.3048;
 
+/** Every fifth line of the grid is bold. */
+const LINES = 5;
+/** Side of a tile of the grid, pixels. */
+const TILE = 640;
+
+/** A tile of the grid. @param {string} ground @param {string} line */
+function gridTexture(ground, line) {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = TILE;
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  context.fillStyle = ground;
+  context.fillRect(0, 0, TILE, TILE);
+  context.fillStyle = line;
+  for (let index = 0; index <= LINES; index += 1) {
+    const isBold = index % LINES === 0;
+    context.globalAlpha = isBold ? 0.75 : 0.4;
+    const [at, width] = [(index * TILE) / LINES, isBold ? 8 : 4];
+    context.fillRect(at - 0.5 * width, 0, width, TILE);
+    context.fillRect(0, at - 0.5 * width, TILE, width);
+  }
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.anisotropy = sharpness().smooths ? 8 : 1;
+  return texture;
+}
+
 /** The surface with its grid, the ground under pads that is not the surface, and arrows downhill and along V_H. */
 export class GroundModel {
   /** @param {Materials} materials @param {number} size of the lander, ft */
@@ -19,52 +48,23 @@ export class GroundModel {
     this.group = new Group();
     this.materials = materials;
     this.size = size;
-    this.grid = { uGrid: { value: 1 }, uBold: { value: 5 }, uLine: { value: new Color() }, uFar: { value: 60 } };
-    this.surface = new Mesh(new PlaneGeometry(2 * HALF, 2 * HALF), this.#surfaceMaterial());
+    /** Distance of the fine lines of the grid, ft. */
+    this.gridStep = 1;
+    const { ground, gridLine } = colours().scene;
+    this.grid = gridTexture(ground, gridLine);
+    this.surface = new Mesh(new PlaneGeometry(2 * HALF, 2 * HALF), new MeshBasicMaterial({ map: this.grid }));
     this.surface.matrixAutoUpdate = false;
-    this.surface.receiveShadow = true;
+    // A plane has one shade all over. Only the ground about the lander asks what is in its shadow.
+    this.shadow = new Mesh(new PlaneGeometry(2.4 * size, 2.4 * size), new ShadowMaterial({ opacity: 0.42 }));
+    this.shadow.matrixAutoUpdate = false;
+    this.shadow.receiveShadow = true;
     this.downhill = new Arrow(0.008 * size, materials.downhill);
     this.velocity = new Arrow(0.009 * size, materials.velocity);
     this.words = { downhill: new Label(0.036 * size), velocity: new Label(0.036 * size) };
     this.patches = new Group();
     this.group.add(
-      this.surface, this.patches, this.downhill.group, this.velocity.group, this.words.downhill.sprite, this.words.velocity.sprite,
+      this.surface, this.shadow, this.patches, this.downhill.group, this.velocity.group, this.words.downhill.sprite, this.words.velocity.sprite,
     );
-  }
-
-  /** Lambert's law with lines every foot, or every quarter of a metre, that fade with the distance. */
-  #surfaceMaterial() {
-    const material = new MeshLambertMaterial({ color: colours().scene.ground });
-    this.grid.uLine.value.set(colours().scene.gridLine);
-    material.onBeforeCompile = (shader) => {
-      Object.assign(shader.uniforms, this.grid);
-      shader.vertexShader = shader.vertexShader
-        .replace("#include <common>", "#include <common>\nvarying vec2 vPlace;")
-        .replace("#include <begin_vertex>", "#include <begin_vertex>\nvPlace = position.xy;");
-      shader.fragmentShader = shader.fragmentShader
-        .replace(
-          "#include <common>",
-          `#include <common>
-          varying vec2 vPlace;
-          uniform float uGrid, uBold, uFar;
-          uniform vec3 uLine;
-          float onLine(vec2 place, float step, float breadth) {
-            vec2 scaled = place / step;
-            vec2 wide = max(fwidth(scaled), vec2(1e-6));
-            vec2 near = abs(fract(scaled - 0.5) - 0.5) / wide;
-            float line = 1.0 - clamp(min(near.x, near.y) - breadth + 1.0, 0.0, 1.0);
-            return line * clamp(1.0 - 2.2 * max(wide.x, wide.y), 0.0, 1.0);
-          }`,
-        )
-        .replace(
-          "#include <color_fragment>",
-          `#include <color_fragment>
-          float fade = 1.0 - smoothstep(0.25 * uFar, uFar, length(vPlace));
-          float line = max(0.33 * onLine(vPlace, uGrid, 1.0), 0.7 * onLine(vPlace, uBold, 1.3));
-          diffuseColor.rgb = mix(diffuseColor.rgb, uLine, line * fade);`,
-        );
-    };
-    return material;
   }
 
   /**
@@ -81,9 +81,12 @@ export class GroundModel {
     const at = new Vector3(...ground.surface_point);
     this.surface.matrix.copy(new Matrix4().makeBasis(across, downhill, normal).setPosition(at));
     this.surface.matrixWorldNeedsUpdate = true;
-    const [fine, bold] = units === "SI" ? [0.25 * FEET_A_METRE, FEET_A_METRE] : [1, 5];
-    this.grid.uGrid.value = fine;
-    this.grid.uBold.value = bold;
+    this.plane = { normal, at };
+    this.gridStep = units === "SI" ? 0.2 * FEET_A_METRE : 1;
+    const tiles = (2 * HALF) / (LINES * this.gridStep);
+    this.grid.repeat.set(tiles, tiles);
+    // A bold line runs through the point below the CG.
+    this.grid.offset.set(-0.5 * tiles, -0.5 * tiles);
     const { size } = this;
     const raised = at.clone().addScaledVector(normal, 0.02 * size);
     const side = raised.clone().addScaledVector(across, 0.62 * size).addScaledVector(downhill, -0.2 * size);
@@ -99,6 +102,15 @@ export class GroundModel {
     this.words.velocity.sprite.position.copy(tail).addScaledVector(normal, 0.05 * size);
     this.words.velocity.sprite.visible = speed > 0;
     this.#drawPatches(ground, vehicle);
+  }
+
+  /** Keeps the shadow under the lander. @param {Vector3} center of gravity */
+  place(center) {
+    if (!this.plane) return;
+    const { normal, at } = this.plane;
+    const height = center.clone().sub(at).dot(normal);
+    this.shadow.matrix.copy(this.surface.matrix).setPosition(center.clone().addScaledVector(normal, 0.015 - height));
+    this.shadow.matrixWorldNeedsUpdate = true;
   }
 
   /** @param {import("../engine/types.js").Ground} ground @param {import("../engine/types.js").VehicleShape} vehicle */

@@ -83,6 +83,7 @@ export class LandingView {
     if (!this.motion || !this.lander) return;
     const pose = this.motion.at(time);
     this.lander.body.place(pose);
+    this.lander.ground.place(pose.center);
     this.lander.legs.forEach((leg, index) => leg.place(pose, pose.legs[index]));
     this.lander.marks.place(pose, this.motion.index(time) / Math.max(this.motion.times.length - 1, 1));
     this.lander.forces.group.visible = this.hasForces;

@@ -1,8 +1,9 @@
 import {
-  Color, DirectionalLight, Fog, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer,
+  BasicShadowMap, Color, DirectionalLight, Fog, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer,
   OrbitControls,
 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
+import { sharpness, STILL } from "./sharpness.js";
 
 /** Where the camera stands, in ground axes relative to what it looks at, in sizes of the lander. */
 const VIEWS = {
@@ -12,6 +13,10 @@ const VIEWS = {
   side: [2.1, 0, -0.16],
   top: [0, 0.001, -2.5],
 };
+/** Mean interval of pictures that is too long, ms, and the coarsest they become for it. */
+const SLOW = 36;
+const COARSEST = 0.5;
+
 /** @typedef {keyof typeof VIEWS} View */
 
 /** A picture of three dimensions on a canvas: lights, camera, and a frame whose axes are those of the ground. */
@@ -19,10 +24,11 @@ export class Stage {
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.sharpness = sharpness();
+    this.renderer = new WebGLRenderer({ canvas, antialias: this.sharpness.smooths, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.shadowMap.type = this.sharpness.smooths ? PCFShadowMap : BasicShadowMap;
     this.renderer.shadowMap.autoUpdate = false;
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.1, 900);
@@ -34,7 +40,8 @@ export class Stage {
     this.hemisphere = new HemisphereLight(0xffffff, 0x8a8272, 1);
     this.sun = new DirectionalLight(0xfff6e8, 2);
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(1024, 1024);
+    const shadows = this.sharpness.smooths ? 1024 : 512;
+    this.sun.shadow.mapSize.set(shadows, shadows);
     this.sun.shadow.radius = 3;
     this.sun.shadow.normalBias = 0.03;
     this.scene.add(this.hemisphere, this.sun, this.sun.target);
@@ -43,10 +50,16 @@ export class Stage {
     this.controls.minDistance = 1;
     this.controls.maxDistance = 300;
     this.controls.addEventListener("change", () => this.draw());
-    /** @type {(() => void) | undefined} */
-    this.onDraw = undefined;
     this.isWanted = false;
-    this.drawn = 0;
+    /** Whether pictures keep their size, as those of a recording must. */
+    this.keepsSize = false;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.later = undefined;
+    this.ratio = 0;
+    /** How much coarser pictures are while something moves, and what tells: when the last one was, and the mean interval, ms. */
+    this.pace = 1;
+    this.last = 0;
+    this.interval = 0;
     this.followed = new Vector3();
     new ResizeObserver(() => this.fit()).observe(canvas.parentElement ?? canvas);
     this.recolour();
@@ -70,8 +83,8 @@ export class Stage {
   fit() {
     const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
     if (clientWidth < 2 || clientHeight < 2) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.sharpness = { ...sharpness(), smooths: this.sharpness.smooths };
+    this.ratio = 0;
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
     this.draw();
@@ -116,16 +129,42 @@ export class Stage {
   draw() {
     if (this.isWanted) return;
     this.isWanted = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((now) => {
       this.isWanted = false;
-      this.render();
+      const { still } = this.sharpness;
+      if (!this.keepsSize) this.#keepPace(now);
+      const moving = this.pace * this.sharpness.moving;
+      this.#render(moving);
+      clearTimeout(this.later);
+      if (still > moving && !this.keepsSize) this.later = setTimeout(() => this.render(), STILL);
     });
   }
 
-  /** Draws at once. */
+  /** Pictures that come too slowly while something moves become coarser. @param {number} now ms */
+  #keepPace(now) {
+    const passed = now - this.last;
+    this.last = now;
+    if (passed > 500) return;
+    this.interval += 0.12 * (passed - this.interval);
+    if (this.interval < SLOW || this.pace <= COARSEST) return;
+    this.pace = Math.max(0.8 * this.pace, COARSEST);
+    this.interval = 0;
+  }
+
+  /** Draws at once, as fine as can be. */
   render() {
+    this.#render(this.sharpness.still);
+  }
+
+  /** @param {number} ratio pixels of the picture for one of the screen */
+  #render(ratio) {
+    if (ratio !== this.ratio) {
+      const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
+      if (clientWidth < 2 || clientHeight < 2) return;
+      this.ratio = ratio;
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(clientWidth, clientHeight, false);
+    }
     this.renderer.render(this.scene, this.camera);
-    this.drawn += 1;
-    this.onDraw?.();
   }
 }

@@ -102,7 +102,7 @@ export class StagePanel {
 
   #writeLegend() {
     const force = this.view.hasForces && this.view.forceScale ? [`arrows: 1 ft is ${label(this.view.forceScale)} lb`] : [];
-    const grid = this.view.speed?.units === "SI" ? "grid: 0.25 m" : "grid: 1 ft, bold 5 ft";
+    const grid = this.view.speed?.units === "SI" ? "grid: 0.2 m, bold 1 m" : "grid: 1 ft, bold 5 ft";
     const parts = [["polygon", "polygon of the feet"], ["critical", "critical edge"], ["path", "path of the CG"], ["force", "forces on footpads"], ["block", "on blocks"]];
     const entries = parts
       .filter(([kind]) => this.view.hasForces || (kind !== "force" && kind !== "block"))

@@ -3,6 +3,7 @@ import {
   DirectionalLight, DoubleSide, OrbitControls, PerspectiveCamera, Raycaster, Scene, Vector2, WebGLRenderer, MeshBasicMaterial, SphereGeometry,
 } from "../vendor/three.js";
 import { Label } from "../landing/shapes.js";
+import { sharpness } from "../landing/sharpness.js";
 import { element } from "../look/elements.js";
 import { colours, onTheme } from "../look/theme.js";
 import { label, roundStep, roundValues } from "../look/words.js";
@@ -21,7 +22,7 @@ export class SurfaceView {
   constructor(onChoose) {
     this.canvas = element("canvas", { role: "img", tabindex: 0, "aria-label": "The surface of V_H in three dimensions" });
     this.root = element("div", { class: "surface" }, this.canvas);
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true });
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: sharpness().smooths });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(30, 1, 0.05, 50);
     this.camera.position.set(-2.9, 3.1, 4.8);
@@ -52,7 +53,7 @@ export class SurfaceView {
   #fit() {
     const { clientWidth, clientHeight } = this.root;
     if (clientWidth < 2 || clientHeight < 2) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setPixelRatio(sharpness().still);
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();

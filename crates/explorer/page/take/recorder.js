@@ -1,14 +1,15 @@
 /**
  * Plays a landing once and records the picture.
- * @param {HTMLCanvasElement} canvas
+ * @param {import("../landing/stage.js").Stage} stage
  * @param {import("../landing/player.js").Player} player
  * @param {AbortSignal} signal ends the recording early
  * @returns {Promise<Blob>} a WebM file
  */
-export async function record(canvas, player, signal) {
+export async function record(stage, player, signal) {
   const type = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"].find((known) => MediaRecorder.isTypeSupported(known));
   if (!type) throw new Error("this browser does not record WebM");
-  const stream = canvas.captureStream(30);
+  stage.keepsSize = true;
+  const stream = stage.canvas.captureStream(30);
   const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 6e6 });
   /** @type {Blob[]} */
   const pieces = [];
@@ -31,5 +32,7 @@ export async function record(canvas, player, signal) {
   recorder.stop();
   await stopped;
   for (const track of stream.getTracks()) track.stop();
+  stage.keepsSize = false;
+  stage.draw();
   return new Blob(pieces, { type: "video/webm" });
 }

@@ -1,4 +1,4 @@
-import { Color, LineSegments, Line, Mesh, MeshBasicMaterial, Sprite, Vector3 } from "../vendor/three.js";
+import { Color, LineSegments, Line, Mesh, MeshBasicMaterial, ShadowMaterial, Sprite, Vector3 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
 import { SvgContext } from "./svg_context.js";
 
@@ -106,7 +106,7 @@ function facetsOf(stage, ground, project) {
   const light = stage.sun.position.clone().sub(stage.sun.target.position).normalize();
   stage.scene.traverseVisible((part) => {
     if (part === ground || part instanceof Sprite || part instanceof LineSegments || part instanceof Line) return;
-    if (!(part instanceof Mesh)) return;
+    if (!(part instanceof Mesh) || part.material instanceof ShadowMaterial) return;
     const material = /** @type {import("../vendor/three.js").MeshStandardMaterial} */ (part.material);
     const isFlat = part.material instanceof MeshBasicMaterial;
     const places = part.geometry.getAttribute("position");

@@ -63,14 +63,14 @@ export class TakeAway {
   }
 
   #contents() {
-    return this.replay.histories.charts.flatMap(({ content }) => (content ? [content] : []));
+    return this.replay.histories.charts.flatMap(({ offered, content }) => offered ?? content ?? []);
   }
 
   #stageSvg() {
     const { view } = this.replay.panels[0];
     const ground = view.lander?.ground;
     if (!ground) throw new Error("there is no landing yet");
-    save("landing.svg", stageSvg(view.stage, ground.surface, ground.grid.uGrid.value), "image/svg+xml");
+    save("landing.svg", stageSvg(view.stage, ground.surface, ground.gridStep), "image/svg+xml");
   }
 
   /** @param {() => Promise<void> | void} act */
@@ -116,7 +116,7 @@ export class TakeAway {
     this.recording = new AbortController();
     this.movie.textContent = "Stop recording";
     try {
-      save("landing.webm", await record(this.#stage.canvas, this.replay.player, this.recording.signal));
+      save("landing.webm", await record(this.#stage, this.replay.player, this.recording.signal));
     } finally {
       this.recording = undefined;
       this.movie.textContent = "Animation, WebM";

@@ -106,6 +106,7 @@ export async function start() {
 
 /** Waits until pictures have been drawn. @param {import("playwright-core").Page} page */
 export async function calm(page) {
+  await page.waitForTimeout(300);
   await page.evaluate(() => new Promise((resolve) => {
     let left = 4;
     const step = () => ((left -= 1) ? requestAnimationFrame(step) : resolve(undefined));

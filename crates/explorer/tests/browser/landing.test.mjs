@@ -10,7 +10,11 @@ after(() => explorer.stop());
 test("the page loads without complaints and shows a landing with its histories", async () => {
   const page = await explorer.open();
   assert.equal(await outcome(page), "stable-subsided");
-  assert.ok((await page.locator(".landing-tab .chart canvas").count()) >= 8);
+  assert.ok((await page.locator(".landing-tab .chart").count()) >= 8);
+  // Charts are drawn when they come into sight.
+  await page.locator(".landing-tab .chart").last().scrollIntoViewIfNeeded();
+  await page.waitForSelector(".landing-tab .chart:last-child canvas");
+  await page.evaluate(() => window.scrollTo(0, 0));
   await page.waitForFunction(() => document.querySelector(".strip-words")?.textContent?.includes("topples"));
   // Four corners and the middle of the picture are not one colour: something has been drawn.
   const colours = await page.evaluate(() => {
