@@ -5,6 +5,7 @@ use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::Assignment;
+use touchdown_sweep::choice::word;
 use touchdown_sweep::fingerprint::fingerprint;
 use touchdown_sweep::landing_table::{self, why};
 use touchdown_sweep::method_input::{method_name, method_words};
@@ -12,7 +13,7 @@ use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Home;
 use touchdown_sweep::results;
 use touchdown_sweep::scene_input::NamedConditions;
-use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
+use touchdown_sweep::settings_input::{CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::integration_report;
@@ -144,7 +145,7 @@ impl Report<'_> {
             format!(
                 "{}, crush rule {}",
                 method_words(&settings.method(), settings.tolerance()),
-                crush_rule_name(settings.crush_rule())
+                word(&CRUSH_RULES, settings.crush_rule())
             ),
         );
         lines.0 + &integration_report::text(self.integration, legs)
@@ -188,8 +189,9 @@ impl Report<'_> {
             "solver": {
                 "tolerance": settings.tolerance(),
                 "time_limit_s": settings.time_limit(),
-                "crush_rule": crush_rule_name(settings.crush_rule()),
-                "friction_profile": friction_profile_name(settings.friction_profile()),
+                "crush_rule": word(&CRUSH_RULES, settings.crush_rule()),
+                "rest_rule": word(&REST_RULES, settings.rest_rule()),
+                "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
                 "method": method_name(&settings.method()),
             },
             "result": result,
