@@ -10,6 +10,7 @@ mod peaks;
 mod ranges;
 mod rates;
 pub mod record;
+mod rest;
 mod signal_history;
 mod simulation;
 pub mod stability;
@@ -30,6 +31,7 @@ use crate::vehicle::Vehicle;
 use history::History;
 
 pub(crate) use rates::final_rates;
+pub(crate) use rest::RestByEnergy;
 pub(crate) use simulation::{NextStart, Simulation};
 pub(crate) use step_attempt::{StepKind, TakeStep, Workspace};
 

@@ -1,5 +1,6 @@
 //! The tables of input documents, each turned into a type that cannot be wrong.
 
+pub mod choice;
 pub mod deck;
 pub mod method_input;
 pub mod scene_input;

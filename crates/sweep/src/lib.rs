@@ -39,7 +39,7 @@ pub use documents::{
     document, file_writer, fingerprint, input_error, key_path, library, output_guard, output_units,
     section, source, toml_text, unit,
 };
-pub use input::{deck, method_input, scene_input, settings_input, vehicle_file};
+pub use input::{choice, deck, method_input, scene_input, settings_input, vehicle_file};
 use input::{search_input, vehicle_tables};
 use journal::early_stop;
 pub use journal::{header, journal_files, merge, point_set, shard};

@@ -10,6 +10,16 @@ pub enum CrushRule {
     Section,
 }
 
+/// When motion counts as subsided (model chapter 7).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RestRule {
+    /// The 1966 program's: velocities and height of the CG are within limits that were made for the Surveyor.
+    #[default]
+    Limits,
+    /// Within these limits, and with less than half of the energy that toppling over the nearest edge of the feet takes.
+    Energy,
+}
+
 /// How friction sets in near rest (4.1.5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FrictionProfile {

@@ -2,7 +2,7 @@
 
 use super::method::Method;
 use crate::invalid::{Invalid, require};
-use crate::rules::{CrushRule, FrictionProfile};
+use crate::rules::{CrushRule, FrictionProfile, RestRule};
 
 /// How a landing is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,6 +10,7 @@ pub struct Settings {
     tolerance: f64,
     time_limit: f64,
     crush_rule: CrushRule,
+    rest_rule: RestRule,
     method: Method,
     friction_profile: FrictionProfile,
     ends_early: bool,
@@ -39,6 +40,7 @@ impl Settings {
             tolerance: Self::DEFAULT_TOLERANCE,
             time_limit,
             crush_rule,
+            rest_rule: RestRule::default(),
             method: Method::default(),
             friction_profile: FrictionProfile::default(),
             ends_early: false,
@@ -50,6 +52,11 @@ impl Settings {
     /// The same settings under another crush rule.
     pub fn with_crush_rule(self, crush_rule: CrushRule) -> Self {
         Self { crush_rule, ..self }
+    }
+
+    /// The same settings under another rule of rest.
+    pub fn with_rest_rule(self, rest_rule: RestRule) -> Self {
+        Self { rest_rule, ..self }
     }
 
     /// The same settings with another onset of friction.
@@ -126,5 +133,10 @@ impl Settings {
     /// Crush rule.
     pub fn crush_rule(&self) -> CrushRule {
         self.crush_rule
+    }
+
+    /// When motion counts as subsided.
+    pub fn rest_rule(&self) -> RestRule {
+        self.rest_rule
     }
 }

@@ -14,7 +14,8 @@ pub use crate::parts::{
     Block, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
 };
 
-use super::footprint::check_offset;
+pub use super::footprint::OuterFeet;
+use super::footprint::{check_offset, outer_feet};
 use crate::invalid::{Invalid, bounded, non_negative, positive, require};
 use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
@@ -34,6 +35,7 @@ pub struct Vehicle {
     center_of_gravity_height: f64,
     center_of_gravity_offset: [f64; 2],
     inertia: Matrix3<f64>,
+    outer_feet: OuterFeet,
     legs: Vec<Leg>,
 }
 
@@ -258,6 +260,17 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
     Ok(angle)
 }
 
+fn outer_feet_of(legs: &[Leg], center_of_gravity: [f64; 3]) -> OuterFeet {
+    let foot = |leg: &Leg| {
+        let [x, y] = leg.extended_foot();
+        [x, y, leg.stance()]
+    };
+    outer_feet(
+        &legs.iter().map(foot).collect::<Vec<_>>(),
+        center_of_gravity,
+    )
+}
+
 impl Vehicle {
     /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
     /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered by their azimuths from 0 to 360 deg in whatever
@@ -320,13 +333,15 @@ impl Vehicle {
                 |v| v > 0.0,
             )?;
         }
+        let legs = in_ring_order(legs)?;
         Ok(Self {
             mass,
             gravity,
             center_of_gravity_height,
             center_of_gravity_offset: [0.0; 2],
             inertia: matrix,
-            legs: in_ring_order(legs)?,
+            outer_feet: outer_feet_of(&legs, [0.0, 0.0, -center_of_gravity_height]),
+            legs,
         })
     }
 
@@ -337,7 +352,9 @@ impl Vehicle {
     pub fn with_center_of_gravity_offset(self, offset: [f64; 2]) -> Result<Self, Invalid> {
         let feet: Vec<[f64; 2]> = self.legs.iter().map(Leg::extended_foot).collect();
         check_offset(offset, &feet)?;
+        let [x, y] = offset;
         Ok(Self {
+            outer_feet: outer_feet_of(&self.legs, [x, y, -self.center_of_gravity_height]),
             center_of_gravity_offset: offset,
             ..self
         })
@@ -367,6 +384,11 @@ impl Vehicle {
     pub fn standing_height(&self) -> f64 {
         let stances = self.legs.iter().map(Leg::stance);
         self.center_of_gravity_height + stances.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The feet between which the vehicle may topple, its struts extended.
+    pub fn outer_feet(&self) -> &OuterFeet {
+        &self.outer_feet
     }
 
     /// Inertia matrix J about the CG, vehicle axes, slug·ft².

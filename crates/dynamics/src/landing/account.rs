@@ -6,7 +6,6 @@ use crate::energy::{kinetic, released};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
 use crate::record::{Energies, EnergiesAt, Foot, Instant, Landing, LegWork};
-use crate::stability::StabilityMonitor;
 use crate::state::State;
 
 impl Trajectory<'_> {
@@ -37,7 +36,7 @@ impl Trajectory<'_> {
     }
 
     fn instant(&self, state: &State<f64>, time: f64, thrust_work: f64) -> Instant {
-        let mut monitor = StabilityMonitor::new(&self.scene, self.calm_height);
+        let mut monitor = self.monitor();
         let seen = monitor
             .choose_plane(&self.motion, state)
             .unwrap_or_else(|_| monitor.observe(&self.motion, state));
@@ -76,7 +75,7 @@ impl Trajectory<'_> {
             max_strut_force: self.peaks.force,
             max_stroke: self.peaks.stroke,
             final_rates: final_rates(
-                &self.scene,
+                self.monitor(),
                 &self.motion,
                 self.time,
                 &self.step.before,

@@ -12,15 +12,13 @@ pub struct CriticalFeet {
 /// The report's rule for the critical feet: the foot alone on its side with its neighbour, the one
 /// before it when it stands on the positive side and the one after it when on the negative. Both
 /// agree: the step from a foot on the negative side to the next one on the positive side.
-/// In this form the rule serves any ring of feet. `None`: all feet on one side, toppling in yaw.
-pub fn critical_feet(positive: &[bool]) -> Option<CriticalFeet> {
-    (0..positive.len())
-        .map(|foot| (foot, (foot + 1) % positive.len()))
-        .find(|&(foot, next)| !positive[foot] && positive[next])
-        .map(|(foot, next)| CriticalFeet {
-            negative: foot,
-            positive: next,
-        })
+/// In this form the rule serves any `ring` of feet. `None`: all feet on one side, toppling in yaw.
+pub fn critical_feet(ring: &[usize], is_positive: impl Fn(usize) -> bool) -> Option<CriticalFeet> {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter()
+        .zip(next)
+        .map(|(&negative, &positive)| CriticalFeet { negative, positive })
+        .find(|feet| !is_positive(feet.negative) && is_positive(feet.positive))
 }
 
 #[cfg(test)]
@@ -47,7 +45,7 @@ mod tests {
     fn three_feet_follow_the_report() {
         for sides in 0..8 {
             let positive = [sides & 1 != 0, sides & 2 != 0, sides & 4 != 0];
-            let feet = critical_feet(&positive);
+            let feet = critical_feet(&[0, 1, 2], |foot| positive[foot]);
             match report(positive) {
                 None => assert_eq!(feet, None),
                 Some(pair) => {
@@ -61,7 +59,8 @@ mod tests {
 
     #[test]
     fn six_feet_have_one_leading_pair() {
-        let feet = critical_feet(&[true, true, false, false, false, true]);
+        let positive = [true, true, false, false, false, true];
+        let feet = critical_feet(&[0, 1, 2, 3, 4, 5], |foot| positive[foot]);
         assert_eq!(
             feet,
             Some(CriticalFeet {
@@ -69,6 +68,15 @@ mod tests {
                 positive: 5
             })
         );
-        assert_eq!(critical_feet(&[true; 6]), None);
+        assert_eq!(critical_feet(&[0, 1, 2, 3, 4, 5], |_| true), None);
+        // Without the foot of a short leg among them its neighbours are next to each other.
+        let feet = critical_feet(&[0, 1, 2, 3, 4], |foot| positive[foot]);
+        assert_eq!(
+            feet,
+            Some(CriticalFeet {
+                negative: 4,
+                positive: 0
+            })
+        );
     }
 }

@@ -3,7 +3,6 @@
 use crate::motion::{Motion, Pieces, Signal};
 use crate::per_leg::PerLeg;
 use crate::record::FinalRates;
-use crate::scene::Scene;
 use crate::stability::StabilityMonitor;
 use crate::state::State;
 
@@ -11,9 +10,9 @@ use crate::state::State;
 const SPAN: f64 = 1e-5;
 
 /// Rates of σ and of the strokes at a time (s) and a state, by central differences along the motion that the
-/// present accelerations would give.
+/// present accelerations would give. σ is that over the critical feet which the monitor chooses at the state.
 pub fn final_rates(
-    scene: &Scene,
+    mut monitor: StabilityMonitor,
     motion: &Motion<f64>,
     time: f64,
     state: &State<f64>,
@@ -31,7 +30,6 @@ pub fn final_rates(
         moved
     });
 
-    let mut monitor = StabilityMonitor::new(scene, f64::INFINITY);
     let is_defined = monitor.choose_plane(motion, state).is_ok();
     let angle = |state| monitor.observe(motion, state).angle;
     let strokes = |state| {

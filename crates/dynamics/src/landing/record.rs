@@ -81,10 +81,14 @@ impl Energies {
         self.legs.iter().map(LegWork::total).sum()
     }
 
-    /// Energy that crushing elements gave to the motion, those that gave more than they took, ft·lb; zero where it is rounding.
+    /// Energy that footpads and blocks gave to the motion, those that gave more than they took, ft·lb; zero where it is rounding.
+    ///
+    /// Crush and friction of a footpad count together: friction at its face tips the pad about its hinge, and the pad lifts the
+    /// vehicle by what friction took from it.
     pub fn given_by_crushing(&self) -> f64 {
         const LEAST_SHARE: f64 = 1e-9;
-        let works = (self.legs.iter()).flat_map(|leg| [leg.pad_crush, leg.block_crush]);
+        let works =
+            (self.legs.iter()).flat_map(|leg| [leg.pad_crush + leg.pad_friction, leg.block_crush]);
         let given: f64 = works.map(|work| (-work).max(0.0)).sum();
         if given > LEAST_SHARE * self.initial_kinetic.max(1.0) {
             given
@@ -130,12 +134,12 @@ pub struct Landing {
     pub end_time: f64,
     /// How it went on beyond the verdict that is its outcome.
     pub beyond: Option<Beyond>,
-    /// Least stability angle σ, rad; zero for a pitch topple, and where all feet stand on one side
+    /// Least stability angle σ up to the verdict, rad; zero for a pitch topple, and where all feet stand on one side
     /// of the plane of motion from the first instant, so that none is defined.
     pub min_stability_angle: f64,
     /// Time of the least stability angle, s.
     pub min_stability_time: f64,
-    /// Least ground clearance of the lower hardpoints, ft (71).
+    /// Least ground clearance of the lower hardpoints, ft (71): also of what follows the verdict.
     pub min_clearance: f64,
     /// Largest strut force magnitudes, lb.
     pub max_strut_force: PerLeg<f64>,

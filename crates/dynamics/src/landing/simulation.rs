@@ -5,6 +5,7 @@ use std::convert::Infallible;
 use pulp::NullaryFnOnce;
 
 use super::history::History;
+use super::rest::RestByEnergy;
 use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep, Workspace};
 use super::trajectory::{Earlier, Trajectory};
@@ -17,8 +18,8 @@ use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
 use crate::record::{Beyond, Landing};
 use crate::registers::Registers;
+use crate::rules::RestRule;
 use crate::scene::{Scene, Settings};
-use crate::stability::{StabilityMonitor, calm_height};
 use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
@@ -49,6 +50,8 @@ pub(crate) struct Simulation<'o> {
     pub(crate) trajectory: Trajectory<'o>,
     stability: StabilityTrack,
     steadiness: Steadiness,
+    /// Set where rest is judged by energy.
+    rest: Option<RestByEnergy>,
     control: StepControl,
     /// Steps aimed at, rejected ones included.
     attempts: u64,
@@ -73,11 +76,14 @@ impl<'o> Simulation<'o> {
         settings: &Settings,
         history: Option<History<'o>>,
     ) -> Self {
-        let monitor = StabilityMonitor::new(scene, calm_height(vehicle, scene));
+        let trajectory = Trajectory::new(vehicle, scene, settings, history);
+        let monitor = trajectory.monitor();
+        let by_energy = settings.rest_rule() == RestRule::Energy;
         Self {
-            trajectory: Trajectory::new(vehicle, scene, settings, history),
+            trajectory,
             stability: StabilityTrack::new(monitor, vehicle.legs().len()),
             steadiness: Steadiness::new(vehicle, scene),
+            rest: by_energy.then(|| RestByEnergy::new(vehicle, scene)),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (0, 0.0),
@@ -341,6 +347,7 @@ impl<'o> Simulation<'o> {
             trajectory,
             stability,
             steadiness,
+            rest,
             control,
             burst,
             noted,
@@ -361,6 +368,7 @@ impl<'o> Simulation<'o> {
         let event = event.filter(|_| kink.is_none());
         let reach = kink.unwrap_or(reach);
         let judged = if noted.is_some() {
+            trajectory.follow_clearance(stability, reach);
             None
         } else {
             trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer))
@@ -422,6 +430,15 @@ impl<'o> Simulation<'o> {
                 link_accelerations,
                 length: reach * length,
             });
+        }
+        if noted.is_none()
+            && let Some(rest) = rest
+            && trajectory.is_at_rest(rest)
+        {
+            if !trajectory.settings.goes_on() {
+                return Err(Outcome::StableSubsided);
+            }
+            *noted = Some((Outcome::StableSubsided, trajectory.time));
         }
         steadiness.note(trajectory.time, stability.angle());
         let ends_early = trajectory.settings.ends_early();
@@ -490,6 +507,14 @@ impl Trajectory<'_> {
     #[inline(always)]
     fn flies_freely(&self) -> bool {
         self.modes.iter().all(LegMode::is_hanging) && self.pieces.thrust().is_none()
+    }
+
+    /// Whether the vehicle is at rest by its energy.
+    #[cold]
+    #[inline(never)]
+    fn is_at_rest(&self, rest: &mut RestByEnergy) -> bool {
+        let weight = self.weight_at_rest();
+        rest.note(self.time, &self.motion, &self.step.before, weight)
     }
 
     /// Starts a step of free flight of this length (s): where it ends is known.

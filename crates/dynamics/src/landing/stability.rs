@@ -11,9 +11,10 @@ use crate::integrator::ranges::{LANES, Quad, Ranges};
 use crate::motion::{Footing, Motion};
 use crate::outcome::Outcome;
 use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::rules::RestRule;
 use crate::scene::Scene;
 use crate::state::{Body, State};
-use crate::vehicle::Vehicle;
+use crate::vehicle::{OuterFeet, Vehicle};
 
 /// Speed below which the CG has no direction of its own, ft/s.
 const DIRECTIONLESS: f64 = 0.001;
@@ -39,8 +40,12 @@ const SIDE_SLACK: f64 = 1e-9;
 const ANGLE_SLACK: f64 = 1e-12;
 const CALM_SLACK: f64 = 1e-11;
 
-/// Height of the CG over the surface above which motion has not subsided, ft: over the highest ground under a footpad.
-pub fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
+/// Height of the CG over the surface above which motion has not subsided, ft: over the highest ground under a footpad. Under
+/// another rule than that of limits none is low enough.
+pub fn calm_height(rule: RestRule, vehicle: &Vehicle, scene: &Scene) -> f64 {
+    if rule != RestRule::Limits {
+        return f64::NEG_INFINITY;
+    }
     let ground = &scene.conditions().ground;
     let heights = (0..vehicle.legs().len()).map(|leg| ground.leg(leg).pad.height);
     let highest = heights.fold(f64::NEG_INFINITY, f64::max);
@@ -150,6 +155,7 @@ pub struct StabilityMonitor {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
     slope_side: f64,
     calm_height: f64,
+    outer_feet: OuterFeet,
     plane: Plane,
     feet: CriticalFeet,
     ranges: Ranges<QUADS>,
@@ -157,13 +163,14 @@ pub struct StabilityMonitor {
 }
 
 impl StabilityMonitor {
-    /// A monitor for a scene; plane and critical feet are yet to be chosen. Motion counts as subsided only while the CG is
-    /// within `calm_height` (ft) of the surface.
-    pub fn new(scene: &Scene, calm_height: f64) -> Self {
+    /// A monitor for a scene; plane and critical feet are yet to be chosen, these among the vehicle's outer ones. Motion counts
+    /// as subsided only while the CG is within `calm_height` (ft) of the surface.
+    pub fn new(scene: &Scene, calm_height: f64, outer_feet: &OuterFeet) -> Self {
         let slope = scene.conditions().slope;
         Self {
             slope_side: if slope == 0.0 { 1.0 } else { -slope.signum() },
             calm_height,
+            outer_feet: outer_feet.clone(),
             plane: Plane::Motion,
             feet: CriticalFeet {
                 negative: 0,
@@ -204,7 +211,8 @@ impl StabilityMonitor {
         };
         self.guards.clear();
         let sides = self.observe(motion, state).sides();
-        self.feet = critical_feet(&sides.map(|side| side >= 0.0)).ok_or(Verdict::Yaw)?;
+        self.feet =
+            critical_feet(&self.outer_feet, |foot| sides[foot] >= 0.0).ok_or(Verdict::Yaw)?;
         Ok(self.observe(motion, state))
     }
 

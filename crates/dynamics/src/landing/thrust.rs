@@ -36,16 +36,12 @@ impl Trajectory<'_> {
         true
     }
 
-    /// Height of the CG over the surface above which motion has not subsided, ft: none does while the thrust still changes or
-    /// lifts the vehicle.
-    pub(super) fn calm_height_under_thrust(&self) -> f64 {
+    /// What weight the thrust leaves to a vehicle that comes to rest, lb. None comes to rest while the thrust still changes or
+    /// lifts it.
+    pub(super) fn weight_at_rest(&self) -> Option<f64> {
         let weight = self.motion.mass() * self.motion.gravity();
-        let is_over = self.next_knot == f64::INFINITY;
-        if is_over && self.pieces.thrust().at(self.time) < weight {
-            self.calm_height
-        } else {
-            f64::NEG_INFINITY
-        }
+        let left = weight - self.pieces.thrust().at(self.time);
+        (self.next_knot == f64::INFINITY && left > 0.0).then_some(left)
     }
 
     /// Work of the thrust since first contact at fraction `reach` of the step, ft·lb.

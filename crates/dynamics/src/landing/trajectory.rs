@@ -15,11 +15,12 @@ use crate::motion::{FreeFlight, Motion, Pieces, Signal, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::registers::{Registers, Single};
 use crate::scene::{Scene, Settings};
+use crate::stability::StabilityMonitor;
 use crate::stability::calm_height;
 use crate::state::State;
 use crate::strut::GentleKinks;
 use crate::touchdown::touchdown;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{OuterFeet, Vehicle};
 
 /// Tolerance up to which gentle kinks of the laws are located: at looser ones steps run over them.
 const KINKS_LOCATED: f64 = 1e-6;
@@ -46,6 +47,7 @@ pub(crate) struct Trajectory<'o> {
     pub(crate) motion: Motion<f64>,
     /// Height of the CG over the surface above which motion has not subsided, ft.
     pub(super) calm_height: f64,
+    pub(super) outer_feet: OuterFeet,
     pub(super) stiffness: Stiffness,
     /// Time within which an event is located, s.
     pub(super) event_resolution: f64,
@@ -123,7 +125,8 @@ impl<'o> Trajectory<'o> {
             registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
-            calm_height: calm_height(vehicle, scene),
+            calm_height: calm_height(settings.rest_rule(), vehicle, scene),
+            outer_feet: vehicle.outer_feet().clone(),
             stiffness: Stiffness::new(settings.tolerance()),
             event_resolution: resolution,
             energy,
@@ -208,6 +211,11 @@ impl<'o> Trajectory<'o> {
             self.signals.end_mut(),
         ));
         self.evaluations += 1;
+    }
+
+    /// A monitor of its stability that has yet to look.
+    pub(super) fn monitor(&self) -> StabilityMonitor {
+        StabilityMonitor::new(&self.scene, self.calm_height, &self.outer_feet)
     }
 
     /// Derivative and signals of the present state.

@@ -57,7 +57,10 @@ impl StabilityTrack {
     /// Takes note that the thrust is on another line.
     pub(super) fn follow_thrust(&mut self, trajectory: &Trajectory<'_>) {
         self.monitor
-            .set_calm_height(trajectory.calm_height_under_thrust());
+            .set_calm_height(match trajectory.weight_at_rest() {
+                Some(_) => trajectory.calm_height,
+                None => f64::NEG_INFINITY,
+            });
     }
 
     /// Stability angle σ now, rad.
@@ -119,6 +122,21 @@ impl Trajectory<'_> {
             }
         }
         None
+    }
+
+    /// Follows the clearance over the step up to fraction `reach` of a landing that has its verdict.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn follow_clearance(&mut self, stability: &StabilityTrack, reach: f64) {
+        let monitor = &stability.monitor;
+        let [start, middle, end] = [0.0, 0.5 * reach, reach].map(|theta| Node {
+            theta,
+            signals: self.observe(monitor, theta, None),
+        });
+        // The least σ is that up to the verdict.
+        let least_angle = self.least_angle;
+        self.note_least(monitor, [&start, &middle, &end]);
+        self.least_angle = least_angle;
     }
 
     /// Follows stability from fraction `start` of the step to `end`, between which a verdict may fall or, unless it

@@ -2,11 +2,12 @@
 
 use crate::contact;
 use crate::energy::{kinetic, released};
-use crate::landing::final_rates;
+use crate::landing::{RestByEnergy, final_rates};
 use crate::motion::{Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
 use crate::record::{Energies, EnergiesAt, Foot, Instant, Landing, LegWork};
+use crate::rules::RestRule;
 use crate::scene::{Scene, Settings};
 use crate::stability::{StabilityMonitor, calm_height};
 use crate::state::State;
@@ -23,11 +24,13 @@ const END_OF_TIME: f64 = 1e-9;
 
 /// A landing under way.
 pub(super) struct Flight<'a> {
-    vehicle: &'a Vehicle,
-    scene: &'a Scene,
     settings: &'a Settings,
     model: &'a ForceModel,
+    /// A monitor that has yet to look, and that which follows the landing.
+    fresh: StabilityMonitor,
     monitor: StabilityMonitor,
+    /// Set where rest is judged by energy.
+    rest: Option<RestByEnergy>,
     time: f64,
     first: State<f64>,
     interval: f64,
@@ -55,12 +58,15 @@ impl<'a> Flight<'a> {
         interval: f64,
         observe: &'a mut dyn FnMut(&Instant),
     ) -> Self {
+        let rule = settings.rest_rule();
+        let calm_height = calm_height(rule, vehicle, scene);
+        let fresh = StabilityMonitor::new(scene, calm_height, vehicle.outer_feet());
         Self {
-            vehicle,
-            scene,
             settings,
             model,
-            monitor: StabilityMonitor::new(scene, calm_height(vehicle, scene)),
+            monitor: fresh.clone(),
+            fresh,
+            rest: (rule == RestRule::Energy).then(|| RestByEnergy::new(vehicle, scene)),
             time: 0.0,
             first: touchdown(vehicle, scene, model.motion()),
             interval,
@@ -122,7 +128,7 @@ impl<'a> Flight<'a> {
             max_strut_force: extremes.strut_force,
             max_stroke: extremes.stroke,
             final_rates: final_rates(
-                self.scene,
+                self.fresh,
                 self.model.motion(),
                 self.time,
                 &state,
@@ -168,10 +174,17 @@ impl<'a> Flight<'a> {
         if seen.angle < extremes.angle.0 {
             extremes.angle = (seen.angle, self.time);
         }
-        match self.monitor.verdict(&seen, extremes.angle.0) {
-            Some(verdict) => Some(verdict.into()),
-            None => self.model.end(look),
+        if let Some(verdict) = self.monitor.verdict(&seen, extremes.angle.0) {
+            return Some(verdict.into());
         }
+        // These methods know no thrust.
+        let weight = motion.mass() * motion.gravity();
+        let is_at_rest = (self.rest.as_mut())
+            .is_some_and(|rest| rest.note(self.time, motion, &start.state, Some(weight)));
+        if is_at_rest {
+            return Some(Outcome::StableSubsided);
+        }
+        self.model.end(look)
     }
 
     /// Reports the instants that are due within an interval, by Hermite's cubic between its ends.
@@ -210,7 +223,7 @@ impl<'a> Flight<'a> {
     }
 
     fn report_instant(&mut self, time: f64, state: &State<f64>, mut sets: Sets) {
-        let mut monitor = StabilityMonitor::new(self.scene, calm_height(self.vehicle, self.scene));
+        let mut monitor = self.fresh.clone();
         let motion = self.model.motion();
         let seen = monitor
             .choose_plane(motion, state)

@@ -24,6 +24,7 @@ mod reference_landings;
 mod reference_transitions;
 mod report_integrator;
 mod response;
+mod rest;
 mod rigid_polygon;
 mod sample_run;
 mod symmetry;

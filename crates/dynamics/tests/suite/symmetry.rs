@@ -230,7 +230,7 @@ fn a_sixth_of_a_turn_permutes_six_legs() {
 }
 
 #[test]
-fn a_leg_too_short_to_touch_changes_no_motion() {
+fn a_leg_too_short_to_touch_changes_nothing() {
     let three = ring(3);
     let mut legs = three.legs().to_vec();
     let mut short = surveyor_leg(60.0);
@@ -254,13 +254,14 @@ fn a_leg_too_short_to_touch_changes_no_motion() {
         legs,
     )
     .unwrap();
-    // Not compared: the stability angle, which is judged over neighbouring feet, also over those that hang in the air.
     for (conditions, rule) in touchdowns(12) {
         let scene = Scene::new(conditions).unwrap();
         let settings = settings(1e-8).with_crush_rule(rule);
         let [alone, beside] = [&three, &four].map(|vehicle| land(vehicle, &scene, &settings));
         assert_eq!(alone.outcome.class(), beside.outcome.class());
         assert!((alone.end_time - beside.end_time).abs() < 1e-6);
+        let apart = (alone.min_stability_angle - beside.min_stability_angle).abs();
+        assert!(apart < 1e-7, "{apart} rad");
         assert_eq!(beside.pad_contact[1], None);
         for (leg, image) in [0, 2, 3].into_iter().enumerate() {
             let apart = (alone.max_stroke[leg] - beside.max_stroke[image]).abs();

@@ -196,6 +196,12 @@ fn a_landing_may_go_on_beyond_its_verdict() {
         );
         assert!(beyond.energies.closure().abs() < 1e-2);
         assert_eq!(instants.last().unwrap().time, beyond.end_time);
+        // Least clearance is that of all of it, least σ that up to the verdict.
+        assert!((beyond.min_stability_angle - judged.min_stability_angle).abs() < 1e-5);
+        let lowest = instants.iter().map(|instant| instant.clearance);
+        let lowest = lowest.fold(f64::INFINITY, f64::min);
+        assert!(beyond.min_clearance <= lowest + 1e-9);
+        assert!(beyond.min_clearance > lowest - 0.05);
         match went_on.end {
             Outcome::TimeExpired => assert!((beyond.end_time - 6.0).abs() < 1e-9),
             Outcome::Failure(_) | Outcome::Bottomed { .. } => assert_eq!(class, Class::Unstable),

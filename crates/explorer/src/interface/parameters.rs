@@ -10,9 +10,10 @@ use touchdown_dynamics::attitude::Attitude;
 use touchdown_figures::axis_title::axis_title;
 use touchdown_figures::unit::split_unit;
 use touchdown_sweep::assignment::{self, Assignment};
+use touchdown_sweep::choice::word;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::{self, Home, Parameter};
-use touchdown_sweep::settings_input::{crush_rule_name, friction_profile_name};
+use touchdown_sweep::settings_input::{CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
 use touchdown_sweep::vehicle_file::{self, VehicleFile};
 
 use super::complaint::Complaint;
@@ -191,9 +192,10 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
                 Some(Slider::over(shown, limit, &ranges::of(name))),
             )
         }
-        "crush_rule" => (json!(crush_rule_name(settings.crush_rule())), None),
+        "crush_rule" => (json!(word(&CRUSH_RULES, settings.crush_rule())), None),
+        "rest_rule" => (json!(word(&REST_RULES, settings.rest_rule())), None),
         "friction_profile" => (
-            json!(friction_profile_name(settings.friction_profile())),
+            json!(word(&FRICTION_PROFILES, settings.friction_profile())),
             None,
         ),
         "stop" => {

@@ -140,7 +140,9 @@ pub fn settings(touchdown: &Touchdown) -> Result<Settings, Complaint> {
     };
     let of_search = Settings::new(tolerance, settings.time_limit(), settings.crush_rule());
     let of_search = of_search.map_err(Complaint::engine)?;
-    Ok(of_search.with_friction_profile(settings.friction_profile()))
+    Ok(of_search
+        .with_rest_rule(settings.rest_rule())
+        .with_friction_profile(settings.friction_profile()))
 }
 
 fn known(known: &[Known], [from, to]: [f64; 2]) -> Result<Vec<Ended>, Complaint> {

@@ -34,10 +34,11 @@ const OPTIONS: [(&str, &str); 12] = [
     ("nominal_roll_deg", "--nominal-roll"),
 ];
 /// Options that give the solver.
-const SOLVER_OPTIONS: [(&str, &str); 5] = [
+const SOLVER_OPTIONS: [(&str, &str); 6] = [
     ("tolerance", "--tolerance"),
     ("time_limit_s", "--time-limit"),
     ("crush_rule", "--crush-rule"),
+    ("rest_rule", "--rest-rule"),
     ("friction_profile", "--friction-profile"),
     ("stop", "--stop"),
 ];

@@ -15,10 +15,11 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 use super::source::{SEARCHED, Source, SourceKind, nothing, stem};
 
 /// What of the solver a record tells in words of an input file.
-const SOLVER: [&str; 5] = [
+const SOLVER: [&str; 6] = [
     "tolerance",
     "time_limit_s",
     "crush_rule",
+    "rest_rule",
     "friction_profile",
     "stop",
 ];

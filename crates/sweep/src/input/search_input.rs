@@ -2,6 +2,7 @@
 
 use crate::boundary::{Extent, Search};
 use crate::certainty::Doubt;
+use crate::choice::choice;
 use crate::input_error::InputError;
 use crate::refine::Refinement;
 use crate::scan::Scan;
@@ -103,31 +104,4 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         }
     }
     Ok(search)
-}
-
-/// The choice that a key names; without the key, the first.
-fn choice<T: Copy, const CHOICES: usize>(
-    section: &Section,
-    key: &str,
-    choices: &[(&str, T); CHOICES],
-) -> Result<T, InputError> {
-    let Some(value) = section.optional(key) else {
-        return Ok(choices[0].1);
-    };
-    let text = value.text()?;
-    match choices.iter().find(|(word, _)| *word == text) {
-        Some((_, choice)) => Ok(*choice),
-        None => {
-            let words = choices.map(|(word, _)| format!("\"{word}\""));
-            Err(value.complain(&words.join(" or ")))
-        }
-    }
-}
-
-/// The word for a choice.
-pub(crate) fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], choice: T) -> &'static str {
-    choices
-        .iter()
-        .find(|(_, known)| *known == choice)
-        .map_or("", |(word, _)| word)
 }

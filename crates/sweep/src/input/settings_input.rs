@@ -1,27 +1,59 @@
-//! How landings are computed: the table `[solver]` of a sweep file, and the crush rules by name.
+//! How landings are computed: the table `[solver]` of input files, and the words in it.
 
-use touchdown_dynamics::friction::FrictionProfile;
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::method::Method;
+use touchdown_dynamics::rules::{CrushRule, FrictionProfile, RestRule};
+use touchdown_dynamics::scene::Settings;
 
+use crate::choice::{choice, words};
 use crate::input_error::InputError;
 use crate::method_input;
 use crate::section::{LocatedValue, Section};
-use touchdown_dynamics::method::Method;
 
 /// Keys of `[solver]`.
-pub(crate) const SOLVER: [&str; 5] = [
+pub(crate) const SOLVER: [&str; 6] = [
     "tolerance",
     "time_limit_s",
     "crush_rule",
+    "rest_rule",
     "friction_profile",
     "stop",
 ];
-/// Words of when a landing ends: at its verdict, or at the time limit.
-pub const STOPS: [&str; 2] = ["verdict", "time"];
-/// Words of the crush rules.
-pub(crate) const CRUSH_RULES: [&str; 2] = ["pivot-rate", "section"];
-/// Letters of the friction profiles.
-pub(crate) const FRICTION_PROFILES: [&str; 3] = ["A", "B", "C"];
+/// When an element may crush further.
+pub const CRUSH_RULES: [(&str, CrushRule); 2] = [
+    ("pivot-rate", CrushRule::PivotRate),
+    ("section", CrushRule::Section),
+];
+/// When motion counts as subsided.
+pub const REST_RULES: [(&str, RestRule); 2] =
+    [("limits", RestRule::Limits), ("energy", RestRule::Energy)];
+/// How friction sets in near rest.
+pub const FRICTION_PROFILES: [(&str, FrictionProfile); 3] = [
+    ("A", FrictionProfile::A),
+    ("B", FrictionProfile::B),
+    ("C", FrictionProfile::C),
+];
+/// When a landing ends: at its verdict, or at the time limit.
+pub const STOPS: [(&str, Stop); 2] = [("verdict", Stop::Verdict), ("time", Stop::Time)];
+
+/// When a landing ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stop {
+    /// At its verdict.
+    Verdict,
+    /// At the time limit, its verdict noted.
+    Time,
+}
+
+/// Keys of `[solver]` whose values are words, and these.
+pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 5] {
+    [
+        ("crush_rule", words(&CRUSH_RULES)),
+        ("rest_rule", words(&REST_RULES)),
+        ("friction_profile", words(&FRICTION_PROFILES)),
+        ("stop", words(&STOPS)),
+        ("method", method_input::METHODS.to_vec()),
+    ]
+}
 
 /// Reads `[solver]` of a sweep; whatever it leaves out has the program's default.
 pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
@@ -42,85 +74,43 @@ pub(crate) fn stop<'d>(root: &Section<'d>) -> Result<Option<LocatedValue<'d>>, I
 
 fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, InputError> {
     let known = [&SOLVER[..], &method_input::KEYS].concat();
-    let solver = root.optional_section("solver", &known)?;
-    let number = |key| match &solver {
-        Some(solver) => solver.optional_number(key),
-        None => Ok(None),
+    let Some(solver) = root.optional_section("solver", &known)? else {
+        let time_limit = Settings::DEFAULT_TIME_LIMIT;
+        return Settings::new(default_tolerance, time_limit, CrushRule::default())
+            .map_err(|invalid| root.complain(&invalid));
     };
-    let tolerance = number("tolerance")?;
-    let method = method_input::read(solver.as_ref(), tolerance)?;
+    let tolerance = solver.optional_number("tolerance")?;
+    let method = method_input::read(Some(&solver), tolerance)?;
     let tolerance = tolerance.unwrap_or(default_tolerance);
-    let time_limit = number("time_limit_s")?.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
-    let rule = match solver
-        .as_ref()
-        .and_then(|solver| solver.optional("crush_rule"))
-    {
-        Some(word) => crush_rule(word.text()?)
-            .ok_or_else(|| word.complain("\"pivot-rate\" or \"section\""))?,
-        None => CrushRule::default(),
-    };
-    let profile = match solver
-        .as_ref()
-        .and_then(|solver| solver.optional("friction_profile"))
-    {
-        Some(word) => {
-            friction_profile(word.text()?).ok_or_else(|| word.complain("\"A\", \"B\" or \"C\""))?
-        }
+    let time_limit =
+        (solver.optional_number("time_limit_s")?).unwrap_or(Settings::DEFAULT_TIME_LIMIT);
+    let crush_rule = choice(&solver, "crush_rule", &CRUSH_RULES)?;
+    let rest_rule = choice(&solver, "rest_rule", &REST_RULES)?;
+    // The profile of the program's studies holds without a word, the last of the three.
+    let friction_profile = match solver.optional("friction_profile") {
+        Some(_) => choice(&solver, "friction_profile", &FRICTION_PROFILES)?,
         None => FrictionProfile::default(),
     };
-    let settings = Settings::new(tolerance, time_limit, rule)
-        .map(|settings| settings.with_method(method).with_friction_profile(profile))
-        .map_err(|invalid| solver.as_ref().unwrap_or(root).complain(&invalid))?;
-    match solver.as_ref().and_then(|solver| solver.optional("stop")) {
-        None => Ok(settings),
-        Some(found) => match found.text() {
-            Ok(word) if STOPS.contains(&word) => {
-                stopping(settings, word).map_err(|why| found.complain_that(why))
-            }
-            _ => Err(found.complain("\"verdict\" or \"time\"")),
-        },
-    }
+    let settings = Settings::new(tolerance, time_limit, crush_rule)
+        .map_err(|invalid| solver.complain(&invalid))?
+        .with_method(method)
+        .with_rest_rule(rest_rule)
+        .with_friction_profile(friction_profile);
+    let stop = choice(&solver, "stop", &STOPS)?;
+    stopping(settings, stop).map_err(|why| match solver.optional("stop") {
+        Some(found) => found.complain_that(why),
+        None => InputError::other(why),
+    })
 }
 
-/// The same settings for landings that end as a word of [`STOPS`] says.
+/// The same settings for landings that end so.
 ///
 /// # Errors
 /// Says why the method of the settings cannot.
-pub fn stopping(settings: Settings, word: &str) -> Result<Settings, &'static str> {
-    match (word == STOPS[1], settings.method()) {
-        (false, _) => Ok(settings),
-        (true, Method::Located) => Ok(settings.beyond_verdict()),
-        (true, _) => Err("only the method \"located\" goes on beyond the verdict"),
+pub fn stopping(settings: Settings, stop: Stop) -> Result<Settings, &'static str> {
+    match (stop, settings.method()) {
+        (Stop::Verdict, _) => Ok(settings),
+        (Stop::Time, Method::Located) => Ok(settings.beyond_verdict()),
+        (Stop::Time, _) => Err("only the method \"located\" goes on beyond the verdict"),
     }
-}
-
-/// Letter of a friction profile in input files.
-pub fn friction_profile_name(profile: FrictionProfile) -> &'static str {
-    match profile {
-        FrictionProfile::A => FRICTION_PROFILES[0],
-        FrictionProfile::B => FRICTION_PROFILES[1],
-        FrictionProfile::C => FRICTION_PROFILES[2],
-    }
-}
-
-/// The friction profile of a letter in input files.
-pub fn friction_profile(name: &str) -> Option<FrictionProfile> {
-    [FrictionProfile::A, FrictionProfile::B, FrictionProfile::C]
-        .into_iter()
-        .find(|profile| friction_profile_name(*profile) == name)
-}
-
-/// Word of a crush rule in input files.
-pub fn crush_rule_name(rule: CrushRule) -> &'static str {
-    match rule {
-        CrushRule::PivotRate => CRUSH_RULES[0],
-        CrushRule::Section => CRUSH_RULES[1],
-    }
-}
-
-/// The crush rule of a word in input files.
-pub fn crush_rule(name: &str) -> Option<CrushRule> {
-    [CrushRule::PivotRate, CrushRule::Section]
-        .into_iter()
-        .find(|rule| crush_rule_name(*rule) == name)
 }

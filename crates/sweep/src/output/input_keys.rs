@@ -1,5 +1,6 @@
 //! Every key of every input file, table by table: what `docs/reference.md` is checked against.
 
+use crate::choice::words;
 use crate::sensitivity_input::SENSITIVITY;
 use crate::sweep::SWEEP;
 use crate::{
@@ -66,23 +67,16 @@ pub fn tables() -> Vec<KeyTable> {
 
 /// All keys whose values are words.
 pub fn word_choices() -> Vec<WordChoice> {
-    fn words<T>(choices: &[(&'static str, T)]) -> Vec<&'static str> {
-        choices.iter().map(|(word, _)| *word).collect()
-    }
     let choice = |key, words| WordChoice { key, words };
-    vec![
+    let mut choices = vec![
         choice("kind", words(&vehicle_file::STRUT_KINDS)),
         choice("distribution", words(&sample_input::DISTRIBUTIONS)),
         choice("bands", words(&search_input::EXTENTS)),
         choice("scan", words(&search_input::SCANS)),
         choice("refinement", words(&search_input::REFINEMENTS)),
         choice("certainty", words(&search_input::DOUBTS)),
-        choice("crush_rule", settings_input::CRUSH_RULES.to_vec()),
-        choice(
-            "friction_profile",
-            settings_input::FRICTION_PROFILES.to_vec(),
-        ),
-        choice("stop", settings_input::STOPS.to_vec()),
-        choice("method", method_input::METHODS.to_vec()),
-    ]
+    ];
+    let of_solver = settings_input::word_keys().into_iter();
+    choices.extend(of_solver.map(|(key, words)| choice(key, words)));
+    choices
 }

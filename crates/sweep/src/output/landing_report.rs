@@ -6,13 +6,14 @@ use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 use touchdown_dynamics::scene::Settings;
 
 use crate::assignment::Assignment;
+use crate::choice::word;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
 use crate::method_input::method_name;
 use crate::output_units::OutputUnits;
 use crate::results;
 use crate::scene_input::NamedConditions;
-use crate::settings_input::{crush_rule_name, friction_profile_name};
+use crate::settings_input::{CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
 use crate::vehicle_file::VehicleFile;
 
 /// What is told of a landing.
@@ -84,8 +85,9 @@ impl LandingReport<'_> {
             "solver": {
                 "tolerance": settings.tolerance(),
                 "time_limit_s": settings.time_limit(),
-                "crush_rule": crush_rule_name(settings.crush_rule()),
-                "friction_profile": friction_profile_name(settings.friction_profile()),
+                "crush_rule": word(&CRUSH_RULES, settings.crush_rule()),
+                "rest_rule": word(&REST_RULES, settings.rest_rule()),
+                "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
                 "method": method_name(&settings.method()),
             },
             "result": result,

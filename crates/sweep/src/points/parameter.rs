@@ -21,7 +21,7 @@ pub struct Parameter {
     conversion: Conversion,
     home: Home,
     path: KeyPath,
-    words: &'static [&'static str],
+    words: Vec<&'static str>,
 }
 
 /// Parameters are the same when they are the same quantity, whatever its unit.
@@ -63,13 +63,10 @@ impl Parameter {
             Some(path) => (Home::Vehicle, path),
             None => (Home::Sweep, program_name.as_str()),
         };
-        let words: &[&str] = match program_name.as_str() {
-            "solver.crush_rule" => &settings_input::CRUSH_RULES,
-            "solver.stop" => &settings_input::STOPS,
-            "solver.friction_profile" => &settings_input::FRICTION_PROFILES,
-            "solver.method" => &method_input::METHODS,
-            _ => &[],
-        };
+        let words = settings_input::word_keys()
+            .into_iter()
+            .find(|(key, _)| program_name.strip_prefix("solver.") == Some(key))
+            .map_or(Vec::new(), |(_, words)| words);
         Some(Self {
             name: name.to_owned(),
             path: KeyPath::parse(path)?,
@@ -169,8 +166,8 @@ impl Parameter {
     }
 
     /// The words that it can be; none for a number.
-    pub fn words(&self) -> &'static [&'static str] {
-        self.words
+    pub fn words(&self) -> &[&'static str] {
+        &self.words
     }
 
     /// The word of a coordinate, which is its index.
@@ -183,7 +180,7 @@ impl Parameter {
     /// # Errors
     /// When it is not finite, or when the parameter has words.
     pub(crate) fn number(&self, number: f64) -> Result<Value, InputError> {
-        let allowed = match self.words {
+        let allowed = match self.words.as_slice() {
             [] if self.to_program(number).is_finite() => {
                 return Ok(Value::Number(self.to_program(number)));
             }
@@ -198,7 +195,7 @@ impl Parameter {
     /// # Errors
     /// When it is neither a finite number nor, of a parameter that has words, one of them.
     pub(crate) fn value(&self, text: &str) -> Result<Value, InputError> {
-        match self.words {
+        match self.words.as_slice() {
             [] => match text.parse::<f64>() {
                 Ok(number) => self.number(number),
                 Err(_) => Err(InputError::value(&self.name, text, "a finite number")),

@@ -1,8 +1,10 @@
 //! All of a sweep's input with defaults filled in, as a tree of names and values.
 
 use serde_json::{Map, Value, json};
+use touchdown_dynamics::rules::RestRule;
 use touchdown_dynamics::scene::Settings;
 
+use crate::choice::word;
 use crate::design::Design;
 use crate::distribution::Distribution;
 use crate::document::{Document, Entry, Value as Read};
@@ -10,8 +12,8 @@ use crate::levels::Levels;
 use crate::method_input::method_name;
 use crate::parameter::Parameter;
 use crate::sample::SampledAxis;
-use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS, word};
-use crate::settings_input::{STOPS, crush_rule_name, friction_profile_name};
+use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS};
+use crate::settings_input::{CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
 use crate::spelling::{Conversion, conversion};
 use crate::sweep_file::{Job, Sweep};
 use crate::vehicle_file;
@@ -184,14 +186,18 @@ pub(crate) fn solver(settings: &Settings) -> Value {
     let mut solver = json!({
         "tolerance": settings.tolerance(),
         "time_limit_s": settings.time_limit(),
-        "crush_rule": crush_rule_name(settings.crush_rule()),
-        "friction_profile": friction_profile_name(settings.friction_profile()),
+        "crush_rule": word(&CRUSH_RULES, settings.crush_rule()),
+        "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
         "method": method_name(&settings.method()),
         // All its numbers, to the last digit.
         "method_in_full": format!("{:?}", settings.method()),
     });
+    // Rules that came later are told where they are not what they used to be.
+    if settings.rest_rule() != RestRule::default() {
+        solver["rest_rule"] = json!(word(&REST_RULES, settings.rest_rule()));
+    }
     if settings.goes_on() {
-        solver["stop"] = json!(STOPS[1]);
+        solver["stop"] = json!("time");
     }
     solver
 }

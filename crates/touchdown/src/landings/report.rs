@@ -1,11 +1,12 @@
 //! The report of one landing as text.
 
 use touchdown_dynamics::landing::{Landing, LegWork};
+use touchdown_sweep::choice::word;
 use touchdown_sweep::landing_report::LandingReport;
 use touchdown_sweep::landing_table::why;
 use touchdown_sweep::method_input::method_words;
 use touchdown_sweep::parameter::Home;
-use touchdown_sweep::settings_input::crush_rule_name;
+use touchdown_sweep::settings_input::CRUSH_RULES;
 
 use crate::integration_report;
 use crate::summary::number;
@@ -108,7 +109,7 @@ pub fn text(report: &LandingReport) -> String {
         format!(
             "{}, crush rule {}",
             method_words(&settings.method(), settings.tolerance()),
-            crush_rule_name(settings.crush_rule())
+            word(&CRUSH_RULES, settings.crush_rule())
         ),
     );
     lines.0 + &integration_report::text(report.integration, legs)

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::scene::CrushRule;
 use touchdown_sweep::assignment::Assignment;
+use touchdown_sweep::choice;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::overrides::Overrides;
-use touchdown_sweep::settings_input::crush_rule_name;
+use touchdown_sweep::settings_input::CRUSH_RULES;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -78,7 +79,9 @@ impl OverrideOptions {
     /// When the vehicle file cannot be used, or what was given varies in a sweep.
     pub fn apply(&self, sweeps: Vec<Sweep>) -> Result<Vec<Sweep>, InputError> {
         let vehicle = self.vehicle.as_deref().map(VehicleFile::read).transpose()?;
-        let rule = self.crush_rule.map(|rule| crush_rule_name(rule).to_owned());
+        let rule = self
+            .crush_rule
+            .map(|rule| choice::word(&CRUSH_RULES, rule).to_owned());
         let words = [
             ("solver.crush_rule", rule),
             ("search.bands", self.bands.and_then(word)),

@@ -1,12 +1,15 @@
 //! How landings are computed, on the command line.
 
 use clap::Args;
-use touchdown_dynamics::friction::FrictionProfile;
 use touchdown_dynamics::invalid::Invalid;
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::rules::{CrushRule, FrictionProfile, RestRule};
+use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::choice::{chosen, words};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
-use touchdown_sweep::settings_input::{STOPS, crush_rule, friction_profile, stopping};
+use touchdown_sweep::settings_input::{
+    CRUSH_RULES, FRICTION_PROFILES, REST_RULES, STOPS, Stop, stopping,
+};
 
 use crate::touchdown_options::finite;
 
@@ -18,6 +21,10 @@ pub struct SolverOptions {
     /// moves into the ground; "section", whenever it goes deeper than before
     #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule)]
     crush_rule: CrushRule,
+    /// When motion counts as subsided: within the "limits" of the program of 1966, made for the Surveyor; "energy", within
+    /// them and with less than half of the energy that toppling takes
+    #[arg(long, value_name = "RULE", default_value = "limits", value_parser = rest)]
+    rest_rule: RestRule,
     /// How friction sets in near rest (4.1.5 of the report): A, B or C, as in the 1966 program
     #[arg(long, value_name = "PROFILE", default_value = "C", value_parser = profile)]
     friction_profile: FrictionProfile,
@@ -44,17 +51,30 @@ pub struct SolverOptions {
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     time_limit: Option<f64>,
     /// When a landing ends: at its "verdict", or at the "time" limit, its first verdict noted, to see what comes after
-    #[arg(long, value_name = "WHEN", default_value = "verdict", value_parser = STOPS)]
-    stop: String,
+    #[arg(long, value_name = "WHEN", default_value = "verdict", value_parser = stop)]
+    stop: Stop,
+}
+
+/// The choice that a word stands for.
+fn read<T: Copy>(choices: &[(&'static str, T)], word: &str) -> Result<T, String> {
+    chosen(choices, word).ok_or_else(|| format!("expected {}", words(choices).join(" or ")))
 }
 
 /// The crush rule of a name.
 pub fn rule(name: &str) -> Result<CrushRule, String> {
-    crush_rule(name).ok_or_else(|| "expected pivot-rate or section".to_owned())
+    read(&CRUSH_RULES, name)
+}
+
+fn rest(name: &str) -> Result<RestRule, String> {
+    read(&REST_RULES, name)
 }
 
 fn profile(name: &str) -> Result<FrictionProfile, String> {
-    friction_profile(name).ok_or_else(|| "expected A, B or C".to_owned())
+    read(&FRICTION_PROFILES, name)
+}
+
+fn stop(name: &str) -> Result<Stop, String> {
+    read(&STOPS, name)
 }
 
 impl SolverOptions {
@@ -75,11 +95,12 @@ impl SolverOptions {
             .map(|settings| {
                 settings
                     .with_method(method)
+                    .with_rest_rule(self.rest_rule)
                     .with_friction_profile(self.friction_profile)
             })
             .map_err(in_options)?;
-        stopping(settings, &self.stop)
-            .map_err(|why| InputError::other(format!("--stop {}: {why}", self.stop)))
+        stopping(settings, self.stop)
+            .map_err(|why| InputError::other(format!("--stop time: {why}")))
     }
 }
 

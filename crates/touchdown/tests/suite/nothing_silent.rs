@@ -341,14 +341,16 @@ fn elements_that_give_back_more_than_they_took_are_told() {
     let (soft, stiff) = ("crush_pressure_psf = 1578.8", "crush_pressure_psf = 1e5");
     let surveyor = bench.read("surveyor.toml").replace(soft, stiff);
     bench.write("surveyor.toml", &surveyor);
-    let done = bench.run(&BASELINE);
+    // At 5 ft/s the pads turn so fast that their faces slide against their pivots.
+    let slower = BASELINE.map(|argument| argument.replace("11.25", "5"));
+    let done = bench.run(&slower.each_ref().map(String::as_str));
     assert_eq!(done.code, Some(0), "{}", done.err);
     let warning = "warning: crushing footpads or blocks added ";
     assert!(done.err.contains(warning), "{}", done.err);
 
     // The same in a table of cases, of those rows that are concerned.
     let cases = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction,\
-                 vehicle.footpad.crush_pressure_psf\nsoft,14,11,180,15,1,1578.8\nstiff,14,11,180,15,1,\n";
+                 vehicle.footpad.crush_pressure_psf\nsoft,14,5,180,15,1,1578.8\nstiff,14,5,180,15,1,\n";
     bench.write("cases.csv", cases);
     let done = bench.run(&[
         "land",
@@ -374,7 +376,7 @@ fn elements_that_give_back_more_than_they_took_are_told() {
     let outcomes = SWEEP
         .replace(
             "[scene]",
-            "job = \"outcome\"\n[scene]\nhorizontal_velocity_fps = 11",
+            "job = \"outcome\"\n[scene]\nhorizontal_velocity_fps = 5",
         )
         .replace(
             "roll_deg = { from = -10, to = 10, step = 10 }",

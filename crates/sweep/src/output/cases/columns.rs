@@ -9,12 +9,13 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use super::cells::{CaseCell, CaseCells};
 use super::{OWN, REQUIRED};
+use crate::choice::word;
 use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::NamedConditions;
 use crate::section::Section;
-use crate::settings_input::{self, crush_rule_name, friction_profile_name};
+use crate::settings_input::{self, CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
 
 /// A row of a table.
 #[derive(Clone, Copy)]
@@ -147,10 +148,11 @@ impl Columns {
                 || matches!(&one.value, Value::Text(word) if word == "located")
         };
         let mut text = format!(
-            "[solver]\ntime_limit_s = {}\ncrush_rule = \"{}\"\nfriction_profile = \"{}\"\n",
+            "[solver]\ntime_limit_s = {}\ncrush_rule = \"{}\"\nfriction_profile = \"{}\"\nrest_rule = \"{}\"\n",
             given.time_limit(),
-            crush_rule_name(given.crush_rule()),
-            friction_profile_name(given.friction_profile())
+            word(&CRUSH_RULES, given.crush_rule()),
+            word(&FRICTION_PROFILES, given.friction_profile()),
+            word(&REST_RULES, given.rest_rule())
         );
         if given.goes_on() {
             text += "stop = \"time\"\n";

@@ -6,7 +6,7 @@ use touchdown_dynamics::kinematics::{BodyFrame, PointVelocity, SeenGround};
 use touchdown_dynamics::landing::{Instant, LegInstant};
 use touchdown_dynamics::motion::Motion;
 use touchdown_dynamics::scene::Scene;
-use touchdown_dynamics::stability::{StabilityMonitor, calm_height};
+use touchdown_dynamics::stability::StabilityMonitor;
 use touchdown_dynamics::state::{Body, LegState, State};
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -51,7 +51,7 @@ impl Instants {
         motion: &Motion<f64>,
         instants: &[Instant],
     ) -> Self {
-        let mut monitor = StabilityMonitor::new(scene, calm_height(vehicle, scene));
+        let mut monitor = StabilityMonitor::new(scene, f64::INFINITY, vehicle.outer_feet());
         let mut columns = Self {
             legs: vec![LegColumns::default(); vehicle.legs().len()],
             ..Self::default()

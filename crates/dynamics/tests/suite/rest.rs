@@ -1,0 +1,86 @@
+//! When motion counts as subsided: what landings that did go through afterwards.
+
+use crate::common::random::{fixed_list, usual_conditions};
+use crate::common::{even_inertia, surveyor_leg};
+use touchdown_dynamics::crush_load::CrushLoad;
+use touchdown_dynamics::land::{land, land_observed};
+use touchdown_dynamics::landing::Instant;
+use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::rules::{CrushRule, RestRule};
+use touchdown_dynamics::scene::{Conditions, Scene, Settings};
+use touchdown_dynamics::vehicle::{Honeycomb, Leg, StrutElement, Vehicle};
+
+/// A tall lander with four legs on honeycomb, no blocks, and pads of the Surveyor.
+fn lander() -> Vehicle {
+    let legs = [0.0, 90.0, 180.0, 270.0].map(|azimuth| {
+        let mut design = surveyor_leg(azimuth);
+        design.block = None;
+        design.strut.element = StrutElement::Honeycomb(Honeycomb {
+            unloading_stiffness: 40_000.0,
+            crush_load: CrushLoad::new(vec![[0.0, 1500.0]]).unwrap(),
+        });
+        Leg::new(design).unwrap()
+    });
+    Vehicle::new(20.0, 5.31, 3.0, even_inertia(142.0), legs.to_vec()).unwrap()
+}
+
+/// What becomes of landings on Ceres that count as subsided.
+#[derive(Debug, Default)]
+struct Afterwards {
+    subsided: usize,
+    /// Those that topple afterwards all the same.
+    toppled: usize,
+    /// Those whose body comes nearer to the ground than before.
+    lowered: usize,
+}
+
+/// What becomes of landings that count as subsided under a rule. On Ceres 2 ft/s is too much: what has the energy of that speed
+/// rises by 2 ft.
+fn afterwards(rule: RestRule) -> Afterwards {
+    let vehicle = lander();
+    let settings = Settings::new(3e-5, 20.0, CrushRule::Section)
+        .unwrap()
+        .with_rest_rule(rule);
+    let mut found = Afterwards::default();
+    for conditions in fixed_list(&usual_conditions(), 30) {
+        for k in 0..10 {
+            let scene = Scene::new(Conditions {
+                vertical_velocity: 0.3 * conditions.vertical_velocity,
+                gravity: Some(0.92),
+                horizontal_velocity: 0.6 * f64::from(k),
+                ..conditions
+            })
+            .unwrap();
+            let landing = land(&vehicle, &scene, &settings);
+            if landing.outcome != Outcome::StableSubsided {
+                continue;
+            }
+            found.subsided += 1;
+            let (mut angle, mut clearance) = (f64::INFINITY, f64::INFINITY);
+            let mut observe = |instant: &Instant| {
+                if instant.time > landing.end_time {
+                    angle = angle.min(instant.stability_angle);
+                    clearance = clearance.min(instant.clearance);
+                }
+            };
+            let beyond = settings.beyond_verdict();
+            let beyond = land_observed(&vehicle, &scene, &beyond, 0.02, &mut observe);
+            found.toppled += usize::from(angle <= 0.0);
+            found.lowered += usize::from(clearance < landing.min_clearance - 0.01);
+            // The clearance is that of the whole landing, the angle that up to the verdict.
+            assert!(beyond.min_clearance <= clearance + 1e-9);
+            assert_eq!(beyond.min_stability_angle, landing.min_stability_angle);
+        }
+    }
+    found
+}
+
+#[test]
+fn what_has_too_little_energy_does_not_topple() {
+    let by_limits = afterwards(RestRule::Limits);
+    let by_energy = afterwards(RestRule::Energy);
+    println!("{by_limits:?} {by_energy:?}");
+    assert!(by_limits.toppled > 3 && by_limits.lowered > 3);
+    assert!(by_energy.subsided > 100);
+    assert_eq!(by_energy.toppled, 0);
+}

@@ -1,0 +1,38 @@
+//! Keys whose values are words, one for each of several choices; the first holds without a word.
+
+use crate::input_error::InputError;
+use crate::section::Section;
+
+/// The choice that a key names; without the key, the first.
+pub(crate) fn choice<T: Copy>(
+    section: &Section,
+    key: &str,
+    choices: &[(&str, T)],
+) -> Result<T, InputError> {
+    let Some(value) = section.optional(key) else {
+        return Ok(choices[0].1);
+    };
+    chosen(choices, value.text()?).ok_or_else(|| {
+        let quoted: Vec<String> = (choices.iter())
+            .map(|(word, _)| format!("\"{word}\""))
+            .collect();
+        value.complain(&quoted.join(" or "))
+    })
+}
+
+/// The choice of a word.
+pub fn chosen<T: Copy>(choices: &[(&str, T)], word: &str) -> Option<T> {
+    let found = choices.iter().find(|(known, _)| *known == word);
+    found.map(|(_, choice)| *choice)
+}
+
+/// The word for a choice.
+pub fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], choice: T) -> &'static str {
+    let found = choices.iter().find(|(_, known)| *known == choice);
+    found.map_or("", |(word, _)| word)
+}
+
+/// The words of all choices.
+pub fn words<T>(choices: &[(&'static str, T)]) -> Vec<&'static str> {
+    choices.iter().map(|(word, _)| *word).collect()
+}
