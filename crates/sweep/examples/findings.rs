@@ -3,6 +3,8 @@
 //! ```text
 //! cargo run -p touchdown-sweep --example findings -- sweeps/stress/wild.toml 40
 //! ```
+//!
+//! A build without optimization (`--profile dev`) prints the same lines as one with it (`--release`).
 
 use std::error::Error;
 use std::path::Path;

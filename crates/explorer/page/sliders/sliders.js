@@ -29,6 +29,8 @@ export class Sliders {
     /** @type {Parameter[]} */
     this.parameters = [];
     this.newest = new Newest();
+    /** @type {import("../engine/types.js").Complaint | null} */
+    this.complaint = null;
     /** Names of the numbers that have sliders. */
     this.built = "";
     this.search.addEventListener("input", () => this.#filter());
@@ -46,9 +48,12 @@ export class Sliders {
         return;
       }
       const names = this.parameters.map(({ name }) => name).join();
-      if (names !== this.built) this.#build();
+      const isOther = names !== this.built;
+      if (isOther) this.#build();
       this.built = names;
       this.#show();
+      // Sliders made afresh have not been told.
+      if (isOther) this.complain(this.complaint);
     });
   }
 
@@ -130,6 +135,7 @@ export class Sliders {
 
   /** Shows a complaint at the number that it is about, or takes all away. @param {import("../engine/types.js").Complaint | null} complaint */
   complain(complaint) {
+    this.complaint = complaint;
     for (const slider of this.sliders.values()) slider.complain("");
     this.trouble.textContent = "";
     if (!complaint) return;
