@@ -155,6 +155,13 @@ pub fn bare_name_and_unit(name: &str) -> (&str, &'static str) {
     (unit::bare_name_and_unit(name).0, unit::unit(name))
 }
 
+/// A result in other units: the name and the number that it has there.
+#[pyfunction]
+pub fn in_units(name: &str, value: f64, units: &str) -> PyResult<(String, f64)> {
+    let quantity = output_units(units)?.quantity(name);
+    Ok((quantity.name().to_owned(), quantity.number(value)))
+}
+
 /// Units of results by their word.
 pub fn output_units(word: &str) -> Result<OutputUnits, Failure> {
     match word {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 
+import numpy as np
 import pytest
 
 import touchdown as td
@@ -70,3 +71,20 @@ def test_notebooks_show_short_tables(lander, scene):
     picture = bands._repr_html_()
     assert picture.count("<div title=") == len(bands.bands) and "unstable" in picture
     assert repr(scene).startswith("Scene(vertical_velocity_fps=14, ")
+
+
+def test_a_landing_is_told_in_a_line(lander, scene):
+    told = repr(td.land(lander, scene))
+    assert told.startswith("<Landing of Surveyor") and "stable-rockback at 2.844 s" in told and len(told) < 160
+
+
+def test_boundaries_are_told_in_si(lander, scene):
+    found = td.boundary(lander, scene, search=SHORT | {"bands": "all"}, progress=False)
+    known, told = found.to_frame(), found.to_frame("SI")
+    assert list(told)[:3] == ["from_mps", "to_mps", "outcome"]
+    assert np.allclose(told.to_mps, known.to_fps * 0.3048, rtol=1e-15) and told.solver_tolerance.equals(known.solver_tolerance)
+    row = found.to_series("SI")
+    assert row.first_transition_mps == pytest.approx(found.first_transition_fps * 0.3048, rel=1e-15)
+    assert row.first_transition_to == found.first_transition_to and row.landings == found.landings
+    with pytest.raises(td.InputError, match="US"):
+        found.to_frame("metric")

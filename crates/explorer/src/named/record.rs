@@ -8,21 +8,13 @@ use touchdown_sweep::document::{Document, Entry, Node, Value};
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
+use touchdown_sweep::settings_input::SOLVER;
 use touchdown_sweep::single_landing::Touchdown;
 use touchdown_sweep::toml_text;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use super::source::{SEARCHED, Source, SourceKind, nothing, stem};
 
-/// What of the solver a record tells in words of an input file.
-const SOLVER: [&str; 6] = [
-    "tolerance",
-    "time_limit_s",
-    "crush_rule",
-    "rest_rule",
-    "friction_profile",
-    "stop",
-];
 /// Lists of the thrust, which a record keeps beside its numbers.
 const THRUST: [&str; 2] = ["thrust.time_s", "thrust.force_lb"];
 

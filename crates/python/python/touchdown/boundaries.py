@@ -8,6 +8,7 @@ from typing import Any
 import pandas as pd
 
 from touchdown import _engine
+from touchdown._columns import in_units
 from touchdown._documents import Document, merged, same_quantity
 from touchdown._html import bands_picture
 from touchdown.progress import Watch, watching
@@ -98,9 +99,29 @@ class Boundary:
     vehicle: Vehicle = field(repr=False)
     scene: Scene = field(repr=False)
 
-    def to_frame(self) -> pd.DataFrame:
-        """The bands as a table, indexed by their numbers from 1."""
-        frame = pd.DataFrame([asdict(band) for band in self.bands], columns=list(Band.__dataclass_fields__))
+    def to_series(self, units: str = "US") -> pd.Series[Any]:
+        """What is found, without the bands, by name.
+
+        Parameters
+        ----------
+        units : {"US", "SI"}
+            Units of the values, which are part of their names.
+        """
+        left_out = {"bands", "vehicle", "scene"}
+        found = {name: getattr(self, name) for name in type(self).__dataclass_fields__ if name not in left_out}
+        return pd.Series(in_units(found, units), dtype=object)
+
+    def to_frame(self, units: str = "US") -> pd.DataFrame:
+        """The bands as a table, indexed by their numbers from 1.
+
+        Parameters
+        ----------
+        units : {"US", "SI"}
+            Units of the columns, which are part of their names.
+        """
+        rows = [in_units(asdict(band), units) for band in self.bands]
+        columns = list(in_units(dict.fromkeys(Band.__dataclass_fields__), units))
+        frame = pd.DataFrame(rows, columns=columns)
         frame.index = pd.RangeIndex(1, len(frame) + 1, name="band")
         return frame
 

@@ -11,6 +11,7 @@ import pandas as pd
 
 from touchdown import _engine
 from touchdown._documents import Document, solver_of
+from touchdown._columns import in_units
 from touchdown._html import table
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
@@ -32,7 +33,7 @@ _COLUMNS = [
 ]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Landing:
     """How one landing went.
 
@@ -113,9 +114,9 @@ class Landing:
     failure: str | None
     verdict_time_s: float | None
     went_on_to: str | None
-    vehicle: Vehicle = field(repr=False)
-    scene: Scene = field(repr=False)
-    solver: Mapping[str, Any] = field(repr=False, hash=False)
+    vehicle: Vehicle
+    scene: Scene
+    solver: Mapping[str, Any] = field(hash=False)
 
     @property
     def is_stable(self) -> bool:
@@ -142,8 +143,14 @@ class Landing:
         arrays = {name: np.frombuffer(values) for name, values in columns}
         return pd.DataFrame(arrays, copy=False).set_index("t_s")
 
-    def to_series(self) -> pd.Series[Any]:
-        """The results as a row of `land_many`, whose columns are those of ``touchdown land --cases``."""
+    def to_series(self, units: str = "US") -> pd.Series[Any]:
+        """The results as a row of `land_many`, whose columns are those of ``touchdown land --cases``.
+
+        Parameters
+        ----------
+        units : {"US", "SI"}
+            Units of the values, which are part of their names.
+        """
         row: dict[str, Any] = {}
         for name in _COLUMNS:
             value = getattr(self, name)
@@ -152,7 +159,11 @@ class Landing:
                 row |= {f"{before}_{leg}_{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
             else:
                 row[name] = np.nan if value is None else value
-        return pd.Series(row, dtype=object)
+        return pd.Series(in_units(row, units), dtype=object)
+
+    def __repr__(self) -> str:
+        angle = f"least stability angle {self.min_stability_angle_deg:.3f} deg at {self.min_stability_time_s:.3f} s"
+        return f"<Landing of {self.vehicle.name}: {self.outcome} at {self.end_time_s:.3f} s, {angle}>"
 
     def _repr_html_(self) -> str:
         shown = [

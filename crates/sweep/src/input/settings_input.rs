@@ -10,7 +10,7 @@ use crate::method_input;
 use crate::section::{LocatedValue, Section};
 
 /// Keys of `[solver]`.
-pub(crate) const SOLVER: [&str; 6] = [
+pub const SOLVER: [&str; 6] = [
     "tolerance",
     "time_limit_s",
     "crush_rule",
