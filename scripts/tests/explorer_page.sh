@@ -11,8 +11,9 @@ missing=()
 command -v npm >/dev/null || missing+=(nodejs npm)
 command -v chromium >/dev/null || missing+=(chromium)
 if [ ${#missing[@]} -gt 0 ]; then
+    export DEBIAN_FRONTEND=noninteractive
     apt-get update -qq
-    apt-get install -qq --no-install-recommends "${missing[@]}" fonts-dejavu-core >/dev/null
+    apt-get install -qq -y --no-install-recommends "${missing[@]}" fonts-dejavu-core >/dev/null
 fi
 npm ci --silent --no-audit --no-fund
 npm run --silent types
