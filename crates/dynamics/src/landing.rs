@@ -51,7 +51,7 @@ pub fn land_located(
         .then(|| History::new(interval, observe));
     let mut simulation = Simulation::new(vehicle, scene, settings, history);
     let outcome = simulation.run(&mut Workspace::new(&simulation.trajectory.motion));
-    simulation.report_end();
+    simulation.trajectory.report_end();
     simulation.result(outcome)
 }
 

@@ -16,7 +16,7 @@ pub enum RestRule {
     /// The 1966 program's: velocities and height of the CG are within limits that were made for the Surveyor.
     #[default]
     Limits,
-    /// Within these limits, and with less than half of the energy that toppling over the nearest edge of the feet takes.
+    /// Once the vehicle has had too little energy to topple for a while (`landing/rest.rs`).
     Energy,
 }
 

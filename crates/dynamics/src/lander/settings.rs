@@ -95,6 +95,14 @@ impl Settings {
         }
     }
 
+    /// The same settings, but a landing ends at its verdict: for those of which only the verdict is asked for.
+    pub fn up_to_verdict(self) -> Self {
+        Self {
+            goes_on: false,
+            ..self
+        }
+    }
+
     /// Whether a landing goes on beyond its verdict.
     pub fn goes_on(&self) -> bool {
         self.goes_on

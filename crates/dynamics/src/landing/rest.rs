@@ -1,8 +1,7 @@
 //! Rest by energy: motion has subsided once the vehicle has had too little energy to topple for a while.
 //!
 //! To topple over the line between two feet the CG has to rise until it is over that line. What is left to move the vehicle
-//! is judged against the least of these rises. Struts and pads that still push back would add to it: they have done so by
-//! the end of the while, which is longer than any of them takes.
+//! is judged against the least of these rises. Struts and pads that still push back add to it: the while gives them time to.
 
 use libm::sqrt;
 use nalgebra::Vector3;
@@ -14,6 +13,8 @@ use crate::per_leg::PerLeg;
 use crate::scene::Scene;
 use crate::state::State;
 use crate::vehicle::{OuterFeet, Vehicle};
+
+use super::trajectory::Trajectory;
 
 /// Share of the energy that toppling takes up to which there is too little.
 const SHARE: f64 = 0.5;
@@ -75,6 +76,16 @@ impl RestByEnergy {
         let rises = (ring.iter().zip(ring.iter().cycle().skip(1)))
             .map(|(&foot, &next)| rise_over(&feet[foot], &feet[next]));
         SHARE * rises.fold(f64::INFINITY, f64::min) - lowest.max(0.0)
+    }
+}
+
+impl Trajectory<'_> {
+    /// Whether the vehicle is at rest by its energy.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn is_at_rest(&self, rest: &mut RestByEnergy) -> bool {
+        let weight = self.weight_at_rest();
+        rest.note(self.time, &self.motion, &self.step.before, weight)
     }
 }
 

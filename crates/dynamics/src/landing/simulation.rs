@@ -10,10 +10,8 @@ use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep, Workspace};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::StabilityTrack;
-use crate::contact::LegMode;
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
-use crate::motion::{FreeFlight, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
 use crate::record::{Beyond, Landing};
@@ -457,11 +455,6 @@ impl<'o> Simulation<'o> {
         })
     }
 
-    /// Reports the end of the landing to its history.
-    pub(super) fn report_end(&mut self) {
-        self.trajectory.report_end();
-    }
-
     /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
         let Some((verdict, time)) = &self.noted else {
@@ -499,43 +492,5 @@ impl NullaryFnOnce for FinishStep<'_, '_> {
     #[inline(always)]
     fn call(self) -> Self::Output {
         self.0.finish_step_in_registers()
-    }
-}
-
-impl Trajectory<'_> {
-    /// Whether all legs hang in the air, and no thrust acts.
-    #[inline(always)]
-    fn flies_freely(&self) -> bool {
-        self.modes.iter().all(LegMode::is_hanging) && self.pieces.thrust().is_none()
-    }
-
-    /// Whether the vehicle is at rest by its energy.
-    #[cold]
-    #[inline(never)]
-    fn is_at_rest(&self, rest: &mut RestByEnergy) -> bool {
-        let weight = self.weight_at_rest();
-        rest.note(self.time, &self.motion, &self.step.before, weight)
-    }
-
-    /// Starts a step of free flight of this length (s): where it ends is known.
-    fn begin_flight(&mut self, flight: FreeFlight, length: f64) {
-        self.step.length = length;
-        self.step.after = flight.at(length);
-        self.free = Some(flight);
-        self.kinks.fill(None);
-        self.is_middle_seen = false;
-        self.evaluate_end();
-    }
-
-    /// Rates of pads at rest are known only once an implicit step is taken: writes those of its middle and end.
-    #[inline(always)]
-    fn tell_pad_rates(&mut self) {
-        let (weights, slopes) = self.step.change(0.5);
-        let rates = self.step.before.pad_rates_advanced(weights, slopes);
-        for (j, &rate) in rates.iter().enumerate() {
-            self.middle.set(j, Signal::PadRate, rate);
-            let end = self.step.after.leg(j).pad_rate;
-            self.signals.end_mut().set(j, Signal::PadRate, end);
-        }
     }
 }

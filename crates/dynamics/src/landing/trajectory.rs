@@ -231,4 +231,32 @@ impl<'o> Trajectory<'o> {
         ));
         self.evaluations += 1;
     }
+
+    /// Whether all legs hang in the air, and no thrust acts.
+    #[inline(always)]
+    pub(super) fn flies_freely(&self) -> bool {
+        self.modes.iter().all(LegMode::is_hanging) && self.pieces.thrust().is_none()
+    }
+
+    /// Starts a step of free flight of this length (s): where it ends is known.
+    pub(super) fn begin_flight(&mut self, flight: FreeFlight, length: f64) {
+        self.step.length = length;
+        self.step.after = flight.at(length);
+        self.free = Some(flight);
+        self.kinks.fill(None);
+        self.is_middle_seen = false;
+        self.evaluate_end();
+    }
+
+    /// Rates of pads at rest are known only once an implicit step is taken: writes those of its middle and end.
+    #[inline(always)]
+    pub(super) fn tell_pad_rates(&mut self) {
+        let (weights, slopes) = self.step.change(0.5);
+        let rates = self.step.before.pad_rates_advanced(weights, slopes);
+        for (j, &rate) in rates.iter().enumerate() {
+            self.middle.set(j, Signal::PadRate, rate);
+            let end = self.step.after.leg(j).pad_rate;
+            self.signals.end_mut().set(j, Signal::PadRate, end);
+        }
+    }
 }

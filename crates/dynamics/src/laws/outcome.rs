@@ -82,6 +82,30 @@ impl Outcome {
     }
 }
 
+impl Class {
+    /// All classes.
+    pub const ALL: [Self; 5] = [
+        Self::Stable,
+        Self::Unstable,
+        Self::Bottomed,
+        Self::Failure,
+        Self::Undecided,
+    ];
+
+    /// The class of an outcome that is known by its word only; none of another word.
+    pub fn of_outcome(word: &str) -> Option<Self> {
+        let undecided = [Outcome::TimeExpired, Outcome::Sliding];
+        if undecided.iter().any(|outcome| outcome.to_string() == word) {
+            return Some(Self::Undecided);
+        }
+        // The words of all others begin with that of their class.
+        let first = word.split('-').next()?;
+        Self::ALL
+            .into_iter()
+            .find(|class| class.to_string() == first)
+    }
+}
+
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -126,5 +150,29 @@ impl fmt::Display for Class {
             Self::Failure => "failure",
             Self::Undecided => "undecided",
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_outcomes_tell_their_classes() {
+        for outcome in [
+            Outcome::StableRockback,
+            Outcome::StableSubsided,
+            Outcome::StableSteady,
+            Outcome::UnstablePitch,
+            Outcome::UnstableYaw,
+            Outcome::Bottomed { leg: 4 },
+            Outcome::TimeExpired,
+            Outcome::Sliding,
+            Outcome::Failure(Failure::StepLimit),
+        ] {
+            let class = Class::of_outcome(&outcome.to_string());
+            assert_eq!(class, Some(outcome.class()), "{outcome}");
+        }
+        assert_eq!(Class::of_outcome("upside-down"), None);
     }
 }

@@ -19,15 +19,6 @@ pub struct ClassWords {
     pub region: String,
 }
 
-/// All classes.
-pub const CLASSES: [Class; 5] = [
-    Class::Stable,
-    Class::Unstable,
-    Class::Bottomed,
-    Class::Failure,
-    Class::Undecided,
-];
-
 /// A class in words and colours.
 pub fn class_words(class: Class) -> ClassWords {
     let kind = Kind::from_name(&class.to_string());
@@ -41,7 +32,9 @@ pub fn class_words(class: Class) -> ClassWords {
 
 /// The class of a word of a table.
 pub fn class_named(word: &str) -> Option<Class> {
-    CLASSES.into_iter().find(|class| class.to_string() == word)
+    Class::ALL
+        .into_iter()
+        .find(|class| class.to_string() == word)
 }
 
 /// A colour as pages write it.

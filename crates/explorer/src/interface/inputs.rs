@@ -2,9 +2,10 @@
 
 use serde::Deserialize;
 use serde_json::{Value, json};
+use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::results::program;
 
-use super::classes::{CLASSES, class_words};
+use super::classes::class_words;
 use super::complaint::Complaint;
 use super::map::title;
 use super::request::{read, written};
@@ -25,7 +26,7 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
         "units": named.units.to_string(),
         "sources": sources,
         "results": results,
-        "classes": CLASSES.map(class_words),
+        "classes": Class::ALL.map(class_words),
     }))
 }
 

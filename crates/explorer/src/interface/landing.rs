@@ -25,7 +25,7 @@ use events::Event;
 use history::History;
 
 /// Time between instants where none is asked for, s, and most instants of a landing.
-const INTERVAL: f64 = 0.01;
+pub const INTERVAL: f64 = 0.01;
 const MOST_INSTANTS: f64 = 20_000.0;
 
 #[derive(Deserialize)]

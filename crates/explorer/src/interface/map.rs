@@ -97,9 +97,9 @@ pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
     let place: Map<String, Value> = (all.axes.iter().zip(&point.place))
         .map(|(axis, value)| (axis.name.clone(), value.clone()))
         .collect();
-    let unit = caption(results)?.speed_unit;
+    let caption = caption(results)?;
     let source = named.source_of(results);
-    let speed_name = format!("horizontal_velocity{}", unit.ending());
+    let speed_name = format!("horizontal_velocity{}", caption.speed_unit.ending());
     let touchdown = |speed: f64| {
         let mut values = place.clone();
         values.insert(speed_name.clone(), json!(speed));
@@ -107,10 +107,9 @@ pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
         values.retain(|name, _| !name.starts_with("search."));
         json!({"source": source, "values": values})
     };
-    let searched_to = caption(results)?.searched_to;
     let below = match &point.transition {
         Some(found) => found.low.map(touchdown),
-        None => searched_to.map(touchdown),
+        None => caption.searched_to.map(touchdown),
     };
     let above = point.transition.as_ref().map(|found| touchdown(found.high));
     let mut told = point.told(Vec::new());

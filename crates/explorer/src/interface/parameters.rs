@@ -182,7 +182,8 @@ fn is_own(touchdown: &Touchdown, parameter: &Parameter) -> bool {
 fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
     let name = parameter.program_name();
     let settings = &touchdown.settings;
-    let (value, slider) = match name.strip_prefix("solver.")? {
+    let key = name.strip_prefix("solver.")?;
+    let (value, slider) = match key {
         "tolerance" => (json!(settings.tolerance()), None),
         "time_limit_s" => {
             let limit = settings.time_limit();
@@ -209,7 +210,7 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
         title: title(name),
         unit: split_unit(name).1,
         value,
-        is_given: touchdown.solver.number(parameter.path()).is_some(),
+        is_given: touchdown.gives_solver(key),
         slider,
         si: None,
         allowed: ranges::of(name),

@@ -2,8 +2,9 @@
 
 use serde::Deserialize;
 use serde_json::{Value, json};
+use touchdown_dynamics::outcome::Class;
 
-use super::classes::{CLASSES, class_words};
+use super::classes::class_words;
 use super::complaint::Complaint;
 use super::map::{cell, of_table, results_of, title, words_of};
 use super::request::{read, written};
@@ -64,7 +65,7 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
         "inputs": inputs,
         "outcomes": words,
         "outcome": outcome,
-        "classes": CLASSES.map(class_words),
+        "classes": Class::ALL.map(class_words),
         "class": class,
         "results": others,
     }))
@@ -72,10 +73,7 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
 
 /// Place of the class of an outcome among all classes.
 fn class_place(outcome: &str) -> usize {
-    let class = match outcome {
-        "time-expired" | "sliding" => "undecided",
-        word => word.split('-').next().unwrap_or_default(),
-    };
-    let place = CLASSES.iter().position(|known| known.to_string() == class);
-    place.unwrap_or(CLASSES.len() - 1)
+    let class = Class::of_outcome(outcome).unwrap_or(Class::Undecided);
+    let place = Class::ALL.iter().position(|known| *known == class);
+    place.unwrap_or_default()
 }

@@ -134,15 +134,12 @@ pub fn range(
 /// None but a fault of the program.
 pub fn settings(touchdown: &Touchdown) -> Result<Settings, Complaint> {
     let settings = touchdown.settings;
-    let tolerance = match touchdown.gives_tolerance() {
+    let tolerance = match touchdown.gives_solver("tolerance") {
         true => settings.tolerance(),
         false => Settings::BOUNDARY_TOLERANCE,
     };
-    let of_search = Settings::new(tolerance, settings.time_limit(), settings.crush_rule());
-    let of_search = of_search.map_err(Complaint::engine)?;
-    Ok(of_search
-        .with_rest_rule(settings.rest_rule())
-        .with_friction_profile(settings.friction_profile()))
+    let of_search = settings.up_to_verdict().with_tolerance(tolerance);
+    of_search.map_err(Complaint::engine)
 }
 
 fn known(known: &[Known], [from, to]: [f64; 2]) -> Result<Vec<Ended>, Complaint> {

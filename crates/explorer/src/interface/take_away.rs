@@ -11,7 +11,7 @@ use touchdown_sweep::parameter::Home;
 use touchdown_sweep::toml_text;
 
 use super::complaint::Complaint;
-use super::landing::interval;
+use super::landing::{INTERVAL, interval};
 use super::request::{Asked, read, units, written};
 use super::touchdown::Touchdown;
 use crate::named::{Named, SourceKind};
@@ -56,7 +56,7 @@ impl Default for Request {
         Self {
             touchdown: Asked::default(),
             units: None,
-            interval_s: 0.01,
+            interval_s: INTERVAL,
         }
     }
 }
@@ -127,7 +127,7 @@ pub fn command(named: &Named, request: &str) -> Result<String, Complaint> {
         (touchdown.set.iter().filter(of_vehicle))
             .map(|one| format!("{}={}", one.parameter().name(), one.text())),
     );
-    for entry in solver_entries(&touchdown) {
+    for entry in touchdown.solver_entries() {
         if let Some((_, option)) = SOLVER_OPTIONS.iter().find(|(key, _)| *key == entry.key) {
             match &entry.node.value {
                 Value::Number(number) => words.push(format!("{option}={number}")),
@@ -147,23 +147,6 @@ fn given(touchdown: &Touchdown) -> Vec<(&'static str, f64)> {
     resolved
         .filter(|(name, _)| conditions.get(name).is_some())
         .collect()
-}
-
-/// Entries of the table `[solver]`.
-fn solver_entries<'t>(touchdown: &'t Touchdown) -> &'t [Entry] {
-    match touchdown.solver.root() {
-        [
-            Entry {
-                node:
-                    Node {
-                        value: Value::Table(entries),
-                        ..
-                    },
-                ..
-            },
-        ] => entries,
-        _ => &[],
-    }
 }
 
 /// Entries of the table `[scene]`.

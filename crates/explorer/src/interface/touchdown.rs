@@ -7,9 +7,8 @@ use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_sweep::assignment::{self, Assignment};
-use touchdown_sweep::document::{Document, Value};
+use touchdown_sweep::document::{Document, Entry, Value};
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::key_path::KeyPath;
 use touchdown_sweep::parameter::{Home, Parameter};
 use touchdown_sweep::scene_input::{NamedConditions, SceneFault};
 use touchdown_sweep::single_landing;
@@ -106,10 +105,20 @@ impl<'n> Touchdown<'n> {
             .map_err(|fault| self.complain(&fault))
     }
 
-    /// Whether the solver's tolerance is given.
-    pub fn gives_tolerance(&self) -> bool {
-        let path = KeyPath::parse("solver.tolerance");
-        path.is_some_and(|path| self.solver.number(&path).is_some())
+    /// Entries of the table `[solver]`.
+    pub fn solver_entries(&self) -> &[Entry] {
+        match self.solver.root() {
+            [table] => match &table.node.value {
+                Value::Table(entries) => entries,
+                _ => &[],
+            },
+            _ => &[],
+        }
+    }
+
+    /// Whether a key of the solver is given.
+    pub fn gives_solver(&self, key: &str) -> bool {
+        self.solver_entries().iter().any(|entry| entry.key == key)
     }
 
     fn complain(&self, fault: &SceneFault) -> Complaint {

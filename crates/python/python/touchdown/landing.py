@@ -60,7 +60,8 @@ class Landing:
     energy_closure_ftlb : float
         What the account of energies does not explain, ft·lb; 0 but for integration error.
     given_by_crushing_ftlb : float
-        Energy that crushing elements gave to the motion, which no material does, ft·lb: they are too stiff for the crush laws.
+        Energy that footpads, crush and friction together, and blocks gave to the motion, ft·lb, which no material does: they are too
+        stiff for the laws.
     max_strut_force_lb, max_stroke_ft : tuple of float
         Largest force, lb, and stroke, ft, of each strut.
     pad_contact_s, block_contact_s : tuple of float or None

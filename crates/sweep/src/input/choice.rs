@@ -1,16 +1,16 @@
-//! Keys whose values are words, one for each of several choices; the first holds without a word.
+//! Keys whose values are words, one for each of several choices.
 
 use crate::input_error::InputError;
 use crate::section::Section;
 
-/// The choice that a key names; without the key, the first.
-pub(crate) fn choice<T: Copy>(
+/// The choice that a key names; without the key, the default.
+pub(crate) fn choice<T: Copy + Default>(
     section: &Section,
     key: &str,
     choices: &[(&str, T)],
 ) -> Result<T, InputError> {
     let Some(value) = section.optional(key) else {
-        return Ok(choices[0].1);
+        return Ok(T::default());
     };
     chosen(choices, value.text()?).ok_or_else(|| {
         let quoted: Vec<String> = (choices.iter())

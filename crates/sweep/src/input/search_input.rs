@@ -19,7 +19,7 @@ pub(crate) const SEARCH: [&str; 9] = [
     "refinement",
     "certainty",
 ];
-/// Words of the choices, and what they mean; the first is what holds without a word.
+/// Words of the choices, and what they mean.
 pub(crate) const EXTENTS: [(&str, Extent); 2] = [("first", Extent::First), ("all", Extent::All)];
 pub(crate) const SCANS: [(&str, Scan); 2] = [("full", Scan::Full), ("skipping", Scan::Skipping)];
 pub(crate) const REFINEMENTS: [(&str, Refinement); 2] = [

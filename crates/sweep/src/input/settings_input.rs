@@ -36,9 +36,10 @@ pub const FRICTION_PROFILES: [(&str, FrictionProfile); 3] = [
 pub const STOPS: [(&str, Stop); 2] = [("verdict", Stop::Verdict), ("time", Stop::Time)];
 
 /// When a landing ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Stop {
     /// At its verdict.
+    #[default]
     Verdict,
     /// At the time limit, its verdict noted.
     Time,
@@ -86,11 +87,7 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
         (solver.optional_number("time_limit_s")?).unwrap_or(Settings::DEFAULT_TIME_LIMIT);
     let crush_rule = choice(&solver, "crush_rule", &CRUSH_RULES)?;
     let rest_rule = choice(&solver, "rest_rule", &REST_RULES)?;
-    // The profile of the program's studies holds without a word, the last of the three.
-    let friction_profile = match solver.optional("friction_profile") {
-        Some(_) => choice(&solver, "friction_profile", &FRICTION_PROFILES)?,
-        None => FrictionProfile::default(),
-    };
+    let friction_profile = choice(&solver, "friction_profile", &FRICTION_PROFILES)?;
     let settings = Settings::new(tolerance, time_limit, crush_rule)
         .map_err(|invalid| solver.complain(&invalid))?
         .with_method(method)

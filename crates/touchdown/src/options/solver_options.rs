@@ -21,8 +21,8 @@ pub struct SolverOptions {
     /// moves into the ground; "section", whenever it goes deeper than before
     #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule)]
     crush_rule: CrushRule,
-    /// When motion counts as subsided: within the "limits" of the program of 1966, made for the Surveyor; "energy", within
-    /// them and with less than half of the energy that toppling takes
+    /// When motion counts as subsided: within the "limits" of the program of 1966, made for the Surveyor; "energy", once the
+    /// vehicle has had less than half of the energy that toppling takes for a while
     #[arg(long, value_name = "RULE", default_value = "limits", value_parser = rest)]
     rest_rule: RestRule,
     /// How friction sets in near rest (4.1.5 of the report): A, B or C, as in the 1966 program
