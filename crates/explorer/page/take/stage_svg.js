@@ -1,10 +1,12 @@
-import { Color, LineSegments, Line, Mesh, MeshBasicMaterial, ShadowMaterial, Sprite, Vector3 } from "../vendor/three.js";
+import { Color, InstancedMesh, LineSegments, Line, Matrix4, Mesh, MeshBasicMaterial, ShadowMaterial, Sprite, Vector3 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
 import { SvgContext } from "./svg_context.js";
 
 /** @typedef {import("../landing/stage.js").Stage} Stage */
 /** @typedef {{ depth: number, points: [number, number][], colour: string, opacity: number }} Facet */
 
+const placed = new Matrix4();
+const tint = new Color();
 const [a, b, c, normal] = [0, 1, 2, 3].map(() => new Vector3());
 /** Lines of the grid to either side, ft. */
 const REACH = 40;
@@ -104,27 +106,37 @@ function facetsOf(stage, ground, project) {
   /** @type {Facet[]} */
   const facets = [];
   const light = stage.sun.position.clone().sub(stage.sun.target.position).normalize();
-  stage.scene.traverseVisible((part) => {
-    if (part === ground || part instanceof Sprite || part instanceof LineSegments || part instanceof Line) return;
-    if (!(part instanceof Mesh) || part.material instanceof ShadowMaterial) return;
-    const material = /** @type {import("../vendor/three.js").MeshStandardMaterial} */ (part.material);
+  const addFacets = (/** @type {Mesh} */ part, /** @type {number} */ copy) => {
+    const material = /** @type {import("../vendor/three.js").MeshLambertMaterial} */ (part.material);
     const isFlat = part.material instanceof MeshBasicMaterial;
+    placed.identity();
+    tint.copy(material.map ? new Color("#222222") : material.color);
+    if (part instanceof InstancedMesh) {
+      part.getMatrixAt(copy, placed);
+      if (part.instanceColor) part.getColorAt(copy, tint);
+    }
+    placed.premultiply(part.matrixWorld);
     const places = part.geometry.getAttribute("position");
     const order = part.geometry.index;
     const { start, count } = part.geometry.drawRange;
     const end = Math.min(order ? order.count : places.count, start + count);
     for (let i = start; i + 2 < end; i += 3) {
-      const corners = [a, b, c].map((corner, k) => corner.fromBufferAttribute(places, order ? order.getX(i + k) : i + k).applyMatrix4(part.matrixWorld));
+      const corners = [a, b, c].map((corner, k) => corner.fromBufferAttribute(places, order ? order.getX(i + k) : i + k).applyMatrix4(placed));
       normal.subVectors(b, a).cross(c.clone().sub(a)).normalize();
       const faces = normal.dot(stage.camera.position.clone().sub(a));
-      if (faces <= 0 && !isFlat) continue;
+      if (faces === 0 || (faces < 0 && !isFlat)) continue;
       const shade = isFlat ? 1 : 0.42 + 0.58 * Math.max(normal.dot(light), 0);
-      const colour = new Color().copy(material.map ? new Color("#222222") : material.color).convertLinearToSRGB();
+      const colour = tint.clone().convertLinearToSRGB();
       const depth = corners.reduce((sum, corner) => sum + corner.distanceTo(stage.camera.position), 0) / 3;
       const points = corners.map((corner) => project(corner));
       const rgb = [colour.r, colour.g, colour.b].map((value) => Math.round(255 * Math.min(value * shade, 1)).toString(16).padStart(2, "0"));
       facets.push({ depth, points, colour: `#${rgb.join("")}`, opacity: material.opacity });
     }
+  };
+  stage.scene.traverseVisible((part) => {
+    if (part === ground || part instanceof Sprite || part instanceof LineSegments || part instanceof Line) return;
+    if (!(part instanceof Mesh) || part.material instanceof ShadowMaterial) return;
+    for (let copy = 0; copy < (part instanceof InstancedMesh ? part.count : 1); copy += 1) addFacets(part, copy);
   });
   return facets;
 }

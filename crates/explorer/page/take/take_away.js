@@ -70,7 +70,7 @@ export class TakeAway {
     const { view } = this.replay.panels[0];
     const ground = view.lander?.ground;
     if (!ground) throw new Error("there is no landing yet");
-    save("landing.svg", stageSvg(view.stage, ground.surface, ground.gridStep), "image/svg+xml");
+    save("landing.svg", stageSvg(view.stage, ground.surface, ground.grid.step.value), "image/svg+xml");
   }
 
   /** @param {() => Promise<void> | void} act */
