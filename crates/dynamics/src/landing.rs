@@ -55,6 +55,26 @@ pub fn land_located(
     simulation.result(outcome)
 }
 
+/// Computes a landing, its events located, for as long as `goes_on` says so, which is asked before every step: none when it did
+/// not to the end.
+pub fn land_located_while(
+    vehicle: &Vehicle,
+    scene: &Scene,
+    settings: &Settings,
+    mut goes_on: impl FnMut() -> bool,
+) -> Option<Landing> {
+    let mut simulation = Simulation::new(vehicle, scene, settings, None);
+    let mut workspace = Workspace::new(&simulation.trajectory.motion);
+    let mut stepped = simulation.begin();
+    loop {
+        match stepped {
+            Err(outcome) => return Some(simulation.result(outcome)),
+            Ok(()) if goes_on() => stepped = simulation.step(&mut workspace),
+            Ok(()) => return None,
+        }
+    }
+}
+
 /// Computes a landing, its events located, until all footpads have touched; as [`Outcome::TimeExpired`] then, if it has
 /// not ended before.
 pub fn land_until_all_pads_touch(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Landing {

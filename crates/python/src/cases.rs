@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
+use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
@@ -17,7 +18,7 @@ use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::{OutputUnits, Quantity};
 use touchdown_sweep::run::{Observer, Workers};
 
-use crate::columns::{Column, WordList};
+use crate::columns::Column;
 use crate::documents::{Solver, Vehicle, output_units};
 use crate::errors::Failure;
 use crate::interruptible::{self, Work};
@@ -64,9 +65,12 @@ pub fn land_many<'py>(
         }
     })?;
     let columns = found.columns.into_iter();
-    let columns =
-        columns.map(|(quantity, column)| Ok((quantity.name().to_owned(), column.into_python(py)?)));
-    Ok((columns.collect::<PyResult<_>>()?, warnings))
+    let mut columns: PyColumns = columns
+        .map(|(quantity, column)| Ok((quantity.name().to_owned(), column.into_python(py)?)))
+        .collect::<PyResult<_>>()?;
+    let classes = found.classes.into_python(py)?;
+    columns.insert(1, ("outcome_class".to_owned(), classes));
+    Ok((columns, warnings))
 }
 
 /// Results of all rows.
@@ -80,7 +84,8 @@ fn landed(
     workers.each_case(table, rows, work, &work.cancel, |landed| {
         if let Some((row, landing)) = landed {
             let columns = landing_table::columns(&landing).into_iter();
-            results.set(row, columns.map(|(_, cell)| cell).collect());
+            let cells = columns.map(|(_, cell)| cell).collect();
+            results.set(row, &landing.outcome, cells);
         }
         Ok(())
     })?;
@@ -110,8 +115,8 @@ fn landed_into(
         let bytes = found.result(row)?;
         let finding = bytes.as_deref().and_then(Finding::decode);
         let finding = finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
-        if let Finding::Landing { cells, .. } = &finding {
-            results.set(row, cells.clone());
+        if let Finding::Landing { outcome, cells, .. } = &finding {
+            results.set(row, outcome, cells.clone());
         }
         rows.push((table.name(row), finding));
     }
@@ -189,6 +194,8 @@ impl CaseCells for ColumnsOfCases {
 #[derive(Debug)]
 struct Results {
     columns: Vec<(Quantity, Column)>,
+    /// Classes of the outcomes, which tables of the command line have not.
+    classes: Column,
     legs: usize,
     units: OutputUnits,
 }
@@ -198,7 +205,7 @@ impl Results {
         let rows = table.len();
         let column = |name: &String| {
             let column = match name.as_str() {
-                "outcome" | "failure" => Column::Words(vec![-1; rows], WordList::default()),
+                "outcome" | "failure" => Column::no_words(rows),
                 "steps" | "derivative_evaluations" => Column::Counts(vec![0; rows]),
                 _ => Column::Numbers(vec![f64::NAN; rows]),
             };
@@ -207,13 +214,15 @@ impl Results {
         let legs = table.most_legs();
         Self {
             columns: landing_table::names(legs).iter().map(column).collect(),
+            classes: Column::no_words(rows),
             legs,
             units,
         }
     }
 
     /// Sets the results of a row.
-    fn set(&mut self, row: usize, results: Vec<Cell>) {
+    fn set(&mut self, row: usize, outcome: &Outcome, results: Vec<Cell>) {
+        self.classes.set_word(row, &outcome.class().to_string());
         let places = landing_table::places(results.len(), self.legs);
         for (place, cell) in places.into_iter().zip(results) {
             let (quantity, column) = &mut self.columns[place];
@@ -222,9 +231,7 @@ impl Results {
                     numbers[row] = quantity.number(number);
                 }
                 (Column::Counts(counts), Cell::Count(count)) => counts[row] = count as i64,
-                (Column::Words(codes, words), Cell::Word(word)) if !word.is_empty() => {
-                    codes[row] = words.place(&word);
-                }
+                (words, Cell::Word(word)) if !word.is_empty() => words.set_word(row, &word),
                 _ => {}
             }
         }

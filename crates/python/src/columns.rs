@@ -18,6 +18,18 @@ pub enum Column {
 }
 
 impl Column {
+    /// A column of words that has none yet.
+    pub fn no_words(rows: usize) -> Self {
+        Self::Words(vec![-1; rows], WordList::default())
+    }
+
+    /// Sets the word of a row in a column of words.
+    pub fn set_word(&mut self, row: usize, word: &str) {
+        if let Self::Words(codes, words) = self {
+            codes[row] = words.place(word);
+        }
+    }
+
     /// The column as Python takes it: bytes, the type of their numbers, and words.
     pub fn into_python<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         match self {
@@ -37,8 +49,7 @@ pub struct WordList {
 }
 
 impl WordList {
-    /// The place of a word.
-    pub fn place(&mut self, word: &str) -> i32 {
+    fn place(&mut self, word: &str) -> i32 {
         if let Some(place) = self.places.get(word) {
             return *place;
         }

@@ -19,7 +19,7 @@ use touchdown_sweep::toml_text;
 use touchdown_sweep::unit;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
-use crate::errors::Failure;
+use crate::errors::{Failure, guarded};
 
 /// Vehicles that come with the package.
 const OWN_VEHICLES: [(&str, &str); 4] = [
@@ -42,6 +42,9 @@ const OWN_VEHICLES: [(&str, &str); 4] = [
 ];
 /// What a value of a dictionary may be.
 const VALUES: &str = "a number, a text, a list or a dictionary";
+/// Most dictionaries and lists within each other: more than any input has, and fewer than the stack holds. One may contain
+/// itself.
+const DEEPEST: usize = 32;
 
 /// A document that stands in no file.
 fn document(text: &str) -> Result<Document, InputError> {
@@ -63,9 +66,11 @@ impl Vehicle {
     /// Reads TOML text. `path` is the file that complaints name; without, they name none.
     #[new]
     fn new(text: &str, path: &str) -> Result<Self, Failure> {
-        let file = VehicleFile::from_document(Document::parse(Path::new(path), text)?)?;
-        let vehicle = Arc::new(file.vehicle.clone());
-        Ok(Self { file, vehicle })
+        guarded(|| {
+            let file = VehicleFile::from_document(Document::parse(Path::new(path), text)?)?;
+            let vehicle = Arc::new(file.vehicle.clone());
+            Ok::<_, InputError>(Self { file, vehicle })
+        })
     }
 
     /// Its name.
@@ -87,13 +92,15 @@ impl Vehicle {
 
     /// Its TOML text with other values of parameters, which are named with `vehicle.` before them.
     fn replaced(&self, values: Vec<(String, String)>) -> Result<String, Failure> {
-        let set = values
-            .iter()
-            .map(|(name, text)| Assignment::new(name, text));
-        let set: Vec<Assignment> = set.collect::<Result<_, _>>()?;
-        assignment::check_once(&set)?;
-        let file = assignment::set_vehicle(&self.file, &set)?;
-        Ok(toml_text::text(file.document.root()))
+        guarded(|| {
+            let set = values
+                .iter()
+                .map(|(name, text)| Assignment::new(name, text));
+            let set: Vec<Assignment> = set.collect::<Result<_, _>>()?;
+            assignment::check_once(&set)?;
+            let file = assignment::set_vehicle(&self.file, &set)?;
+            Ok::<_, InputError>(toml_text::text(file.document.root()))
+        })
     }
 }
 
@@ -107,7 +114,7 @@ impl Scene {
     /// Reads TOML text with the keys of a table `[scene]`.
     #[new]
     fn new(text: &str) -> Result<Self, Failure> {
-        Ok(Self(Touchdown::from_document(document(text)?)?))
+        guarded(|| Touchdown::from_document(document(text)?).map(Self))
     }
 
     /// All numbers in the units of the program, with defaults.
@@ -126,7 +133,7 @@ impl Solver {
     /// Reads TOML text with a table `[solver]`.
     #[new]
     fn new(text: &str) -> Result<Self, Failure> {
-        Ok(Self(single_landing::settings(&document(text)?)?))
+        guarded(|| single_landing::settings(&document(text)?).map(Self))
     }
 }
 
@@ -140,7 +147,7 @@ pub fn own_vehicle(name: &str) -> Option<&'static str> {
 /// A dictionary as TOML text.
 #[pyfunction]
 pub fn toml(values: &Bound<PyMapping>) -> PyResult<String> {
-    Ok(toml_text::text(&entries(values, "")?))
+    Ok(toml_text::text(&entries(values, "", 0)?))
 }
 
 /// The name of a parameter in the unit of the program; `None` where there is no such parameter.
@@ -171,7 +178,7 @@ pub fn output_units(word: &str) -> Result<OutputUnits, Failure> {
     }
 }
 
-fn entries(values: &Bound<PyMapping>, path: &str) -> PyResult<Vec<Entry>> {
+fn entries(values: &Bound<PyMapping>, path: &str, depth: usize) -> PyResult<Vec<Entry>> {
     let items = values.items()?;
     let entry = |item: Bound<PyAny>| {
         let (key, value): (Bound<PyAny>, Bound<PyAny>) = item.extract()?;
@@ -184,14 +191,19 @@ fn entries(values: &Bound<PyMapping>, path: &str) -> PyResult<Vec<Entry>> {
             above => format!("{above}.{key}"),
         };
         Ok(Entry {
-            node: node(&value, &path)?,
+            node: node(&value, &path, depth + 1)?,
             key,
         })
     };
     items.iter().map(entry).collect()
 }
 
-fn node(value: &Bound<PyAny>, path: &str) -> PyResult<Node> {
+fn node(value: &Bound<PyAny>, path: &str, depth: usize) -> PyResult<Node> {
+    if depth > DEEPEST {
+        let complaint =
+            format!("{path}: expected at most {DEEPEST} lists and dictionaries within each other");
+        return Err(Failure::from(InputError::other(complaint)).into());
+    }
     let refuse = || -> PyResult<Node> {
         let said = value.repr()?.to_string();
         Err(Failure::from(InputError::value(path, said, VALUES)).into())
@@ -203,13 +215,13 @@ fn node(value: &Bound<PyAny>, path: &str) -> PyResult<Node> {
     } else if value.is_instance_of::<PyBool>() || value.is_none() {
         return refuse();
     } else if let Ok(table) = value.cast::<PyDict>() {
-        Value::Table(entries(table.as_mapping(), path)?)
+        Value::Table(entries(table.as_mapping(), path, depth)?)
     } else if let Ok(table) = value.cast::<PyMapping>() {
-        Value::Table(entries(table, path)?)
+        Value::Table(entries(table, path, depth)?)
     } else if let Ok(list) = value.cast::<PySequence>() {
         let items = list.try_iter()?.enumerate();
         let item = |(index, item): (usize, PyResult<Bound<PyAny>>)| {
-            node(&item?, &format!("{path}[{}]", index + 1))
+            node(&item?, &format!("{path}[{}]", index + 1), depth + 1)
         };
         Value::List(items.map(item).collect::<PyResult<_>>()?)
     } else if let Ok(plain) = value.call_method0("tolist") {
@@ -217,7 +229,7 @@ fn node(value: &Bound<PyAny>, path: &str) -> PyResult<Node> {
         if plain.is(value) {
             return refuse();
         }
-        return node(&plain, path);
+        return node(&plain, path, depth + 1);
     } else {
         return refuse();
     };

@@ -40,10 +40,16 @@ impl Failure {
     }
 }
 
-/// Does work that may panic.
-pub fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Failure> {
+/// Does work whose panic is a failure.
+pub fn guarded<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<T, Failure>
+where
+    Failure: From<E>,
+{
     // Nothing outlives the work that it could have left half done.
-    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| Failure::of_panic(&*panic))
+    match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(result) => Ok(result?),
+        Err(panic) => Err(Failure::of_panic(&*panic)),
+    }
 }
 
 impl From<InputError> for Failure {

@@ -1,20 +1,26 @@
-//! Long work on a thread of its own, while the thread that called looks after Ctrl-C and tells how far it is.
+//! Work that Ctrl-C ends: on a thread of its own, while the thread that called tells how far it is, or in place, where it asks
+//! now and then whether to go on.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 use touchdown_sweep::run::Observer;
 
-use crate::errors::Failure;
+use crate::errors::{Failure, guarded};
 
 /// Time between two looks at signals.
 const LOOK_INTERVAL: Duration = Duration::from_millis(50);
 /// Longest wait for work that was told to stop: a landing that takes longer is left to end on its own.
 const PATIENCE: Duration = Duration::from_millis(100);
+
+/// Questions whether to go on for one look at the clock.
+const QUESTIONS_PER_LOOK: u32 = 64;
+
+const NO_RESULT: &str = "the engine gave no result";
 
 /// How far work is, and whether it is to go on.
 #[derive(Debug, Default)]
@@ -84,7 +90,7 @@ pub fn run<T: Send + 'static>(
                 let panic = py.detach(|| thread.join());
                 let failure = match panic {
                     Err(panic) => Failure::of_panic(&*panic),
-                    Ok(()) => Failure::Engine("the engine gave no result".to_owned()),
+                    Ok(()) => Failure::Engine(NO_RESULT.to_owned()),
                 };
                 return Err(failure.into());
             }
@@ -95,6 +101,36 @@ pub fn run<T: Send + 'static>(
             let _ = wait(py, &mut results, PATIENCE);
             return Err(error);
         }
+    }
+}
+
+/// Does `work` in place without the interpreter, for what takes no longer as a rule than a thread takes to start. It asks the
+/// function that it is given whether to go on, and has no result where it is not to.
+///
+/// # Errors
+/// A signal, or that the work panicked.
+pub fn in_place<T: Send>(
+    py: Python,
+    work: impl FnOnce(&mut dyn FnMut() -> bool) -> Option<T> + Send,
+) -> PyResult<T> {
+    let mut signal = None;
+    let done = py.detach(|| {
+        let mut looked = Instant::now();
+        let mut questions = 0;
+        let mut goes_on = || {
+            questions += 1;
+            if questions % QUESTIONS_PER_LOOK == 0 && looked.elapsed() >= LOOK_INTERVAL {
+                signal = Python::attach(|py| py.check_signals()).err();
+                looked = Instant::now();
+            }
+            signal.is_none()
+        };
+        let no_result = || Failure::Engine(NO_RESULT.to_owned());
+        guarded(|| work(&mut goes_on).ok_or_else(no_result))
+    });
+    match signal {
+        Some(signal) => Err(signal),
+        None => Ok(done?),
     }
 }
 

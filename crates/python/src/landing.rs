@@ -3,7 +3,8 @@
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyDict, PyTuple};
 use touchdown_dynamics::land::{land as compute, land_observed};
-use touchdown_dynamics::landing::{Instant, Landing, LegWork};
+use touchdown_dynamics::landing::{Instant, Landing, LegWork, land_located_while};
+use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::history::columns;
 use touchdown_sweep::input_error::InputError;
@@ -26,8 +27,20 @@ pub fn land<'py>(
     solver: &Solver,
 ) -> PyResult<Bound<'py, PyDict>> {
     let touchdown = scene_for(vehicle, scene, solver)?;
-    let landed = py.detach(|| guarded(|| compute(&vehicle.vehicle, &touchdown, &solver.0)))?;
-    results(py, &landed)
+    let settings = solver.0;
+    let landed = match settings.method() {
+        // At once, for a thread would take longer than many a landing.
+        Method::Located => interruptible::in_place(py, |goes_on| {
+            land_located_while(&vehicle.vehicle, &touchdown, &settings, goes_on)
+        }),
+        _ => {
+            let lander = vehicle.vehicle.clone();
+            interruptible::run(py, None, move |_| {
+                Ok(compute(&lander, &touchdown, &settings))
+            })
+        }
+    };
+    results(py, &landed?)
 }
 
 /// Computes a landing: columns of its history, every `interval` seconds, by name.
@@ -78,7 +91,7 @@ fn scene_for(
     scene: &Scene,
     solver: &Solver,
 ) -> Result<touchdown_dynamics::scene::Scene, Failure> {
-    Ok(scene.0.scene_for(&vehicle.vehicle, &solver.0.method())?)
+    guarded(|| scene.0.scene_for(&vehicle.vehicle, &solver.0.method()))
 }
 
 /// Results of a landing in the units of the program, by name.

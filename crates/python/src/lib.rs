@@ -10,6 +10,7 @@ mod cases;
 mod columns;
 mod documents;
 mod errors;
+mod fault;
 mod interruptible;
 mod landing;
 mod sweeps;
@@ -25,6 +26,8 @@ mod _engine {
     use crate::documents::{
         Scene, Solver, Vehicle, bare_name_and_unit, in_units, own_vehicle, program_name, toml,
     };
+    #[pymodule_export]
+    use crate::fault::fault;
     #[pymodule_export]
     use crate::landing::{history, land};
     #[pymodule_export]

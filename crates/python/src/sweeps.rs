@@ -19,7 +19,7 @@ use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file;
 
 use crate::documents::{Vehicle, output_units};
-use crate::errors::Failure;
+use crate::errors::{Failure, guarded};
 use crate::interruptible::{self, Work};
 
 /// A sweep that is ready to run.
@@ -52,8 +52,10 @@ impl Sweep {
         let copies: Vec<Source> = (own.into_iter().chain(others))
             .map(|(path, text)| Source { path, text })
             .collect();
-        let sweep = sweep_file::Sweep::read_from(&path, Library::Copies(&copies));
-        Ok(Self(sweep.map_err(InputError::nowhere)?))
+        guarded(|| {
+            let sweep = sweep_file::Sweep::read_from(&path, Library::Copies(&copies));
+            sweep.map(Self).map_err(InputError::nowhere)
+        })
     }
 
     /// Reads a sweep file, and replaces some of it as the options of the command line do.
@@ -71,7 +73,7 @@ impl Sweep {
             units: units.map(output_units).transpose()?,
             ..Overrides::default()
         };
-        Ok(Self(sweep_file::Sweep::read(&path)?.with(&overrides)?))
+        guarded(|| sweep_file::Sweep::read(&path)?.with(&overrides).map(Self))
     }
 
     /// What its files are named after.

@@ -51,6 +51,13 @@ def test_complaints_name_key_value_and_what_is_allowed():
     assert error.key == "slop_deg" and "slope_deg" in error.allowed
 
 
+def test_dictionaries_within_themselves():
+    thrust: dict[str, object] = {}
+    thrust["curve"] = [thrust]
+    error = complaint(lambda: td.Scene(thrust=thrust))
+    assert "expected at most 32 lists and dictionaries within each other" in str(error)
+
+
 def test_what_a_landing_needs(lander, scene):
     incomplete = td.Scene(vertical_velocity_fps=14, slope_deg=15, friction=1)
     error = complaint(lambda: td.land(lander, incomplete))

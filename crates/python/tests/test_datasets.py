@@ -87,6 +87,18 @@ def test_maps_have_a_regular_grid_points_and_edges(lander, scene):
     assert {"edge_kind", "corner_triangle"} <= set(found.data_vars)
 
 
+def test_errors_of_a_map_in_si(lander, scene):
+    def mapped(**errors):
+        axes = {"cross_slope_deg": [160, 180], "roll_deg": [0, 20]}
+        width = {"cross_slope_deg": 10, "roll_deg": 10}
+        return td.map(lander, scene, axes, width, search=SHORT, progress=False, **errors)
+
+    feet, metres = mapped(error_fps=1, jump_fps=0.5), mapped(error_mps=0.3048, jump_mps=0.1524)
+    assert metres.drop_attrs().equals(feet.drop_attrs())
+    with pytest.raises(td.InputError, match="one spelling of a quantity"):
+        mapped(error_fps=1, error_mps=0.3)
+
+
 def test_results_of_the_command_line_read_as_the_same_dataset(root):
     surface = td.read(root / "results/surface-4-20.json")
     assert surface.first_transition.shape == (81, 49)

@@ -13,6 +13,7 @@ import pandas as pd
 import pytest
 
 import touchdown as td
+from touchdown import _engine
 
 from conftest import SHORT
 
@@ -47,6 +48,37 @@ def test_ctrl_c_stops_any_long_call(call, root, tmp_path):
     done = subprocess.run([sys.executable, "-c", script], cwd=root, capture_output=True, text=True, timeout=60, check=False)
     # That it ended in time says that it was interrupted; no test asserts how fast.
     assert done.returncode == 0 and float(done.stdout) > 0, done.stderr
+
+
+# Begins a landing that takes seconds, interrupts it, and says how long it went on, in milliseconds.
+INTERRUPTED_LANDING = """
+import os, signal, threading, time
+import touchdown as td
+lander = td.vehicles.surveyor()
+scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11, cross_slope_deg=180, slope_deg=15, friction=1)
+at = []
+def interrupt():
+    at.append(time.perf_counter())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Timer(0.2, interrupt).start()
+try:
+    td.land(lander, scene, {solver})
+except KeyboardInterrupt:
+    print(1000 * (time.perf_counter() - at[0]))
+"""
+
+
+@pytest.mark.parametrize("solver", [{"tolerance": 1e-12, "time_limit_s": 1000, "stop": "time"}, {"method": "rk4", "interval_s": 1e-6}])
+def test_ctrl_c_stops_a_single_landing(solver):
+    script = INTERRUPTED_LANDING.replace("{solver}", repr(solver))
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0 and float(done.stdout) > 0, done.stderr
+
+
+@pytest.mark.parametrize("place", ["reading", "in place", "on a thread"])
+def test_a_fault_of_the_engine_is_an_exception_of_ours(place):
+    with pytest.raises(td.EngineError, match="the engine failed, which is a fault of it: on purpose"):
+        _engine.fault(place)
 
 
 def test_progress_comes_to_an_end(lander, scene):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 
 import numpy as np
+import numpy as np
 import pytest
 
 import touchdown as td
@@ -73,18 +74,59 @@ def test_notebooks_show_short_tables(lander, scene):
     assert repr(scene).startswith("Scene(vertical_velocity_fps=14, ")
 
 
-def test_a_landing_is_told_in_a_line(lander, scene):
-    told = repr(td.land(lander, scene))
-    assert told.startswith("<Landing of Surveyor") and "stable-rockback at 2.844 s" in told and len(told) < 160
-
-
-def test_boundaries_are_told_in_si(lander, scene):
+def test_objects_are_told_in_a_line(lander, scene):
+    assert repr(td.land(lander, scene)) == (
+        "<Landing of Surveyor, Table 4-1: stable-rockback at 2.844 s, least stability angle 10.834 deg at 2.811 s, "
+        "least clearance 0.539 ft, largest strut force 3184.479 lb>"
+    )
     found = td.boundary(lander, scene, search=SHORT | {"bands": "all"}, progress=False)
-    known, told = found.to_frame(), found.to_frame("SI")
-    assert list(told)[:3] == ["from_mps", "to_mps", "outcome"]
-    assert np.allclose(told.to_mps, known.to_fps * 0.3048, rtol=1e-15) and told.solver_tolerance.equals(known.solver_tolerance)
-    row = found.to_series("SI")
-    assert row.first_transition_mps == pytest.approx(found.first_transition_fps * 0.3048, rel=1e-15)
-    assert row.first_transition_to == found.first_transition_to and row.landings == found.landings
+    assert repr(found) == "<Boundary of Surveyor, Table 4-1: V_H 11.391 ft/s to unstable, certain, 2 bands>"
+    assert repr(found.bands[0]) == "<Band from 8.000 ft/s to 11.391 ft/s: stable-subsided>"
+    nothing = td.boundary(lander, scene, search={"from_fps": 1, "to_fps": 2, "tolerance_fps": 0.1}, progress=False)
+    assert repr(nothing) == "<Boundary of Surveyor, Table 4-1: no transition, 1 band>"
+
+
+def test_landings_come_in_si(lander, scene):
+    known, told = td.land(lander, scene), td.land(lander, scene, units="SI")
+    assert told == known and hash(told) == hash(known)
+    for name, si, factor in [
+        ("min_clearance_ft", "min_clearance_m", 0.3048),
+        ("strut_work_ftlb", "strut_work_j", 1.3558179483314003),
+        ("max_strut_force_lb", "max_strut_force_n", 4.4482216152605),
+    ]:
+        assert np.allclose(getattr(told, si), np.array(getattr(known, name)) * factor, rtol=1e-14)
+        assert getattr(known, si) == getattr(told, si) and si in dir(known)
+    assert None in told.block_contact_s
+    assert told.history(0.5).equals(known.history(0.5, "SI")) and "clearance_m" in told.history(0.5)
+    assert told.to_series().equals(known.to_series("SI")) and told.to_series("US").equals(known.to_series())
+    assert f"{told.min_clearance_m:.3f} m, " in repr(told) and " N>" in repr(told)
+    assert "least ground clearance, m" in told._repr_html_() and "energy closure, J" in told._repr_html_()
+    assert pickle.loads(pickle.dumps(told)).units == "SI"
+    with pytest.raises(AttributeError, match="the landing has no min_clearance_km"):
+        told.min_clearance_km
+    with pytest.raises(td.InputError, match='units = "cgs"'):
+        td.land(lander, scene, units="cgs")
+
+
+def test_boundaries_come_in_si(lander, scene):
+    search = SHORT | {"bands": "all"}
+    known = td.boundary(lander, scene, search=search, progress=False)
+    told = td.boundary(lander, scene, search=search, units="SI", progress=False)
+    assert told == known
+    # As sweeps convert it, to the last bit.
+    swept = td.sweep(lander, scene, {"roll_deg": [0]}, search=search, units="SI", progress=False).squeeze()
+    assert told.first_transition_mps == known.first_transition_mps == swept.first_transition.item()
+    assert told.first_transition_mps == pytest.approx(known.first_transition_fps * 0.3048, rel=1e-15)
+    assert [band.to_mps for band in known.bands] == swept.band_to.values.tolist()
+    frame = told.to_frame()
+    assert list(frame)[:3] == ["from_mps", "to_mps", "outcome"] and frame.equals(known.to_frame("SI"))
+    assert frame.to_mps.tolist() == swept.band_to.values.tolist()
+    assert frame.solver_tolerance.equals(known.to_frame().solver_tolerance)
+    row = told.to_series()
+    assert row.first_transition_mps == told.first_transition_mps and row.landings == known.landings
+    assert row.first_transition_to == known.first_transition_to and "units" not in row
+    assert "V_H 3.472 m/s" in repr(told) and repr(told.bands[0]).startswith("<Band from 2.438 m/s")
+    assert "V_H, m/s" in told._repr_html_() and "V_H, ft/s" in known._repr_html_()
+    assert pickle.loads(pickle.dumps(told)).units == "SI"
     with pytest.raises(td.InputError, match="US"):
-        found.to_frame("metric")
+        known.to_frame("metric")

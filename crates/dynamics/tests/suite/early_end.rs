@@ -4,6 +4,7 @@
 
 use crate::common::{level, level_scene, settings, table_4_1};
 use touchdown_dynamics::land::land;
+use touchdown_dynamics::landing::land_located_while;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::scene::{Conditions, Scene};
 
@@ -46,4 +47,22 @@ fn landings_that_end_early_end_in_the_same_class() {
         }
     }
     assert!((5..50).contains(&early_ends), "{early_ends}");
+}
+
+#[test]
+fn a_landing_goes_on_only_as_long_as_it_is_told_to() {
+    let (vehicle, scene, settings) = (table_4_1(), level_scene(180.0, 10.0, 8.0), settings(1e-6));
+    let mut asked = 0;
+    let whole = land_located_while(&vehicle, &scene, &settings, || {
+        asked += 1;
+        true
+    });
+    assert_eq!(whole, Some(land(&vehicle, &scene, &settings)));
+    assert!(asked > 100, "{asked}");
+    let mut left = asked - 1;
+    let stopped = land_located_while(&vehicle, &scene, &settings, || {
+        left -= 1;
+        left > 0
+    });
+    assert_eq!((stopped, left), (None, 0));
 }

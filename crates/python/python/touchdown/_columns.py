@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from touchdown import _engine
 from touchdown.errors import InputError
 
 _TABLES = "a DataFrame, or a mapping of names to columns of equal length"
@@ -85,13 +84,3 @@ def series(values: bytearray, kind: str, words: list[str] | None) -> Any:
     codes: np.ndarray[tuple[int], np.dtype[np.int32]] = np.frombuffer(values, dtype=np.int32)
     # In an order that does not depend on threads.
     return pd.Categorical.from_codes(codes, pd.Index(words, dtype=object)).reorder_categories(sorted(words))
-
-
-def in_units(values: Mapping[str, Any], units: str) -> dict[str, Any]:
-    """Results by name, in these units; what is no number is only named anew."""
-    told = {}
-    for name, value in values.items():
-        is_number = isinstance(value, float)
-        known, number = _engine.in_units(name, value if is_number else 0.0, units)
-        told[known] = number if is_number else value
-    return told

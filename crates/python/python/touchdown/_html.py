@@ -31,14 +31,14 @@ def shown(value: object) -> str:
 OUTCOME_COLOURS = {"stable": "#4c9f70", "unstable": "#d1495b", "bottomed": "#edae49", "undecided": "#9aa5b1", "failure": "#444444"}
 
 
-def bands_picture(bands: Iterable[tuple[float, float, str, str]]) -> str:
-    """Bands of horizontal velocities side by side: their ends, how landings end in them, and the kind of it."""
+def bands_picture(bands: Iterable[tuple[float, float, str, str]], unit: str) -> str:
+    """Bands of horizontal velocities side by side: their ends in a unit, how landings end in them, and the kind of it."""
     bands = list(bands)
     if not bands:
         return ""
     low, high = bands[0][0], bands[-1][1]
     parts = (
-        f"<div title='{start:.4g} to {end:.4g} ft/s: {escape(kind)}' "
+        f"<div title='{start:.4g} to {end:.4g} {unit}: {escape(kind)}' "
         f"style='width:{100 * (end - start) / (high - low):.3f}%;background:{OUTCOME_COLOURS[outcome]};color:white;"
         f"overflow:hidden;white-space:nowrap;padding:2px 0;text-align:center'>{escape(outcome)}</div>"
         for start, end, outcome, kind in bands
@@ -47,5 +47,5 @@ def bands_picture(bands: Iterable[tuple[float, float, str, str]]) -> str:
     return (
         f"<div style='max-width:40em'><div style='display:flex'>{''.join(parts)}</div>"
         f"<div style='display:flex;justify-content:space-between'><span>{low:g}</span>"
-        f"<span>V_H, ft/s; transitions: {ends}</span><span>{high:g}</span></div></div>"
+        f"<span>V_H, {unit}; transitions: {ends}</span><span>{high:g}</span></div></div>"
     )

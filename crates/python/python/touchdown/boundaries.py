@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 import pandas as pd
 
 from touchdown import _engine
-from touchdown._columns import in_units
 from touchdown._documents import Document, merged, same_quantity
 from touchdown._html import bands_picture
+from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
 from touchdown.progress import Watch, watching
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
@@ -22,9 +22,11 @@ HORIZONTAL = "horizontal_velocity_fps"
 _AXIS = "cross_slope_deg"
 
 
-@dataclass(frozen=True, slots=True)
-class Band:
+@dataclass(frozen=True, slots=True, repr=False)
+class Band(InBothUnits):
     """A range of horizontal velocities whose landings end alike.
+
+    Velocities are attributes in SI too, such as `to_mps`.
 
     Attributes
     ----------
@@ -42,6 +44,8 @@ class Band:
         Between which velocities it is disputed, ft/s.
     solver_tolerance : float or None
         Tolerance at which both ends of the bracket were landed.
+    units : {"US", "SI"}
+        Units that it is told in.
     """
 
     from_fps: float
@@ -53,11 +57,18 @@ class Band:
     disputed_from_fps: float | None
     disputed_to_fps: float | None
     solver_tolerance: float | None
+    units: str = field(default=US, compare=False)
+
+    def __repr__(self) -> str:
+        start, end = (told(name, speed, self.units) for name, speed in [("from_fps", self.from_fps), ("to_fps", self.to_fps)])
+        return f"<Band from {start} to {end}: {self.kind}>"
 
 
-@dataclass(frozen=True, slots=True)
-class Boundary:
+@dataclass(frozen=True, slots=True, repr=False)
+class Boundary(InBothUnits):
     """Where landings cease to be stable as the horizontal velocity grows.
+
+    Velocities are attributes in SI too, such as `first_transition_mps`.
 
     Attributes
     ----------
@@ -83,6 +94,8 @@ class Boundary:
         What lands.
     scene : Scene
         How it touches down.
+    units : {"US", "SI"}
+        Units that it is told in, and that its tables have unless asked for others.
     """
 
     first_transition_fps: float | None
@@ -96,37 +109,50 @@ class Boundary:
     bands: tuple[Band, ...]
     landings: int
     derivative_evaluations: int
-    vehicle: Vehicle = field(repr=False)
-    scene: Scene = field(repr=False)
+    vehicle: Vehicle
+    scene: Scene
+    units: str = field(default=US, compare=False)
 
-    def to_series(self, units: str = "US") -> pd.Series[Any]:
+    def to_series(self, units: str | None = None) -> pd.Series[Any]:
         """What is found, without the bands, by name.
 
         Parameters
         ----------
-        units : {"US", "SI"}
-            Units of the values, which are part of their names.
+        units : {"US", "SI"}, optional
+            Units of the values, which are part of their names; without, `units` of the boundary.
         """
-        left_out = {"bands", "vehicle", "scene"}
+        left_out = {"bands", "vehicle", "scene", "units"}
         found = {name: getattr(self, name) for name in type(self).__dataclass_fields__ if name not in left_out}
-        return pd.Series(in_units(found, units), dtype=object)
+        return pd.Series(in_units(found, units or self.units), dtype=object)
 
-    def to_frame(self, units: str = "US") -> pd.DataFrame:
+    def to_frame(self, units: str | None = None) -> pd.DataFrame:
         """The bands as a table, indexed by their numbers from 1.
 
         Parameters
         ----------
-        units : {"US", "SI"}
-            Units of the columns, which are part of their names.
+        units : {"US", "SI"}, optional
+            Units of the columns, which are part of their names; without, `units` of the boundary.
         """
-        rows = [in_units(asdict(band), units) for band in self.bands]
-        columns = list(in_units(dict.fromkeys(Band.__dataclass_fields__), units))
-        frame = pd.DataFrame(rows, columns=columns)
+        units = units or self.units
+        names = dict.fromkeys(name for name in Band.__dataclass_fields__ if name != "units")
+        rows = [in_units({name: getattr(band, name) for name in names}, units) for band in self.bands]
+        frame = pd.DataFrame(rows, columns=list(in_units(names, units)))
         frame.index = pd.RangeIndex(1, len(frame) + 1, name="band")
         return frame
 
+    def __repr__(self) -> str:
+        if self.first_transition_fps is None:
+            found = "no transition"
+        else:
+            speed = told("first_transition_fps", self.first_transition_fps, self.units)
+            found = f"V_H {speed} to {self.first_transition_to}, {self.certainty or 'untested'}"
+        bands = {0: "", 1: ", 1 band"}.get(len(self.bands), f", {len(self.bands)} bands")
+        return f"<Boundary of {self.vehicle.name}: {found}{bands}>"
+
     def _repr_html_(self) -> str:
-        return bands_picture([(band.from_fps, band.to_fps, band.outcome, band.kind) for band in self.bands])
+        ends = [value_in(self.units, HORIZONTAL, (band.from_fps, band.to_fps)) for band in self.bands]
+        bands = [(*end, band.outcome, band.kind) for end, band in zip(ends, self.bands, strict=True)]
+        return bands_picture(bands, unit_in(self.units, HORIZONTAL))
 
 
 def boundary(
@@ -135,6 +161,7 @@ def boundary(
     *,
     search: Document | None = None,
     solver: Document | None = None,
+    units: str = US,
     threads: int | None = None,
     progress: bool | Watch | None = None,
 ) -> Boundary:
@@ -151,6 +178,9 @@ def boundary(
         to 0.001 ft/s.
     solver : mapping, optional
         How landings are computed, with the keys of a table ``[solver]``; the tolerance is that of sweeps, 3e-5, unless given.
+    units : {"US", "SI"}
+        Units in which the boundary and its bands are told and come as tables. They compute and compare alike, and both have the
+        names of either as attributes.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.
     progress : bool or callable, optional
@@ -168,11 +198,12 @@ def boundary(
     >>> print(f"{found.first_transition_fps:.3f} ft/s, {found.certainty}")
     11.400 ft/s, certain
     """
+    units = checked(units)
     engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver)), vehicle._engine, {})
     with watching(progress, "points") as watch:
         found = _engine.boundary(engine, threads, watch)
-    bands = tuple(Band(**band) for band in found.pop("bands"))
-    return Boundary(**found, bands=bands, vehicle=vehicle, scene=scene)
+    bands = tuple(Band(**band, units=units) for band in found.pop("bands"))
+    return Boundary(**found, bands=bands, vehicle=vehicle, scene=scene, units=units)
 
 
 def _point(scene: Scene, search: Document | None, solver: Document | None) -> dict[str, Any]:

@@ -41,7 +41,7 @@ def land_many(
     scene : Scene, optional
         Conditions that are the same for all rows and no columns of the table.
     solver : mapping, optional
-        How landings are computed, as in `land`.
+        How landings are computed, as in `land`, with the same tolerance, 1e-6, unless given.
     units : {"US", "SI"}
         Units of the results, which are part of the names of the columns.
     out : path, optional
@@ -56,8 +56,9 @@ def land_many(
     Returns
     -------
     DataFrame
-        A row for each row of the table, with its index; columns as those of ``touchdown land --cases``. `outcome` and `failure` are
-        categorical.
+        A row for each row of the table, with its index; columns as those of ``touchdown land --cases``, and after `outcome` its class,
+        `outcome_class`: ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"undecided"`` or ``"failure"``. `outcome`, `outcome_class` and
+        `failure` are categorical.
 
     Raises
     ------

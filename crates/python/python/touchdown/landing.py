@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,8 @@ import pandas as pd
 
 from touchdown import _engine
 from touchdown._documents import Document, solver_of
-from touchdown._columns import in_units
 from touchdown._html import table
+from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
 
@@ -20,6 +20,7 @@ from touchdown.vehicle import Vehicle
 _OF_LEGS = {"max_strut_force_lb": ("max_strut_force", "lb"), "pad_contact_s": ("pad_contact", "s"), "block_contact_s": ("block_contact", "s")}
 _COLUMNS = [
     "outcome",
+    "outcome_class",
     "end_time_s",
     "min_stability_angle_deg",
     "min_clearance_ft",
@@ -33,11 +34,23 @@ _COLUMNS = [
 ]
 
 
+#: What a notebook shows.
+_SHOWN = [
+    ("least stability angle", "min_stability_angle_deg"),
+    ("least ground clearance", "min_clearance_ft"),
+    ("footpad contact", "pad_contact_s"),
+    ("block contact", "block_contact_s"),
+    ("largest strut force", "max_strut_force_lb"),
+    ("energy closure", "energy_closure_ftlb"),
+]
+
+
 @dataclass(frozen=True, slots=True, repr=False)
-class Landing:
+class Landing(InBothUnits):
     """How one landing went.
 
-    Results of each leg are tuples, leg 1 first; None stands for what never happened. Units are part of the names.
+    Results of each leg are tuples, leg 1 first; None stands for what never happened. Units are part of the names. Results are
+    attributes in SI too, such as `min_clearance_m`, `max_strut_force_n` and `strut_work_j`.
 
     Attributes
     ----------
@@ -84,6 +97,8 @@ class Landing:
         How it touched down.
     solver : mapping
         Settings that are not the defaults.
+    units : {"US", "SI"}
+        Units that it is told in, and that its tables have unless asked for others.
     """
 
     outcome: str
@@ -118,21 +133,22 @@ class Landing:
     vehicle: Vehicle
     scene: Scene
     solver: Mapping[str, Any] = field(hash=False)
+    units: str = field(default=US, compare=False)
 
     @property
     def is_stable(self) -> bool:
         """Whether the vehicle neither toppled nor bottomed, but came to rest."""
         return self.outcome_class == "stable"
 
-    def history(self, dt: float = 0.01, units: str = "US") -> pd.DataFrame:
+    def history(self, dt: float = 0.01, units: str | None = None) -> pd.DataFrame:
         """Motion, loads, deformations and energies over time, computed anew.
 
         Parameters
         ----------
         dt : float
             Time between rows, s.
-        units : {"US", "SI"}
-            Units of the columns, which are part of their names.
+        units : {"US", "SI"}, optional
+            Units of the columns, which are part of their names; without, `units` of the landing.
 
         Returns
         -------
@@ -140,17 +156,17 @@ class Landing:
             Indexed by ``t_s``, the time after first contact; columns as those of ``touchdown land --history``.
         """
         engine = solver_of(self.solver or None)
-        columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, dt, units)
+        columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, dt, units or self.units)
         arrays = {name: np.frombuffer(values) for name, values in columns}
         return pd.DataFrame(arrays, copy=False).set_index("t_s")
 
-    def to_series(self, units: str = "US") -> pd.Series[Any]:
-        """The results as a row of `land_many`, whose columns are those of ``touchdown land --cases``.
+    def to_series(self, units: str | None = None) -> pd.Series[Any]:
+        """The results as a row of `land_many`, whose columns are those of ``touchdown land --cases`` and `outcome_class`.
 
         Parameters
         ----------
-        units : {"US", "SI"}
-            Units of the values, which are part of their names.
+        units : {"US", "SI"}, optional
+            Units of the values, which are part of their names; without, `units` of the landing.
         """
         row: dict[str, Any] = {}
         for name in _COLUMNS:
@@ -160,27 +176,22 @@ class Landing:
                 row |= {f"{before}_{leg}_{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
             else:
                 row[name] = np.nan if value is None else value
-        return pd.Series(in_units(row, units), dtype=object)
+        return pd.Series(in_units(row, units or self.units), dtype=object)
 
     def __repr__(self) -> str:
-        angle = f"least stability angle {self.min_stability_angle_deg:.3f} deg at {self.min_stability_time_s:.3f} s"
-        return f"<Landing of {self.vehicle.name}: {self.outcome} at {self.end_time_s:.3f} s, {angle}>"
+        numbers = [
+            f"least stability angle {self.min_stability_angle_deg:.3f} deg at {self.min_stability_time_s:.3f} s",
+            f"least clearance {told('min_clearance_ft', self.min_clearance_ft, self.units)}",
+            f"largest strut force {told('max_strut_force_lb', max(self.max_strut_force_lb), self.units)}",
+        ]
+        return f"<Landing of {self.vehicle.name}: {self.outcome} at {self.end_time_s:.3f} s, {', '.join(numbers)}>"
 
     def _repr_html_(self) -> str:
-        shown = [
-            ("outcome", f"{self.outcome} at {self.end_time_s:.6f} s"),
-            ("why", self.why),
-            ("least stability angle, deg", self.min_stability_angle_deg),
-            ("least ground clearance, ft", self.min_clearance_ft),
-            ("footpad contact, s", self.pad_contact_s),
-            ("block contact, s", self.block_contact_s),
-            ("largest strut force, lb", self.max_strut_force_lb),
-            ("energy closure, ft·lb", self.energy_closure_ftlb),
-        ]
-        return table(self.vehicle.name, shown)
+        shown = [(f"{words}, {unit_in(self.units, name)}", value_in(self.units, name, getattr(self, name))) for words, name in _SHOWN]
+        return table(self.vehicle.name, [("outcome", f"{self.outcome} at {self.end_time_s:.6f} s"), ("why", self.why), *shown])
 
 
-def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None) -> Landing:
+def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, units: str = US) -> Landing:
     """Compute one landing.
 
     Parameters
@@ -191,6 +202,10 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None) -> Land
         How it touches down.
     solver : mapping, optional
         How it is computed, with the keys of a table ``[solver]``, such as ``{"tolerance": 1e-8, "crush_rule": "section"}``.
+        The tolerance is 1e-6 unless given.
+    units : {"US", "SI"}
+        Units in which the landing is told and comes as a table. Landings compute and compare alike, and have the names of either as
+        attributes.
 
     Returns
     -------
@@ -210,5 +225,6 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None) -> Land
     >>> td.land(td.vehicles.surveyor(), scene).outcome
     'stable-rockback'
     """
+    units = checked(units)
     results = _engine.land(vehicle._engine, scene._engine, solver_of(solver))
-    return Landing(**results, vehicle=vehicle, scene=scene, solver=dict(solver or {}))
+    return Landing(**results, vehicle=vehicle, scene=scene, solver=dict(solver or {}), units=units)

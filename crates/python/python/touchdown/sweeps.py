@@ -89,8 +89,10 @@ def map(  # noqa: A001
     edge_width: Mapping[str, float],
     *,
     error_fps: float | None = None,
+    error_mps: float | None = None,
     budget_landings: int | None = None,
     jump_fps: float | None = None,
+    jump_mps: float | None = None,
     grid_steps: int | None = None,
     search: Document | None = None,
     solver: Document | None = None,
@@ -108,12 +110,12 @@ def map(  # noqa: A001
         The first level of the map, as in `sweep`.
     edge_width : mapping of str to float
         The two axes that are refined: edges are located between points no farther apart, in the unit of the axis.
-    error_fps : float, optional
-        Cells are refined while the error of interpolation at their centres is greater, ft/s.
+    error_fps, error_mps : float, optional
+        Cells are refined while the error of interpolation at their centres is greater, ft/s or m/s.
     budget_landings : int, optional
-        The refinement ends when about so many landings are spent. Give this, `error_fps` or both.
-    jump_fps : float, optional
-        Least difference over `edge_width` that counts as an edge, ft/s.
+        The refinement ends when about so many landings are spent. Give this, an error or both.
+    jump_fps, jump_mps : float, optional
+        Least difference over `edge_width` that counts as an edge, ft/s or m/s.
     grid_steps : int, optional
         Steps of the regular grid along each side of a first-level cell; default 8.
     search, solver : mapping, optional
@@ -130,8 +132,10 @@ def map(  # noqa: A001
     rules = {
         "edge_width": dict(edge_width),
         "error_fps": error_fps,
+        "error_mps": error_mps,
         "budget_landings": budget_landings,
         "jump_fps": jump_fps,
+        "jump_mps": jump_mps,
         "grid_steps": grid_steps,
     }
     given = {name: value for name, value in rules.items() if value is not None}
@@ -246,7 +250,7 @@ def run(
     threads: int | None = None,
     progress: bool | Watch | None = None,
 ) -> xr.Dataset:
-    """Run a sweep file into a folder, as ``touchdown sweep`` does but for pictures.
+    """Run a sweep file into a folder, as ``touchdown sweep`` does but for pictures: `touchdown.plot` draws them.
 
     What is finished is in a journal in the folder at once. After an interruption the same call goes on, and so does the command line.
 

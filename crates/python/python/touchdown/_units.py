@@ -1,0 +1,74 @@
+"""Results in the units of the program and in SI; the engine knows the units of a name, here is no table of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import Field
+from functools import cache
+from typing import Any, ClassVar
+
+from touchdown import _engine
+
+#: Units of results that nobody chose: feet, pounds and seconds.
+US = "US"
+
+
+def name_in(units: str, name: str) -> str:
+    """The name that a result has in these units."""
+    return _engine.in_units(name, 0.0, units)[0]
+
+
+def value_in(units: str, name: str, value: Any) -> Any:
+    """A result, or those of all legs, in these units; what is no number of its own stays as it is."""
+    match value:
+        case float():
+            return _engine.in_units(name, value, units)[1]
+        case tuple():
+            return tuple(value_in(units, name, one) for one in value)
+        case _:
+            return value
+
+
+def in_units(values: Mapping[str, Any], units: str) -> dict[str, Any]:
+    """Results by name, in these units."""
+    return {name_in(units, name): value_in(units, name, value) for name, value in values.items()}
+
+
+def unit_in(units: str, name: str) -> str:
+    """The unit that a result has there, in words."""
+    return _engine.bare_name_and_unit(name_in(units, name))[1]
+
+
+def checked(units: str) -> str:
+    """These units, if there are such."""
+    if units != US:
+        name_in(units, "")
+    return units
+
+
+def told(name: str, value: float, units: str) -> str:
+    """A result with its unit, in these units."""
+    return f"{value_in(units, name, value):.3f} {unit_in(units, name)}"
+
+
+@cache
+def _names_by_si(names: tuple[str, ...]) -> dict[str, str]:
+    """Those of these names that are others in SI, by how they are called there."""
+    in_si = {name_in("SI", name): name for name in names}
+    return {si: name for si, name in in_si.items() if si != name}
+
+
+class InBothUnits:
+    """What makes the fields of a dataclass attributes in SI too, under the names that results have there."""
+
+    __slots__ = ()
+    __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
+
+    def __getattr__(self, name: str) -> Any:
+        known = _names_by_si(tuple(self.__dataclass_fields__)).get(name)
+        if known is None:
+            raise AttributeError(f"the {type(self).__name__.lower()} has no {name}")
+        return value_in("SI", known, getattr(self, known))
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *_names_by_si(tuple(self.__dataclass_fields__))]

@@ -1,0 +1,18 @@
+//! A fault of the engine on purpose.
+
+use pyo3::prelude::*;
+
+use crate::errors::{Failure, guarded};
+use crate::interruptible;
+
+/// Panics where the engine may, so that tests of the very wheel see what becomes of it: while something is read (`"reading"`),
+/// in a landing (`"in place"`), or on a thread of a long call (`"on a thread"`).
+#[pyfunction]
+pub fn fault(py: Python, place: &str) -> PyResult<()> {
+    let panic = || -> Result<(), Failure> { panic!("on purpose") };
+    match place {
+        "reading" => Ok(guarded(panic)?),
+        "in place" => interruptible::in_place(py, |_| panic().ok()),
+        _ => interruptible::run(py, None, move |_| panic()),
+    }
+}
