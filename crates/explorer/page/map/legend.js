@@ -11,6 +11,7 @@ export function legendOf(map) {
   const hasGaps = map.points.some(({ to }) => to === null);
   if (map.grid) {
     add("lowest", `lowest V_H at each ${(map.axes[0].title.split(/ angle| [^ ]*,|,/)[0] || map.axes[0].name).toLowerCase()}`);
+    if (map.bisector.length) add("bisector", map.words.bisector);
     if (map.jump_bars.length) add("jump", map.words.jump);
     if (map.jump_cells.length) add("torn", map.words.jump_cell);
   }

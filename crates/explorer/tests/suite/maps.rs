@@ -31,6 +31,21 @@ fn a_map_is_a_grid_with_gaps_and_jumps() {
 }
 
 #[test]
+fn the_line_on_which_the_feet_are_bisected_is_on_maps_over_cross_slope_and_roll() {
+    let map = ask("map", &json!({"results": "surface-4-20"})).unwrap();
+    let lines = map["bisector"].as_array().unwrap();
+    assert_eq!(lines.len(), 4);
+    for place in lines.iter().flat_map(|line| line.as_array().unwrap()) {
+        let [cross_slope, roll] = [0, 1].map(|axis| place[axis].as_f64().unwrap());
+        // Straight downhill at no roll, and so every third of a turn.
+        assert_eq!((cross_slope - 180.0 - roll).rem_euclid(120.0), 0.0);
+    }
+    assert_eq!(map["words"]["bisector"], "AB: V_H bisects the leading feet");
+    let turned = json!({"results": "surface-4-20", "axes": ["roll_deg", "cross_slope_deg"]});
+    assert_eq!(ask("map", &turned).unwrap()["bisector"], json!([]));
+}
+
+#[test]
 fn landings_beside_a_boundary_end_differently() {
     for (results, place) in [
         (

@@ -5,6 +5,7 @@ use touchdown_figures::boundary_table::{
     BoundaryTable, Kind, Point as TablePoint, Transition as TableTransition,
 };
 use touchdown_figures::caption::Caption;
+use touchdown_figures::leading_feet;
 use touchdown_figures::legend::Mark;
 use touchdown_figures::levels::Levels;
 use touchdown_figures::map_legend;
@@ -30,6 +31,8 @@ pub struct Picture {
     levels: Option<Levels>,
     /// Words of jumps.
     jump_words: Option<String>,
+    /// Where V_H bisects the leading feet, as places.
+    bisector: Vec<Vec<[f64; 2]>>,
     /// Words of points without a transition.
     gap_words: String,
 }
@@ -70,7 +73,12 @@ impl Picture {
             let jump = entries.into_iter().find(|(mark, _)| *mark == Mark::Jump);
             jump.map(|(_, words)| words)
         });
+        let with_feet = surface
+            .as_ref()
+            .filter(|it| map_legend::has_leading_feet(it, caption));
+        let bisector = with_feet.map(|it| leading_feet::lines(&it.slow, &it.fast));
         Ok(Self {
+            bisector: bisector.unwrap_or_default(),
             levels: surface.as_ref().map(Levels::of),
             surface,
             refined: None,
@@ -91,7 +99,9 @@ impl Picture {
         answer["triangles"] = json!(refined.map(triangles));
         answer["edges"] = json!(refined.map(edges).unwrap_or_default());
         answer["levels"] = json!(self.levels.as_ref().map(levels).unwrap_or_default());
+        answer["bisector"] = json!(self.bisector);
         answer["words"] = json!({
+            "bisector": map_legend::BISECTOR_WORDS,
             "gap": self.gap_words,
             "jump": self.jump_words,
             "jump_cell": "not interpolated across a jump",
@@ -107,6 +117,7 @@ impl Picture {
             "lowest": hex(palette::LOWEST),
             "end": hex(palette::NONE),
             "bands": hex(palette::BISECTOR),
+            "bisector": hex(palette::BISECTOR),
         });
         Ok(())
     }
