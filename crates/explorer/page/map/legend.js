@@ -15,6 +15,7 @@ export function legendOf(map) {
     if (map.jump_bars.length) add("jump", map.words.jump);
     if (map.jump_cells.length) add("torn", map.words.jump_cell);
   }
+  if (map.words.missing) entries.push(element("span", { class: "missing" }, map.words.missing));
   if (hasGaps) add(map.triangles ? "white" : "gap", map.words.gap);
   const edges = new Set(map.edges.map(({ kind }) => kind));
   for (const kind of ["end", "jump", "bands"]) if (edges.has(/** @type {"end"} */ (kind))) add(`edge-${kind}`, map.words[kind === "jump" ? "edge_jump" : kind]);

@@ -65,6 +65,27 @@ fn landings_beside_a_boundary_end_differently() {
 }
 
 #[test]
+fn a_refined_map_without_its_triangles_says_what_is_missing() {
+    let text = "slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,certainty,level\n\
+        10,0,unstable,12,12,12,certain,0\n15,5,unstable,11,11,11,certain,1\n";
+    let path = PathBuf::from("trade.csv");
+    let map = |text: &str, axes: &str| -> Value {
+        let copies = [Source {
+            path: path.clone(),
+            text: text.to_owned(),
+        }];
+        let named = Named::read(std::slice::from_ref(&path), Library::Copies(&copies), None);
+        let told = answer(&named.unwrap(), "map", axes, &|| false);
+        serde_json::from_str(&told.unwrap()).unwrap()
+    };
+    let told = map(text, r#"{"results": "trade"}"#);
+    let missing = told["words"]["missing"].as_str().unwrap();
+    assert!(missing.contains("trade-surface.csv"), "{missing}");
+    let grid = map(&text.replace(",level", ",steps"), r#"{"results": "trade"}"#);
+    assert_eq!(grid["words"]["missing"], Value::Null);
+}
+
+#[test]
 fn any_two_of_more_axes_make_a_map() {
     let table = "friction,slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,certainty\n";
     let mut rows = String::from(table);

@@ -13,6 +13,7 @@ use touchdown_figures::map_table::{EdgeKind, MapTable};
 use touchdown_figures::refined_map;
 use touchdown_figures::surface::{Cell, Surface};
 use touchdown_figures::{number, palette};
+use touchdown_sweep::map_tables::LEVEL;
 
 use super::of_table;
 use super::table::{Point, Transitions};
@@ -33,6 +34,8 @@ pub struct Picture {
     jump_words: Option<String>,
     /// Where V_H bisects the leading feet, as places.
     bisector: Vec<Vec<[f64; 2]>>,
+    /// What is missing beside the table of a refined map that has no triangles.
+    missing: Option<String>,
     /// Words of points without a transition.
     gap_words: String,
 }
@@ -79,6 +82,7 @@ impl Picture {
         let bisector = with_feet.map(|it| leading_feet::lines(&it.slow, &it.fast));
         Ok(Self {
             bisector: bisector.unwrap_or_default(),
+            missing: missing(results),
             levels: surface.as_ref().map(Levels::of),
             surface,
             refined: None,
@@ -102,6 +106,7 @@ impl Picture {
         answer["bisector"] = json!(self.bisector);
         answer["words"] = json!({
             "bisector": map_legend::BISECTOR_WORDS,
+            "missing": self.missing,
             "gap": self.gap_words,
             "jump": self.jump_words,
             "jump_cell": "not interpolated across a jump",
@@ -121,6 +126,19 @@ impl Picture {
         });
         Ok(())
     }
+}
+
+/// What a refined map needs for contours, where only its points are there: they come from the whole journal of a sweep, not from
+/// the table.
+fn missing(results: &Results) -> Option<String> {
+    let heading = results.table.lines().next().unwrap_or_default();
+    let is_refined = heading.split(',').any(|column| column == LEVEL);
+    (is_refined && results.surface.is_none()).then(|| {
+        let name = &results.name;
+        format!(
+            "points only: contours need {name}-surface.csv beside the table, which touchdown sweep writes"
+        )
+    })
 }
 
 /// The points as a table over two axes; none where these are words.
