@@ -10,7 +10,7 @@ use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::fingerprint::fingerprint;
+use touchdown_sweep::fingerprint::fingerprint_of_bytes;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::{InOrder, Journal};
 use touchdown_sweep::landing_table::{self, Cell};
@@ -127,6 +127,9 @@ fn landed_into(
     Ok((results, warnings))
 }
 
+/// A byte that no text contains.
+const END_OF_CELL: u8 = 0xff;
+
 /// The values of a column of cases.
 #[derive(Debug)]
 enum Values {
@@ -180,10 +183,12 @@ impl CaseCells for ColumnsOfCases {
     fn fingerprint(&self) -> String {
         let prints = self.0.iter().map(|column| match column {
             Values::Numbers(numbers) => {
-                let bits: Vec<String> = numbers.iter().map(f64::to_string).collect();
-                fingerprint(&bits.join(","))
+                fingerprint_of_bytes(numbers.iter().flat_map(|number| number.to_le_bytes()))
             }
-            Values::Texts(texts) => fingerprint(&format!("{texts:?}")),
+            Values::Texts(texts) => {
+                let cells = texts.iter().map(|text| text.as_deref().unwrap_or_default());
+                fingerprint_of_bytes(cells.flat_map(|cell| cell.bytes().chain([END_OF_CELL])))
+            }
             Values::Same(number) => number.to_string(),
         });
         prints.collect::<Vec<_>>().join(" ")

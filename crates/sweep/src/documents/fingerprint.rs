@@ -1,11 +1,16 @@
-//! Fingerprints of texts: alike for the same text, and different for any two that ever meet.
+//! Fingerprints: alike for the same text, and different for any two that ever meet.
 
 /// FNV-1a of 128 bits, in hexadecimal digits.
 pub fn fingerprint(text: &str) -> String {
+    fingerprint_of_bytes(text.bytes())
+}
+
+/// [`fingerprint`] of bytes that need not lie side by side.
+pub fn fingerprint_of_bytes(bytes: impl IntoIterator<Item = u8>) -> String {
     const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
     let add = |hash: u128, byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME);
-    format!("{:032x}", text.bytes().fold(BASIS, add))
+    format!("{:032x}", bytes.into_iter().fold(BASIS, add))
 }
 
 #[cfg(test)]

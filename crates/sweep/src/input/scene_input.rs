@@ -3,17 +3,24 @@
 //! Sweep files, tables of cases and the command line all fill the same table of named numbers and
 //! build a scene from it; an axis of a sweep replaces one of the numbers.
 
-use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
-use touchdown_dynamics::ground::{Ground, LegFooting, Patch};
+mod attitude;
+mod footing;
+mod thrust;
+
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Conditions, Scene};
-use touchdown_dynamics::thrust::{MOST_KNOTS, Thrust};
+use touchdown_dynamics::thrust::MOST_KNOTS;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
+
+use footing::FOOTING_NAMES;
+pub(crate) use footing::{FOOTING, FOOTING_KEYS};
+use thrust::THRUST_NAMES;
+pub(crate) use thrust::{THRUST, THRUST_KEYS};
 
 /// Names of the touchdown conditions of the whole vehicle, with their units; those of the ground under each leg are
 /// `footing[1].height_ft` and its kin.
@@ -45,48 +52,13 @@ pub(crate) const BODIES: [(&str, f64); 4] = [
     ("earth", 9.80665),
     ("ceres", 0.284),
 ];
-/// The table of thrust, its keys that are lists, and its numbers.
-pub(crate) const THRUST: &str = "thrust";
-pub(crate) const THRUST_KEYS: [&str; 5] =
-    ["time_s", "force_lb", "scale", "offset_x_ft", "offset_y_ft"];
-const THRUST_NAMES: [&str; 3] = ["thrust.scale", "thrust.offset_x_ft", "thrust.offset_y_ft"];
-/// The table of the ground under one leg, and its keys.
-pub(crate) const FOOTING: &str = "footing";
-pub(crate) const FOOTING_KEYS: [&str; 6] = [
-    "height_ft",
-    "tilt_along_deg",
-    "tilt_across_deg",
-    "block_height_ft",
-    "block_tilt_along_deg",
-    "block_tilt_across_deg",
-];
 /// The condition that a boundary search varies.
 pub const HORIZONTAL_VELOCITY: &str = "horizontal_velocity_fps";
 
-const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
-const TIP: [&str; 3] = ["tip_deg", "tip_azimuth_deg", "nominal_roll_deg"];
-
 const METRES_PER_FOOT: f64 = 0.3048;
-const NUMBERS: &str = "a list of numbers";
 
 /// Greatest angle, a hundred turns, deg: beyond it digits are lost.
 const GREATEST_ANGLE: f64 = 36_000.0;
-
-macro_rules! footing_names {
-    ($($leg:literal)*) => {
-        [$([
-            concat!("footing[", $leg, "].height_ft"),
-            concat!("footing[", $leg, "].tilt_along_deg"),
-            concat!("footing[", $leg, "].tilt_across_deg"),
-            concat!("footing[", $leg, "].block_height_ft"),
-            concat!("footing[", $leg, "].block_tilt_along_deg"),
-            concat!("footing[", $leg, "].block_tilt_across_deg"),
-        ]),*]
-    };
-}
-
-/// Names of the conditions of the ground under each leg, in the order of [`FOOTING_KEYS`].
-const FOOTING_NAMES: [[&str; FOOTING_KEYS.len()]; MOST_LEGS] = footing_names!(1 2 3 4 5 6 7 8);
 
 /// Number of all conditions.
 const COUNT: usize = NAMES.len() + THRUST_NAMES.len() + MOST_LEGS * FOOTING_KEYS.len();
@@ -121,23 +93,9 @@ impl Default for NamedConditions {
 
 /// Where a condition stands in a table [scene], if it is there.
 pub(crate) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
-    let of_leg = || {
-        let (leg, rest) = FOOTING_NAMES.iter().enumerate().find_map(|(leg, names)| {
-            let key = names.iter().position(|known| *known == name)?;
-            Some((leg, FOOTING_KEYS[key]))
-        })?;
-        scene
-            .sections(FOOTING, &FOOTING_KEYS)
-            .ok()?
-            .get(leg)?
-            .optional(rest)
-    };
-    let of_thrust = || {
-        let key = name.strip_prefix("thrust.")?;
-        let thrust = scene.optional_section(THRUST, &THRUST_KEYS).ok()??;
-        thrust.optional(key)
-    };
-    scene.optional(name).or_else(of_leg).or_else(of_thrust)
+    let of_ground = || footing::find(scene, name);
+    let of_thrust = || thrust::find(scene, name);
+    scene.optional(name).or_else(of_ground).or_else(of_thrust)
 }
 
 /// A condition that is missing or not allowed.
@@ -174,90 +132,8 @@ impl NamedConditions {
             conditions.set("gravity_fps2", gravity / METRES_PER_FOOT);
         }
         conditions.read_thrust(scene)?;
-        let footing = scene.sections(FOOTING, &FOOTING_KEYS)?;
-        if footing.len() > MOST_LEGS
-            && let Some(found) = scene.optional(FOOTING)
-        {
-            return Err(found.complain_that(&format!(
-                "{} tables: expected at most one for each leg",
-                footing.len()
-            )));
-        }
-        for (leg, names) in footing.iter().zip(FOOTING_NAMES) {
-            for (key, name) in FOOTING_KEYS.iter().zip(names) {
-                if let Some(value) = leg.optional_number(key)? {
-                    conditions.set(name, value);
-                }
-            }
-        }
+        conditions.read_footing(scene)?;
         Ok(conditions)
-    }
-
-    fn read_thrust(&mut self, scene: &Section) -> Result<(), InputError> {
-        let Some(thrust) = scene.optional_section(THRUST, &THRUST_KEYS)? else {
-            return Ok(());
-        };
-        let column = |key: &str| -> Result<Vec<f64>, InputError> {
-            let items = thrust.value(key, NUMBERS)?.items(NUMBERS)?;
-            items.iter().map(LocatedValue::number).collect()
-        };
-        let (times, forces) = (column("time_s")?, column("force_lb")?);
-        let list = thrust.value("force_lb", NUMBERS)?;
-        if times.len() != forces.len() {
-            let (forces, times) = (forces.len(), times.len());
-            return Err(list.complain_that(&format!(
-                "{forces} numbers: expected as many as in time_s, {times}"
-            )));
-        }
-        let knots: Vec<[f64; 2]> = times.iter().zip(forces).map(|(t, f)| [*t, f]).collect();
-        Thrust::new(&knots, [0.0; 2]).map_err(|invalid| {
-            let key = invalid.quantity.strip_prefix("thrust.").unwrap_or("time_s");
-            thrust.complain(&Invalid::new(key, invalid.value, invalid.allowed))
-        })?;
-        self.thrust.0[..knots.len()].copy_from_slice(&knots);
-        self.thrust.1 = knots.len();
-        for (key, name) in THRUST_KEYS[2..].iter().zip(THRUST_NAMES) {
-            if let Some(value) = thrust.optional_number(key)? {
-                self.set(name, value);
-            }
-        }
-        Ok(())
-    }
-
-    /// Knots of the thrust: time, s, and force, lb.
-    pub fn thrust_knots(&self) -> &[[f64; 2]] {
-        &self.thrust.0[..self.thrust.1]
-    }
-
-    /// Thrust with its factor and offset.
-    fn thrust(&self) -> Result<Thrust, SceneFault> {
-        let number = |name: &'static str, default: f64| match self.get(name) {
-            Some(value) if self.thrust.1 == 0 => Err(SceneFault {
-                name,
-                value: Some(value),
-                allowed: "a table [scene.thrust] with time_s and force_lb".to_owned(),
-            }),
-            Some(_) => self.need(name),
-            None => Ok(default),
-        };
-        let [scale, x, y] = THRUST_NAMES;
-        let (factor, offset) = (number(scale, 1.0)?, [number(x, 0.0)?, number(y, 0.0)?]);
-        if self.thrust.1 == 0 {
-            return Ok(Thrust::default());
-        }
-        let scaled = self.thrust_knots().iter().map(|[t, f]| [*t, factor * f]);
-        let knots: Vec<[f64; 2]> = scaled.collect();
-        Thrust::new(&knots, offset).map_err(|invalid| {
-            let name = THRUST_NAMES
-                .into_iter()
-                .find(|name| *name == invalid.quantity);
-            let name = name.unwrap_or(scale);
-            SceneFault {
-                name,
-                value: self.get(name).or(Some(invalid.value)),
-                allowed: format!("{} (the forces times the scale)", invalid.allowed),
-            }
-        })
     }
 
     /// Index of the name of a condition, if it is one.
@@ -277,27 +153,11 @@ impl NamedConditions {
         self.values[Self::position(name)?]
     }
 
-    /// Removes the attitude if `names` give it in its other form.
-    pub fn replace_attitude_form(&mut self, names: &[&str]) {
-        for (form, other) in [(EULER, TIP), (TIP, EULER)] {
-            if form.iter().any(|name| names.contains(name)) {
-                for index in other.into_iter().filter_map(Self::position) {
-                    self.values[index] = None;
-                }
-            }
-        }
-    }
-
     /// The conditions given, and those that follow from them by default, by name.
     pub fn resolved(&self) -> Vec<(&'static str, f64)> {
         names(MOST_LEGS)
             .filter_map(|name| Some((name, self.get(name).or_else(|| self.default_of(name))?)))
             .collect()
-    }
-
-    /// Whether the attitude is given by tip and azimuth instead of Euler angles.
-    fn is_tipped(&self) -> bool {
-        TIP.iter().any(|name| self.get(name).is_some())
     }
 
     fn default_of(&self, name: &str) -> Option<f64> {
@@ -391,62 +251,6 @@ impl NamedConditions {
     fn gravity(&self) -> Result<Option<f64>, SceneFault> {
         let name = "gravity_fps2";
         self.get(name).map(|_| self.need(name)).transpose()
-    }
-
-    /// The ground under the legs. Under a block it is that under the footpad where nothing else is given.
-    fn ground(&self) -> Result<Ground, SceneFault> {
-        let mut footing = Vec::with_capacity(MOST_LEGS);
-        for names in &FOOTING_NAMES {
-            let patch = |names: &[&'static str], default: Patch| -> Result<Patch, SceneFault> {
-                let given = |name| self.get(name).map(|_| self.need(name)).transpose();
-                let angle = |name| given(name).map(|angle| angle.map(f64::to_radians));
-                Ok(Patch {
-                    height: given(names[0])?.unwrap_or(default.height),
-                    tilt_along: angle(names[1])?.unwrap_or(default.tilt_along),
-                    tilt_across: angle(names[2])?.unwrap_or(default.tilt_across),
-                })
-            };
-            let (of_pad, of_block) = names.split_at(FOOTING_KEYS.len() / 2);
-            let pad = patch(of_pad, Patch::default())?;
-            let block = patch(of_block, pad)?;
-            footing.push(LegFooting { pad, block });
-        }
-        Ground::new(&footing).map_err(|invalid| self.fault(invalid))
-    }
-
-    fn attitude(&self) -> Result<Attitude, SceneFault> {
-        let angle = |name| self.need(name).map(f64::to_radians);
-        if !self.is_tipped() {
-            return Ok(Attitude::from_euler(Euler {
-                pitch: angle("pitch_deg")?,
-                yaw: angle("yaw_deg")?,
-                roll: angle("roll_deg")?,
-            }));
-        }
-        if let Some(name) = EULER.into_iter().find(|name| self.get(name).is_some()) {
-            return Err(SceneFault {
-                name,
-                value: self.get(name),
-                allowed: format!(
-                    "either {} or {}, not both",
-                    EULER.join(", "),
-                    TIP.join(", ")
-                ),
-            });
-        }
-        let tip = self.need("tip_deg")?;
-        if !(0.0..=180.0).contains(&tip) {
-            return Err(SceneFault {
-                name: "tip_deg",
-                value: Some(tip),
-                allowed: "0 ≤ value ≤ 180; the azimuth says where to".to_owned(),
-            });
-        }
-        Ok(Attitude::from_tip(Tip {
-            tip: tip.to_radians(),
-            azimuth: angle("tip_azimuth_deg")?,
-            nominal_roll: angle("nominal_roll_deg")?,
-        }))
     }
 
     fn fault(&self, invalid: Invalid) -> SceneFault {

@@ -7,6 +7,7 @@ use touchdown_dynamics::scene::Settings;
 
 use crate::assignment::Assignment;
 use crate::choice::word;
+use crate::findings::worth_a_warning;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
 use crate::method_input::method_name;
@@ -135,8 +136,7 @@ fn integration(summary: &IntegrationSummary, legs: usize) -> Value {
 
 /// What is to be told of a landing although its account closes: elements that gave back more than they took.
 pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
-    let given = landing.energies.given_by_crushing();
-    (given > 0.0).then(|| given_by_crushing(given, units))
+    worth_a_warning(&landing.energies).map(|given| given_by_crushing(given, units))
 }
 
 /// The warning that crushing elements gave so much energy, ft·lb, told in these units.
@@ -144,7 +144,7 @@ pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
     let quantity = units.quantity("energy_ftlb");
     let (energy, unit) = (quantity.number(energy), quantity.unit());
     format!(
-        "crushing footpads or blocks added {energy:.4} {unit} to the motion, which no material does: \
-         they are too stiff for the crush laws"
+        "crushing footpads or blocks added {energy:.1} {unit} to the motion, which no material does: they tip on the \
+         ground, or are too stiff for the crush laws"
     )
 }

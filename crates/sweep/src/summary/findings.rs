@@ -1,12 +1,22 @@
 //! The result of a point, and its form in a journal.
 
 use serde::{Deserialize, Serialize};
-use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::landing::{Energies, Landing};
 use touchdown_dynamics::outcome::Outcome;
 
 use crate::boundary::Boundary;
 use crate::landing_table::{self, Cell};
 use crate::sensitivity::Sensitivity;
+
+/// Energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_crushing`]), where it is more than a
+/// thousandth of the kinetic energy at first contact.
+///
+/// Less than that any vehicle has, as friction acts against the velocity of the hinge of a footpad and not against that of its face.
+pub fn worth_a_warning(energies: &Energies) -> Option<f64> {
+    const SHARE: f64 = 1e-3;
+    let given = energies.given_by_crushing();
+    (given > SHARE * energies.initial_kinetic).then_some(given)
+}
 
 /// The result of a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,7 +29,7 @@ pub enum Finding {
         outcome: Outcome,
         /// Its results in the order of [`crate::landing_table`].
         cells: Vec<Cell>,
-        /// Energy that crushing elements gave to the motion ([`touchdown_dynamics::landing::Energies::given_by_crushing`]), ft·lb.
+        /// Energy that crushing elements gave to the motion, ft·lb; zero where it is not [`worth_a_warning`].
         given_by_crushing: f64,
     },
     /// The search for the boundary, and sensitivities of the transition.
@@ -38,7 +48,7 @@ impl Finding {
         Self::Landing {
             outcome: landing.outcome.clone(),
             cells: columns.map(|(_, cell)| cell).collect(),
-            given_by_crushing: landing.energies.given_by_crushing(),
+            given_by_crushing: worth_a_warning(&landing.energies).unwrap_or(0.0),
         }
     }
 

@@ -4,35 +4,21 @@
 //! their registers, are busy to the end. What a point came to goes to the journal as soon as it is known, and
 //! nothing of it stays in memory. No landing knows of another, so that results do not depend on the threads.
 
-use std::cell::Cell;
+mod cases;
+mod points;
+
 use std::fmt;
 use std::num::NonZeroUsize;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Poll, ready};
 
 use futures::executor::block_on;
 use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
-use touchdown_dynamics::batch::{Request, land_many};
-use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::case::{Case, CaseFault};
-use crate::cases::CaseTable;
-use crate::certainty::Variation;
-use crate::early_stop::EarlyStop;
-use crate::findings::Finding;
-use crate::journal::{JournalError, Opened};
+use crate::case::CaseFault;
+use crate::journal::JournalError;
 use crate::landing_queue::{CloseOnDrop, LandingQueue};
-use crate::parameter::Home;
-use crate::refined_grid::RefinedGrid;
-use crate::rounds::Rounds;
-use crate::scene_input::SceneFault;
-use crate::sensitivity;
-use crate::shard::Shard;
-use crate::sweep_file::{Job, Sweep};
-use crate::trial::{Scales, Trial};
 
 /// Points that are searched at a time for each thread: as many as it has landings under way, should each ask for one at a
 /// time.
@@ -138,145 +124,6 @@ impl Workers {
         self.pool.install(work)
     }
 
-    /// Finds what the sweep asks at every point of a shard that is not `done`, into the journal.
-    ///
-    /// # Errors
-    /// When `cancel` became true, which is looked at before every landing, or a result cannot be
-    /// kept. What was journaled until then stays good.
-    pub fn sweep(
-        &self,
-        sweep: &Sweep,
-        shard: Shard,
-        opened: &mut Opened,
-        observer: &impl Observer,
-        cancel: &AtomicBool,
-    ) -> Result<(), RunError> {
-        if let Some(map) = sweep.map() {
-            return self.map(sweep, map, shard, opened, observer, cancel);
-        }
-        let mut known = EarlyStop::of(sweep, shard, opened).map_err(RunError::Journal)?;
-        let Opened { journal, done, .. } = opened;
-        let points = done.missing().map(|index| shard.point(index));
-        let stop = Stop::on(cancel);
-        if known.is_enough {
-            return Ok(());
-        }
-        let search = async |point, landing_queue: &LandingQueue| {
-            find_watched(sweep, point, landing_queue, observer, &stop).await
-        };
-        let found = self.search(points, SEARCHES, &stop, search, |finished| {
-            if let Some((point, finding)) = finished {
-                journal.add(point, &finding.encode())?;
-                if known.is_enough_with(sweep, point, finding) {
-                    stop.stop();
-                }
-            }
-            journal.tick()
-        });
-        let found = match (known.is_enough, found) {
-            (true, Err(RunError::Cancelled)) if !cancel.load(Ordering::Relaxed) => Ok(()),
-            (_, found) => found,
-        };
-        // Also when the run was stopped, but not over the error that stopped it.
-        found.and(journal.finish().map_err(RunError::Journal))
-    }
-
-    /// Finds what the sweep asks at the points of a map, or of a shard of it, round by round. Nothing is computed that the
-    /// journal holds already.
-    fn map(
-        &self,
-        sweep: &Sweep,
-        map: &RefinedGrid,
-        shard: Shard,
-        opened: &mut Opened,
-        observer: &impl Observer,
-        cancel: &AtomicBool,
-    ) -> Result<(), RunError> {
-        let mut there = opened.findings(map.count()).map_err(RunError::Journal)?;
-        let journal = &mut opened.journal;
-        let stop = Stop::on(cancel);
-        let search = async |point, landing_queue: &LandingQueue| {
-            find_watched(sweep, point, landing_queue, observer, &stop).await
-        };
-        let mut rounds = Rounds::new(map, shard);
-        let mut announced = 0;
-        loop {
-            let round = rounds.next_round();
-            if round.is_empty() {
-                return journal.finish().map_err(RunError::Journal);
-            }
-            let expected = rounds.expected(round.len());
-            observer.more(expected.saturating_sub(announced));
-            announced = announced.max(expected);
-            let new: Vec<usize> = (round.iter().copied())
-                .filter(|point| !there.contains_key(point))
-                .collect();
-            let searched = self.search(new.into_iter(), SEARCHES, &stop, search, |finished| {
-                if let Some((point, finding)) = finished {
-                    journal.add(point, &finding.encode())?;
-                    there.insert(point, finding);
-                }
-                journal.tick()
-            });
-            if let Err(error) = searched {
-                // The error that stopped the run comes first.
-                let _ = journal.finish();
-                return Err(error);
-            }
-            for point in round {
-                if let Some(finding) = there.remove(&point) {
-                    rounds.learn(point, &finding);
-                }
-            }
-        }
-    }
-
-    /// Finds what the sweep asks at some points, in their order.
-    ///
-    /// # Errors
-    /// When the input of one of them is not valid.
-    pub fn points(&self, sweep: &Sweep, points: &[usize]) -> Result<Vec<Finding>, RunError> {
-        let never = AtomicBool::new(false);
-        let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        self.each_point(sweep, points, SEARCHES, &(), &never, |index, finding| {
-            found.push((index, finding));
-        })?;
-        found.sort_by_key(|(index, _)| *index);
-        Ok(found.into_iter().map(|(_, finding)| finding).collect())
-    }
-
-    /// Finds what the sweep asks at some points, and gives the index of each among `points`, with what it came to, to
-    /// `keep` as soon as it is known: the first points first, so many at a time for each thread.
-    ///
-    /// # Errors
-    /// When the input of one of them is not valid, or `cancel` became true.
-    pub fn each_point(
-        &self,
-        sweep: &Sweep,
-        points: &[usize],
-        searches: usize,
-        observer: &impl Observer,
-        cancel: &AtomicBool,
-        mut keep: impl FnMut(usize, Finding),
-    ) -> Result<(), RunError> {
-        let stop = Stop::on(cancel);
-        let search = async |index: usize, landing_queue: &LandingQueue| {
-            observer.begin(points[index]);
-            let queue = SearchQueue {
-                landing_queue,
-                search: index,
-            };
-            find(sweep, points[index], queue, observer, &stop).await
-        };
-        let indices = 0..points.len();
-        self.search(indices, searches, &stop, search, |finished| {
-            if let Some((index, finding)) = finished {
-                keep(index, finding);
-            }
-            Ok(())
-        })
-    }
-
     /// Searches points with `search`, so many at a time for each thread, and gives what each came to to `keep`; all threads land for
     /// them. `keep` is also called every now and then when nothing is new.
     ///
@@ -309,103 +156,6 @@ impl Workers {
             }))
         })
     }
-
-    /// Lands the cases of a table that are not `done`, into the journal.
-    ///
-    /// # Errors
-    /// As [`Workers::sweep`].
-    pub fn case_table(
-        &self,
-        table: &CaseTable,
-        opened: &mut Opened,
-        observer: &impl Observer,
-        cancel: &AtomicBool,
-    ) -> Result<(), RunError> {
-        let Opened { journal, done, .. } = opened;
-        let rows = done.missing();
-        let landed = self.each_case(table, rows, observer, cancel, |finished| {
-            if let Some((row, landing)) = finished {
-                journal.add(row, &Finding::of(&landing).encode())?;
-            }
-            journal.tick()
-        });
-        landed.and(journal.finish().map_err(RunError::Journal))
-    }
-
-    /// Lands some rows of a table and gives each landing, with its row, to `keep`, which is also called every now and then
-    /// when nothing is new.
-    ///
-    /// # Errors
-    /// What `keep` gave up with, or that the run was stopped.
-    pub fn each_case(
-        &self,
-        table: &CaseTable,
-        rows: impl Iterator<Item = usize>,
-        observer: &impl Observer,
-        cancel: &AtomicBool,
-        keep: impl FnMut(Option<(usize, Landing)>) -> Result<(), JournalError>,
-    ) -> Result<(), RunError> {
-        let stop = Stop::on(cancel);
-        let land = async |row: usize, landing_queue: &LandingQueue| {
-            let case = table.case(row).map_err(|error| RunError::Point {
-                place: table.name(row),
-                fault: CaseFault::Input {
-                    part: Home::Scene,
-                    error,
-                },
-            })?;
-            let landing = landing_queue.landing(row, case.vehicle, case.scene, case.settings);
-            let landing = landing.await.ok_or(RunError::Cancelled)?;
-            observer.landing();
-            observer.point(row);
-            Ok(landing)
-        };
-        self.search(rows, SEARCHES, &stop, land, keep)
-    }
-
-    /// Computes so many landings, each as `request` asks for by its index, which is also its key: several at a time on
-    /// each thread, side by side.
-    ///
-    /// # Errors
-    /// When `cancel` became true; it is looked at before every landing.
-    pub fn cases(
-        &self,
-        count: usize,
-        request: impl Fn(usize) -> Request + Sync,
-        observer: &impl Observer,
-        cancel: &AtomicBool,
-    ) -> Result<Vec<Landing>, RunError> {
-        let stop = Stop::on(cancel);
-        let unasked = AtomicUsize::new(0);
-        let found = Mutex::new(vec![None; count]);
-        // No thread takes so many at once that another has none.
-        let share = count.div_ceil(self.threads());
-        self.pool.broadcast(|_| {
-            let under_way = Cell::new(0);
-            let mut next = || {
-                if under_way.get() == share || stop.go_on().is_err() {
-                    return None;
-                }
-                let key = unasked.fetch_add(1, Ordering::Relaxed);
-                if key >= count {
-                    return None;
-                }
-                under_way.set(under_way.get() + 1);
-                Some(request(key))
-            };
-            land_many(&mut next, &mut |key, landing| {
-                under_way.set(under_way.get() - 1);
-                observer.landing();
-                observer.point(key);
-                found.lock().unwrap_or_else(PoisonError::into_inner)[key] = Some(landing);
-            });
-        });
-        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-        found
-            .into_iter()
-            .collect::<Option<_>>()
-            .ok_or(RunError::Cancelled)
-    }
 }
 
 /// Whether to go on: not when the run was cancelled from outside or has come to an end within.
@@ -432,95 +182,17 @@ impl<'c> Stop<'c> {
     }
 }
 
-/// Where a search asks for its landings.
-#[derive(Clone, Copy)]
-struct SearchQueue<'q> {
-    landing_queue: &'q LandingQueue,
-    /// Its number: those with lower ones get their landings first.
-    search: usize,
-}
-
-/// What a sweep asks at a point, told to an observer.
-async fn find_watched(
-    sweep: &Sweep,
-    point: usize,
-    landing_queue: &LandingQueue,
-    observer: &impl Observer,
-    stop: &Stop<'_>,
-) -> Result<Finding, RunError> {
-    observer.begin(point);
-    let queue = SearchQueue {
-        landing_queue,
-        search: point,
-    };
-    let finding = find(sweep, point, queue, observer, stop).await?;
-    observer.point(point);
-    Ok(finding)
-}
-
-/// What a sweep asks at a point.
-async fn find(
-    sweep: &Sweep,
-    point: usize,
-    queue: SearchQueue<'_>,
-    observer: &impl Observer,
-    stop: &Stop<'_>,
-) -> Result<Finding, RunError> {
-    let invalid = |fault| RunError::Point {
-        place: sweep.place(point),
-        fault,
-    };
-    let case = sweep.case(point).map_err(invalid)?;
-    let landed = async |vehicle: &Arc<Vehicle>, scene, settings| {
-        stop.go_on()?;
-        let vehicle = Arc::clone(vehicle);
-        let landing = (queue.landing_queue)
-            .landing(queue.search, vehicle, scene, settings)
-            .await;
-        let landing = landing.ok_or(RunError::Cancelled)?;
-        observer.landing();
-        Ok(landing)
-    };
-    let Job::Boundary(search) = case.job else {
-        let landing = landed(&case.vehicle, case.scene, case.settings).await?;
-        return Ok(Finding::of(&landing));
-    };
-    let trial = async |case: &Case, speed, variation: Variation| {
-        let varied = case
-            .scene
-            .with_horizontal_velocity(speed)
-            .and_then(|faster| variation.of(&faster, &case.settings));
-        let (varied, settings) = varied.map_err(|fault| {
-            invalid(CaseFault::Scene(SceneFault {
-                name: crate::scene_input::HORIZONTAL_VELOCITY,
-                value: Some(fault.value),
-                allowed: fault.allowed,
-            }))
-        })?;
-        let landing = landed(&case.vehicle, varied, settings).await?;
-        let scales = Scales::of(&case.vehicle, &case.scene);
-        Ok(Trial::of(landing, &scales, settings.tolerance()))
-    };
-    let boundary = search
-        .boundary(async |speed, variation| trial(&case, speed, variation).await)
-        .await?;
-    if sweep.sensitivity.is_empty() {
-        return Ok(Finding::Boundary(boundary));
-    }
-    let searched = (&case, &search);
-    let sensitivity = sensitivity::of_point(sweep, point, searched, &boundary, &trial).await?;
-    Ok(Finding::Sensitive {
-        boundary,
-        sensitivity,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicUsize;
 
+    use touchdown_dynamics::batch::Request;
     use touchdown_dynamics::land::land;
+    use touchdown_dynamics::landing::Landing;
     use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
+    use touchdown_dynamics::vehicle::Vehicle;
 
     use super::*;
     use crate::measured_scenes::near_boundary;

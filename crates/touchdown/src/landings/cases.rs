@@ -62,15 +62,21 @@ pub fn run(
     let written = cases::table(rows, units).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
-    for (name, finding) in names.iter().zip(&findings) {
-        if let Finding::Landing {
+    let given = findings.iter().map(|finding| match finding {
+        Finding::Landing {
             given_by_crushing, ..
-        } = finding
-            && *given_by_crushing > 0.0
-        {
-            let warning = landing_report::given_by_crushing(*given_by_crushing, units);
-            eprintln!("touchdown: warning: case {name}: {warning}");
-        }
+        } => *given_by_crushing,
+        _ => 0.0,
+    });
+    let warned: Vec<(&String, f64)> = (names.iter().zip(given))
+        .filter(|(_, given)| *given > 0.0)
+        .collect();
+    if let Some((most, given)) = warned.iter().max_by(|(_, a), (_, b)| a.total_cmp(b)) {
+        eprintln!(
+            "touchdown: warning: in {}, most in case {most}: {}",
+            summary::number(warned.len(), "case"),
+            landing_report::given_by_crushing(*given, units)
+        );
     }
     if !quiet {
         // The time of a run that went on with another's work says nothing of the whole.

@@ -1,0 +1,91 @@
+//! The ground under each leg: the tables [[scene.footing]], and axes such as `footing[1].height_ft`.
+
+use touchdown_dynamics::ground::{Ground, LegFooting, Patch};
+use touchdown_dynamics::per_leg::MOST_LEGS;
+
+use super::{NamedConditions, SceneFault};
+use crate::input_error::InputError;
+use crate::section::{LocatedValue, Section};
+
+/// The table of the ground under one leg, and its keys.
+pub(crate) const FOOTING: &str = "footing";
+pub(crate) const FOOTING_KEYS: [&str; 6] = [
+    "height_ft",
+    "tilt_along_deg",
+    "tilt_across_deg",
+    "block_height_ft",
+    "block_tilt_along_deg",
+    "block_tilt_across_deg",
+];
+macro_rules! footing_names {
+    ($($leg:literal)*) => {
+        [$([
+            concat!("footing[", $leg, "].height_ft"),
+            concat!("footing[", $leg, "].tilt_along_deg"),
+            concat!("footing[", $leg, "].tilt_across_deg"),
+            concat!("footing[", $leg, "].block_height_ft"),
+            concat!("footing[", $leg, "].block_tilt_along_deg"),
+            concat!("footing[", $leg, "].block_tilt_across_deg"),
+        ]),*]
+    };
+}
+
+/// Names of the conditions of the ground under each leg, in the order of [`FOOTING_KEYS`].
+pub(super) const FOOTING_NAMES: [[&str; FOOTING_KEYS.len()]; MOST_LEGS] =
+    footing_names!(1 2 3 4 5 6 7 8);
+
+/// Where one of its numbers stands in a table [scene], if it is there.
+pub(super) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
+    let (leg, rest) = FOOTING_NAMES.iter().enumerate().find_map(|(leg, names)| {
+        let key = names.iter().position(|known| *known == name)?;
+        Some((leg, FOOTING_KEYS[key]))
+    })?;
+    scene
+        .sections(FOOTING, &FOOTING_KEYS)
+        .ok()?
+        .get(leg)?
+        .optional(rest)
+}
+
+impl NamedConditions {
+    pub(super) fn read_footing(&mut self, scene: &Section) -> Result<(), InputError> {
+        let footing = scene.sections(FOOTING, &FOOTING_KEYS)?;
+        if footing.len() > MOST_LEGS
+            && let Some(found) = scene.optional(FOOTING)
+        {
+            return Err(found.complain_that(&format!(
+                "{} tables: expected at most one for each leg",
+                footing.len()
+            )));
+        }
+        for (leg, names) in footing.iter().zip(FOOTING_NAMES) {
+            for (key, name) in FOOTING_KEYS.iter().zip(names) {
+                if let Some(value) = leg.optional_number(key)? {
+                    self.set(name, value);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The ground under the legs. Under a block it is that under the footpad where nothing else is given.
+    pub(super) fn ground(&self) -> Result<Ground, SceneFault> {
+        let mut footing = Vec::with_capacity(MOST_LEGS);
+        for names in &FOOTING_NAMES {
+            let patch = |names: &[&'static str], default: Patch| -> Result<Patch, SceneFault> {
+                let given = |name| self.get(name).map(|_| self.need(name)).transpose();
+                let angle = |name| given(name).map(|angle| angle.map(f64::to_radians));
+                Ok(Patch {
+                    height: given(names[0])?.unwrap_or(default.height),
+                    tilt_along: angle(names[1])?.unwrap_or(default.tilt_along),
+                    tilt_across: angle(names[2])?.unwrap_or(default.tilt_across),
+                })
+            };
+            let (of_pad, of_block) = names.split_at(FOOTING_KEYS.len() / 2);
+            let pad = patch(of_pad, Patch::default())?;
+            let block = patch(of_block, pad)?;
+            footing.push(LegFooting { pad, block });
+        }
+        Ground::new(&footing).map_err(|invalid| self.fault(invalid))
+    }
+}

@@ -1,0 +1,92 @@
+//! Thrust after first contact: the table [scene.thrust], and axes such as `thrust.scale`.
+
+use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::thrust::Thrust;
+
+use super::{NamedConditions, SceneFault};
+use crate::input_error::InputError;
+use crate::section::{LocatedValue, Section};
+
+/// The table of thrust, its keys that are lists, and its numbers.
+pub(crate) const THRUST: &str = "thrust";
+pub(crate) const THRUST_KEYS: [&str; 5] =
+    ["time_s", "force_lb", "scale", "offset_x_ft", "offset_y_ft"];
+pub(super) const THRUST_NAMES: [&str; 3] =
+    ["thrust.scale", "thrust.offset_x_ft", "thrust.offset_y_ft"];
+const NUMBERS: &str = "a list of numbers";
+
+/// Where one of its numbers stands in a table [scene], if it is there.
+pub(super) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
+    let key = name.strip_prefix("thrust.")?;
+    let thrust = scene.optional_section(THRUST, &THRUST_KEYS).ok()??;
+    thrust.optional(key)
+}
+
+impl NamedConditions {
+    pub(super) fn read_thrust(&mut self, scene: &Section) -> Result<(), InputError> {
+        let Some(thrust) = scene.optional_section(THRUST, &THRUST_KEYS)? else {
+            return Ok(());
+        };
+        let column = |key: &str| -> Result<Vec<f64>, InputError> {
+            let items = thrust.value(key, NUMBERS)?.items(NUMBERS)?;
+            items.iter().map(LocatedValue::number).collect()
+        };
+        let (times, forces) = (column("time_s")?, column("force_lb")?);
+        let list = thrust.value("force_lb", NUMBERS)?;
+        if times.len() != forces.len() {
+            let (forces, times) = (forces.len(), times.len());
+            return Err(list.complain_that(&format!(
+                "{forces} numbers: expected as many as in time_s, {times}"
+            )));
+        }
+        let knots: Vec<[f64; 2]> = times.iter().zip(forces).map(|(t, f)| [*t, f]).collect();
+        Thrust::new(&knots, [0.0; 2]).map_err(|invalid| {
+            let key = invalid.quantity.strip_prefix("thrust.").unwrap_or("time_s");
+            thrust.complain(&Invalid::new(key, invalid.value, invalid.allowed))
+        })?;
+        self.thrust.0[..knots.len()].copy_from_slice(&knots);
+        self.thrust.1 = knots.len();
+        for (key, name) in THRUST_KEYS[2..].iter().zip(THRUST_NAMES) {
+            if let Some(value) = thrust.optional_number(key)? {
+                self.set(name, value);
+            }
+        }
+        Ok(())
+    }
+
+    /// Knots of the thrust: time, s, and force, lb.
+    pub fn thrust_knots(&self) -> &[[f64; 2]] {
+        &self.thrust.0[..self.thrust.1]
+    }
+
+    /// Thrust with its factor and offset.
+    pub(super) fn thrust(&self) -> Result<Thrust, SceneFault> {
+        let number = |name: &'static str, default: f64| match self.get(name) {
+            Some(value) if self.thrust.1 == 0 => Err(SceneFault {
+                name,
+                value: Some(value),
+                allowed: "a table [scene.thrust] with time_s and force_lb".to_owned(),
+            }),
+            Some(_) => self.need(name),
+            None => Ok(default),
+        };
+        let [scale, x, y] = THRUST_NAMES;
+        let (factor, offset) = (number(scale, 1.0)?, [number(x, 0.0)?, number(y, 0.0)?]);
+        if self.thrust.1 == 0 {
+            return Ok(Thrust::default());
+        }
+        let scaled = self.thrust_knots().iter().map(|[t, f]| [*t, factor * f]);
+        let knots: Vec<[f64; 2]> = scaled.collect();
+        Thrust::new(&knots, offset).map_err(|invalid| {
+            let name = THRUST_NAMES
+                .into_iter()
+                .find(|name| *name == invalid.quantity);
+            let name = name.unwrap_or(scale);
+            SceneFault {
+                name,
+                value: self.get(name).or(Some(invalid.value)),
+                allowed: format!("{} (the forces times the scale)", invalid.allowed),
+            }
+        })
+    }
+}

@@ -1,0 +1,115 @@
+//! Cases: landings alone, without a search.
+
+use std::cell::Cell;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use touchdown_dynamics::batch::{Request, land_many};
+use touchdown_dynamics::landing::Landing;
+
+use super::{Observer, RunError, SEARCHES, Stop, Workers};
+use crate::case::CaseFault;
+use crate::cases::CaseTable;
+use crate::findings::Finding;
+use crate::journal::{JournalError, Opened};
+use crate::landing_queue::LandingQueue;
+use crate::parameter::Home;
+
+impl Workers {
+    /// Lands the cases of a table that are not `done`, into the journal.
+    ///
+    /// # Errors
+    /// As [`Workers::sweep`].
+    pub fn case_table(
+        &self,
+        table: &CaseTable,
+        opened: &mut Opened,
+        observer: &impl Observer,
+        cancel: &AtomicBool,
+    ) -> Result<(), RunError> {
+        let Opened { journal, done, .. } = opened;
+        let rows = done.missing();
+        let landed = self.each_case(table, rows, observer, cancel, |finished| {
+            if let Some((row, landing)) = finished {
+                journal.add(row, &Finding::of(&landing).encode())?;
+            }
+            journal.tick()
+        });
+        landed.and(journal.finish().map_err(RunError::Journal))
+    }
+
+    /// Lands some rows of a table and gives each landing, with its row, to `keep`, which is also called every now and then
+    /// when nothing is new.
+    ///
+    /// # Errors
+    /// What `keep` gave up with, or that the run was stopped.
+    pub fn each_case(
+        &self,
+        table: &CaseTable,
+        rows: impl Iterator<Item = usize>,
+        observer: &impl Observer,
+        cancel: &AtomicBool,
+        keep: impl FnMut(Option<(usize, Landing)>) -> Result<(), JournalError>,
+    ) -> Result<(), RunError> {
+        let stop = Stop::on(cancel);
+        let land = async |row: usize, landing_queue: &LandingQueue| {
+            let case = table.case(row).map_err(|error| RunError::Point {
+                place: table.name(row),
+                fault: CaseFault::Input {
+                    part: Home::Scene,
+                    error,
+                },
+            })?;
+            let landing = landing_queue.landing(row, case.vehicle, case.scene, case.settings);
+            let landing = landing.await.ok_or(RunError::Cancelled)?;
+            observer.landing();
+            observer.point(row);
+            Ok(landing)
+        };
+        self.search(rows, SEARCHES, &stop, land, keep)
+    }
+
+    /// Computes so many landings, each as `request` asks for by its index, which is also its key: several at a time on
+    /// each thread, side by side.
+    ///
+    /// # Errors
+    /// When `cancel` became true; it is looked at before every landing.
+    pub fn cases(
+        &self,
+        count: usize,
+        request: impl Fn(usize) -> Request + Sync,
+        observer: &impl Observer,
+        cancel: &AtomicBool,
+    ) -> Result<Vec<Landing>, RunError> {
+        let stop = Stop::on(cancel);
+        let unasked = AtomicUsize::new(0);
+        let found = Mutex::new(vec![None; count]);
+        // No thread takes so many at once that another has none.
+        let share = count.div_ceil(self.threads());
+        self.pool.broadcast(|_| {
+            let under_way = Cell::new(0);
+            let mut next = || {
+                if under_way.get() == share || stop.go_on().is_err() {
+                    return None;
+                }
+                let key = unasked.fetch_add(1, Ordering::Relaxed);
+                if key >= count {
+                    return None;
+                }
+                under_way.set(under_way.get() + 1);
+                Some(request(key))
+            };
+            land_many(&mut next, &mut |key, landing| {
+                under_way.set(under_way.get() - 1);
+                observer.landing();
+                observer.point(key);
+                found.lock().unwrap_or_else(PoisonError::into_inner)[key] = Some(landing);
+            });
+        });
+        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        found
+            .into_iter()
+            .collect::<Option<_>>()
+            .ok_or(RunError::Cancelled)
+    }
+}
