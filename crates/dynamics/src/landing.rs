@@ -55,20 +55,27 @@ pub fn land_located(
     simulation.result(outcome)
 }
 
-/// Computes a landing, its events located, for as long as `goes_on` says so, which is asked before every step: none when it did
-/// not to the end.
+/// Like [`land_located`], for as long as `goes_on` says so, which is asked before every step: none when it did not to the end.
 pub fn land_located_while(
     vehicle: &Vehicle,
     scene: &Scene,
     settings: &Settings,
+    interval: f64,
+    observe: &mut dyn FnMut(&Instant),
     mut goes_on: impl FnMut() -> bool,
 ) -> Option<Landing> {
-    let mut simulation = Simulation::new(vehicle, scene, settings, None);
+    let history = interval
+        .is_finite()
+        .then(|| History::new(interval, observe));
+    let mut simulation = Simulation::new(vehicle, scene, settings, history);
     let mut workspace = Workspace::new(&simulation.trajectory.motion);
     let mut stepped = simulation.begin();
     loop {
         match stepped {
-            Err(outcome) => return Some(simulation.result(outcome)),
+            Err(outcome) => {
+                simulation.trajectory.report_end();
+                return Some(simulation.result(outcome));
+            }
             Ok(()) if goes_on() => stepped = simulation.step(&mut workspace),
             Ok(()) => return None,
         }

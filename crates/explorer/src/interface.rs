@@ -35,7 +35,7 @@ pub const NAMES: [&str; 11] = [
     "command",
 ];
 
-/// Asked between landings: whether the answer is no longer wanted.
+/// Asked before every step of a landing, and between those of a strip: whether the answer is no longer wanted.
 pub type IsOver<'a> = &'a dyn Fn() -> bool;
 
 /// Answers a request.
@@ -51,14 +51,14 @@ pub fn answer(
     match name {
         "inputs" => inputs::answer(named, request),
         "parameters" => parameters::answer(named, request),
-        "landing" => landing::answer(named, request),
+        "landing" => landing::answer(named, request, is_over),
         "strip" => strip::answer(named, request, is_over),
         "bands" => bands::answer(named, request, is_over),
         "map" => map::answer(named, request),
         "at" => map::answer_at(named, request),
         "sample" => sample::answer(named, request),
         "scene_file" => take_away::scene_file(named, request),
-        "history_file" => take_away::history_file(named, request),
+        "history_file" => take_away::history_file(named, request, is_over),
         "command" => take_away::command(named, request),
         _ => Err(Complaint::unknown(name, &NAMES)),
     }

@@ -31,7 +31,8 @@ pub fn land<'py>(
     let landed = match settings.method() {
         // At once, for a thread would take longer than many a landing.
         Method::Located => interruptible::in_place(py, |goes_on| {
-            land_located_while(&vehicle.vehicle, &touchdown, &settings, goes_on)
+            let (lander, none) = (&vehicle.vehicle, &mut |_: &Instant| {});
+            land_located_while(lander, &touchdown, &settings, f64::INFINITY, none, goes_on)
         }),
         _ => {
             let lander = vehicle.vehicle.clone();

@@ -3,8 +3,8 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 use crate::common::{level, level_scene, settings, table_4_1};
-use touchdown_dynamics::land::land;
-use touchdown_dynamics::landing::land_located_while;
+use touchdown_dynamics::land::{land, land_observed};
+use touchdown_dynamics::landing::{Instant, land_located_while};
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::scene::{Conditions, Scene};
 
@@ -52,15 +52,21 @@ fn landings_that_end_early_end_in_the_same_class() {
 #[test]
 fn a_landing_goes_on_only_as_long_as_it_is_told_to() {
     let (vehicle, scene, settings) = (table_4_1(), level_scene(180.0, 10.0, 8.0), settings(1e-6));
-    let mut asked = 0;
-    let whole = land_located_while(&vehicle, &scene, &settings, || {
+    let (mut asked, mut times) = (0, Vec::new());
+    let mut observe = |instant: &Instant| times.push(instant.time);
+    let whole = land_located_while(&vehicle, &scene, &settings, 0.1, &mut observe, || {
         asked += 1;
         true
     });
+    let (mut usual, mut add) = (Vec::new(), |_: &Instant| {});
     assert_eq!(whole, Some(land(&vehicle, &scene, &settings)));
     assert!(asked > 100, "{asked}");
+    land_observed(&vehicle, &scene, &settings, 0.1, &mut |instant| {
+        usual.push(instant.time);
+    });
+    assert_eq!(times, usual);
     let mut left = asked - 1;
-    let stopped = land_located_while(&vehicle, &scene, &settings, || {
+    let stopped = land_located_while(&vehicle, &scene, &settings, f64::INFINITY, &mut add, || {
         left -= 1;
         left > 0
     });

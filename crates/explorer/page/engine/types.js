@@ -61,7 +61,7 @@
  *   certainty: string | null, disputed: [number, number] | null, bands?: (Kind & { from: number, to: number })[] }} MapPoint
  * @typedef {{ title: string, conditions: string, statement: string | null, source: string, speed_unit: string, speed_column: string, axes: Axis[],
  *   other_axes: Axis[], points: MapPoint[], grid: { speeds: (number | null)[][] } | null,
- *   triangles: [number, number, number][][] | null, jump: number | null, jump_bars: [number, number][][],
+ *   triangles: [number, number, number][][] | null, jump: number | null, jump_bars: [number, number][][], bisector: [number, number][][],
  *   jump_cells: [number, number][], edges: { kind: "end" | "jump" | "bands", places: [number, number][] }[],
  *   levels: { speed: number | null, colour: string }[], searched_to: number | null, lowest: [number, number][],
  *   words: Record<string, string | null>, colours: Record<string, string>,

@@ -1,7 +1,7 @@
 import {
-  CylinderGeometry, Group, IcosahedronGeometry, Mesh, BoxGeometry, Vector3,
+  BoxGeometry, Color, CylinderGeometry, Group, IcosahedronGeometry, Matrix4, Mesh, Vector3,
 } from "../vendor/three.js";
-import { lay, rod } from "./shapes.js";
+import { Copies, Rods } from "./shapes.js";
 
 /** @typedef {import("./materials.js").Materials} Materials */
 /** @typedef {import("../engine/types.js").VehicleShape} VehicleShape */
@@ -12,6 +12,12 @@ function upright(mesh) {
   mesh.castShadow = true;
   return mesh;
 }
+
+/** A block of honeycomb, its height along z. */
+const BLOCK = new CylinderGeometry(1, 1, 1, 22).rotateX(-Math.PI / 2);
+const at = new Vector3();
+const placed = new Matrix4();
+const colour = new Color();
 
 /** The body: a frame through the hardpoints, a bus and a mast inside it, and blocks that crush under it. For drawing only. */
 export class Body {
@@ -25,11 +31,9 @@ export class Body {
     const deck = mean(lowers.map((point) => point.z));
     const top = Math.min(...uppers.map((point) => point.z), deck - 0.1 * size);
     const beam = 0.008 * size;
-    const add = (/** @type {Vector3} */ from, /** @type {Vector3} */ to, thickness = beam) => {
-      const mesh = rod(thickness, materials.metal);
-      lay(mesh, from, to);
-      this.group.add(mesh);
-    };
+    const frame = new Rods(materials.metal, 6 * lowers.length + 1);
+    let laid = 0;
+    const add = (/** @type {Vector3} */ from, /** @type {Vector3} */ to, thickness = beam) => frame.lay(laid++, thickness, from, to);
     for (const [index, lower] of lowers.entries()) {
       const next = (index + 1) % lowers.length;
       add(lower, lowers[next]);
@@ -49,16 +53,12 @@ export class Body {
     lid.position.set(cx, cy, roof - 0.06 * inner);
     const nozzle = upright(new Mesh(new CylinderGeometry(0.2 * inner, 0.4 * inner, 0.3 * inner, 20, 1, true), materials.dark));
     nozzle.position.set(cx, cy, deck + 0.15 * inner);
-    this.group.add(bus, lid, nozzle);
+    const tanks = new Copies(new IcosahedronGeometry(0.26 * inner, 2), materials.white, lowers.length);
     for (const [index, lower] of lowers.entries()) {
       const next = lowers[(index + 1) % lowers.length];
-      const tank = new Mesh(new IcosahedronGeometry(0.26 * inner, 2), materials.white);
-      tank.position.copy(lower).add(next).multiplyScalar(0.5);
-      tank.position.x += 0.35 * (cx - tank.position.x);
-      tank.position.y += 0.35 * (cy - tank.position.y);
-      tank.position.z = deck - 0.2 * inner;
-      tank.castShadow = true;
-      this.group.add(tank);
+      at.copy(lower).add(next).multiplyScalar(0.5);
+      at.set(at.x + 0.35 * (cx - at.x), at.y + 0.35 * (cy - at.y), deck - 0.2 * inner);
+      tanks.setMatrixAt(index, placed.makeTranslation(at));
     }
     const mast = new Vector3(cx, cy, roof - 1.1 * inner);
     add(new Vector3(cx, cy, roof), mast, 0.9 * beam);
@@ -66,35 +66,25 @@ export class Body {
     plate.position.set(cx + 0.3 * inner, cy, mast.z);
     plate.rotation.y = -0.35;
     plate.castShadow = true;
-    this.group.add(plate);
-    this.blocks = shape.legs.map((leg) => this.#block(leg.block));
-  }
-
-  /** @param {import("../engine/types.js").LegShape["block"]} block */
-  #block(block) {
-    if (!block) return null;
-    const radius = 0.5 * block.diameter;
-    const mesh = upright(new Mesh(new CylinderGeometry(radius, radius, 1, 22), this.materials.honeycomb.clone()));
-    mesh.position.set(...block.face);
-    this.group.add(mesh);
-    return { mesh, block };
+    this.blocks = shape.legs.map(({ block }) => block);
+    this.honeycomb = new Copies(BLOCK, materials.copies, this.blocks.length);
+    this.group.add(frame, bus, lid, nozzle, tanks, plate, this.honeycomb);
   }
 
   /** @param {import("./motion.js").Pose} pose */
   place(pose) {
     this.group.position.copy(pose.center);
     this.group.quaternion.copy(pose.rotation);
-    for (const [index, part] of this.blocks.entries()) {
-      if (!part) continue;
-      const { mesh, block } = part;
+    for (const [index, block] of this.blocks.entries()) {
       const crush = Math.max(pose.legs[index].blockCrush, 0);
-      const height = Math.max(Math.abs(block.height), 0.05);
+      const height = Math.max(Math.abs(block?.height ?? 0), 0.05);
       const left = Math.max(height - crush, 0.08 * height);
-      mesh.scale.y = left;
-      mesh.position.z = block.face[2] - height + 0.5 * left;
-      /** @type {import("../vendor/three.js").MeshStandardMaterial} */ (mesh.material).color
-        .copy(this.materials.honeycomb.color)
-        .lerp(this.materials.crushed, Math.min(crush / (0.5 * height), 1));
+      const radius = 0.5 * (block?.diameter ?? 0);
+      placed.makeScale(radius, radius, left);
+      if (block) placed.setPosition(block.face[0], block.face[1], block.face[2] - height + 0.5 * left);
+      this.honeycomb.setMatrixAt(index, placed);
+      const share = Math.min(crush / (0.5 * height), 1);
+      this.honeycomb.setColorAt(index, colour.copy(this.materials.honeycomb.color).lerp(this.materials.crushed, share));
     }
   }
 }

@@ -58,7 +58,7 @@ export class Footpad {
     position.needsUpdate = true;
     this.comb.geometry.computeVertexNormals();
     const share = Math.min(Math.max(crush[0], crush[1], 0) / (0.3 * h), 1);
-    /** @type {import("../vendor/three.js").MeshStandardMaterial} */ (this.comb.material).color
+    /** @type {import("../vendor/three.js").MeshLambertMaterial} */ (this.comb.material).color
       .copy(this.materials.honeycomb.color)
       .lerp(this.materials.crushed, share);
   }

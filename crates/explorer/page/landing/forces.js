@@ -1,21 +1,23 @@
-import { Group, Vector3 } from "../vendor/three.js";
+import { Vector3 } from "../vendor/three.js";
 import { roundStep } from "../look/words.js";
-import { Arrow } from "./shapes.js";
+import { Arrows } from "./shapes.js";
 
 /** @typedef {import("./materials.js").Materials} Materials */
+/** @typedef {import("../engine/types.js").VehicleShape} VehicleShape */
 
 const vector = new Vector3();
 const at = new Vector3();
 
 /** Forces of the ground on pads and blocks. */
 export class Forces {
-  /** @param {Materials} materials @param {number} size of the lander, ft */
-  constructor(materials, size) {
-    this.group = new Group();
-    this.materials = materials;
+  /** @param {Materials} materials @param {number} size of the lander, ft @param {VehicleShape} vehicle */
+  constructor(materials, size, vehicle) {
     this.size = size;
-    /** @type {{ pad: Arrow, block: Arrow }[]} */
-    this.arrows = [];
+    this.faces = vehicle.legs.map((leg) => (leg.block ? new Vector3(...leg.block.face) : null));
+    // An arrow for each pad, then one for each block.
+    const colours = [materials.force, materials.blockForce].flatMap((colour) => this.faces.map(() => colour));
+    this.arrows = new Arrows(0.007 * size, materials.marks, colours);
+    this.group = this.arrows.group;
     this.scale = 1;
   }
 
@@ -24,29 +26,22 @@ export class Forces {
    * @returns {number} lb that an arrow of one ft stands for: a round number, the greatest force being half of the lander's size
    */
   set(motion) {
-    this.group.clear();
-    this.faces = motion.drawing.vehicle.legs.map((leg) => (leg.block ? new Vector3(...leg.block.face) : null));
-    this.arrows = this.faces.map(() => ({
-      pad: new Arrow(0.007 * this.size, this.materials.force),
-      block: new Arrow(0.007 * this.size, this.materials.blockForce),
-    }));
-    for (const { pad, block } of this.arrows) this.group.add(pad.group, block.group);
     this.scale = roundStep(motion.greatestForce / (0.5 * this.size));
     return this.scale;
   }
 
   /** @param {import("./motion.js").Pose} pose */
   place(pose) {
-    for (const [index, { pad, block }] of this.arrows.entries()) {
+    for (const [index, face] of this.faces.entries()) {
       const leg = pose.legs[index];
-      pad.point(leg.pivot, vector.copy(leg.padForce).divideScalar(this.scale));
-      const face = this.faces?.[index];
-      block.group.visible = face !== null;
-      if (!face) continue;
-      at.copy(face);
-      at.z -= Math.max(leg.blockCrush, 0);
-      at.applyQuaternion(pose.rotation).add(pose.center);
-      block.point(at, vector.copy(leg.blockForce).divideScalar(this.scale));
+      this.arrows.point(index, leg.pivot, vector.copy(leg.padForce).divideScalar(this.scale));
+      if (face) {
+        at.copy(face);
+        at.z -= Math.max(leg.blockCrush, 0);
+        at.applyQuaternion(pose.rotation).add(pose.center);
+      }
+      vector.copy(leg.blockForce).divideScalar(this.scale);
+      this.arrows.point(this.faces.length + index, at, face ? vector : vector.set(0, 0, 0));
     }
   }
 }

@@ -1,10 +1,8 @@
 import {
-  CanvasTexture, CircleGeometry, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, RepeatWrapping, RingGeometry,
-  ShadowMaterial, SRGBColorSpace, Vector3,
+  CircleGeometry, Color, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, ShadowMaterial, Vector3,
 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
-import { Arrow, Label } from "./shapes.js";
-import { sharpness } from "./sharpness.js";
+import { Arrows, Label } from "./shapes.js";
 
 /** @typedef {import("./materials.js").Materials} Materials */
 
@@ -14,32 +12,37 @@ const HALF = 160;
 const LENGTH_A_SPEED = 0.024;
 const FEET_A_METRE = 1 / 0.3048;
 
-/** Every fifth line of the grid is bold. */
-const LINES = 5;
-/** Side of a tile of the grid, pixels. */
-const TILE = 640;
-
-/** A tile of the grid. @param {string} ground @param {string} line */
-function gridTexture(ground, line) {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = TILE;
-  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-  context.fillStyle = ground;
-  context.fillRect(0, 0, TILE, TILE);
-  context.fillStyle = line;
-  for (let index = 0; index <= LINES; index += 1) {
-    const isBold = index % LINES === 0;
-    context.globalAlpha = isBold ? 0.75 : 0.4;
-    const [at, width] = [(index * TILE) / LINES, isBold ? 8 : 4];
-    context.fillRect(at - 0.5 * width, 0, width, TILE);
-    context.fillRect(0, at - 0.5 * width, TILE, width);
-  }
-  const texture = new CanvasTexture(canvas);
-  texture.colorSpace = SRGBColorSpace;
-  texture.wrapS = texture.wrapT = RepeatWrapping;
-  texture.anisotropy = sharpness().smooths ? 8 : 1;
-  return texture;
+/**
+ * A material with a grid: every fifth line is bold. Lines are computed at every pixel: a texture costs a processor without a
+ * graphics card four times as much.
+ * @param {string} ground @param {string} line
+ */
+function gridMaterial(ground, line) {
+  const material = new MeshBasicMaterial({ color: ground });
+  /** Distance of the fine lines, ft. */
+  const step = { value: 1 };
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, { step, lineColour: { value: new Color(line) } });
+    shader.vertexShader = shader.vertexShader
+      .replace("#include <common>", "#include <common>\nvarying vec2 at;")
+      .replace("#include <begin_vertex>", "#include <begin_vertex>\nat = position.xy;");
+    shader.fragmentShader = shader.fragmentShader
+      .replace("#include <common>", `#include <common>\nvarying vec2 at;\nuniform float step;\nuniform vec3 lineColour;\n${GRID}`)
+      .replace("#include <map_fragment>", "diffuseColor.rgb = mix(diffuseColor.rgb, lineColour, max(0.4 * gridLines(at / step, 0.03), 0.75 * gridLines(at / (5.0 * step), 0.0125)));");
+  };
+  return { material, step };
 }
+
+/** How much of a pixel lines at whole numbers cover, `width` wide: never thinner than a pixel, but paler. */
+const GRID = `
+float gridLines(vec2 at, float width) {
+  vec2 rate = fwidth(at);
+  vec2 drawn = clamp(vec2(width), rate, vec2(0.5));
+  vec2 away = 1.0 - abs(fract(at) * 2.0 - 1.0);
+  vec2 lines = smoothstep(drawn + 1.5 * rate, drawn - 1.5 * rate, away) * min(width / drawn, 1.0);
+  lines = mix(lines, vec2(width), clamp(2.0 * rate - 1.0, 0.0, 1.0));
+  return mix(lines.x, 1.0, lines.y);
+}`;
 
 /** The surface with its grid, the ground under pads that is not the surface, and arrows downhill and along V_H. */
 export class GroundModel {
@@ -48,22 +51,20 @@ export class GroundModel {
     this.group = new Group();
     this.materials = materials;
     this.size = size;
-    /** Distance of the fine lines of the grid, ft. */
-    this.gridStep = 1;
     const { ground, gridLine } = colours().scene;
-    this.grid = gridTexture(ground, gridLine);
-    this.surface = new Mesh(new PlaneGeometry(2 * HALF, 2 * HALF), new MeshBasicMaterial({ map: this.grid }));
+    this.grid = gridMaterial(ground, gridLine);
+    this.surface = new Mesh(new PlaneGeometry(2 * HALF, 2 * HALF), this.grid.material);
     this.surface.matrixAutoUpdate = false;
     // A plane has one shade all over. Only the ground about the lander asks what is in its shadow.
     this.shadow = new Mesh(new PlaneGeometry(2.4 * size, 2.4 * size), new ShadowMaterial({ opacity: 0.42 }));
     this.shadow.matrixAutoUpdate = false;
     this.shadow.receiveShadow = true;
-    this.downhill = new Arrow(0.008 * size, materials.downhill);
-    this.velocity = new Arrow(0.009 * size, materials.velocity);
+    // Downhill, then V_H.
+    this.arrows = new Arrows(0.0085 * size, materials.marks, [materials.downhill.color, materials.velocity]);
     this.words = { downhill: new Label(0.036 * size), velocity: new Label(0.036 * size) };
     this.patches = new Group();
     this.group.add(
-      this.surface, this.shadow, this.patches, this.downhill.group, this.velocity.group, this.words.downhill.sprite, this.words.velocity.sprite,
+      this.surface, this.shadow, this.patches, this.arrows.group, this.words.downhill.sprite, this.words.velocity.sprite,
     );
   }
 
@@ -82,22 +83,19 @@ export class GroundModel {
     this.surface.matrix.copy(new Matrix4().makeBasis(across, downhill, normal).setPosition(at));
     this.surface.matrixWorldNeedsUpdate = true;
     this.plane = { normal, at };
-    this.gridStep = units === "SI" ? 0.2 * FEET_A_METRE : 1;
-    const tiles = (2 * HALF) / (LINES * this.gridStep);
-    this.grid.repeat.set(tiles, tiles);
     // A bold line runs through the point below the CG.
-    this.grid.offset.set(-0.5 * tiles, -0.5 * tiles);
+    this.grid.step.value = units === "SI" ? 0.2 * FEET_A_METRE : 1;
     const { size } = this;
     const raised = at.clone().addScaledVector(normal, 0.02 * size);
     const side = raised.clone().addScaledVector(across, 0.62 * size).addScaledVector(downhill, -0.2 * size);
-    this.downhill.point(side, downhill.clone().multiplyScalar(0.3 * size));
+    this.arrows.point(0, side, downhill.clone().multiplyScalar(0.3 * size));
     const { paper, stable, paleText } = colours();
     this.words.downhill.write("downhill", paleText, paper);
     this.words.downhill.sprite.position.copy(side).addScaledVector(downhill, 0.35 * size);
     const along = new Vector3(...ground.velocity_direction);
     along.addScaledVector(normal, -along.dot(normal)).normalize();
     const tail = raised.clone().addScaledVector(across, -0.5 * size).addScaledVector(downhill, -0.15 * size);
-    this.velocity.point(tail, along.clone().multiplyScalar(LENGTH_A_SPEED * speed * size));
+    this.arrows.point(1, tail, along.clone().multiplyScalar(LENGTH_A_SPEED * speed * size));
     this.words.velocity.write(speedWords, stable, paper);
     this.words.velocity.sprite.position.copy(tail).addScaledVector(normal, 0.05 * size);
     this.words.velocity.sprite.visible = speed > 0;

@@ -4,9 +4,10 @@ import { element } from "../look/elements.js";
 import { OutcomeStrip } from "../strip/strip.js";
 import { Sliders } from "../sliders/sliders.js";
 import { Replay, speedOf } from "./replay.js";
+import { STILL } from "./sharpness.js";
 
 /** Instants of a landing while a slider moves. */
-const COARSE = 240;
+const COARSE = 60;
 
 /** The present landing: its numbers, its picture and histories, and how its neighbours in V_H end. */
 export class LandingTab {
@@ -17,6 +18,8 @@ export class LandingTab {
     this.strip = new OutcomeStrip(present, sources);
     this.sliders = new Sliders(present);
     this.newest = new Newest();
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.rest = undefined;
     this.replay.bar.root.after(this.strip.root);
     const show = element("div", { class: "show" }, this.replay.root);
     const aside = element("aside", { class: "aside", "aria-label": "Numbers" }, this.sliders.root);
@@ -25,13 +28,18 @@ export class LandingTab {
     present.addEventListener("units", () => this.refresh());
   }
 
-  /** Lands afresh. */
-  refresh() {
+  /**
+   * Lands afresh. While a slider moves only what the picture takes is asked for, and all of it once it rests.
+   * @param {boolean} [isMoving]
+   */
+  refresh(isMoving = this.present.isMoving && this.landing !== undefined) {
+    clearTimeout(this.rest);
+    if (isMoving) this.rest = setTimeout(() => this.refresh(false), STILL);
     return this.newest.run(async () => {
-      const { touchdown, units, isMoving } = this.present;
+      const { touchdown, units } = this.present;
       const interval_s = isMoving && this.landing ? Math.max(this.landing.end_time_s / COARSE, 0.01) : 0.01;
       try {
-        const landing = await engine.landing({ touchdown, units, interval_s });
+        const landing = await engine.landing({ touchdown, units, interval_s, history: !isMoving });
         this.landing = landing;
         this.replay.show([landing], units);
         this.strip.follow(speedOf(landing, units).fps);

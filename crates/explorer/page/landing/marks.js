@@ -3,7 +3,7 @@ import {
   SRGBColorSpace, TubeGeometry, Vector3,
 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
-import { lay, rod, span, triangle } from "./shapes.js";
+import { Rods, span, triangle } from "./shapes.js";
 
 /** @typedef {import("./materials.js").Materials} Materials */
 
@@ -11,32 +11,26 @@ const foot = new Vector3();
 
 /** The CG with its path and its plumb line, the polygon of the feet and the critical edge that the vehicle would topple over. */
 export class Marks {
-  /** @param {Materials} materials @param {number} size of the lander, ft */
-  constructor(materials, size) {
+  /** @param {Materials} materials @param {number} size of the lander, ft @param {number} legs how many */
+  constructor(materials, size, legs) {
     this.group = new Group();
     this.materials = materials;
     this.size = size;
     const ball = new SphereGeometry(0.024 * size, 24, 16);
     this.ball = new Mesh(ball, new MeshBasicMaterial({ map: quarters(), depthTest: false, transparent: true, fog: false }));
     this.ball.renderOrder = 5;
-    this.plumb = rod(0.003 * size, materials.plumb);
-    this.critical = rod(0.009 * size, materials.critical);
+    // The sides of the polygon, then the plumb line and the critical edge.
+    this.rods = new Rods(materials.marks, legs + 2);
+    for (let leg = 0; leg < legs; leg += 1) this.rods.setColorAt(leg, materials.polygon);
+    this.rods.setColorAt(legs, materials.path.color);
+    this.rods.setColorAt(legs + 1, materials.critical);
     this.leaning = triangle(materials.leaning);
-    for (const mesh of [this.plumb, this.critical]) mesh.castShadow = false;
-    /** @type {Mesh[]} */
-    this.sides = [];
     this.path = new Group();
-    this.group.add(this.path, this.ball, this.plumb, this.critical, this.leaning);
+    this.group.add(this.path, this.ball, this.rods, this.leaning);
   }
 
   /** @param {import("./motion.js").Motion} motion */
   set(motion) {
-    for (const side of this.sides) side.removeFromParent();
-    this.sides = motion.drawing.vehicle.legs.map(() => rod(0.004 * this.size, this.materials.polygon));
-    for (const side of this.sides) {
-      side.castShadow = false;
-      this.group.add(side);
-    }
     this.#drawPath(motion.drawing.instants.center_of_gravity);
     const { surface_point, normal } = motion.drawing.ground;
     this.surface = { point: new Vector3(...surface_point), normal: new Vector3(...normal) };
@@ -67,22 +61,21 @@ export class Marks {
     this.ball.quaternion.copy(pose.rotation);
     this.done?.geometry.setDrawRange(0, 36 * Math.round(share * (this.segments ?? 0)));
     if (!this.surface) return;
-    for (const [index, side] of this.sides.entries()) {
-      lay(side, pose.legs[index].pivot, pose.legs[(index + 1) % pose.legs.length].pivot);
+    const count = pose.legs.length;
+    for (const [index, { pivot }] of pose.legs.entries()) {
+      this.rods.lay(index, 0.004 * this.size, pivot, pose.legs[(index + 1) % count].pivot);
     }
     const edge = pose.criticalEdge;
-    this.critical.visible = this.leaning.visible = edge !== null;
-    if (edge) {
-      const [a, b] = edge.map((leg) => pose.legs[leg - 1].pivot);
-      lay(this.critical, a, b);
-      span(this.leaning, pose.center, a, b);
-    }
+    const [a, b] = edge ? edge.map((leg) => pose.legs[leg - 1].pivot) : [foot, foot];
+    this.rods.lay(count + 1, 0.009 * this.size, a, b);
+    this.leaning.visible = edge !== null;
+    if (edge) span(this.leaning, pose.center, a, b);
     // Straight down to the surface.
     const { point, normal } = this.surface;
     const height = foot.subVectors(pose.center, point).dot(normal) / -normal.z;
     foot.copy(pose.center);
     foot.z += Math.max(height, 0);
-    lay(this.plumb, pose.center, foot);
+    this.rods.lay(count, 0.003 * this.size, pose.center, foot);
   }
 }
 

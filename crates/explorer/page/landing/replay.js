@@ -58,7 +58,9 @@ export class Replay {
     this.player.setEnd(Math.max(...landings.map(({ end_time_s }) => end_time_s)), !this.hasShown);
     this.hasShown = true;
     this.bar.setEvents(landings.flatMap(({ events }) => events).sort((a, b) => a.time_s - b.time_s));
-    this.histories.show(landings);
+    const hasHistories = landings.every(({ history }) => history);
+    if (hasHistories) this.histories.show(landings);
+    this.histories.root.classList.toggle("stale", !hasHistories);
     this.numbers.show(landings);
   }
 }

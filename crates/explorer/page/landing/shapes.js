@@ -1,60 +1,81 @@
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, ConeGeometry, CylinderGeometry, Group, Mesh, Quaternion, Sprite, SpriteMaterial,
-  SRGBColorSpace, Vector3,
+  BufferAttribute, BufferGeometry, CanvasTexture, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial,
+  Quaternion, Sprite, SpriteMaterial, SRGBColorSpace, Vector3,
 } from "../vendor/three.js";
 
 /** @typedef {import("../vendor/three.js").Material} Material */
+/** @typedef {import("../vendor/three.js").Color} Color */
 
 const UP = new Vector3(0, 1, 0);
-const direction = new Vector3();
+const [direction, middle, scale, tip] = [0, 1, 2, 3].map(() => new Vector3());
+const turned = new Quaternion();
+const placed = new Matrix4();
 const CYLINDER = new CylinderGeometry(1, 1, 1, 14, 1);
 const CONE = new ConeGeometry(1, 1, 18, 1);
 
-/** A rod of a radius, to be laid between two points. @param {number} radius @param {Material} material */
-export function rod(radius, material) {
-  const mesh = new Mesh(CYLINDER, material);
-  mesh.scale.set(radius, 1, radius);
-  mesh.castShadow = true;
-  return mesh;
+/** Copies of one shape, drawn in one call, each with its own place and colour. */
+export class Copies extends InstancedMesh {
+  /** @param {BufferGeometry} geometry @param {Material} material @param {number} count */
+  constructor(geometry, material, count) {
+    super(geometry, material, count);
+    this.frustumCulled = false;
+    this.castShadow = !(material instanceof MeshBasicMaterial);
+  }
+
+  /** @param {number} index @param {Matrix4} matrix */
+  setMatrixAt(index, matrix) {
+    this.instanceMatrix.needsUpdate = true;
+    return super.setMatrixAt(index, matrix);
+  }
+
+  /** @param {number} index @param {Color} colour */
+  setColorAt(index, colour) {
+    super.setColorAt(index, colour);
+    if (this.instanceColor) this.instanceColor.needsUpdate = true;
+    return this;
+  }
 }
 
-/** Lays a rod between two points. @param {Mesh} mesh @param {Vector3} from @param {Vector3} to */
-export function lay(mesh, from, to) {
-  direction.subVectors(to, from);
-  const length = direction.length();
-  mesh.visible = length > 1e-6;
-  if (!mesh.visible) return;
-  mesh.position.addVectors(from, to).multiplyScalar(0.5);
-  mesh.quaternion.setFromUnitVectors(UP, direction.divideScalar(length));
-  mesh.scale.y = length;
+/** Rods, each laid between two points. */
+export class Rods extends Copies {
+  /** @param {Material} material @param {number} count */
+  constructor(material, count) {
+    super(CYLINDER, material, count);
+  }
+
+  /** One of no length is not seen. @param {number} index @param {number} radius @param {Vector3} from @param {Vector3} to */
+  lay(index, radius, from, to) {
+    direction.subVectors(to, from);
+    const length = direction.length();
+    turned.setFromUnitVectors(UP, length > 1e-6 ? direction.divideScalar(length) : UP);
+    const width = length > 1e-6 ? radius : 0;
+    this.setMatrixAt(index, placed.compose(middle.addVectors(from, to).multiplyScalar(0.5), turned, scale.set(width, length, width)));
+  }
 }
 
-/** An arrow with its tail at its origin. */
-export class Arrow {
-  /** @param {number} radius of its shaft @param {Material} material */
-  constructor(radius, material) {
-    this.group = new Group();
-    this.shaft = new Mesh(CYLINDER, material);
-    this.head = new Mesh(CONE, material);
+/** Arrows of one thickness. */
+export class Arrows {
+  /** @param {number} radius of a shaft @param {Material} material @param {Color[]} colours of the arrows */
+  constructor(radius, material, colours) {
     this.radius = radius;
-    this.group.add(this.shaft, this.head);
+    this.shafts = new Rods(material, colours.length);
+    this.heads = new Copies(CONE, material, colours.length);
+    for (const part of [this.shafts, this.heads]) colours.forEach((colour, index) => part.setColorAt(index, colour));
+    this.group = new Group();
+    this.group.add(this.shafts, this.heads);
   }
 
-  /** @param {Vector3} tail @param {Vector3} vector from tail to tip */
-  point(tail, vector) {
-    const length = vector.length();
-    this.group.visible = length > 0.02;
-    if (!this.group.visible) return;
-    this.group.position.copy(tail);
-    this.group.quaternion.copy(turned.setFromUnitVectors(UP, direction.copy(vector).divideScalar(length)));
+  /** Without a length to speak of there is none. @param {number} index @param {Vector3} tail @param {Vector3} vector from tail to tip */
+  point(index, tail, vector) {
+    const length = vector.length() > 0.02 ? vector.length() : 0;
     const head = Math.min(6 * this.radius, 0.6 * length);
-    this.shaft.scale.set(this.radius, length - head, this.radius);
-    this.shaft.position.y = 0.5 * (length - head);
-    this.head.scale.set(2.6 * this.radius * Math.min(1, head / (6 * this.radius)), head, 2.6 * this.radius * Math.min(1, head / (6 * this.radius)));
-    this.head.position.y = length - 0.5 * head;
+    const wide = 2.6 * this.radius * Math.min(1, head / (6 * this.radius));
+    tip.copy(vector).setLength(length - head).add(tail);
+    this.shafts.lay(index, this.radius, tail, tip);
+    turned.setFromUnitVectors(UP, length ? direction.copy(vector).normalize() : UP);
+    this.heads.setMatrixAt(index, placed.compose(tip.addScaledVector(direction, 0.5 * head), turned, scale.set(wide, head, wide)));
   }
 }
-const turned = new Quaternion();
 
 /** A word that always faces the reader. */
 export class Label {
@@ -126,6 +147,7 @@ export function span(mesh, a, b, c) {
 /** Frees what a tree of meshes has on the graphics card. @param {import("../vendor/three.js").Object3D} tree */
 export function free(tree) {
   tree.traverse((part) => {
+    if (part instanceof InstancedMesh) part.dispose();
     if (part instanceof Mesh && part.geometry !== CYLINDER && part.geometry !== CONE) part.geometry.dispose();
   });
 }

@@ -261,6 +261,10 @@ export class ContourMap {
       context.setLineDash(edge.kind === "bands" ? [4, 3] : []);
       follow(edge.places);
     }
+    context.strokeStyle = now.text;
+    context.lineWidth = 2;
+    context.setLineDash([9, 6]);
+    map.bisector.forEach(follow);
     context.setLineDash([]);
   }
 

@@ -11,9 +11,11 @@ export function legendOf(map) {
   const hasGaps = map.points.some(({ to }) => to === null);
   if (map.grid) {
     add("lowest", `lowest V_H at each ${(map.axes[0].title.split(/ angle| [^ ]*,|,/)[0] || map.axes[0].name).toLowerCase()}`);
+    if (map.bisector.length) add("bisector", map.words.bisector);
     if (map.jump_bars.length) add("jump", map.words.jump);
     if (map.jump_cells.length) add("torn", map.words.jump_cell);
   }
+  if (map.words.missing) entries.push(element("span", { class: "missing" }, map.words.missing));
   if (hasGaps) add(map.triangles ? "white" : "gap", map.words.gap);
   const edges = new Set(map.edges.map(({ kind }) => kind));
   for (const kind of ["end", "jump", "bands"]) if (edges.has(/** @type {"end"} */ (kind))) add(`edge-${kind}`, map.words[kind === "jump" ? "edge_jump" : kind]);

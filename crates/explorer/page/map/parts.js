@@ -36,6 +36,7 @@ export function partOf(map, [first, last]) {
     points: map.points.filter(({ place }) => isIn(place[0])),
     lowest: map.lowest.filter(([at]) => isIn(at)),
     grid: { speeds: map.grid.speeds.slice(first, last + 1) },
+    bisector: map.bisector.map((line) => line.filter(([at]) => isIn(at))),
     jump_bars: map.jump_bars.filter((bar) => bar.every(([at]) => isIn(at))),
     jump_cells: map.jump_cells
       .filter(([row]) => row >= first && row < last)

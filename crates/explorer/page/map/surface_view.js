@@ -30,9 +30,9 @@ export class SurfaceView {
     this.controls.target.set(0, 0.25, 0);
     this.controls.listenToKeyEvents(this.canvas);
     this.controls.addEventListener("change", () => this.draw());
-    const sun = new DirectionalLight(0xffffff, 1.9);
-    sun.position.set(-2, 4, 2.5);
-    this.scene.add(new AmbientLight(0xffffff, 1.7), sun);
+    this.sun = new DirectionalLight(0xffffff, 1.9);
+    this.sun.position.set(-2, 4, 2.5);
+    this.scene.add(new AmbientLight(0xffffff, 1.7), this.sun);
     this.content = new Group();
     this.scene.add(this.content);
     this.mark = new Mesh(new SphereGeometry(0.035, 16, 12), new MeshBasicMaterial({ depthTest: false, transparent: true }));

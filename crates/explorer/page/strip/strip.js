@@ -1,6 +1,7 @@
 import * as engine from "../engine/engine.js";
 import { element } from "../look/elements.js";
 import { classColour, colours, onTheme, regionColour } from "../look/theme.js";
+import { STILL } from "../landing/sharpness.js";
 import { font, scaled, textScale } from "../look/text.js";
 import { label, roundValues, subscripted } from "../look/words.js";
 
@@ -11,8 +12,6 @@ import { label, roundValues, subscripted } from "../look/words.js";
 const PLACE = { top: 20, height: 26 };
 /** Landings of one request; few while others wait. */
 const MOST = 16;
-/** How long nothing moves before the strip is filled in, ms. */
-const CALM = 60;
 const FPS_A_MPS = 1 / 0.3048;
 
 /** How landings end over the whole range of V_H under the present conditions, with a handle for V_H. */
@@ -38,6 +37,8 @@ export class OutcomeStrip {
     this.exact = false;
     this.round = new AbortController();
     this.conditions = "";
+    /** What was drawn last. */
+    this.shown = "";
     this.speed = 0;
     this.handle.addEventListener("input", () => this.#move(true));
     this.handle.addEventListener("change", () => this.#move(false));
@@ -84,7 +85,9 @@ export class OutcomeStrip {
       this.conditions = conditions;
       this.#restart();
     }
-    this.draw();
+    const shown = [speed, from, this.handle.max, this.unit, this.isStale].join();
+    if (shown !== this.shown) this.draw();
+    this.shown = shown;
   }
 
   #restart() {
@@ -94,7 +97,7 @@ export class OutcomeStrip {
     this.exact = false;
     this.isStale = true;
     const { signal } = this.round;
-    setTimeout(() => this.#fill(signal), CALM);
+    setTimeout(() => this.#fill(signal), STILL);
   }
 
   /** Asks for landings until the strip is done. @param {AbortSignal} signal */

@@ -1,59 +1,31 @@
-import { Color, LineSegments, Line, Mesh, MeshBasicMaterial, ShadowMaterial, Sprite, Vector3 } from "../vendor/three.js";
+import { Vector3 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
-import { SvgContext } from "./svg_context.js";
+import { sceneSvg } from "./scene_svg.js";
 
 /** @typedef {import("../landing/stage.js").Stage} Stage */
-/** @typedef {{ depth: number, points: [number, number][], colour: string, opacity: number }} Facet */
+/** @typedef {import("../vendor/three.js").Mesh} Mesh */
+/** @typedef {import("./svg_context.js").SvgContext} SvgContext */
 
-const [a, b, c, normal] = [0, 1, 2, 3].map(() => new Vector3());
+const [a, c, normal] = [0, 1, 2].map(() => new Vector3());
 /** Lines of the grid to either side, ft. */
 const REACH = 40;
 
 /**
- * What a stage shows, as SVG: facets from back to front over the grid of the ground.
+ * What a stage shows, as SVG, over the grid of the ground.
  * @param {Stage} stage
  * @param {Mesh} ground the surface, of which only the grid is drawn
  * @param {number} step of the grid, ft
  */
 export function stageSvg(stage, ground, step) {
-  const { clientWidth: width, clientHeight: height } = stage.canvas;
-  const svg = new SvgContext(width, height);
-  const { camera } = stage;
-  stage.scene.updateMatrixWorld();
-  svg.fillStyle = colours().scene.sky;
-  svg.fillRect(0, 0, width, height);
-  const project = (/** @type {Vector3} */ point) => {
-    point.project(camera);
-    return /** @type {[number, number]} */ ([(0.5 + 0.5 * point.x) * width, (0.5 - 0.5 * point.y) * height]);
-  };
-  drawGround(svg, stage, ground, step, project);
-  const facets = facetsOf(stage, ground, project);
-  facets.sort((one, other) => other.depth - one.depth);
-  for (const { points, colour, opacity } of facets) {
-    svg.beginPath();
-    points.forEach(([x, y], index) => (index ? svg.lineTo(x, y) : svg.moveTo(x, y)));
-    svg.fillStyle = svg.strokeStyle = colour;
-    svg.lineWidth = 0.4;
-    svg.globalAlpha = opacity;
-    if (points.length > 2) {
-      svg.closePath();
-      svg.fill();
-    }
-    if (opacity === 1) svg.stroke();
-  }
-  drawWords(svg, stage, project);
-  return svg.toString();
-}
-
-/** @param {SvgContext} svg @param {Stage} stage @param {(point: Vector3) => [number, number]} project */
-function drawWords(svg, stage, project) {
-  svg.globalAlpha = 1;
-  svg.font = "13px";
-  svg.textAlign = "center";
-  stage.scene.traverseVisible((part) => {
-    if (!(part instanceof Sprite)) return;
-    svg.fillStyle = part.userData.colour;
-    svg.fillText(part.userData.text, ...project(part.getWorldPosition(a)));
+  const { scene, camera, sun } = stage;
+  return sceneSvg({
+    scene,
+    camera,
+    light: sun.position.clone().sub(sun.target.position).normalize(),
+    size: [stage.canvas.clientWidth, stage.canvas.clientHeight],
+    paper: colours().scene.sky,
+    below: (svg, project) => drawGround(svg, stage, ground, step, project),
+    without: ground,
   });
 }
 
@@ -97,34 +69,4 @@ function drawGround(svg, stage, ground, step, project) {
       svg.stroke();
     }
   }
-}
-
-/** @param {Stage} stage @param {Mesh} ground @param {(point: Vector3) => [number, number]} project @returns {Facet[]} */
-function facetsOf(stage, ground, project) {
-  /** @type {Facet[]} */
-  const facets = [];
-  const light = stage.sun.position.clone().sub(stage.sun.target.position).normalize();
-  stage.scene.traverseVisible((part) => {
-    if (part === ground || part instanceof Sprite || part instanceof LineSegments || part instanceof Line) return;
-    if (!(part instanceof Mesh) || part.material instanceof ShadowMaterial) return;
-    const material = /** @type {import("../vendor/three.js").MeshStandardMaterial} */ (part.material);
-    const isFlat = part.material instanceof MeshBasicMaterial;
-    const places = part.geometry.getAttribute("position");
-    const order = part.geometry.index;
-    const { start, count } = part.geometry.drawRange;
-    const end = Math.min(order ? order.count : places.count, start + count);
-    for (let i = start; i + 2 < end; i += 3) {
-      const corners = [a, b, c].map((corner, k) => corner.fromBufferAttribute(places, order ? order.getX(i + k) : i + k).applyMatrix4(part.matrixWorld));
-      normal.subVectors(b, a).cross(c.clone().sub(a)).normalize();
-      const faces = normal.dot(stage.camera.position.clone().sub(a));
-      if (faces <= 0 && !isFlat) continue;
-      const shade = isFlat ? 1 : 0.42 + 0.58 * Math.max(normal.dot(light), 0);
-      const colour = new Color().copy(material.map ? new Color("#222222") : material.color).convertLinearToSRGB();
-      const depth = corners.reduce((sum, corner) => sum + corner.distanceTo(stage.camera.position), 0) / 3;
-      const points = corners.map((corner) => project(corner));
-      const rgb = [colour.r, colour.g, colour.b].map((value) => Math.round(255 * Math.min(value * shade, 1)).toString(16).padStart(2, "0"));
-      facets.push({ depth, points, colour: `#${rgb.join("")}`, opacity: material.opacity });
-    }
-  });
-  return facets;
 }

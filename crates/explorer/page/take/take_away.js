@@ -3,6 +3,7 @@ import { button, element } from "../look/elements.js";
 import { historiesSvg } from "./histories_svg.js";
 import { record } from "./recorder.js";
 import { png, save } from "./save.js";
+import { surfaceSvg } from "./surface_svg.js";
 import { stageSvg } from "./stage_svg.js";
 import { SvgContext } from "./svg_context.js";
 
@@ -49,6 +50,7 @@ export class TakeAway {
         contour.paint(svg.context, contour.map);
         save("map.svg", svg.toString(), "image/svg+xml");
       });
+      add("Surface, SVG", () => save("surface.svg", surfaceSvg(map.surface), "image/svg+xml"));
     }
     this.root = element("details", { class: "take" }, element("summary", {}, "Take away"), element("div", { class: "menu" }, items, this.note, this.command));
     this.root.addEventListener("keydown", (event) => {
@@ -70,7 +72,7 @@ export class TakeAway {
     const { view } = this.replay.panels[0];
     const ground = view.lander?.ground;
     if (!ground) throw new Error("there is no landing yet");
-    save("landing.svg", stageSvg(view.stage, ground.surface, ground.gridStep), "image/svg+xml");
+    save("landing.svg", stageSvg(view.stage, ground.surface, ground.grid.step.value), "image/svg+xml");
   }
 
   /** @param {() => Promise<void> | void} act */

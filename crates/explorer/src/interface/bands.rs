@@ -5,7 +5,7 @@ use std::sync::Arc;
 use futures::executor::block_on;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use touchdown_dynamics::land::land;
+use touchdown_dynamics::landing::land_located_while;
 use touchdown_sweep::boundary::{self, Boundary, Extent, Search};
 use touchdown_sweep::certainty::{Certainty, Doubt, Variation};
 use touchdown_sweep::refine::Refinement;
@@ -65,12 +65,11 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         doubt: Doubt::default(),
     };
     let at = async |speed: f64, variation: Variation| -> Result<Trial, Complaint> {
-        if is_over() {
-            return Err(Complaint::over());
-        }
         let moved = (scene.with_horizontal_velocity(speed)).map_err(Complaint::engine)?;
         let (scene, settings) = variation.of(&moved, &settings).map_err(Complaint::engine)?;
-        let landing = land(&vehicle, &scene, &settings);
+        let (none, goes_on) = (&mut |_: &_| {}, || !is_over());
+        let landing = land_located_while(&vehicle, &scene, &settings, f64::INFINITY, none, goes_on);
+        let landing = landing.ok_or_else(Complaint::over)?;
         Ok(Trial::of(landing, &scales, settings.tolerance()))
     };
     let found = block_on(search.all_bands(at))?;

@@ -7,12 +7,13 @@ mod history;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use touchdown_dynamics::land::land_with_summary;
-use touchdown_dynamics::landing::{Instant, Landing};
+use touchdown_dynamics::landing::{Instant, Landing, land_located_while};
+use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::landing_report::{self, LandingReport};
 use touchdown_sweep::landing_table::why;
 
+use super::IsOver;
 use super::classes::{ClassWords, class_words};
 use super::complaint::Complaint;
 use super::request::{Asked, read, units, written};
@@ -67,7 +68,7 @@ struct Answer {
     drawing: Option<Drawing>,
 }
 
-pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
+pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, Complaint> {
     let request: Request = read(request)?;
     let units = units(request.units.as_deref(), named.units)?;
     let touchdown = Touchdown::of(named, &request.touchdown)?;
@@ -83,17 +84,19 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let vehicle = &touchdown.vehicle.vehicle;
     let mut instants: Vec<Instant> = Vec::new();
     let mut observe = |instant: &Instant| instants.push(instant.clone());
-    let (landing, integration) =
-        land_with_summary(vehicle, &scene, &touchdown.settings, seconds, &mut observe);
+    let settings = &touchdown.settings;
+    let goes_on = || !is_over();
+    let landing = land_located_while(vehicle, &scene, settings, seconds, &mut observe, goes_on);
+    let landing = landing.ok_or_else(Complaint::over)?;
 
     let report = LandingReport {
         version: env!("CARGO_PKG_VERSION"),
         vehicle: &touchdown.vehicle,
         set: &touchdown.set,
         conditions: &touchdown.conditions,
-        settings: &touchdown.settings,
+        settings,
         landing: &landing,
-        integration: &integration,
+        integration: &IntegrationSummary::default(),
         units,
     };
     written(&Answer {

@@ -2,14 +2,14 @@
 
 use serde::Deserialize;
 use serde_json::json;
-use touchdown_dynamics::land::land_observed;
-use touchdown_dynamics::landing::Instant;
+use touchdown_dynamics::landing::{Instant, land_located_while};
 use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::document::{Entry, Node, Value};
 use touchdown_sweep::history::History;
 use touchdown_sweep::parameter::Home;
 use touchdown_sweep::toml_text;
 
+use super::IsOver;
 use super::complaint::Complaint;
 use super::landing::{INTERVAL, interval};
 use super::request::{Asked, read, units, written};
@@ -79,7 +79,7 @@ pub fn scene_file(named: &Named, request: &str) -> Result<String, Complaint> {
     written(&json!({ "files": files }))
 }
 
-pub fn history_file(named: &Named, request: &str) -> Result<String, Complaint> {
+pub fn history_file(named: &Named, request: &str, is_over: IsOver) -> Result<String, Complaint> {
     let request: Request = read(request)?;
     let units = units(request.units.as_deref(), named.units)?;
     let touchdown = Touchdown::of(named, &request.touchdown)?;
@@ -93,7 +93,9 @@ pub fn history_file(named: &Named, request: &str) -> Result<String, Complaint> {
         }
     };
     let vehicle = &touchdown.vehicle.vehicle;
-    land_observed(vehicle, &scene, &touchdown.settings, seconds, &mut observe);
+    let (settings, goes_on) = (&touchdown.settings, || !is_over());
+    land_located_while(vehicle, &scene, settings, seconds, &mut observe, goes_on)
+        .ok_or_else(Complaint::over)?;
     added.map_err(Complaint::engine)?;
     let table = history.table().map_err(Complaint::engine)?;
     let text = String::from_utf8(table).map_err(Complaint::engine)?;

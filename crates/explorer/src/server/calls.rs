@@ -37,7 +37,7 @@ pub async fn answer(named: &Arc<Named>, limits: &Limits, name: &str, request: St
     let _wanted = Wanted(Arc::clone(&over));
     let (named, name) = (Arc::clone(named), name.to_owned());
     let answered = spawn_blocking(move || {
-        // A landing that is under way ends on its own: until then its turn is taken.
+        // Its turn is taken until it has noticed that nobody waits.
         let _turn = turn;
         let is_over = || over.load(Ordering::Relaxed) || Instant::now() > deadline;
         interface::answer(&named, &name, &request, &is_over)

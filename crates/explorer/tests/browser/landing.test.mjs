@@ -48,6 +48,26 @@ test("a slider changes the outcome and the picture", async () => {
   await page.context().close();
 });
 
+test("while a slider moves histories wait, and they follow when it rests", async () => {
+  const page = await explorer.open();
+  /** @type {{ history?: boolean }[]} */
+  const asked = [];
+  page.on("request", (request) => request.url().endsWith("api/landing") && asked.push(request.postDataJSON()));
+  const wereStale = page.evaluate(() => new Promise((resolve) => {
+    const curves = /** @type {HTMLElement} */ (document.querySelector(".landing-tab .histories"));
+    new MutationObserver(() => curves.classList.contains("stale") && resolve(true)).observe(curves, { attributes: true });
+  }));
+  await page.locator('[data-name="horizontal_velocity_fps"] input[type="range"]').evaluate((/** @type {HTMLInputElement} */ range) => {
+    range.value = "12";
+    range.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  assert.ok(await wereStale);
+  await page.waitForSelector(".landing-tab .histories:not(.stale)");
+  assert.equal(await outcome(page), "unstable-pitch");
+  assert.deepEqual(asked.map(({ history }) => history), [false, true]);
+  await page.context().close();
+});
+
 test("a number of the vehicle changes the landing, and goes back", async () => {
   const page = await explorer.open("#v.horizontal_velocity_fps=11.25");
   await page.getByPlaceholder("Search numbers").fill("strut preload");

@@ -55,7 +55,7 @@ test("pictures and the animation are files", async () => {
   await page.getByText("Take away").click();
   const [mapPng] = await take(page, "Map, PNG");
   assert.equal(mapPng.bytes.toString("latin1", 1, 4), "PNG");
-  for (const name of ["Map, SVG", "Histories, SVG"]) {
+  for (const name of ["Map, SVG", "Surface, SVG", "Histories, SVG"]) {
     const [svg] = await take(page, name);
     const text = svg.bytes.toString();
     assert.match(text, /^<svg [^>]*width="\d{3,}/);

@@ -332,8 +332,15 @@ fn a_strip_fills_in_until_it_is_done() {
 fn nobody_waits_for_what_is_over() {
     use crate::common::NAMED;
     use touchdown_explorer::interface::{Fault, answer};
-    for name in ["strip", "bands"] {
+    for name in ["landing", "history_file", "strip", "bands"] {
         let complaint = answer(&NAMED, name, "{}", &|| true).unwrap_err();
         assert_eq!(complaint.fault, Fault::Over);
+    }
+    // A landing that is under way is asked at every step.
+    for name in ["landing", "history_file", "bands"] {
+        let left = std::cell::Cell::new(20);
+        let is_over = || left.replace(left.get() - 1) == 0;
+        let complaint = answer(&NAMED, name, "{}", &is_over).unwrap_err();
+        assert_eq!((complaint.fault, left.get()), (Fault::Over, -1), "{name}");
     }
 }

@@ -31,6 +31,21 @@ fn a_map_is_a_grid_with_gaps_and_jumps() {
 }
 
 #[test]
+fn the_line_on_which_the_feet_are_bisected_is_on_maps_over_cross_slope_and_roll() {
+    let map = ask("map", &json!({"results": "surface-4-20"})).unwrap();
+    let lines = map["bisector"].as_array().unwrap();
+    assert_eq!(lines.len(), 4);
+    for place in lines.iter().flat_map(|line| line.as_array().unwrap()) {
+        let [cross_slope, roll] = [0, 1].map(|axis| place[axis].as_f64().unwrap());
+        // Straight downhill at no roll, and so every third of a turn.
+        assert_eq!((cross_slope - 180.0 - roll).rem_euclid(120.0), 0.0);
+    }
+    assert_eq!(map["words"]["bisector"], "AB: V_H bisects the leading feet");
+    let turned = json!({"results": "surface-4-20", "axes": ["roll_deg", "cross_slope_deg"]});
+    assert_eq!(ask("map", &turned).unwrap()["bisector"], json!([]));
+}
+
+#[test]
 fn landings_beside_a_boundary_end_differently() {
     for (results, place) in [
         (
@@ -47,6 +62,27 @@ fn landings_beside_a_boundary_end_differently() {
         assert_eq!(class(&at["below"]), "stable");
         assert_eq!(class(&at["above"]), at["to"]);
     }
+}
+
+#[test]
+fn a_refined_map_without_its_triangles_says_what_is_missing() {
+    let text = "slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,certainty,level\n\
+        10,0,unstable,12,12,12,certain,0\n15,5,unstable,11,11,11,certain,1\n";
+    let path = PathBuf::from("trade.csv");
+    let map = |text: &str, axes: &str| -> Value {
+        let copies = [Source {
+            path: path.clone(),
+            text: text.to_owned(),
+        }];
+        let named = Named::read(std::slice::from_ref(&path), Library::Copies(&copies), None);
+        let told = answer(&named.unwrap(), "map", axes, &|| false);
+        serde_json::from_str(&told.unwrap()).unwrap()
+    };
+    let told = map(text, r#"{"results": "trade"}"#);
+    let missing = told["words"]["missing"].as_str().unwrap();
+    assert!(missing.contains("trade-surface.csv"), "{missing}");
+    let grid = map(&text.replace(",level", ",steps"), r#"{"results": "trade"}"#);
+    assert_eq!(grid["words"]["missing"], Value::Null);
 }
 
 #[test]

@@ -14,8 +14,7 @@ pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let slow = parameter_words(&surface.axes[0]);
     let mut entries = vec![(Mark::Lowest, format!("lowest V_H at each {slow}"))];
     if has_leading_feet(surface, caption) {
-        let words = "AB: V_H bisects the leading feet".to_owned();
-        entries.push((Mark::Line(bisector()), words));
+        entries.push((Mark::Line(bisector()), BISECTOR_WORDS.to_owned()));
     }
     let has_jump = surface.cells().any(|(_, cell)| cell == Cell::Jump);
     if has_jump {
@@ -37,6 +36,9 @@ pub fn of_perspective(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     entries.extend(of_points(surface, caption));
     entries
 }
+
+/// What the line AB of Figure 4-21 tells.
+pub const BISECTOR_WORDS: &str = "AB: V_H bisects the leading feet";
 
 /// The line AB of Figure 4-21.
 pub fn bisector() -> Style {

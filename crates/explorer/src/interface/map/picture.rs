@@ -5,6 +5,7 @@ use touchdown_figures::boundary_table::{
     BoundaryTable, Kind, Point as TablePoint, Transition as TableTransition,
 };
 use touchdown_figures::caption::Caption;
+use touchdown_figures::leading_feet;
 use touchdown_figures::legend::Mark;
 use touchdown_figures::levels::Levels;
 use touchdown_figures::map_legend;
@@ -12,6 +13,7 @@ use touchdown_figures::map_table::{EdgeKind, MapTable};
 use touchdown_figures::refined_map;
 use touchdown_figures::surface::{Cell, Surface};
 use touchdown_figures::{number, palette};
+use touchdown_sweep::map_tables::LEVEL;
 
 use super::of_table;
 use super::table::{Point, Transitions};
@@ -30,6 +32,10 @@ pub struct Picture {
     levels: Option<Levels>,
     /// Words of jumps.
     jump_words: Option<String>,
+    /// Where V_H bisects the leading feet, as places.
+    bisector: Vec<Vec<[f64; 2]>>,
+    /// What is missing beside the table of a refined map that has no triangles.
+    missing: Option<String>,
     /// Words of points without a transition.
     gap_words: String,
 }
@@ -70,7 +76,13 @@ impl Picture {
             let jump = entries.into_iter().find(|(mark, _)| *mark == Mark::Jump);
             jump.map(|(_, words)| words)
         });
+        let with_feet = surface
+            .as_ref()
+            .filter(|it| map_legend::has_leading_feet(it, caption));
+        let bisector = with_feet.map(|it| leading_feet::lines(&it.slow, &it.fast));
         Ok(Self {
+            bisector: bisector.unwrap_or_default(),
+            missing: missing(results),
             levels: surface.as_ref().map(Levels::of),
             surface,
             refined: None,
@@ -91,7 +103,10 @@ impl Picture {
         answer["triangles"] = json!(refined.map(triangles));
         answer["edges"] = json!(refined.map(edges).unwrap_or_default());
         answer["levels"] = json!(self.levels.as_ref().map(levels).unwrap_or_default());
+        answer["bisector"] = json!(self.bisector);
         answer["words"] = json!({
+            "bisector": map_legend::BISECTOR_WORDS,
+            "missing": self.missing,
             "gap": self.gap_words,
             "jump": self.jump_words,
             "jump_cell": "not interpolated across a jump",
@@ -107,9 +122,23 @@ impl Picture {
             "lowest": hex(palette::LOWEST),
             "end": hex(palette::NONE),
             "bands": hex(palette::BISECTOR),
+            "bisector": hex(palette::BISECTOR),
         });
         Ok(())
     }
+}
+
+/// What a refined map needs for contours, where only its points are there: they come from the whole journal of a sweep, not from
+/// the table.
+fn missing(results: &Results) -> Option<String> {
+    let heading = results.table.lines().next().unwrap_or_default();
+    let is_refined = heading.split(',').any(|column| column == LEVEL);
+    (is_refined && results.surface.is_none()).then(|| {
+        let name = &results.name;
+        format!(
+            "points only: contours need {name}-surface.csv beside the table, which touchdown sweep writes"
+        )
+    })
 }
 
 /// The points as a table over two axes; none where these are words.
