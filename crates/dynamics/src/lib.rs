@@ -45,4 +45,4 @@ pub use equations::{kinematics, motion, response, state};
 pub use lander::{error_control, ground, method, scene, settings, thrust, vehicle};
 pub use landing::{critical_feet, energy, record, stability, touchdown};
 pub use laws::{contact, crush, friction, hinge, leg_pieces, outcome, signal, strut};
-pub use numbers::{lanes, per_leg, products, registers, scalar};
+pub use numbers::{extremes, lanes, per_leg, products, registers, scalar};

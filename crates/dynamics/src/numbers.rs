@@ -1,5 +1,6 @@
 //! Numbers: one, or several in the lanes of a register; one item a leg.
 
+pub mod extremes;
 pub mod lanes;
 pub mod per_leg;
 pub mod products;

@@ -474,3 +474,33 @@ pub fn quaternion_rate<S: Real>(q: &Vector4<S>, rate: &Vector3<S>) -> Vector4<S>
         w * rate.z + x * rate.y - y * rate.x,
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whichever is the worst, and whatever its sign.
+    #[test]
+    fn the_greatest_error_is_that_of_the_worst_number() {
+        let legs = 3;
+        let still = State::<f64>::zero(legs);
+        for (leg, number) in (0..legs).flat_map(|leg| (0..LEG).map(move |number| (leg, number))) {
+            for worst in [2.0, -2.0] {
+                let mut slopes = [still; 6];
+                for others in 0..legs {
+                    slopes[3].legs[others] =
+                        [0.5, -1.0, 1.0, -0.5, 0.25, -1.0, 1.0, 0.0, -0.0, 1e-16];
+                }
+                slopes[3].legs[leg][number] = worst;
+                let weights = std::hint::black_box([0.0, 0.0, 0.0, 0.25, 0.0, 0.0]);
+                let found = State::greatest_error(weights, slopes.each_ref(), &still, &still);
+                let expected = if number < LEG_MOTION {
+                    [0.5, 0.25]
+                } else {
+                    [0.25, 0.5]
+                };
+                assert_eq!(found, expected, "leg {leg}, number {number}, {worst}");
+            }
+        }
+    }
+}

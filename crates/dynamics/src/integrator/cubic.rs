@@ -2,6 +2,7 @@
 //! shows where a signal leaves its range, or that it stays, before anything in between is evaluated.
 
 use super::event::{CAUTION, Exit, Guard, Sample, SignalValues, locate};
+use crate::extremes::{self, least};
 
 /// Signals of which some have known rates.
 pub trait Rated: SignalValues {
@@ -82,7 +83,7 @@ impl<'a, V: Rated> StepEnds<'a, V> {
             let ends = [inside.signals, outside.signals];
             let cubic = |guard: &Guard| Cubic::of(guard.signal, ends, width * self.length);
             let exits = self.guards.iter().map(|guard| cubic(guard).exit(guard));
-            inside.theta + width * exits.fold(1.0, f64::min)
+            inside.theta + width * least(exits).min(1.0)
         };
         locate(nodes, self.guards, resolution, predict, buffers, evaluate)
     }
@@ -92,7 +93,7 @@ impl<'a, V: Rated> StepEnds<'a, V> {
 pub fn greatest<V: Rated>(index: usize, ends: [&V; 2], length: f64) -> f64 {
     let cubic = Cubic::of(index, ends, length);
     let turns = cubic.turns().map(|turn| cubic.at(turn));
-    turns.fold(cubic.start.max(cubic.end), f64::max)
+    extremes::greatest(turns.chain([cubic.start, cubic.end]))
 }
 
 /// A cubic over the unit interval, start + slope u + bend u² + twist u³.

@@ -5,6 +5,7 @@
 //! reaches back over the boundary by the same slack: the side after an event is known, not
 //! measured, and the same root cannot fire twice.
 
+use crate::extremes::least;
 use crate::scalar::Real;
 
 /// Open range of a signal.
@@ -243,7 +244,7 @@ pub fn first_exit<V: SignalValues>(
     };
     let predict = |nodes: [Sample<'_, V>; 3]| {
         let exits = guards.iter().map(|guard| exit_on_parabola(guard, nodes));
-        exits.fold(f64::INFINITY, f64::min)
+        least(exits)
     };
     let exit = locate(nodes, guards, resolution, predict, buffers, evaluate);
     Some(exit)

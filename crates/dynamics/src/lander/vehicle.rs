@@ -16,6 +16,7 @@ pub use crate::parts::{
 
 pub use super::footprint::OuterFeet;
 use super::footprint::{check_offset, outer_feet};
+use crate::extremes::greatest;
 use crate::invalid::{Invalid, bounded, non_negative, positive, require};
 use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
@@ -383,7 +384,7 @@ impl Vehicle {
     /// Height of the CG over level ground on which the vehicle stands with its struts extended, ft.
     pub fn standing_height(&self) -> f64 {
         let stances = self.legs.iter().map(Leg::stance);
-        self.center_of_gravity_height + stances.fold(f64::NEG_INFINITY, f64::max)
+        self.center_of_gravity_height + greatest(stances)
     }
 
     /// The feet between which the vehicle may topple, its struts extended.

@@ -7,6 +7,7 @@ use libm::sqrt;
 use nalgebra::Vector3;
 
 use crate::energy::kinetic;
+use crate::extremes::least;
 use crate::kinematics::Surface;
 use crate::motion::{Footing, Motion};
 use crate::per_leg::PerLeg;
@@ -69,13 +70,11 @@ impl RestByEnergy {
         let surface: &Surface<f64> = motion.surface();
         let Footing { feet, depth, .. } = &footing;
         let heights = feet.iter().zip(self.stances.iter());
-        let lowest = heights
-            .map(|(foot, stance)| -depth - surface.depth(foot) - stance)
-            .fold(f64::INFINITY, f64::min);
+        let lowest = least(heights.map(|(foot, stance)| -depth - surface.depth(foot) - stance));
         let ring = &self.outer_feet;
         let rises = (ring.iter().zip(ring.iter().cycle().skip(1)))
             .map(|(&foot, &next)| rise_over(&feet[foot], &feet[next]));
-        SHARE * rises.fold(f64::INFINITY, f64::min) - lowest.max(0.0)
+        SHARE * least(rises) - lowest.max(0.0)
     }
 }
 
@@ -104,6 +103,7 @@ fn rise_over(from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::extremes::greatest;
 
     #[test]
     fn the_rise_over_a_level_line_is_that_of_a_pendulum_turned_over() {
@@ -121,9 +121,7 @@ mod tests {
             let turned = nalgebra::Rotation3::from_axis_angle(&axis, angle) * -from;
             -(from + turned).z
         };
-        let highest = (0..100_000)
-            .map(|k| height(f64::from(k) * 1e-4))
-            .fold(f64::NEG_INFINITY, f64::max);
+        let highest = greatest((0..100_000).map(|k| height(f64::from(k) * 1e-4)));
         assert!((rise_over(&from, &to) - highest).abs() < 1e-7);
     }
 }

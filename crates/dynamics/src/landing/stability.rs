@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use num_traits::Zero;
 
 use crate::critical_feet::{CriticalFeet, critical_feet};
+use crate::extremes::greatest;
 use crate::integrator::event::{Bounds, Guard, SignalValues};
 use crate::integrator::ranges::{LANES, Quad, Ranges};
 use crate::motion::{Footing, Motion};
@@ -48,7 +49,7 @@ pub fn calm_height(rule: RestRule, vehicle: &Vehicle, scene: &Scene) -> f64 {
     }
     let ground = &scene.conditions().ground;
     let heights = (0..vehicle.legs().len()).map(|leg| ground.leg(leg).pad.height);
-    let highest = heights.fold(f64::NEG_INFINITY, f64::max);
+    let highest = greatest(heights);
     vehicle.standing_height() + CALM_MARGIN + highest
 }
 

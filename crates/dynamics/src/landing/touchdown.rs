@@ -3,6 +3,7 @@
 use libm::sincos;
 use nalgebra::{Vector3, Vector4};
 
+use crate::extremes::greatest;
 use crate::motion::Motion;
 use crate::per_leg::PerLeg;
 use crate::scene::Scene;
@@ -42,16 +43,14 @@ pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> Stat
         rate: Vector3::from(conditions.angular_velocity),
     };
     let frame = motion.frame(&body);
-    let rise = (0..legs.len())
-        .flat_map(|j| {
-            let geometry = motion.geometry(j);
-            let [pad, block] = motion.ground(j, &frame);
-            let leg_frame = geometry.frame(&frame, [&pad, &block]);
-            let pose = geometry.pose(&leg_frame, legs[j].link_angle, legs[j].pad_turn);
-            let depths = pose.pad_interference.map(|i| i * pose.pad_inclination);
-            depths.map(|depth| motion.rise(j, depth))
-        })
-        .fold(f64::NEG_INFINITY, f64::max);
-    body.position.z = -rise;
+    let rises = (0..legs.len()).flat_map(|j| {
+        let geometry = motion.geometry(j);
+        let [pad, block] = motion.ground(j, &frame);
+        let leg_frame = geometry.frame(&frame, [&pad, &block]);
+        let pose = geometry.pose(&leg_frame, legs[j].link_angle, legs[j].pad_turn);
+        let depths = pose.pad_interference.map(|i| i * pose.pad_inclination);
+        depths.map(|depth| motion.rise(j, depth))
+    });
+    body.position.z = -greatest(rises);
     State::new(&body, &legs)
 }

@@ -10,6 +10,7 @@ use super::stiffness::Stiffness;
 use super::strut_peaks::StrutPeaks;
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
+use crate::extremes::least;
 use crate::integrator::step::Step;
 use crate::motion::{FreeFlight, Motion, Pieces, Signal, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
@@ -190,8 +191,7 @@ impl<'o> Trajectory<'o> {
     pub(super) fn longest_step(&self) -> f64 {
         let pad_rate = |j| self.signals.start().of(j, Signal::PadRate);
         let legs = self.modes.iter().enumerate();
-        legs.map(|(j, mode)| mode.longest_step(pad_rate(j)))
-            .fold(f64::INFINITY, f64::min)
+        least(legs.map(|(j, mode)| mode.longest_step(pad_rate(j))))
     }
 
     /// Time at fraction θ of the step, s.

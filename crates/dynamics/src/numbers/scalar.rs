@@ -32,7 +32,7 @@ pub trait Real:
     fn constant(value: f64) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
-    /// The greater of two numbers.
+    /// The greater of two numbers; `self` where `other` is not a number.
     fn max(self, other: Self) -> Self;
     /// Magnitude.
     fn abs(self) -> Self;
@@ -137,7 +137,8 @@ impl Real for f64 {
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        f64::max(self, other)
+        // A choice instead of `f64::max`, of which LLVM 22.1 loses terms in some loops.
+        if other > self { other } else { self }
     }
 
     #[inline(always)]
