@@ -55,7 +55,7 @@ pub fn land_located(
     simulation.result(outcome)
 }
 
-/// Like [`land_located`], for as long as `goes_on` says so, which is asked before every step: none when it did not to the end.
+/// Like [`land_located`] while `goes_on`, asked before every step, says so, else none; an infinite `interval` (s) observes nothing.
 pub fn land_located_while(
     vehicle: &Vehicle,
     scene: &Scene,
