@@ -19,7 +19,6 @@
  * @typedef {{ from: number, to: number, step: number }} Slider
  * @typedef {{ name: string, title: string, unit: string, value: number | string | null, slider: Slider | null,
  *   si: { name: string, unit: string, value: number | null, slider: Slider | null } | null,
- *   allowed: { lower: number | null, upper: number | null, text: string } | null,
  *   is_given: boolean, group: string, leg: number | null, is_own: boolean, words: string[] }} Parameter
  *
  * @typedef {{ name: string, title: string, unit: string, values: number[] }} Column

@@ -74,7 +74,7 @@ export class NumberSlider {
     this.back.disabled = !isChanged;
     this.unit.textContent = unit;
     this.range.hidden = slider === null || parameter.words.length > 0;
-    this.root.title = parameter.allowed?.text ? `${this.name}: ${parameter.allowed.text}` : this.name;
+    this.root.title = this.name;
     // What is being moved or typed is not pulled from under the hand.
     if (this.isMoving) return;
     if (document.activeElement !== this.field || this.field instanceof HTMLSelectElement) {

@@ -21,7 +21,6 @@ use super::request::{Asked, read, written};
 use super::touchdown::Touchdown;
 use crate::named::Named;
 
-use ranges::Allowed;
 use slider::Slider;
 
 #[derive(Deserialize)]
@@ -41,7 +40,6 @@ struct Told {
     is_given: bool,
     slider: Option<Slider>,
     si: Option<InSi>,
-    allowed: Allowed,
     group: &'static str,
     leg: Option<usize>,
     /// Of a leg's number: whether the leg has its own.
@@ -76,7 +74,6 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
         Home::Sweep => return of_solver(touchdown, &parameter),
     };
     let (group, leg) = groups::of(name);
-    let allowed = ranges::of(name);
     let shown = ranges::shown(name, value);
     let in_si = OutputUnits::Si.quantity(name);
     Some(Told {
@@ -84,7 +81,7 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
         unit: split_unit(name).1,
         value: json!(value),
         is_given,
-        slider: Some(Slider::over(shown, value, &allowed)),
+        slider: Some(Slider::over(shown, value)),
         si: (in_si.name() != name).then(|| InSi {
             name: in_si.name().to_owned(),
             unit: split_unit(in_si.name()).1,
@@ -92,10 +89,8 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
             slider: Some(Slider::over(
                 shown.map(|end| in_si.number(end)),
                 in_si.number(value),
-                &allowed.in_unit(|end| in_si.number(end)),
             )),
         }),
-        allowed,
         group,
         leg,
         is_own: leg.is_some() && is_own(touchdown, &parameter),
@@ -188,10 +183,7 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
         "time_limit_s" => {
             let limit = settings.time_limit();
             let shown = ranges::shown(name, limit);
-            (
-                json!(limit),
-                Some(Slider::over(shown, limit, &ranges::of(name))),
-            )
+            (json!(limit), Some(Slider::over(shown, limit)))
         }
         "crush_rule" => (json!(word(&CRUSH_RULES, settings.crush_rule())), None),
         "rest_rule" => (json!(word(&REST_RULES, settings.rest_rule())), None),
@@ -213,7 +205,6 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
         is_given: touchdown.gives_solver(key),
         slider,
         si: None,
-        allowed: ranges::of(name),
         group: "solver",
         leg: None,
         is_own: false,

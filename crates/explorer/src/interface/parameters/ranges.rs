@@ -1,92 +1,10 @@
-//! Which values a parameter may have at all, and over which a slider makes sense.
-
-use serde::Serialize;
-
-/// A range outside of which a value is refused.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Allowed {
-    /// Lower end.
-    pub lower: f64,
-    /// Upper end.
-    pub upper: f64,
-    /// Whether the lower end is not allowed itself.
-    pub is_lower_open: bool,
-    /// The same of the upper end.
-    pub is_upper_open: bool,
-    /// The range in words, in the unit of the program.
-    pub text: &'static str,
-}
-
-impl Allowed {
-    fn within(lower: f64, upper: f64, text: &'static str) -> Self {
-        Self {
-            lower,
-            upper,
-            is_lower_open: text.contains("< value"),
-            is_upper_open: text.contains("value <"),
-            text,
-        }
-    }
-
-    /// The same range in another unit.
-    pub fn in_unit(&self, convert: impl Fn(f64) -> f64) -> Self {
-        Self {
-            lower: convert(self.lower),
-            upper: convert(self.upper),
-            ..self.clone()
-        }
-    }
-}
+//! Over which values a slider of a parameter makes sense. What is allowed at all only the engine knows: it refuses the rest.
 
 /// The last key of a dotted name, with the part that it belongs to.
 fn bare(name: &str) -> &str {
     match name.rsplit_once("].") {
         Some((_, key)) => key,
         None => name.strip_prefix("vehicle.").unwrap_or(name),
-    }
-}
-
-/// What is allowed of a parameter by its name in the unit of the program, whatever the others are.
-pub fn of(name: &str) -> Allowed {
-    match bare(name) {
-        "vertical_velocity_fps" | "horizontal_velocity_fps" => {
-            Allowed::within(0.0, 1e4, "0 ≤ value ≤ 10000")
-        }
-        "slope_deg" => Allowed::within(-90.0, 90.0, "-90 < value < 90"),
-        "friction" | "block_friction" => Allowed::within(0.0, 1000.0, "0 ≤ value ≤ 1000"),
-        "tip_deg" => Allowed::within(0.0, 180.0, "0 ≤ value ≤ 180"),
-        "height_ft" | "block_height_ft" if name.starts_with("footing") => {
-            Allowed::within(-1000.0, 1000.0, "-1000 ≤ value ≤ 1000")
-        }
-        "tilt_along_deg" | "tilt_across_deg" | "block_tilt_along_deg" | "block_tilt_across_deg" => {
-            Allowed::within(-60.0, 60.0, "-60 ≤ value ≤ 60")
-        }
-        "linkage.hardpoint_angle_deg" => Allowed::within(0.0, 90.0, "between 0 and 90"),
-        "strut.friction_fraction" => Allowed::within(0.0, 1.0, "0 ≤ value < 1"),
-        "footpad.edge_angle_deg" => Allowed::within(30.0, 84.0, "30 ≤ value < 84"),
-        "footpad.minimum_angle_deg" | "footpad.maximum_angle_deg" => {
-            Allowed::within(-90.0, 90.0, "-90 < value < 90")
-        }
-        "solver.tolerance" => Allowed::within(1e-12, 1e-2, "1e-12 ≤ value ≤ 1e-2"),
-        "solver.time_limit_s" => Allowed::within(0.0, 1000.0, "0 < value ≤ 1000"),
-        "azimuth_deg"
-        | "center_of_gravity_height_ft"
-        | "center_of_gravity_offset_x_ft"
-        | "center_of_gravity_offset_y_ft"
-        | "inertia_slug_ft2.xy"
-        | "inertia_slug_ft2.xz"
-        | "inertia_slug_ft2.yz"
-        | "block.height_ft" => Allowed::within(-1e9, 1e9, "-1e9 ≤ value ≤ 1e9"),
-        "strut.spring_constant_lb_per_ft"
-        | "strut.compression_damping"
-        | "strut.rebound_damping"
-        | "strut.rebound_growth_per_ft" => Allowed::within(0.0, 1e9, "0 ≤ value ≤ 1e9"),
-        key if key.starts_with("thrust.") => Allowed::within(-1e9, 1e9, "-1e9 ≤ value ≤ 1e9"),
-        key if key.ends_with("_deg") || key.ends_with("_dps") => {
-            Allowed::within(-36_000.0, 36_000.0, "-36000 ≤ value ≤ 36000")
-        }
-        key if key.starts_with("solver.") => Allowed::within(-1e9, 1e9, "-1e9 ≤ value ≤ 1e9"),
-        _ => Allowed::within(0.0, 1e9, "0 < value ≤ 1e9"),
     }
 }
 

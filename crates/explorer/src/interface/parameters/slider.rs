@@ -2,8 +2,6 @@
 
 use serde::Serialize;
 
-use super::ranges::Allowed;
-
 /// About so many steps a slider has.
 const STEPS: f64 = 200.0;
 
@@ -16,20 +14,13 @@ pub struct Slider {
 }
 
 impl Slider {
-    /// Over a range that is rounded outward, grown to hold the value and kept within what is allowed.
-    pub fn over([from, to]: [f64; 2], value: f64, allowed: &Allowed) -> Self {
+    /// Over a range that is rounded outward and grown to hold the value.
+    pub fn over([from, to]: [f64; 2], value: f64) -> Self {
         let (from, to) = (from.min(value), to.max(value));
         let step = round_step((to - from) / STEPS);
-        let inner = |end: f64, is_open: bool, toward: f64| {
-            (end / step).round() + if is_open { toward } else { 0.0 }
-        };
-        let lowest = inner(allowed.lower, allowed.is_lower_open, 1.0);
-        let highest = inner(allowed.upper, allowed.is_upper_open, -1.0);
-        let low = (from / step).floor().max(lowest);
-        let high = (to / step).ceil().min(highest);
         Self {
-            from: multiple(low, step).min(value),
-            to: multiple(high, step).max(value),
+            from: multiple((from / step).floor(), step).min(value),
+            to: multiple((to / step).ceil(), step).max(value),
             step,
         }
     }
@@ -57,14 +48,12 @@ fn decimal(digits: f64, power: i32) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::ranges::of;
     use super::*;
 
     #[test]
     fn ends_and_steps_are_round_and_hold_the_value() {
-        let slider = |name, range, value| Slider::over(range, value, &of(name));
         assert_eq!(
-            slider("friction", [0.0, 2.0], 1.0),
+            Slider::over([0.0, 2.0], 1.0),
             Slider {
                 from: 0.0,
                 to: 2.0,
@@ -72,7 +61,7 @@ mod tests {
             }
         );
         assert_eq!(
-            slider("horizontal_velocity_fps", [0.0, 30.0], 31.5),
+            Slider::over([0.0, 30.0], 31.5),
             Slider {
                 from: 0.0,
                 to: 31.6,
@@ -80,15 +69,15 @@ mod tests {
             }
         );
         assert_eq!(
-            slider("vehicle.mass_slug", [0.0, 0.7], 0.3),
+            Slider::over([0.077, 0.6], 0.3),
             Slider {
-                from: 0.005,
-                to: 0.7,
+                from: 0.075,
+                to: 0.6,
                 step: 0.005
             }
         );
         assert_eq!(
-            slider("vehicle.strut.friction_fraction", [0.0, 0.9], 0.05),
+            Slider::over([0.0, 0.9], 0.05),
             Slider {
                 from: 0.0,
                 to: 0.9,
