@@ -96,7 +96,7 @@ def read(crate):
     root = crate / "src"
     modules = {}
     for file in sorted(root.rglob("*.rs")):
-        name = "::".join(file.relative_to(root).with_suffix("").parts).removesuffix("::mod")
+        name = "::".join(file.relative_to(root).with_suffix("").parts)
         if not name.endswith("tests"):
             modules[name] = file.read_text().split("#[cfg(test)]")[0]
     return modules

@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { baseline, calm, land, picture, program, root, slide, start, vehicle } from "./harness.mjs";
+import { baseline, calm, gather, land, picture, program, root, slide, start, vehicle } from "./harness.mjs";
 
 /** @type {Awaited<ReturnType<typeof start>>} */
 let explorer;
@@ -19,8 +19,7 @@ test("an exported page opens from disk without a network, and lands bit for bit 
   const complaints = [];
   /** @type {string[]} */
   const asked = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(String(error)));
+  gather(page, complaints);
   page.on("request", (request) => /^https?:/.test(request.url()) && asked.push(request.url()));
   await page.goto(`${pathToFileURL(file)}#v.horizontal_velocity_fps=11.3&v.roll_deg=7.5`);
   await page.waitForSelector(".landing-tab .outcome[data-class]", { timeout: 30000 });

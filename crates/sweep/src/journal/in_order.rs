@@ -7,9 +7,11 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
+use super::error::{JournalError, io_error};
 use super::frame::{self, OVERHEAD};
+use super::record;
+use super::records::Records;
 use super::scan::{Piece, Scan};
-use super::{JournalError, Records, io_error, record};
 
 /// Bits of an entry of the index for the offset, the rest counting journals from 1.
 const OFFSET_BITS: u32 = 48;

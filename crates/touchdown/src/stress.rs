@@ -127,5 +127,5 @@ struct Bench<'b> {
 }
 
 /// The vehicle of both sweeps, and its path relative to them.
-const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SURVEYOR_FILE: &str = "vehicles/surveyor-table-4-1.toml";

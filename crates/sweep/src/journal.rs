@@ -5,102 +5,36 @@
 //! from it was written by a run of the same input with the same program.
 
 pub(crate) mod early_stop;
+mod error;
 mod frame;
+mod head;
 pub mod header;
 mod in_order;
 pub mod journal_files;
 pub mod merge;
 pub mod point_set;
+mod records;
 mod scan;
 pub mod shard;
 mod writer;
 
 use std::collections::HashMap;
-use std::fmt;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use same_file::Handle;
 
+pub use error::JournalError;
 pub use in_order::InOrder;
+pub use records::{Access, Records};
 
 use crate::findings::Finding;
 use crate::header::Header;
 use crate::point_set::PointSet;
-use frame::HEADER_SEED;
+use error::io_error;
+use head::{Head, ensure_head};
 use scan::{Piece, Scan};
 use writer::Writer;
-
-/// Why a journal cannot be used.
-#[derive(Debug)]
-pub enum JournalError {
-    /// The file system says no.
-    Io {
-        /// The journal.
-        path: PathBuf,
-        /// What it says.
-        error: io::Error,
-    },
-    /// Another process is at work on it.
-    Locked(PathBuf),
-    /// It belongs to another input or program.
-    Different {
-        /// The journal.
-        path: PathBuf,
-        /// What differs.
-        differences: Vec<String>,
-    },
-    /// It was moved or removed, or its folder was.
-    Gone(PathBuf),
-    /// It has no readable header.
-    NoHeader(PathBuf),
-}
-
-impl fmt::Display for JournalError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Io { path, error } => write!(
-                f,
-                "{}: {error}; what it holds stays good, run again to go on",
-                path.display()
-            ),
-            Self::Locked(path) => write!(
-                f,
-                "{}: another process is at work on this journal",
-                path.display()
-            ),
-            Self::Different { path, differences } => write!(
-                f,
-                "{}: a journal of other input cannot be resumed; remove it, or give another \
-                 --out. What differs (here: now, there: in the journal):\n  {}",
-                path.display(),
-                differences.join("\n  ")
-            ),
-            Self::Gone(path) => write!(
-                f,
-                "{}: the journal was moved or removed while points were added to it",
-                path.display()
-            ),
-            Self::NoHeader(path) => {
-                write!(
-                    f,
-                    "{}: no journal of a sweep, or its head is damaged",
-                    path.display()
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for JournalError {}
-
-impl JournalError {
-    /// The index of points cannot be read.
-    pub(crate) fn index(error: io::Error) -> Self {
-        io_error(Path::new("index of points"), error)
-    }
-}
 
 /// A journal open for more points; no other process can open it meanwhile.
 #[derive(Debug)]
@@ -157,7 +91,7 @@ impl Journal {
             if Handle::from_path(path).ok().as_ref() != Some(&identity) {
                 continue;
             }
-            let Some(head) = head(&file, path, header, &mut warnings)? else {
+            let Some(head) = ensure_head(&file, path, header, &mut warnings)? else {
                 let aside = path.with_extension("journal.damaged");
                 fs::rename(path, &aside).map_err(refuse)?;
                 warnings.push(format!(
@@ -256,13 +190,6 @@ impl Journal {
     }
 }
 
-fn io_error(path: &Path, error: io::Error) -> JournalError {
-    JournalError::Io {
-        path: path.to_owned(),
-        error,
-    }
-}
-
 fn lock(path: &Path) -> Result<File, JournalError> {
     let file = OpenOptions::new()
         .read(true)
@@ -276,103 +203,6 @@ fn lock(path: &Path) -> Result<File, JournalError> {
         Err(TryLockError::WouldBlock) => Err(JournalError::Locked(path.to_owned())),
         Err(TryLockError::Error(error)) => Err(io_error(path, error)),
     }
-}
-
-/// The head of a journal.
-#[derive(Debug, Clone, Copy)]
-struct Head {
-    /// Seed of the records.
-    seed: u32,
-    /// Where they begin.
-    length: u64,
-}
-
-impl Head {
-    fn of(payload: &[u8]) -> Self {
-        Self {
-            seed: crc32fast::hash(payload),
-            length: (frame::OVERHEAD + payload.len()) as u64,
-        }
-    }
-}
-
-/// The head of a file, if it is that of this sweep, or was made so; `None` when the file is none
-/// of ours.
-fn head(
-    file: &File,
-    path: &Path,
-    header: &Header,
-    warnings: &mut Vec<String>,
-) -> Result<Option<Head>, JournalError> {
-    let refuse = |error| io_error(path, error);
-    let payload = header.to_bytes();
-    let expected = Head::of(&payload);
-    let end = file.metadata().map_err(refuse)?.len();
-    let mut write = |warning: Option<&str>| {
-        warnings.extend(warning.map(|text| format!("{}: {text}", path.display())));
-        let mut start = file;
-        start.seek(SeekFrom::Start(0))?;
-        start.write_all(&frame::encode(HEADER_SEED, &payload))?;
-        start.sync_all()?;
-        sync_folder(path);
-        Ok(Some(expected))
-    };
-    if end == 0 {
-        return write(None).map_err(refuse);
-    }
-    if let Some(found) = read_head(file, end).map_err(refuse)? {
-        let Some(there) = Header::from_bytes(&found) else {
-            return Err(JournalError::NoHeader(path.to_owned()));
-        };
-        same(path, header, &there)?;
-        return Ok(Some(Head::of(&found)));
-    }
-    // The records tell whether the head was that of this sweep.
-    if has_records(file, expected, end).map_err(refuse)? {
-        let mended = "the head, at offset 0, was damaged and has been mended";
-        return write(Some(mended)).map_err(refuse);
-    }
-    if end <= expected.length {
-        file.set_len(0).map_err(refuse)?;
-        let anew = "held nothing but an unfinished head; begun anew";
-        return write(Some(anew)).map_err(refuse);
-    }
-    Ok(None)
-}
-
-/// Checks that a journal with the head `there` is one of `header`.
-fn same(path: &Path, header: &Header, there: &Header) -> Result<(), JournalError> {
-    let mut differences = header.differences(there);
-    if there.shard() != header.shard() {
-        let (now, then) = (header.shard(), there.shard());
-        differences.push(format!("shard: {now} here, {then} there"));
-    }
-    match differences.is_empty() {
-        true => Ok(()),
-        false => Err(JournalError::Different {
-            path: path.to_owned(),
-            differences,
-        }),
-    }
-}
-
-/// The payload of the head, if it is whole.
-fn read_head(file: &File, end: u64) -> io::Result<Option<Vec<u8>>> {
-    let piece = Scan::new(file, HEADER_SEED, 0, end)?.next()?;
-    Ok(match piece {
-        Some(Piece::Frame { offset: 0, payload }) => Some(payload),
-        _ => None,
-    })
-}
-
-fn has_records(file: &File, head: Head, end: u64) -> io::Result<bool> {
-    let mut scan = Scan::new(file, head.seed, head.length.min(end), end)?;
-    while let Some(piece) = scan.next()? {
-        if matches!(piece, Piece::Frame { .. }) {
-            return Ok(true);
-        }
-    }
-    Ok(false)
 }
 
 /// Reads what points are there and cuts off an unfinished end; the points, and the length that is
@@ -420,13 +250,6 @@ fn recover(
     Ok((done, length))
 }
 
-/// Makes a new file's name survive a loss of power, where folders can be synced.
-fn sync_folder(path: &Path) {
-    let folder = path.parent().filter(|folder| *folder != Path::new(""));
-    // Not all systems let folders be opened, and none need it for anything but a loss of power.
-    let _ = File::open(folder.unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all());
-}
-
 /// Bytes that a record takes whose result takes so many.
 pub fn record_length(result: usize) -> usize {
     frame::OVERHEAD + size_of::<u64>() + result
@@ -436,78 +259,6 @@ pub fn record_length(result: usize) -> usize {
 fn record(payload: &[u8]) -> Option<(usize, &[u8])> {
     let (point, result) = payload.split_first_chunk()?;
     Some((usize::try_from(u64::from_le_bytes(*point)).ok()?, result))
-}
-
-/// Who else may be at work on a journal that is read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Access {
-    /// Nobody.
-    Alone,
-    /// Whoever adds points: those added later are not seen.
-    Shared,
-}
-
-/// A journal for reading.
-#[derive(Debug)]
-pub struct Records {
-    path: PathBuf,
-    file: File,
-    head: Head,
-}
-
-impl Records {
-    /// Opens a journal with its header.
-    ///
-    /// # Errors
-    /// When it has no readable header or is being written although `access` is for oneself alone, and whatever the file
-    /// system says.
-    pub fn open(path: &Path, access: Access) -> Result<(Self, Header), JournalError> {
-        let refuse = |error| io_error(path, error);
-        let file = File::open(path).map_err(refuse)?;
-        match (access, file.try_lock_shared()) {
-            (Access::Alone, Err(TryLockError::WouldBlock)) => {
-                return Err(JournalError::Locked(path.to_owned()));
-            }
-            (_, Err(TryLockError::Error(error))) => return Err(refuse(error)),
-            _ => {}
-        }
-        let end = file.metadata().map_err(refuse)?.len();
-        let payload = read_head(&file, end).map_err(refuse)?;
-        let header = payload.as_deref().and_then(Header::from_bytes);
-        let (Some(payload), Some(header)) = (payload, header) else {
-            return Err(JournalError::NoHeader(path.to_owned()));
-        };
-        let records = Self {
-            path: path.to_owned(),
-            file,
-            head: Head::of(&payload),
-        };
-        Ok((records, header))
-    }
-
-    /// Which points a run with `header` would find done in the journal at `path`, by their index in its shard; nothing is
-    /// written.
-    ///
-    /// # Errors
-    /// When the journal is another's, and whatever the file system says.
-    pub fn done(path: &Path, header: &Header) -> Result<PointSet, JournalError> {
-        let (records, there) = Self::open(path, Access::Shared)?;
-        same(path, header, &there)?;
-        let refuse = |error| io_error(path, error);
-        let mut done = PointSet::none(header.most_points());
-        let end = records.file.metadata().map_err(refuse)?.len();
-        let Head { seed, length } = records.head;
-        let mut scan = Scan::new(&records.file, seed, length, end).map_err(refuse)?;
-        while let Some(piece) = scan.next().map_err(refuse)? {
-            if let Piece::Frame { payload, .. } = piece
-                && let Some((point, _)) = record(&payload)
-                && let Some(index) = header.index(point)
-            {
-                done.insert(index);
-            }
-        }
-        Ok(done)
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,83 @@
+//! A journal for reading.
+
+use std::fs::{File, TryLockError};
+use std::path::{Path, PathBuf};
+
+use super::error::{JournalError, io_error};
+use super::head::{Head, read_head, same};
+use super::record;
+use super::scan::{Piece, Scan};
+use crate::header::Header;
+use crate::point_set::PointSet;
+
+/// Who else may be at work on a journal that is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Access {
+    /// Nobody.
+    Alone,
+    /// Whoever adds points: those added later are not seen.
+    Shared,
+}
+
+/// A journal for reading.
+#[derive(Debug)]
+pub struct Records {
+    pub(super) path: PathBuf,
+    pub(super) file: File,
+    pub(super) head: Head,
+}
+
+impl Records {
+    /// Opens a journal with its header.
+    ///
+    /// # Errors
+    /// When it has no readable header or is being written although `access` is for oneself alone, and whatever the file
+    /// system says.
+    pub fn open(path: &Path, access: Access) -> Result<(Self, Header), JournalError> {
+        let refuse = |error| io_error(path, error);
+        let file = File::open(path).map_err(refuse)?;
+        match (access, file.try_lock_shared()) {
+            (Access::Alone, Err(TryLockError::WouldBlock)) => {
+                return Err(JournalError::Locked(path.to_owned()));
+            }
+            (_, Err(TryLockError::Error(error))) => return Err(refuse(error)),
+            _ => {}
+        }
+        let end = file.metadata().map_err(refuse)?.len();
+        let payload = read_head(&file, end).map_err(refuse)?;
+        let header = payload.as_deref().and_then(Header::from_bytes);
+        let (Some(payload), Some(header)) = (payload, header) else {
+            return Err(JournalError::NoHeader(path.to_owned()));
+        };
+        let records = Self {
+            path: path.to_owned(),
+            file,
+            head: Head::of(&payload),
+        };
+        Ok((records, header))
+    }
+
+    /// Which points a run with `header` would find done in the journal at `path`, by their index in its shard; nothing is
+    /// written.
+    ///
+    /// # Errors
+    /// When the journal is another's, and whatever the file system says.
+    pub fn done(path: &Path, header: &Header) -> Result<PointSet, JournalError> {
+        let (records, there) = Self::open(path, Access::Shared)?;
+        same(path, header, &there)?;
+        let refuse = |error| io_error(path, error);
+        let mut done = PointSet::none(header.most_points());
+        let end = records.file.metadata().map_err(refuse)?.len();
+        let Head { seed, length } = records.head;
+        let mut scan = Scan::new(&records.file, seed, length, end).map_err(refuse)?;
+        while let Some(piece) = scan.next().map_err(refuse)? {
+            if let Piece::Frame { payload, .. } = piece
+                && let Some((point, _)) = record(&payload)
+                && let Some(index) = header.index(point)
+            {
+                done.insert(index);
+            }
+        }
+        Ok(done)
+    }
+}
