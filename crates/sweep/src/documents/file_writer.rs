@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
+use thiserror::Error;
 
 use crate::input_error::{InputError, Place};
 
@@ -161,26 +162,14 @@ impl Write for Draft {
 }
 
 /// A file that could not be written.
-#[derive(Debug)]
+#[derive(Debug, Error)]
+#[error("{}: cannot be written: {error}", .path.display())]
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
     /// What was in the way.
     pub error: io::Error,
 }
-
-impl std::fmt::Display for WriteError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "{}: cannot be written: {}",
-            self.path.display(),
-            self.error
-        )
-    }
-}
-
-impl std::error::Error for WriteError {}
 
 #[cfg(test)]
 mod tests {

@@ -7,7 +7,6 @@
 mod cases;
 mod points;
 
-use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Poll, ready};
@@ -15,6 +14,7 @@ use std::task::{Poll, ready};
 use futures::executor::block_on;
 use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
+use thiserror::Error;
 
 use crate::case::CaseFault;
 use crate::journal::JournalError;
@@ -44,11 +44,13 @@ pub trait Observer: Sync {
 impl Observer for () {}
 
 /// Why a run has no result.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum RunError {
     /// It was told to stop.
+    #[error("cancelled")]
     Cancelled,
     /// A point of the grid has no valid input.
+    #[error("the point {place} has no valid input: {fault}")]
     Point {
         /// Its coordinates in words.
         place: String,
@@ -56,8 +58,12 @@ pub enum RunError {
         fault: CaseFault,
     },
     /// Results could not be kept.
+    #[error(transparent)]
     Journal(JournalError),
     /// More threads were asked for than a machine with so many cores is allowed.
+    #[error(
+        "threads = {asked}: expected 1 to {most} on this machine; results do not depend on them"
+    )]
     TooManyThreads {
         /// Threads asked for.
         asked: usize,
@@ -65,27 +71,9 @@ pub enum RunError {
         most: usize,
     },
     /// The threads could not be started.
+    #[error("threads cannot be started: {0}")]
     Threads(rayon::ThreadPoolBuildError),
 }
-
-impl fmt::Display for RunError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Cancelled => f.write_str("cancelled"),
-            Self::Point { place, fault } => {
-                write!(f, "the point {place} has no valid input: {fault}")
-            }
-            Self::Journal(error) => error.fmt(f),
-            Self::TooManyThreads { asked, most } => write!(
-                f,
-                "threads = {asked}: expected 1 to {most} on this machine; results do not depend on them"
-            ),
-            Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
-        }
-    }
-}
-
-impl std::error::Error for RunError {}
 
 /// The threads that compute landings.
 #[derive(Debug)]
