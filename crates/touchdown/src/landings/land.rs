@@ -142,10 +142,10 @@ pub struct Options {
 /// Runs `land`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let (Some(scene), Some(out)) = (&options.scene, &options.out) {
-        let units = options.units.given();
+        let units = options.units.given;
         return scene_cases::run(scene, out, options.interval, options.overwrite, units);
     }
-    let units = options.units.given().unwrap_or_default();
+    let units = options.units.given.unwrap_or_default();
     let settings = options.solver.settings()?;
     let Some(vehicle_path) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());

@@ -97,7 +97,7 @@ fn merge(shards: Shards, folder: &Folder, options: &Options) -> Result<String, F
     let Some(mut sweep) = header.sweep()? else {
         return Ok(String::new());
     };
-    sweep.units = options.units.given().unwrap_or(sweep.units);
+    sweep.units = options.units.given.unwrap_or(sweep.units);
     let mut points = header.points;
     let mut results = InOrder::new(journals, points, &folder.path("."))?;
     let missing = match sweep.map() {
