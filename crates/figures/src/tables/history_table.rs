@@ -1,7 +1,7 @@
 //! Histories of landings, read back: what changes with time, for one landing or several.
 
 use crate::figure_error::FigureError;
-use crate::table::Table;
+use crate::table::{Table, has_column};
 
 /// The column that makes a table one of histories.
 pub const TIME: &str = "t_s";
@@ -45,8 +45,7 @@ pub struct Instant {
 
 /// Whether the heading of a table is one of histories.
 pub fn is_history(csv: &str) -> bool {
-    let heading = csv.lines().next().unwrap_or_default();
-    heading.split(',').any(|column| column == TIME)
+    has_column(csv, &[TIME])
 }
 
 impl HistoryTable {
@@ -77,8 +76,7 @@ impl HistoryTable {
         for row in table.nonempty_rows()? {
             let number = |column: usize| row.number(column);
             let told = |column: &Option<usize>| {
-                let told = column.filter(|column| !row.text(*column).is_empty());
-                told.map(number).transpose()
+                column.map_or(Ok(None), |column| row.optional_number(column))
             };
             let instant = Instant {
                 time: number(time)?,

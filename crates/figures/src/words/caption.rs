@@ -74,6 +74,14 @@ impl Caption {
         })
     }
 
+    /// What is said of points without a transition.
+    pub fn without_transition(&self) -> String {
+        match self.searched_to {
+            Some(speed) => format!("stable up to {} {}", label(speed), self.speed_unit),
+            None => "no transition".to_owned(),
+        }
+    }
+
     /// The caption of a picture that shows the lowest transition over some axes of a sweep: statements
     /// on the sweep do not hold for it.
     pub fn worst_over(self, others: &[String]) -> Self {
