@@ -76,8 +76,7 @@ pub(crate) fn stop<'d>(root: &Section<'d>) -> Result<Option<LocatedValue<'d>>, I
 fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, InputError> {
     let known = [&SOLVER[..], &method_input::KEYS].concat();
     let Some(solver) = root.optional_section("solver", &known)? else {
-        let time_limit = Settings::DEFAULT_TIME_LIMIT;
-        return Settings::new(default_tolerance, time_limit, CrushRule::default())
+        return (Settings::default().with_tolerance(default_tolerance))
             .map_err(|invalid| root.complain(&invalid));
     };
     let tolerance = solver.optional_number("tolerance")?;

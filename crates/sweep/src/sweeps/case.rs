@@ -35,7 +35,7 @@ pub struct Case {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CaseFault {
     /// A condition of the scene is missing or not allowed.
-    #[error("{}: expected {}", .0.name, .0.allowed)]
+    #[error(transparent)]
     Scene(SceneFault),
     /// Something in another part of the input.
     #[error("{error}")]

@@ -7,7 +7,7 @@ mod transitions;
 use std::path::PathBuf;
 
 use clap::Args;
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::scene::Settings;
 use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::measured_scenes::{level_grid, near_boundary};
@@ -100,7 +100,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Settings of the program but for tolerance and time limit (s).
-fn settings(tolerance: f64, time_limit: f64) -> Result<Settings, Failure> {
-    Settings::new(tolerance, time_limit, CrushRule::default()).map_err(Failure::running)
+/// Settings of the program but for the tolerance.
+fn settings(tolerance: f64) -> Result<Settings, Failure> {
+    (Settings::default().with_tolerance(tolerance)).map_err(Failure::running)
 }
