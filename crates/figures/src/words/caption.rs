@@ -31,6 +31,22 @@ pub struct Caption {
 }
 
 impl Caption {
+    /// The caption of a table (CSV) of this name, from the record beside it where there is one.
+    ///
+    /// # Errors
+    /// As [`Caption::from_record`].
+    pub fn of_table(name: &str, table: &str, record: Option<&str>) -> Result<Self, FigureError> {
+        let speed_unit = SpeedUnit::of_table(table);
+        match record {
+            Some(record) => Self::from_record(record, speed_unit),
+            None => Ok(Self {
+                title: name.to_owned(),
+                speed_unit,
+                ..Self::default()
+            }),
+        }
+    }
+
     /// Reads the caption from the record that a sweep writes beside its table, whose speeds are in this unit.
     ///
     /// # Errors
