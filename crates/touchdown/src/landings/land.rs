@@ -215,17 +215,15 @@ fn land_once(
     let history_place = options.history.as_deref().map(place_of).transpose()?;
 
     let mut history = History::new(units);
-    let mut written = Ok(());
     let mut observe = |instant: &Instant| {
-        if history_place.is_some() && written.is_ok() {
-            written = history.add(instant);
+        if history_place.is_some() {
+            history.add(instant);
         }
     };
     let (landing, integration) =
         land_with_summary(&vehicle.vehicle, &scene, settings, interval, &mut observe);
 
     if let Some((folder, name)) = history_place {
-        written.map_err(Failure::running)?;
         let table = history.table().map_err(Failure::running)?;
         folder.write_files(&[(name, table)])?;
     }
