@@ -5,7 +5,7 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::output_units::OutputUnits;
 
 use crate::failure::Failure;
@@ -97,7 +97,7 @@ fn write(file: &Path, text: &str) -> Result<(), Failure> {
             ErrorKind::AlreadyExists => "exists: expected the name of a new file".into(),
             _ => format!("cannot be written: {error}"),
         };
-        InputError::other(complaint).at(Place::file(file))
+        InputError::in_file(file, complaint)
     })?;
     new.write_all(text.as_bytes()).map_err(Failure::running)?;
     print(&format!("written: {}\n", file.display()))

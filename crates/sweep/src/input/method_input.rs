@@ -135,10 +135,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// Reads the method of `[solver]`.
-pub(crate) fn read(solver: Option<&Section>, tolerance: Option<f64>) -> Result<Method, InputError> {
-    let Some(solver) = solver else {
-        return Ok(Method::Located);
-    };
+pub(crate) fn read(solver: &Section, tolerance: Option<f64>) -> Result<Method, InputError> {
     let name = match solver.optional("method") {
         None => "located",
         Some(found) => {

@@ -111,6 +111,16 @@ pub struct SceneFault {
     pub allowed: String,
 }
 
+impl SceneFault {
+    /// The complaint about the condition under this name.
+    pub fn error(&self) -> InputError {
+        match self.value {
+            Some(value) => InputError::value(self.name, value, &self.allowed),
+            None => InputError::missing(self.name, &self.allowed),
+        }
+    }
+}
+
 impl NamedConditions {
     /// These conditions, by name.
     pub fn of<'n>(given: impl IntoIterator<Item = (&'n str, f64)>) -> Self {

@@ -80,7 +80,7 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
             .map_err(|invalid| root.complain(&invalid));
     };
     let tolerance = solver.optional_number("tolerance")?;
-    let method = method_input::read(Some(&solver), tolerance)?;
+    let method = method_input::read(&solver, tolerance)?;
     let tolerance = tolerance.unwrap_or(default_tolerance);
     let time_limit =
         (solver.optional_number("time_limit_s")?).unwrap_or(Settings::DEFAULT_TIME_LIMIT);

@@ -383,4 +383,4 @@ fn block(entry: &Section) -> Result<Option<Block>, InputError> {
 
 #[cfg(test)]
 #[path = "vehicle_file_tests.rs"]
-mod tests;
+pub(crate) mod tests;

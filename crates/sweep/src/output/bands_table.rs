@@ -54,13 +54,12 @@ mod tests {
     use super::*;
     use crate::boundary::Bracket;
     use crate::certainty::Certainty;
-    use std::path::Path;
+    use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::outcome::{Class, Outcome};
 
     #[test]
     fn a_row_for_every_band() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
+        let sweep = figure_4_09();
         let band = |from, to, class, outcome, bracket: Option<Bracket>| Band {
             from,
             to,

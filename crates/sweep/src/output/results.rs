@@ -184,12 +184,11 @@ fn outcomes(counts: &SweepCounts) -> Value {
 mod tests {
     use super::*;
     use crate::boundary::Transition;
-    use std::path::Path;
+    use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::outcome::Class;
 
     fn example() -> (Sweep, Vec<Boundary>) {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep = Sweep::read(Path::new(path)).unwrap();
+        let sweep = figure_4_09();
         let at = |to, low, high| Boundary {
             transition: Some(Transition {
                 to,

@@ -95,12 +95,11 @@ fn number(number: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::Path;
+    use crate::sweep_file::tests::figure_4_09;
 
     #[test]
     fn numbers_stand_where_there_is_a_derivative_and_words_elsewhere() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let mut sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
+        let mut sweep = figure_4_09();
         let named = |name| Parameter::named(name, 3).unwrap();
         sweep.sensitivity = vec![
             named("vehicle.legs[2].strut.preload_lb"),

@@ -310,4 +310,4 @@ pub(crate) fn locate_condition(
 
 #[cfg(test)]
 #[path = "sweep_file_tests.rs"]
-mod tests;
+pub(crate) mod tests;

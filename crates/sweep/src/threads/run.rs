@@ -172,7 +172,6 @@ impl<'c> Stop<'c> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
     use std::sync::Arc;
     use std::sync::atomic::AtomicUsize;
 
@@ -184,7 +183,7 @@ mod tests {
 
     use super::*;
     use crate::measured_scenes::near_boundary;
-    use crate::vehicle_file::VehicleFile;
+    use crate::vehicle_file::tests::surveyor;
 
     fn workers(threads: usize) -> Workers {
         Workers::start(NonZeroUsize::new(threads)).unwrap()
@@ -192,11 +191,7 @@ mod tests {
 
     /// The vehicle, scenes and settings of short landings.
     fn short_landings() -> (Arc<Vehicle>, Vec<Scene>, Settings) {
-        let file = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../sweeps/vehicles/surveyor-table-4-1.toml"
-        );
-        let vehicle = VehicleFile::read(Path::new(file)).unwrap().vehicle;
+        let vehicle = surveyor().vehicle;
         let settings = Settings::new(3e-4, 0.3, CrushRule::default()).unwrap();
         (Arc::new(vehicle), near_boundary(false).unwrap(), settings)
     }

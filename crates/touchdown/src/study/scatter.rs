@@ -11,7 +11,7 @@ use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::boundary_table::Kind;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::run::Workers;
 
 use super::answer::signed;
@@ -148,7 +148,7 @@ struct Row {
 
 fn read(results: &Results) -> Result<Vec<Row>, InputError> {
     let file = results.folder().join(TABLE);
-    let refuse = |complaint: String| InputError::other(complaint).at(Place::file(&file));
+    let refuse = |complaint: String| InputError::in_file(&file, complaint);
     let text = std::fs::read_to_string(&file).map_err(|error| {
         refuse(format!(
             "cannot be read: {error}; expected what `touchdown study scatter` writes"

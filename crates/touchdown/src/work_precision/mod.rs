@@ -15,7 +15,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::plot;
-use crate::print::print;
+use crate::print::{print, print_paths};
 use landings::Landings;
 use transitions::Transitions;
 
@@ -94,10 +94,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
     let mut files = plot::both("work-precision", &pictures)?;
     files.push(("work-precision.csv".to_owned(), table.into_bytes()));
-    for file in folder.write_files(&files)? {
-        print(&format!("{}\n", file.display()))?;
-    }
-    Ok(())
+    print_paths(&folder.write_files(&files)?)
 }
 
 /// Settings of the program but for the tolerance.
