@@ -106,21 +106,8 @@ impl HistoryTable {
 
     /// Time of the last instant of all, s.
     pub fn end(&self) -> f64 {
-        self.instants().map(|i| i.time).fold(0.0, f64::max)
-    }
-
-    /// Least and greatest value of a quantity, printed ones included.
-    pub fn range(&self, quantity: usize) -> [f64; 2] {
-        self.instants()
-            .flat_map(|instant| [Some(instant.values[quantity]), instant.printed[quantity]])
-            .flatten()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            })
-    }
-
-    fn instants(&self) -> impl Iterator<Item = &Instant> {
-        self.landings.iter().flat_map(|landing| &landing.instants)
+        let instants = self.landings.iter().flat_map(|landing| &landing.instants);
+        instants.map(|instant| instant.time).fold(0.0, f64::max)
     }
 }
 
@@ -139,7 +126,7 @@ mod tests {
         let first = &table.landings[0];
         assert_eq!(first.condition, Some(90.0));
         assert!(!first.instants[0].is_free && first.instants[1].is_free);
-        assert_eq!((table.end(), table.range(0)), (0.5, [1.0, 3.0]));
+        assert_eq!(table.end(), 0.5);
     }
 
     #[test]
@@ -154,7 +141,6 @@ mod tests {
             .collect();
         assert_eq!(*printed[0], [None, Some(2.1)]);
         assert_eq!(*printed[1], [None, None]);
-        assert_eq!(table.range(1), [2.0, 2.1]);
     }
 
     #[test]

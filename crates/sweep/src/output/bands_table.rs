@@ -3,6 +3,7 @@
 use crate::bands::Band;
 use crate::boundary::Boundary;
 use crate::certainty::tolerance_cell;
+use crate::results::optional;
 use crate::sweep_file::Sweep;
 
 /// Columns of the table after those of the axes.
@@ -39,7 +40,7 @@ pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>
             band.from.to_string(),
             band.to.to_string(),
             band.class.to_string(),
-            width.map_or(String::new(), |width| width.to_string()),
+            optional(width),
             band.outcome.to_string(),
         ];
         let cells = cells.into_iter().chain(band.certainty.cells());

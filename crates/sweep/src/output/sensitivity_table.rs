@@ -6,7 +6,7 @@
 
 use crate::boundary::Boundary;
 use crate::parameter::Parameter;
-use crate::results::transition_name;
+use crate::results::{optional, transition_name};
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::sweep_file::Sweep;
 
@@ -51,11 +51,11 @@ pub fn rows(
         let cells = [
             own.name().to_owned(),
             own.unit().to_owned(),
-            number(value.map(|value| own.number(value))),
+            optional(value.map(|value| own.number(value))),
             transition_name(boundary),
-            number(sensitivity.speed),
+            optional(sensitivity.speed),
             slope.dependence.word().to_owned(),
-            number(slope.step.map(|step| own.number(step))),
+            optional(slope.step.map(|step| own.number(step))),
         ];
         let numbers = match (slope.dependence, value.zip(slope.step)) {
             (Dependence::Smooth { derivative, error }, Some((value, step))) => {
@@ -72,7 +72,7 @@ pub fn rows(
             }
             _ => [None; 5],
         };
-        let cells = cells.into_iter().chain(numbers.map(number));
+        let cells = cells.into_iter().chain(numbers.map(optional));
         coordinates.iter().cloned().chain(cells).collect()
     };
     slopes.map(row).collect()
@@ -86,10 +86,6 @@ fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
     } else {
         SPAN * value.abs()
     }
-}
-
-fn number(number: Option<f64>) -> String {
-    number.map_or(String::new(), |number| number.to_string())
 }
 
 #[cfg(test)]
