@@ -1,11 +1,10 @@
 //! The page as one file that needs neither a server nor a network: with all its scripts, the interface as WebAssembly, and
 //! what it is about.
 
-use std::fmt;
-
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Map, Value, json};
+use thiserror::Error;
 
 use crate::named::Named;
 use crate::page::{INDEX, PageFile};
@@ -20,16 +19,9 @@ const ELEMENT: &str = "touchdown-engine";
 const IMPORTS: [&str; 3] = ["from", "import", "import("];
 
 /// Why there is no exported page: a fault of the program.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("the page cannot be exported: {0}")]
 pub struct ExportError(String);
-
-impl fmt::Display for ExportError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the page cannot be exported: {}", self.0)
-    }
-}
-
-impl std::error::Error for ExportError {}
 
 /// The page with everything inside.
 ///

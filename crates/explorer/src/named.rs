@@ -7,7 +7,7 @@ mod source;
 
 use std::path::{Path, PathBuf};
 
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::library::{self, Library};
 use touchdown_sweep::output_units::OutputUnits;
 
@@ -89,7 +89,7 @@ impl Named {
             _ => {
                 let complaint =
                     "expected a vehicle, scene or sweep file (.toml), or a table of results (.csv)";
-                return Err(InputError::other(complaint).at(Place::file(file)));
+                return Err(InputError::in_file(file, complaint));
             }
         }
         Ok(())

@@ -16,7 +16,6 @@ use crate::perspective;
 use crate::probability_chart;
 use crate::refined_map;
 use crate::sensitivity_table::{self, SensitivityTable};
-use crate::speed_unit::SpeedUnit;
 use crate::surface::Surface;
 use crate::tornado_chart;
 use crate::work_precision::{self, Cost};
@@ -175,15 +174,7 @@ pub fn overlay(sources: &[Source], choices: &Choices) -> Result<String, FigureEr
 }
 
 fn caption(source: &Source) -> Result<Caption, FigureError> {
-    let speed_unit = SpeedUnit::of_table(source.table);
-    match source.record {
-        Some(record) => Caption::from_record(record, speed_unit),
-        None => Ok(Caption {
-            title: source.name.to_owned(),
-            speed_unit,
-            ..Caption::default()
-        }),
-    }
+    Caption::of_table(source.name, source.table, source.record)
 }
 
 /// The axes over which a sweep is drawn: all, where there are no more than two, or the two with the

@@ -171,11 +171,8 @@ pub fn in_units(name: &str, value: f64, units: &str) -> PyResult<(String, f64)> 
 
 /// Units of results by their word.
 pub fn output_units(word: &str) -> Result<OutputUnits, Failure> {
-    match word {
-        "US" => Ok(OutputUnits::Us),
-        "SI" => Ok(OutputUnits::Si),
-        _ => Err(InputError::value("units", format!("{word:?}"), "\"US\" or \"SI\"").into()),
-    }
+    let refuse = || InputError::value("units", format!("{word:?}"), "\"US\" or \"SI\"").into();
+    OutputUnits::named(word).ok_or_else(refuse)
 }
 
 fn entries(values: &Bound<PyMapping>, path: &str, depth: usize) -> PyResult<Vec<Entry>> {

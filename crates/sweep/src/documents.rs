@@ -1,5 +1,6 @@
 //! Documents: TOML read key by key with places, complaints that name them, and files written whole or not at all.
 
+pub(crate) mod csv_rows;
 pub mod document;
 pub mod file_writer;
 pub mod fingerprint;

@@ -34,7 +34,7 @@ mod threads;
 pub mod journal;
 pub mod sensitivity;
 
-use documents::spelling;
+use documents::{csv_rows, spelling};
 pub use documents::{
     document, file_writer, fingerprint, input_error, key_path, library, output_guard, output_units,
     section, source, toml_text, unit,

@@ -71,7 +71,7 @@ const PAGE: &str = "<!doctype html>";
 
 /// Runs `explore`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let named = Named::read(&options.files, Library::Disk, options.units.given())?;
+    let named = Named::read(&options.files, Library::Disk, options.units.given)?;
     if let Some(file) = &options.export {
         return export(options, &named, file);
     }

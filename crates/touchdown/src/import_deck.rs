@@ -6,11 +6,12 @@ use std::path::PathBuf;
 use clap::Args;
 use touchdown_sweep::deck::{Deck, Run, parse};
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::Place;
+use touchdown_sweep::library::Library;
 use touchdown_sweep::output_guard::OutputGuard;
 
 use crate::failure::Failure;
-use crate::print::print;
+use crate::print::print_paths;
 
 const EXAMPLE: &str = "\
 Writes, for each vehicle of the deck, STEM.toml and STEM-cases.csv (STEM-2.toml and so on for
@@ -38,9 +39,7 @@ pub struct Options {
 /// Runs `import-deck`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let place = Place::file(&options.cards);
-    let text = std::fs::read_to_string(&options.cards)
-        .map_err(|error| InputError::other(format!("cannot be read: {error}")).at(place.clone()))?;
-    let deck = parse(&place, &text)?;
+    let deck = parse(&place, &Library::Disk.text(&options.cards)?)?;
     let stem = options.cards.file_stem().unwrap_or_default();
     let files = files(&deck, &stem.to_string_lossy(), &place)?;
     let folder = Folder::open(&options.out)?;
@@ -51,10 +50,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     for (name, bytes) in &files {
         guard.check_same(&folder.path(name), bytes)?;
     }
-    for file in folder.write_files(&files)? {
-        print(&format!("{}\n", file.display()))?;
-    }
-    Ok(())
+    print_paths(&folder.write_files(&files)?)
 }
 
 /// Name of the file of a vehicle of the deck, from 0, without its ending.

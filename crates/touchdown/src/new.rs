@@ -5,11 +5,12 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_units::OutputUnits;
 
 use crate::failure::Failure;
 use crate::print::print;
-use crate::units::Units;
+use crate::units::units;
 
 const VEHICLE: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const VEHICLE_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");
@@ -54,8 +55,8 @@ struct NewFile {
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
     /// Units of the file; the keys of either may be mixed
-    #[arg(long, value_enum, default_value = "US", ignore_case = true)]
-    units: Units,
+    #[arg(long, value_parser = units(), default_value = "US", ignore_case = true)]
+    units: OutputUnits,
 }
 
 #[derive(Debug, Args)]
@@ -75,8 +76,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Kind::Scene(named) => (&named.new, SCENE, SCENE_SI, Some(&named.vehicle)),
     };
     let template = match new.units {
-        Units::Us => us,
-        Units::Si => si,
+        OutputUnits::Us => us,
+        OutputUnits::Si => si,
     };
     match vehicle {
         Some(vehicle) => write(&new.file, &naming(template, vehicle)),
@@ -96,7 +97,7 @@ fn write(file: &Path, text: &str) -> Result<(), Failure> {
             ErrorKind::AlreadyExists => "exists: expected the name of a new file".into(),
             _ => format!("cannot be written: {error}"),
         };
-        InputError::other(complaint).at(Place::file(file))
+        InputError::in_file(file, complaint)
     })?;
     new.write_all(text.as_bytes()).map_err(Failure::running)?;
     print(&format!("written: {}\n", file.display()))

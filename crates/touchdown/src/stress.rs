@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use clap::{Args, value_parser};
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::run::Workers;
@@ -110,12 +110,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// How wild landings are computed.
 fn settings(options: &Options) -> Result<Settings, InputError> {
     let tolerance = options.tolerance.unwrap_or(Settings::BOUNDARY_TOLERANCE);
-    Settings::new(
-        tolerance,
-        Settings::DEFAULT_TIME_LIMIT,
-        CrushRule::default(),
-    )
-    .map_err(|wrong| InputError::value("--tolerance", wrong.value, &wrong.allowed))
+    (Settings::default().with_tolerance(tolerance))
+        .map_err(|wrong| InputError::value("--tolerance", wrong.value, &wrong.allowed))
 }
 
 /// What both tests need.

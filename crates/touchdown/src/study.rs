@@ -25,7 +25,7 @@ use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
-use crate::print::print;
+use crate::print::print_paths;
 use results::Results;
 
 const EXAMPLE: &str = "\
@@ -97,10 +97,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             Folder::open(&options.results)?.write_files(&[(scatter::TABLE.to_owned(), table)])?
         }
     };
-    for file in written {
-        print(&format!("{}\n", file.display()))?;
-    }
-    Ok(())
+    print_paths(&written)
 }
 
 fn phase_two(options: &Options, vehicle: &Vehicle) -> Result<Vec<PathBuf>, Failure> {

@@ -149,7 +149,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         )?),
         None => None,
     };
-    let units = options.units.given().unwrap_or_default();
+    let units = options.units.given.unwrap_or_default();
     print(&if options.json {
         format!("{:#}\n", as_json(&surface, uncertainty.as_ref(), units))
     } else {

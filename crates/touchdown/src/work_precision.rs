@@ -7,7 +7,7 @@ mod transitions;
 use std::path::PathBuf;
 
 use clap::Args;
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::scene::Settings;
 use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::measured_scenes::{level_grid, near_boundary};
@@ -15,7 +15,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::plot;
-use crate::print::print;
+use crate::print::{print, print_paths};
 use landings::Landings;
 use transitions::Transitions;
 
@@ -94,13 +94,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
     let mut files = plot::both("work-precision", &pictures)?;
     files.push(("work-precision.csv".to_owned(), table.into_bytes()));
-    for file in folder.write_files(&files)? {
-        print(&format!("{}\n", file.display()))?;
-    }
-    Ok(())
+    print_paths(&folder.write_files(&files)?)
 }
 
-/// Settings of the program but for tolerance and time limit (s).
-fn settings(tolerance: f64, time_limit: f64) -> Result<Settings, Failure> {
-    Settings::new(tolerance, time_limit, CrushRule::default()).map_err(Failure::running)
+/// Settings of the program but for the tolerance.
+fn settings(tolerance: f64) -> Result<Settings, Failure> {
+    (Settings::default().with_tolerance(tolerance)).map_err(Failure::running)
 }

@@ -17,6 +17,21 @@ pub struct Settings {
     goes_on: bool,
 }
 
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            tolerance: Self::DEFAULT_TOLERANCE,
+            time_limit: Self::DEFAULT_TIME_LIMIT,
+            crush_rule: CrushRule::default(),
+            rest_rule: RestRule::default(),
+            method: Method::default(),
+            friction_profile: FrictionProfile::default(),
+            ends_early: false,
+            goes_on: false,
+        }
+    }
+}
+
 impl Settings {
     /// Tolerance of a single landing when none is given: trajectories to 1e-6 ft. At 3e-6 two of
     /// the 400 reference landings are off by more than they may be, one by a contact, one by its energy.
@@ -37,14 +52,9 @@ impl Settings {
             v > 0.0 && v <= 1e4
         })?;
         Self {
-            tolerance: Self::DEFAULT_TOLERANCE,
             time_limit,
             crush_rule,
-            rest_rule: RestRule::default(),
-            method: Method::default(),
-            friction_profile: FrictionProfile::default(),
-            ends_early: false,
-            goes_on: false,
+            ..Self::default()
         }
         .with_tolerance(tolerance)
     }

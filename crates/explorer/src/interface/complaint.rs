@@ -2,7 +2,6 @@
 
 use serde_json::json;
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::scene_input::SceneFault;
 
 /// What kind of complaint it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,14 +73,6 @@ impl Complaint {
         Self {
             fault: Fault::Engine,
             ..Self::request(format!("this is a fault of the program: {said}"))
-        }
-    }
-
-    /// The complaint about a condition of the touchdown.
-    pub fn of_scene(fault: &SceneFault) -> Self {
-        match fault.value {
-            Some(value) => InputError::value(fault.name, value, &fault.allowed).into(),
-            None => InputError::missing(fault.name, &fault.allowed).into(),
         }
     }
 

@@ -7,10 +7,10 @@ mod history;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use touchdown_dynamics::landing::{Instant, Landing, land_located_while};
+use touchdown_dynamics::landing::{Instant, land_located_while};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
-use touchdown_sweep::landing_report::{self, LandingReport};
+use touchdown_sweep::landing_report::{self, LandingReport, verdict_time};
 use touchdown_sweep::landing_table::why;
 
 use super::IsOver;
@@ -133,10 +133,4 @@ pub fn interval(touchdown: &Touchdown, seconds: f64) -> Result<f64, Complaint> {
             Err(Complaint::value("interval_s", seconds, &allowed))
         }
     }
-}
-
-/// When the verdict fell, s.
-fn verdict_time(landing: &Landing) -> f64 {
-    let beyond = landing.beyond.as_ref();
-    beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }

@@ -8,7 +8,6 @@ use serde_json::{Map, Value, json};
 use touchdown_figures::bands_table::BandsTable;
 use touchdown_figures::boundary_table::Kind;
 use touchdown_figures::caption::Caption;
-use touchdown_figures::speed_unit::SpeedUnit;
 use touchdown_figures::unit::split_unit;
 
 use super::classes::class_words;
@@ -85,7 +84,7 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
         "searched_to": caption.searched_to,
         "kinds": Kind::ALL.map(kind_words),
     });
-    picture.tell(&mut answer)?;
+    picture.tell(&mut answer);
     written(&answer)
 }
 
@@ -160,17 +159,13 @@ pub fn title(results: &Results) -> String {
 }
 
 fn caption(results: &Results) -> Result<Caption, Complaint> {
-    let speed_unit = SpeedUnit::of_table(&results.table);
-    match &results.record {
-        Some(record) => {
-            Caption::from_record(record, speed_unit).map_err(|error| of_table(results, error))
-        }
-        None => Ok(Caption {
-            title: results.name.clone(),
-            speed_unit,
-            ..Caption::default()
-        }),
-    }
+    let Results {
+        name,
+        table,
+        record,
+        ..
+    } = results;
+    Caption::of_table(name, table, record.as_deref()).map_err(|error| of_table(results, error))
 }
 
 fn kind_words(kind: Kind) -> Value {

@@ -7,7 +7,7 @@ mod slider;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use touchdown_dynamics::attitude::Attitude;
-use touchdown_figures::axis_title::axis_title;
+use touchdown_figures::axis_title::bare_title;
 use touchdown_figures::unit::split_unit;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::choice::word;
@@ -80,7 +80,7 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
     let shown = ranges::shown(name, value);
     let in_si = OutputUnits::Si.quantity(name);
     Some(Told {
-        title: title(name),
+        title: bare_title(name),
         unit: split_unit(name).1,
         value: json!(value),
         is_given,
@@ -102,14 +102,6 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
         words: Vec::new(),
         name: name.to_owned(),
     })
-}
-
-/// The title of a parameter without its unit.
-fn title(name: &str) -> String {
-    let title = axis_title(name);
-    let unit = split_unit(name).1;
-    let bare = title.strip_suffix(unit).unwrap_or(&title);
-    bare.trim_end_matches([' ', ',']).to_owned()
 }
 
 /// The value of a condition, and whether it is given; none where it does not belong to this touchdown.
@@ -207,7 +199,7 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
     };
     Some(Told {
         name: name.to_owned(),
-        title: title(name),
+        title: bare_title(name),
         unit: split_unit(name).1,
         value,
         is_given: touchdown.gives_solver(key),

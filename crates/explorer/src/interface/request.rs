@@ -59,14 +59,8 @@ pub fn within(key: &str, number: f64, [least, greatest]: [f64; 2]) -> Result<f64
 /// # Errors
 /// When there are no such units.
 pub fn units(word: Option<&str>, default: OutputUnits) -> Result<OutputUnits, Complaint> {
-    match word {
-        None => Ok(default),
-        Some("US") => Ok(OutputUnits::Us),
-        Some("SI") => Ok(OutputUnits::Si),
-        Some(other) => Err(Complaint::value(
-            "units",
-            format!("{other:?}"),
-            "\"US\" or \"SI\"",
-        )),
-    }
+    let refuse = |word| Complaint::value("units", format!("{word:?}"), "\"US\" or \"SI\"");
+    word.map_or(Ok(default), |word| {
+        OutputUnits::named(word).ok_or_else(|| refuse(word))
+    })
 }

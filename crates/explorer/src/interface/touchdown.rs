@@ -132,7 +132,7 @@ impl<'n> Touchdown<'n> {
                 };
                 Complaint::value(parameter.name(), one.text(), &allowed)
             }
-            _ => Complaint::of_scene(fault),
+            _ => fault.error().into(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 
 use super::reading::Reading;
 use super::record;
@@ -74,7 +74,7 @@ impl Results {
             (None, Some(axes @ 1..)) if names[0] != "case" => (ResultsKind::Sample, axes),
             _ => {
                 let complaint = "expected a table of transitions or of landings, as touchdown sweep writes them";
-                return Err(InputError::other(complaint).at(Place::file(file)));
+                return Err(InputError::in_file(file, complaint));
             }
         };
         let name = stem(file);

@@ -92,17 +92,13 @@ impl Source {
     /// A vehicle at the baseline of the report.
     pub fn of_vehicle(reading: &mut Reading, file: &Path) -> Result<Self, InputError> {
         let vehicle = VehicleFile::from_document(reading.document(file)?)?;
-        let mut conditions = NamedConditions::default();
-        for (name, value) in BASELINE {
-            conditions.set(name, value);
-        }
         Ok(Self {
             name: stem(file),
             title: vehicle.name.clone(),
             file: file.display().to_string(),
             kind: SourceKind::Vehicle,
             vehicle,
-            conditions,
+            conditions: NamedConditions::of(BASELINE),
             solver: nothing()?,
             search: SEARCHED,
             units: OutputUnits::default(),

@@ -8,7 +8,6 @@ use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Mark, draw_mark};
-use crate::number::label;
 use crate::profile_points::{self, ProfilePoint};
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Colour, Style};
@@ -54,13 +53,9 @@ fn draw_body(
 ) {
     let across = profile_points::horizontal_range(points);
     let (low, high) = profile_points::vertical_range(points, caption.searched_to);
-    let scale = |column: &str, (from, to): (f64, f64), count| Scale {
-        title: axis_title(column),
-        ends: (from, to),
-        ticks: ticks::of_condition(column, from, to, count)
-            .into_iter()
-            .map(|value| (value, label(value)))
-            .collect(),
+    let scale = |column: &str, (from, to): (f64, f64), count| {
+        let values = ticks::of_condition(column, from, to, count);
+        Scale::new(axis_title(column), (from, to), values)
     };
     let speed = format!("horizontal_velocity{}", caption.speed_unit.ending());
     let speeds = scale(&speed, (low, high), 11);
@@ -159,13 +154,7 @@ fn legend(points: &[ProfilePoint], caption: &Caption) -> Vec<(Mark, String)> {
         let is_open = |t: Transition| t.kind == *kind && t.low.is_none();
         (points.iter()).any(|point| point.transition.is_some_and(is_open))
     });
-    entries.extend(open.map(|kind| {
-        let meaning = format!(
-            "{}, at or below the lowest speed searched",
-            palette::word(kind)
-        );
-        (Mark::AtOrBelow(kind), meaning)
-    }));
+    entries.extend(open.map(|kind| (Mark::AtOrBelow(kind), palette::word_at_or_below(kind))));
     let high = profile_points::vertical_range(points, caption.searched_to).1;
     let regions = shading::regions(points, high);
     // Regions too narrow for their word.
@@ -178,11 +167,7 @@ fn legend(points: &[ProfilePoint], caption: &Caption) -> Vec<(Mark, String)> {
         (region, palette::word(kind).to_owned())
     }));
     if points.iter().any(|point| point.transition.is_none()) {
-        let meaning = match caption.searched_to {
-            Some(speed) => format!("stable up to {speed} {}", caption.speed_unit),
-            None => "no transition".to_owned(),
-        };
-        entries.push((Mark::NoTransition, meaning));
+        entries.push((Mark::NoTransition, caption.without_transition()));
     }
     entries
 }

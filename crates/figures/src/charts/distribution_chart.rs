@@ -3,16 +3,14 @@
 use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::line_chart::{self, Axis, Curve, LineChart, Panel, Stroke};
-use crate::table::Table;
+use crate::table::{Table, has_column};
 
 /// A column that other tables do not have.
 const CUMULATIVE: &str = "cumulative_share";
 
 /// Whether a table is one of a distribution.
 pub fn is_one(csv: &str) -> bool {
-    csv.lines()
-        .next()
-        .is_some_and(|heading| heading.split(',').any(|name| name == CUMULATIVE))
+    has_column(csv, &[CUMULATIVE])
 }
 
 /// Draws the table of a distribution as SVG.
@@ -21,12 +19,6 @@ pub fn is_one(csv: &str) -> bool {
 /// When a column is missing or a cell is not a number.
 pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
     let bins = bins(csv)?;
-    let curve = |name: &str, stroke, points| Curve {
-        name: name.to_owned(),
-        stroke,
-        points,
-        remarks: Vec::new(),
-    };
     let ends = |share: fn(&Bin) -> f64| {
         bins.iter()
             .filter_map(|bin| Some((bin.to?, share(bin))))
@@ -40,18 +32,18 @@ pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
             Panel {
                 ordinate: Axis::linear("Share of points at or below"),
                 curves: vec![
-                    curve(
+                    Curve::new(
                         "cumulative share",
                         Stroke::Marks,
                         ends(|bin| bin.cumulative[0]),
                     ),
-                    curve(interval, Stroke::Dashes, ends(|bin| bin.cumulative[1])),
-                    curve(interval, Stroke::Dashes, ends(|bin| bin.cumulative[2])),
+                    Curve::new(interval, Stroke::Dashes, ends(|bin| bin.cumulative[1])),
+                    Curve::new(interval, Stroke::Dashes, ends(|bin| bin.cumulative[2])),
                 ],
             },
             Panel {
                 ordinate: Axis::linear("Share of points in bin"),
-                curves: vec![curve("histogram", Stroke::Line, steps(&bins))],
+                curves: vec![Curve::new("histogram", Stroke::Line, steps(&bins))],
             },
         ],
     })
@@ -77,14 +69,10 @@ fn bins(csv: &str) -> Result<Vec<Bin>, FigureError> {
         table.column("cumulative_high_95")?,
     ];
     let bins = table.nonempty_rows()?.map(|row| {
-        let end = |column| match row.text(column) {
-            "" => Ok(None),
-            _ => row.number(column).map(Some),
-        };
         let [at, low, high] = cumulative.map(|column| row.number(column));
         Ok(Bin {
-            from: end(from)?,
-            to: end(to)?,
+            from: row.optional_number(from)?,
+            to: row.optional_number(to)?,
             share: row.number(share)?,
             cumulative: [at?, low?, high?],
         })

@@ -234,12 +234,7 @@ impl Chart<'_> {
 }
 
 fn scale(title: &str, (from, to): (f64, f64), count: usize) -> Scale {
-    let ticks = round_values(from, to, count).into_iter();
-    Scale {
-        title: title.to_owned(),
-        ends: (from, to),
-        ticks: ticks.map(|value| (value, label(value))).collect(),
-    }
+    Scale::new(title, (from, to), round_values(from, to, count))
 }
 
 impl Landing<'_> {

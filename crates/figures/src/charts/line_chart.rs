@@ -43,6 +43,13 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
+impl Panel {
+    /// A panel of these curves.
+    pub fn new(ordinate: Axis, curves: Vec<Curve>) -> Self {
+        Self { ordinate, curves }
+    }
+}
+
 /// A curve. Curves of one name have one colour and one entry in the legend.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
@@ -54,6 +61,18 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
     /// What is written at each point, if anything.
     pub remarks: Vec<String>,
+}
+
+impl Curve {
+    /// A curve without remarks.
+    pub fn new(name: &str, stroke: Stroke, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            name: name.to_owned(),
+            stroke,
+            points,
+            remarks: Vec::new(),
+        }
+    }
 }
 
 /// How a curve is drawn.
@@ -167,12 +186,6 @@ mod tests {
     use super::*;
 
     fn chart() -> LineChart {
-        let curve = |name: &str, stroke, points: &[(f64, f64)]| Curve {
-            name: name.to_owned(),
-            stroke,
-            points: points.to_vec(),
-            remarks: Vec::new(),
-        };
         LineChart {
             caption: Caption {
                 title: "Pitch".to_owned(),
@@ -183,13 +196,17 @@ mod tests {
                 Panel {
                     ordinate: Axis::linear("pitch, deg"),
                     curves: vec![
-                        curve("one", Stroke::Line, &[(0.0, 5.0), (1.0, -30.0)]),
-                        curve("other", Stroke::Dashes, &[(0.0, 5.0), (1.0, -20.0)]),
+                        Curve::new("one", Stroke::Line, vec![(0.0, 5.0), (1.0, -30.0)]),
+                        Curve::new("other", Stroke::Dashes, vec![(0.0, 5.0), (1.0, -20.0)]),
                     ],
                 },
                 Panel {
                     ordinate: Axis::logarithmic("error, ft"),
-                    curves: vec![curve("one", Stroke::Marks, &[(0.0, 1e-7), (1.0, 2e-3)])],
+                    curves: vec![Curve::new(
+                        "one",
+                        Stroke::Marks,
+                        vec![(0.0, 1e-7), (1.0, 2e-3)],
+                    )],
                 },
             ],
         }

@@ -7,7 +7,6 @@ use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Entry, Mark};
-use crate::number::label;
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Colour, Style};
 use crate::table::{Row, Table};
@@ -149,29 +148,19 @@ impl Panel {
         };
         let ends = (least - margin, most + margin);
         let is_word = |end: &str| !end.is_empty() && end.parse::<f64>().is_err();
-        let ticks = if self.bins.iter().any(|bin| is_word(&bin.ends[0])) {
+        let values = ticks::of_condition(&self.axis, ends.0, ends.1, 11);
+        let mut scale = Scale::new(axis_title(&self.axis), ends, values);
+        if self.bins.iter().any(|bin| is_word(&bin.ends[0])) {
             let words = self.bins.iter().map(|bin| bin.ends[0].clone());
-            places.iter().copied().zip(words).collect()
-        } else {
-            let values = ticks::of_condition(&self.axis, ends.0, ends.1, 11);
-            let number = |value| (value, label(value));
-            values.into_iter().map(number).collect()
-        };
-        Scale {
-            title: axis_title(&self.axis),
-            ends,
-            ticks,
+            scale.ticks = places.iter().copied().zip(words).collect();
         }
+        scale
     }
 
     fn draw(&self, canvas: &mut Canvas, part: Area) {
         let places = self.places();
-        let values = ticks::round_values(0.0, 1.0, 5).into_iter();
-        let up = Scale {
-            title: "Probability".to_owned(),
-            ends: (-0.02, 1.02),
-            ticks: values.map(|value| (value, label(value))).collect(),
-        };
+        let values = ticks::round_values(0.0, 1.0, 5);
+        let up = Scale::new("Probability", (-0.02, 1.02), values);
         let frame = Frame::new(part, self.scale(&places), up);
         frame.draw(canvas, Style::stroke(palette::GRID, 1.0));
         for drawn in 0..DRAWN.len() {

@@ -9,7 +9,6 @@ use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Frame, Scale};
 use crate::legend::{Entry, Mark};
-use crate::number::label;
 use crate::palette;
 use crate::sensitivity_table::{Change, SensitivityTable, Slope};
 use crate::sheet::{self, Height, Sheet};
@@ -48,17 +47,9 @@ pub fn draw(table: &SensitivityTable, caption: &Caption) -> Result<String, Figur
     let Sheet { mut canvas, body } = sheet::begin(WIDTH, height, caption, &entries);
     let reach = reach(&rows);
     let count = rows.len() as f64;
-    let ticks = round_values(-reach, reach, 11).into_iter();
-    let across = Scale {
-        title: title(&table.points[lowest], caption.speed_unit),
-        ends: (-reach, reach),
-        ticks: ticks.map(|value| (value, label(value))).collect(),
-    };
-    let up = Scale {
-        title: String::new(),
-        ends: (0.0, count),
-        ticks: Vec::new(),
-    };
+    let title = title(&table.points[lowest], caption.speed_unit);
+    let across = Scale::new(title, (-reach, reach), round_values(-reach, reach, 11));
+    let up = Scale::new("", (0.0, count), Vec::new());
     let frame = Frame::with_left(body, NAMES, across, up);
     frame.draw(&mut canvas, Style::stroke(palette::GRID, 1.0));
     let font = Font::new(12.0, palette::TEXT).anchor(Anchor::End);

@@ -11,7 +11,7 @@ use crate::surface::Surface;
 use crate::text::{Anchor, Font};
 
 /// Width of the column with its numbers, pixels.
-pub const WIDTH: f64 = 92.0;
+const WIDTH: f64 = 92.0;
 /// Place and width of the colours in the column, and greatest height of one of them, pixels.
 const LEFT: f64 = 8.0;
 const COLOUR: f64 = 20.0;
@@ -19,6 +19,23 @@ const TOP: f64 = 60.0;
 const STEP: f64 = 34.0;
 /// Space below the colours, pixels.
 const BELOW: f64 = 60.0;
+
+/// The part of a body for a map, which may reach this far into the margin of the column, pixels, and that for the column.
+pub fn beside(body: Area, overlap: f64) -> [Area; 2] {
+    let border = body.right - WIDTH;
+    let map = Area {
+        right: border + overlap,
+        ..body
+    };
+    let column = Area {
+        left: border,
+        ..body
+    };
+    [map, column]
+}
+
+/// How far a contour map reaches into the column, pixels.
+pub const OVERLAP: f64 = 12.0;
 
 /// Draws the bands of colour that a surface reaches, the highest on top.
 pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels, unit: SpeedUnit) {

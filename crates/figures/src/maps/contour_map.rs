@@ -33,17 +33,7 @@ pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) 
     let entries = map_legend::of_map(surface, caption);
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
-    let border = body.right - colour_bar::WIDTH;
-    let [left, right] = [
-        Area {
-            right: border + 12.0,
-            ..body
-        },
-        Area {
-            left: border,
-            ..body
-        },
-    ];
+    let [left, right] = colour_bar::beside(body, colour_bar::OVERLAP);
     let map = Map {
         frame: frame(left, surface, view),
         surface,

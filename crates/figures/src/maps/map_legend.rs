@@ -65,24 +65,12 @@ fn jump_words(surface: &Surface, caption: &Caption) -> String {
 fn of_points(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     if surface.gaps().next().is_some() {
-        let words = match caption.searched_to {
-            Some(speed) => format!(
-                "stable up to {} {}",
-                number::label(speed),
-                caption.speed_unit
-            ),
-            None => "no transition".to_owned(),
-        };
-        entries.push((Mark::NoTransition, words));
+        entries.push((Mark::NoTransition, caption.without_transition()));
     }
     let known = Kind::ALL.map(|kind| {
-        let below = format!(
-            "{}, at or below the lowest speed searched",
-            palette::word(kind)
-        );
         [
             (Mark::Transition(kind), palette::word(kind).to_owned()),
-            (Mark::AtOrBelow(kind), below),
+            (Mark::AtOrBelow(kind), palette::word_at_or_below(kind)),
         ]
     });
     for (mark, words) in known.into_iter().flatten() {

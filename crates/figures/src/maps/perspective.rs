@@ -3,7 +3,6 @@
 use crate::axis_title::axis_title;
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
-use crate::frame::Area;
 use crate::legend::{Mark, draw_mark};
 use crate::levels::Levels;
 use crate::sheet::{self, Height, Sheet};
@@ -27,13 +26,9 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
     let entries = map_legend::of_perspective(surface, caption);
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
-    let border = body.right - colour_bar::WIDTH;
+    let [left, right] = colour_bar::beside(body, 0.0);
     if let Some((heights, step)) = heights(surface) {
-        let area = Area {
-            right: border,
-            ..body
-        };
-        let point = ViewPoint::on(area, surface, heights);
+        let point = ViewPoint::on(left, surface, heights);
         draw_box(
             &mut canvas,
             surface,
@@ -44,11 +39,7 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
         draw_floor_marks(&mut canvas, surface, &point, heights[0]);
         draw_cells(&mut canvas, surface, levels, &point);
     }
-    let bar = Area {
-        left: border,
-        ..body
-    };
-    colour_bar::draw(&mut canvas, bar, surface, levels, caption.speed_unit);
+    colour_bar::draw(&mut canvas, right, surface, levels, caption.speed_unit);
     canvas.into_svg()
 }
 

@@ -2,7 +2,6 @@
 
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
-use crate::frame::Area;
 use crate::isolines;
 use crate::legend::{Entry, Mark};
 use crate::levels::Levels;
@@ -12,7 +11,7 @@ use crate::sheet::{self, Height, Sheet};
 use crate::style::{Style, WHITE};
 use crate::surface::Surface;
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, contour_map, number, palette, perspective};
+use crate::{colour_bar, contour_map, palette, perspective};
 
 /// Draws the contour map as SVG.
 pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
@@ -22,22 +21,13 @@ pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> S
     let (width, height) = contour_map::SIZE;
     let whole = Height::Whole(height);
     let Sheet { mut canvas, body } = sheet::begin(width, whole, caption, &legend(map, caption));
-    let [left, right] = parts(body);
+    let [left, right] = colour_bar::beside(body, colour_bar::OVERLAP);
     let frame = contour_map::frame(left, &extent, &view);
-    let places = |places: &[[f64; 2]]| -> Vec<Point> {
-        let places = places.iter().map(|place| frame.place(view.at(*place)));
-        places.collect()
-    };
+    let places = |places: &[[f64; 2]]| frame.places(places.iter().map(|place| view.at(*place)));
     for [low, high] in levels.bands() {
         let polygons = isolines::band_of(&map.triangles, low, high);
-        let polygons: Vec<Vec<Point>> = polygons
-            .iter()
-            .map(|corners| {
-                corners
-                    .iter()
-                    .map(|(place, _)| frame.place(view.at(*place)))
-                    .collect()
-            })
+        let polygons: Vec<Vec<Point>> = (polygons.iter())
+            .map(|corners| frame.places(corners.iter().map(|(place, _)| view.at(*place))))
             .collect();
         canvas.fill_tiles(&polygons, levels.colour(low));
     }
@@ -61,17 +51,7 @@ pub fn perspective(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -
     let (width, height) = perspective::SIZE;
     let whole = Height::Whole(height);
     let Sheet { mut canvas, body } = sheet::begin(width, whole, caption, &[]);
-    let border = body.right - colour_bar::WIDTH;
-    let [left, right] = [
-        Area {
-            right: border,
-            ..body
-        },
-        Area {
-            left: border,
-            ..body
-        },
-    ];
+    let [left, right] = colour_bar::beside(body, 0.0);
     if let Some((heights, step)) = perspective::heights(&extent) {
         let point = ViewPoint::on(left, &extent, heights);
         perspective::draw_box(
@@ -141,20 +121,6 @@ fn extent(map: &MapTable) -> Surface {
     }
 }
 
-fn parts(body: Area) -> [Area; 2] {
-    let border = body.right - colour_bar::WIDTH;
-    [
-        Area {
-            right: border + 12.0,
-            ..body
-        },
-        Area {
-            left: border,
-            ..body
-        },
-    ]
-}
-
 fn style(kind: EdgeKind) -> Style {
     match kind {
         EdgeKind::End => Style::stroke(palette::NONE, 2.0),
@@ -173,19 +139,11 @@ pub fn words(kind: EdgeKind) -> &'static str {
 }
 
 fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
-    let kinds = [EdgeKind::End, EdgeKind::Jump, EdgeKind::Bands];
     let is_there = |kind: &EdgeKind| map.edges.iter().any(|edge| edge.kind == *kind);
-    let mut entries: Vec<Entry> = (kinds.into_iter().filter(is_there))
+    let mut entries: Vec<Entry> = (EdgeKind::ALL.into_iter().filter(is_there))
         .map(|kind| (Mark::Line(style(kind)), words(kind).to_owned()))
         .collect();
-    let words = match caption.searched_to {
-        Some(speed) => format!(
-            "white: stable up to {} {}",
-            number::label(speed),
-            caption.speed_unit
-        ),
-        None => "white: no transition".to_owned(),
-    };
+    let words = format!("white: {}", caption.without_transition());
     entries.push((
         Mark::Area(Style::fill(WHITE).outlined(palette::GRID, 1.0)),
         words,

@@ -1,6 +1,7 @@
 //! The rectangle that two axes span, with its grid, numbers and titles.
 
 use crate::canvas::{Canvas, Point};
+use crate::number::label;
 use crate::palette;
 use crate::style::Style;
 use crate::text::{Anchor, Font, text_width};
@@ -54,6 +55,17 @@ pub struct Scale {
 }
 
 impl Scale {
+    /// An axis with numbers at these values.
+    pub fn new(title: impl Into<String>, ends: (f64, f64), values: Vec<f64>) -> Self {
+        Self {
+            title: title.into(),
+            ends,
+            ticks: (values.into_iter())
+                .map(|value| (value, label(value)))
+                .collect(),
+        }
+    }
+
     /// What its numbers and its title take beside a frame, pixels.
     pub fn room(&self) -> f64 {
         let widths = self.ticks.iter().map(|(_, text)| text_width(text, NUMBER));

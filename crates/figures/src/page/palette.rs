@@ -75,6 +75,11 @@ pub fn region(kind: Kind) -> Colour {
     }
 }
 
+/// What is said of a transition of a kind that lies at or below the lowest speed searched.
+pub fn word_at_or_below(kind: Kind) -> String {
+    format!("{}, at or below the lowest speed searched", word(kind))
+}
+
 /// What happens above a kind of transition, in a word for the region.
 pub fn word(kind: Kind) -> &'static str {
     match kind {

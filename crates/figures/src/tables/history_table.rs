@@ -1,7 +1,7 @@
 //! Histories of landings, read back: what changes with time, for one landing or several.
 
 use crate::figure_error::FigureError;
-use crate::table::Table;
+use crate::table::{Table, has_column};
 
 /// The column that makes a table one of histories.
 pub const TIME: &str = "t_s";
@@ -45,8 +45,7 @@ pub struct Instant {
 
 /// Whether the heading of a table is one of histories.
 pub fn is_history(csv: &str) -> bool {
-    let heading = csv.lines().next().unwrap_or_default();
-    heading.split(',').any(|column| column == TIME)
+    has_column(csv, &[TIME])
 }
 
 impl HistoryTable {
@@ -77,8 +76,7 @@ impl HistoryTable {
         for row in table.nonempty_rows()? {
             let number = |column: usize| row.number(column);
             let told = |column: &Option<usize>| {
-                let told = column.filter(|column| !row.text(*column).is_empty());
-                told.map(number).transpose()
+                column.map_or(Ok(None), |column| row.optional_number(column))
             };
             let instant = Instant {
                 time: number(time)?,
@@ -108,21 +106,8 @@ impl HistoryTable {
 
     /// Time of the last instant of all, s.
     pub fn end(&self) -> f64 {
-        self.instants().map(|i| i.time).fold(0.0, f64::max)
-    }
-
-    /// Least and greatest value of a quantity, printed ones included.
-    pub fn range(&self, quantity: usize) -> [f64; 2] {
-        self.instants()
-            .flat_map(|instant| [Some(instant.values[quantity]), instant.printed[quantity]])
-            .flatten()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            })
-    }
-
-    fn instants(&self) -> impl Iterator<Item = &Instant> {
-        self.landings.iter().flat_map(|landing| &landing.instants)
+        let instants = self.landings.iter().flat_map(|landing| &landing.instants);
+        instants.map(|instant| instant.time).fold(0.0, f64::max)
     }
 }
 
@@ -141,7 +126,7 @@ mod tests {
         let first = &table.landings[0];
         assert_eq!(first.condition, Some(90.0));
         assert!(!first.instants[0].is_free && first.instants[1].is_free);
-        assert_eq!((table.end(), table.range(0)), (0.5, [1.0, 3.0]));
+        assert_eq!(table.end(), 0.5);
     }
 
     #[test]
@@ -156,7 +141,6 @@ mod tests {
             .collect();
         assert_eq!(*printed[0], [None, Some(2.1)]);
         assert_eq!(*printed[1], [None, None]);
-        assert_eq!(table.range(1), [2.0, 2.1]);
     }
 
     #[test]

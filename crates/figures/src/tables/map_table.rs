@@ -1,7 +1,7 @@
 //! The surface of a map, as triangles, and its edges, read back.
 
 use crate::figure_error::FigureError;
-use crate::table::{Row, Table};
+use crate::table::{Row, Table, has_column};
 
 const TRIANGLE: &str = "triangle";
 const SPEED: &str = "first_transition_fps";
@@ -20,6 +20,20 @@ pub enum EdgeKind {
     Jump,
     /// There are more bands on one side.
     Bands,
+}
+
+impl EdgeKind {
+    /// All of them, in the order of legends.
+    pub const ALL: [Self; 3] = [Self::End, Self::Jump, Self::Bands];
+
+    /// Its word in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::End => "end",
+            Self::Jump => "jump",
+            Self::Bands => "bands",
+        }
+    }
 }
 
 /// An edge of a map from end to end.
@@ -44,8 +58,7 @@ pub struct MapTable {
 
 /// Whether a table is one of triangles.
 pub fn is_one(csv: &str) -> bool {
-    let heading = csv.lines().next().unwrap_or_default();
-    heading.split(',').any(|name| name == TRIANGLE)
+    has_column(csv, &[TRIANGLE])
 }
 
 impl MapTable {
@@ -91,12 +104,9 @@ fn read_edges(csv: &str) -> Result<Vec<Edge>, FigureError> {
     for row in table.rows() {
         if row.text(edge) != last {
             last = row.text(edge);
-            let kind = match row.text(kind) {
-                "end" => EdgeKind::End,
-                "jump" => EdgeKind::Jump,
-                "bands" => EdgeKind::Bands,
-                _ => return Err(row.error(kind, "end, jump or bands")),
-            };
+            let known = |one: &EdgeKind| one.name() == row.text(kind);
+            let found = EdgeKind::ALL.into_iter().find(known);
+            let kind = found.ok_or_else(|| row.error(kind, "end, jump or bands"))?;
             let places = Vec::new();
             edges.push(Edge { kind, places });
         }

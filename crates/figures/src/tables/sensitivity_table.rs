@@ -2,7 +2,7 @@
 //! by point.
 
 use crate::figure_error::FigureError;
-use crate::table::{Row, Table};
+use crate::table::{Row, Table, has_column};
 use crate::unit::in_si;
 
 /// The column that makes a table one of sensitivities.
@@ -57,9 +57,7 @@ pub struct Change {
 
 /// Whether the heading of a table is one of sensitivities.
 pub fn is_one(csv: &str) -> bool {
-    let heading = csv.lines().next().unwrap_or_default();
-    let in_si = in_si(DERIVATIVE);
-    (heading.split(',')).any(|column| column == DERIVATIVE || Some(column) == in_si.as_deref())
+    has_column(csv, &[DERIVATIVE, &in_si(DERIVATIVE).unwrap_or_default()])
 }
 
 impl SensitivityTable {
@@ -83,7 +81,7 @@ impl SensitivityTable {
                 Some(point) => point.slopes.push(slope),
                 None => points.push(Point {
                     place,
-                    speed: number(row, speed)?,
+                    speed: row.optional_number(speed)?,
                     slopes: vec![slope],
                 }),
             }
@@ -142,26 +140,18 @@ impl Columns {
     }
 
     fn slope(&self, row: Row) -> Result<Slope, FigureError> {
-        let [span, speed, error] = self.changes.map(|column| number(row, column));
+        let [span, speed, error] = self.changes.map(|column| row.optional_number(column));
         Ok(Slope {
             parameter: row.text(self.parameter).to_owned(),
             unit: row.text(self.unit).to_owned(),
-            value: number(row, self.value)?,
-            step: number(row, self.step)?,
+            value: row.optional_number(self.value)?,
+            step: row.optional_number(self.step)?,
             dependence: row.text(self.dependence).to_owned(),
             change: match (span?, speed?, error?) {
                 (Some(span), Some(speed), Some(error)) => Some(Change { span, speed, error }),
                 _ => None,
             },
         })
-    }
-}
-
-/// The number in a column; an empty cell has none.
-fn number(row: Row, column: usize) -> Result<Option<f64>, FigureError> {
-    match row.text(column) {
-        "" => Ok(None),
-        _ => row.number(column).map(Some),
     }
 }
 

@@ -10,6 +10,12 @@ use crate::unit::in_si;
 const GREATEST: f64 = 1e12;
 const GREATEST_VELOCITY: f64 = 1e4;
 
+/// Whether the heading of a table (CSV) has a column of one of these names.
+pub fn has_column(csv: &str, names: &[&str]) -> bool {
+    let heading = csv.lines().next().unwrap_or_default();
+    heading.split(',').any(|column| names.contains(&column))
+}
+
 /// A table.
 pub struct Table {
     heading: StringRecord,
@@ -92,6 +98,17 @@ impl<'t> Row<'t> {
     /// When it is no number, or one that no result can have.
     pub fn number(&self, column: usize) -> Result<f64, FigureError> {
         self.number_within(column, -GREATEST, GREATEST)
+    }
+
+    /// The number in a column; an empty cell has none.
+    ///
+    /// # Errors
+    /// As [`Row::number`].
+    pub fn optional_number(&self, column: usize) -> Result<Option<f64>, FigureError> {
+        match self.text(column) {
+            "" => Ok(None),
+            _ => self.number(column).map(Some),
+        }
     }
 
     /// The velocity in a column, in its unit.

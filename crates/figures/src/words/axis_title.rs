@@ -53,12 +53,16 @@ pub fn axis_title(column: &str) -> String {
     }
 }
 
+/// The title of the axis of a column without its unit.
+pub fn bare_title(column: &str) -> String {
+    let title = axis_title(column);
+    let bare = title.strip_suffix(split_unit(column).1).unwrap_or(&title);
+    bare.trim_end_matches([' ', ',']).to_owned()
+}
+
 /// A column in words, without its unit, as it stands in a sentence or a legend.
 pub fn column_words(column: &str) -> String {
-    let title = axis_title(column);
-    let unit = split_unit(column).1;
-    let words = title.strip_suffix(unit).unwrap_or(&title);
-    let words = words.trim_end_matches([' ', ',']);
+    let words = bare_title(column);
     let mut letters = words.chars();
     match letters.next() {
         Some(first) => first.to_lowercase().chain(letters).collect(),

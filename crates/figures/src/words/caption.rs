@@ -31,6 +31,22 @@ pub struct Caption {
 }
 
 impl Caption {
+    /// The caption of a table (CSV) of this name, from the record beside it where there is one.
+    ///
+    /// # Errors
+    /// As [`Caption::from_record`].
+    pub fn of_table(name: &str, table: &str, record: Option<&str>) -> Result<Self, FigureError> {
+        let speed_unit = SpeedUnit::of_table(table);
+        match record {
+            Some(record) => Self::from_record(record, speed_unit),
+            None => Ok(Self {
+                title: name.to_owned(),
+                speed_unit,
+                ..Self::default()
+            }),
+        }
+    }
+
     /// Reads the caption from the record that a sweep writes beside its table, whose speeds are in this unit.
     ///
     /// # Errors
@@ -72,6 +88,14 @@ impl Caption {
             speed_unit,
             has_report_feet: has_report_feet(&input["vehicle"]),
         })
+    }
+
+    /// What is said of points without a transition.
+    pub fn without_transition(&self) -> String {
+        match self.searched_to {
+            Some(speed) => format!("stable up to {} {}", label(speed), self.speed_unit),
+            None => "no transition".to_owned(),
+        }
     }
 
     /// The caption of a picture that shows the lowest transition over some axes of a sweep: statements

@@ -1,26 +1,17 @@
 //! Why there is no picture.
 
-use std::fmt;
+use thiserror::Error;
 
 /// A picture that could not be drawn.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum FigureError {
     /// The result table is not what the picture needs.
+    #[error("result table: {0}")]
     Table(String),
     /// The result table is in order, but there is no picture of it.
+    #[error("has no picture: {0}")]
     NoPicture(String),
     /// The PNG cannot be made.
+    #[error("PNG: {0}")]
     Rendering(String),
 }
-
-impl fmt::Display for FigureError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Table(complaint) => write!(f, "result table: {complaint}"),
-            Self::NoPicture(reason) => write!(f, "has no picture: {reason}"),
-            Self::Rendering(complaint) => write!(f, "PNG: {complaint}"),
-        }
-    }
-}
-
-impl std::error::Error for FigureError {}

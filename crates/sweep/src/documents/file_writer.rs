@@ -5,8 +5,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
+use thiserror::Error;
 
-use crate::input_error::{InputError, Place};
+use crate::input_error::InputError;
 
 /// A folder in which files can be written.
 #[derive(Debug, Clone)]
@@ -21,9 +22,10 @@ impl Folder {
     /// Names the folder and what is in the way.
     pub fn open(path: &Path) -> Result<Self, InputError> {
         let refuse = |error: io::Error| {
-            let complaint = format!("{error}: expected a writable folder");
-            InputError::other(format!("output folder cannot be written: {complaint}"))
-                .at(Place::file(path))
+            InputError::in_file(
+                path,
+                format!("output folder cannot be written: {error}: expected a writable folder"),
+            )
         };
         fs::create_dir_all(path).map_err(refuse)?;
         let folder = Self {
@@ -41,7 +43,7 @@ impl Folder {
     pub fn of(file: &Path) -> Result<Self, InputError> {
         if file.is_dir() || file.file_name().is_none() {
             let complaint = "is a folder: expected the name of a file";
-            return Err(InputError::other(complaint).at(Place::file(file)));
+            return Err(InputError::in_file(file, complaint));
         }
         match file.parent() {
             Some(parent) if parent != Path::new("") => Self::open(parent),
@@ -161,26 +163,14 @@ impl Write for Draft {
 }
 
 /// A file that could not be written.
-#[derive(Debug)]
+#[derive(Debug, Error)]
+#[error("{}: cannot be written: {error}", .path.display())]
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
     /// What was in the way.
     pub error: io::Error,
 }
-
-impl std::fmt::Display for WriteError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "{}: cannot be written: {}",
-            self.path.display(),
-            self.error
-        )
-    }
-}
-
-impl std::error::Error for WriteError {}
 
 #[cfg(test)]
 mod tests {

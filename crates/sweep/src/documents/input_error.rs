@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
-use crate::spelling::meant;
+use crate::spelling::{did_you_mean, meant};
 
 /// A place in the input.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -90,10 +90,7 @@ impl InputError {
     /// `key` is no spelling of the `known` keys; names the nearest of them.
     pub fn unknown(key: &str, value: impl fmt::Display, known: &[&str]) -> Self {
         let last = key.rsplit('.').next().unwrap_or(key);
-        let guess = match meant(last, known).as_slice() {
-            [] => String::new(),
-            names => format!("did you mean {}? ", names.join(" or ")),
-        };
+        let guess = did_you_mean(&meant(last, known));
         let known = known.join(", ");
         Self::other(format!(
             "{key} = {value}: unknown key; {guess}known keys: {known}"
@@ -108,6 +105,16 @@ impl InputError {
             complaint: complaint.into(),
             subject: None,
         }
+    }
+
+    /// Anything that is wrong with a file.
+    pub fn in_file(file: &Path, complaint: impl Into<String>) -> Self {
+        Self::other(complaint).at(Place::file(file))
+    }
+
+    /// A file or folder that cannot be read.
+    pub fn unreadable(file: &Path, why: impl fmt::Display) -> Self {
+        Self::in_file(file, format!("cannot be read: {why}"))
     }
 
     fn about(self, key: &str, value: Option<String>, allowed: &str) -> Self {

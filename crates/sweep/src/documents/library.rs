@@ -1,12 +1,13 @@
 //! Where the text of input files comes from: the disk, or a copy that was kept of it.
 
+use std::fmt::Display;
 use std::fs;
 use std::path::Path;
 
 pub use crate::source::Source;
 
 use crate::document::Document;
-use crate::input_error::{InputError, Place};
+use crate::input_error::InputError;
 
 /// Where files are read.
 #[derive(Debug, Clone, Copy)]
@@ -40,14 +41,12 @@ impl Library<'_> {
     /// # Errors
     /// When it cannot be read.
     pub fn text(self, path: &Path) -> Result<String, InputError> {
-        let refuse = |what: String| {
-            InputError::other(format!("cannot be read: {what}")).at(Place::file(path))
-        };
+        let refuse = |what: &dyn Display| InputError::unreadable(path, what);
         match self {
-            Self::Disk => fs::read_to_string(path).map_err(|error| refuse(error.to_string())),
+            Self::Disk => fs::read_to_string(path).map_err(|error| refuse(&error)),
             Self::Copies(sources) => match sources.iter().find(|source| source.path == path) {
                 Some(source) => Ok(source.text.clone()),
-                None => Err(refuse("the journal holds no copy of it".to_owned())),
+                None => Err(refuse(&"the journal holds no copy of it")),
             },
         }
     }

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-use crate::input_error::{InputError, Place};
+use crate::input_error::InputError;
 
 /// Longest first line that is looked at, bytes.
 const LONGEST_LINE: u64 = 1 << 16;
@@ -51,16 +51,16 @@ impl OutputGuard<'_> {
             both.is_some_and(|(input, file)| input == file)
         });
         match is_input {
-            true => Err(InputError::other(
+            true => Err(InputError::in_file(
+                file,
                 "is read by this command and cannot be written too: expected another file",
-            )
-            .at(Place::file(file))),
+            )),
             false => Ok(()),
         }
     }
 
     fn refuse(&self, file: &Path, is_own: impl FnOnce() -> bool) -> Result<(), InputError> {
-        let refused = |complaint| Err(InputError::other(complaint).at(Place::file(file)));
+        let refused = |complaint| Err(InputError::in_file(file, complaint));
         if file.is_dir() {
             return refused("is a folder: expected the name of a file");
         }

@@ -42,11 +42,14 @@ impl OutputUnits {
         let Some(found) = root.optional(UNITS) else {
             return Ok(Self::default());
         };
-        match found.text()? {
-            "US" => Ok(Self::Us),
-            "SI" => Ok(Self::Si),
-            _ => Err(found.complain("\"US\" or \"SI\"")),
-        }
+        let units = Self::named(found.text()?);
+        units.ok_or_else(|| found.complain("\"US\" or \"SI\""))
+    }
+
+    /// The units of this name, if there are any.
+    pub fn named(name: &str) -> Option<Self> {
+        let all = [Self::Us, Self::Si];
+        all.into_iter().find(|units| units.to_string() == name)
     }
 
     /// How a quantity comes out, by its name with the unit that it has in the program. What is named in an SI unit already

@@ -150,6 +150,14 @@ pub(crate) fn meant(unknown: &str, known: &[&str]) -> Vec<String> {
     nearest.map(str::to_owned).into_iter().collect()
 }
 
+/// The question whether one of these was meant; nothing where there are none.
+pub(crate) fn did_you_mean(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        names => format!("did you mean {}? ", names.join(" or ")),
+    }
+}
+
 /// The spelling of a key with the unit that a name ends with; if there is none, the program's.
 pub(crate) fn with_unit_of(name: &str, key: &str) -> String {
     let spelled = program_unit(key).and_then(|(bare, unit)| {

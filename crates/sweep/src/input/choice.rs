@@ -1,7 +1,7 @@
 //! Keys whose values are words, one for each of several choices.
 
 use crate::input_error::InputError;
-use crate::section::Section;
+use crate::section::{LocatedValue, Section};
 
 /// The choice that a key names; without the key, the default.
 pub(crate) fn choice<T: Copy + Default>(
@@ -9,9 +9,14 @@ pub(crate) fn choice<T: Copy + Default>(
     key: &str,
     choices: &[(&str, T)],
 ) -> Result<T, InputError> {
-    let Some(value) = section.optional(key) else {
-        return Ok(T::default());
-    };
+    (section.optional(key)).map_or(Ok(T::default()), |value| chosen_by(&value, choices))
+}
+
+/// The choice that a value names.
+pub(crate) fn chosen_by<T: Copy>(
+    value: &LocatedValue,
+    choices: &[(&str, T)],
+) -> Result<T, InputError> {
     chosen(choices, value.text()?).ok_or_else(|| {
         let quoted: Vec<String> = (choices.iter())
             .map(|(word, _)| format!("\"{word}\""))

@@ -3,6 +3,7 @@
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, FixedInterval, Method};
 
+use crate::choice::chosen_by;
 use crate::input_error::InputError;
 use crate::section::Section;
 
@@ -135,19 +136,10 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// Reads the method of `[solver]`.
-pub(crate) fn read(solver: Option<&Section>, tolerance: Option<f64>) -> Result<Method, InputError> {
-    let Some(solver) = solver else {
-        return Ok(Method::Located);
-    };
+pub(crate) fn read(solver: &Section, tolerance: Option<f64>) -> Result<Method, InputError> {
     let name = match solver.optional("method") {
         None => "located",
-        Some(found) => {
-            let name = found.text()?;
-            if !METHODS.contains(&name) {
-                return Err(found.complain(&quoted()));
-            }
-            name
-        }
+        Some(found) => chosen_by(&found, &METHODS.map(|name| (name, name)))?,
     };
     let limits = match solver.optional_section("error_per_second", &LIMITS)? {
         None => None,
@@ -169,12 +161,6 @@ pub(crate) fn read(solver: Option<&Section>, tolerance: Option<f64>) -> Result<M
         limits,
     };
     method(name, &numbers).map_err(|invalid| solver.complain(&invalid))
-}
-
-/// All names in quotes.
-fn quoted() -> String {
-    let names = METHODS.map(|name| format!("{name:?}"));
-    names.join(" or ")
 }
 
 /// Reads error limits; what is left out has the report's.

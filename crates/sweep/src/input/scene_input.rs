@@ -7,6 +7,7 @@ mod attitude;
 mod footing;
 mod thrust;
 
+use thiserror::Error;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
@@ -99,7 +100,8 @@ pub(crate) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'
 }
 
 /// A condition that is missing or not allowed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{name}: expected {allowed}")]
 pub struct SceneFault {
     /// Name of the condition.
     pub name: &'static str,
@@ -109,7 +111,26 @@ pub struct SceneFault {
     pub allowed: String,
 }
 
+impl SceneFault {
+    /// The complaint about the condition under this name.
+    pub fn error(&self) -> InputError {
+        match self.value {
+            Some(value) => InputError::value(self.name, value, &self.allowed),
+            None => InputError::missing(self.name, &self.allowed),
+        }
+    }
+}
+
 impl NamedConditions {
+    /// These conditions, by name.
+    pub fn of<'n>(given: impl IntoIterator<Item = (&'n str, f64)>) -> Self {
+        let mut conditions = Self::default();
+        for (name, value) in given {
+            conditions.set(name, value);
+        }
+        conditions
+    }
+
     /// Takes conditions from a table [scene].
     pub(crate) fn read(scene: &Section) -> Result<Self, InputError> {
         let mut conditions = Self::default();
@@ -288,13 +309,13 @@ mod tests {
     use super::*;
 
     fn baseline() -> NamedConditions {
-        let mut named = NamedConditions::default();
-        named.set("vertical_velocity_fps", 14.0);
-        named.set("horizontal_velocity_fps", 11.25);
-        named.set("cross_slope_deg", 180.0);
-        named.set("slope_deg", 15.0);
-        named.set("friction", 0.8);
-        named
+        NamedConditions::of([
+            ("vertical_velocity_fps", 14.0),
+            ("horizontal_velocity_fps", 11.25),
+            ("cross_slope_deg", 180.0),
+            ("slope_deg", 15.0),
+            ("friction", 0.8),
+        ])
     }
 
     #[test]

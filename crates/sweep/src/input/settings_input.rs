@@ -76,12 +76,11 @@ pub(crate) fn stop<'d>(root: &Section<'d>) -> Result<Option<LocatedValue<'d>>, I
 fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, InputError> {
     let known = [&SOLVER[..], &method_input::KEYS].concat();
     let Some(solver) = root.optional_section("solver", &known)? else {
-        let time_limit = Settings::DEFAULT_TIME_LIMIT;
-        return Settings::new(default_tolerance, time_limit, CrushRule::default())
+        return (Settings::default().with_tolerance(default_tolerance))
             .map_err(|invalid| root.complain(&invalid));
     };
     let tolerance = solver.optional_number("tolerance")?;
-    let method = method_input::read(Some(&solver), tolerance)?;
+    let method = method_input::read(&solver, tolerance)?;
     let tolerance = tolerance.unwrap_or(default_tolerance);
     let time_limit =
         (solver.optional_number("time_limit_s")?).unwrap_or(Settings::DEFAULT_TIME_LIMIT);

@@ -10,6 +10,7 @@ use touchdown_dynamics::vehicle::{
     StrutElement, Vehicle,
 };
 
+use crate::choice::chosen_by;
 use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
@@ -296,13 +297,7 @@ fn linkage(section: &Section) -> Result<Linkage, InputError> {
 fn strut(section: &Section) -> Result<Strut, InputError> {
     let kind = match section.optional("kind") {
         None => STRUT_KINDS[0].0,
-        Some(found) => {
-            let is_meant = |word: &str| STRUT_KINDS.iter().find(|(kind, _)| *kind == word);
-            match found.text().map(is_meant) {
-                Ok(Some((kind, _))) => kind,
-                _ => return Err(found.complain("\"damper\" or \"honeycomb\"")),
-            }
-        }
+        Some(found) => chosen_by(&found, &STRUT_KINDS.map(|(kind, _)| (kind, kind)))?,
     };
     for (other, keys) in STRUT_KINDS.iter().filter(|(other, _)| *other != kind) {
         if let Some(found) = keys.iter().find_map(|key| section.optional(key)) {
@@ -383,4 +378,4 @@ fn block(entry: &Section) -> Result<Option<Block>, InputError> {
 
 #[cfg(test)]
 #[path = "vehicle_file_tests.rs"]
-mod tests;
+pub(crate) mod tests;

@@ -8,6 +8,11 @@ fn read(text: &str) -> Result<VehicleFile, InputError> {
     VehicleFile::from_document(Document::parse(Path::new("v.toml"), text)?)
 }
 
+/// The Surveyor of Table 4-1.
+pub(crate) fn surveyor() -> VehicleFile {
+    read(SURVEYOR).unwrap()
+}
+
 #[test]
 fn the_surveyor_is_read_in_feet_and_radians() {
     let file = read(SURVEYOR).unwrap();

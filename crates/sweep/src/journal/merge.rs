@@ -1,7 +1,8 @@
 //! Shards of sweeps, computed anywhere, put together again.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
+
+use thiserror::Error;
 
 use crate::header::Header;
 use crate::journal::{Access, JournalError, Records};
@@ -18,11 +19,16 @@ pub struct Shards {
 }
 
 /// Why journals do not make a sweep.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum MergeError {
     /// One of them cannot be read.
-    Journal(JournalError),
+    #[error(transparent)]
+    Journal(#[from] JournalError),
     /// Two of them do not belong together.
+    #[error(
+        "{}: does not belong to {}. What differs (here: in the latter, there: in the former):\n  {}",
+        .other.display(), .one.display(), .differences.join("\n  ")
+    )]
     Strangers {
         /// The first of the sweep.
         one: PathBuf,
@@ -31,34 +37,6 @@ pub enum MergeError {
         /// In what they differ.
         differences: Vec<String>,
     },
-}
-
-impl fmt::Display for MergeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Journal(error) => error.fmt(f),
-            Self::Strangers {
-                one,
-                other,
-                differences,
-            } => write!(
-                f,
-                "{}: does not belong to {}. What differs (here: in the latter, there: in the \
-                 former):\n  {}",
-                other.display(),
-                one.display(),
-                differences.join("\n  ")
-            ),
-        }
-    }
-}
-
-impl std::error::Error for MergeError {}
-
-impl From<JournalError> for MergeError {
-    fn from(error: JournalError) -> Self {
-        Self::Journal(error)
-    }
 }
 
 /// Sorts journals by their sweeps, whose names are those of the sweep files; those of tables of cases are left out.

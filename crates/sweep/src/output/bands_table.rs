@@ -3,6 +3,7 @@
 use crate::bands::Band;
 use crate::boundary::Boundary;
 use crate::certainty::tolerance_cell;
+use crate::results::optional;
 use crate::sweep_file::Sweep;
 
 /// Columns of the table after those of the axes.
@@ -39,7 +40,7 @@ pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>
             band.from.to_string(),
             band.to.to_string(),
             band.class.to_string(),
-            width.map_or(String::new(), |width| width.to_string()),
+            optional(width),
             band.outcome.to_string(),
         ];
         let cells = cells.into_iter().chain(band.certainty.cells());
@@ -54,13 +55,12 @@ mod tests {
     use super::*;
     use crate::boundary::Bracket;
     use crate::certainty::Certainty;
-    use std::path::Path;
+    use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::outcome::{Class, Outcome};
 
     #[test]
     fn a_row_for_every_band() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
+        let sweep = figure_4_09();
         let band = |from, to, class, outcome, bracket: Option<Bracket>| Band {
             from,
             to,

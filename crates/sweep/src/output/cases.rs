@@ -69,10 +69,7 @@ pub fn read(
     vehicle: &VehicleFile,
     settings: &Settings,
 ) -> Result<CaseTable, InputError> {
-    let place = Place::file(path);
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| InputError::other(format!("cannot be read: {error}")).at(place.clone()))?;
-    parse(path, &text, vehicle, settings)
+    parse(path, &Library::Disk.text(path)?, vehicle, settings)
 }
 
 fn parse(

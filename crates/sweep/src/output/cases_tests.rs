@@ -5,6 +5,7 @@ use touchdown_dynamics::scene::CrushRule;
 use crate::findings::Finding;
 use crate::landing_table;
 use crate::output_units::OutputUnits;
+use crate::vehicle_file::tests::surveyor;
 
 const HEADING: &str = "case,note,vertical_velocity_fps,horizontal_velocity_fps,\
     cross_slope_deg,pitch_deg,yaw_deg,roll_deg,slope_deg,friction";
@@ -15,13 +16,8 @@ fn read_text(text: &str) -> Result<Vec<CaseRow>, InputError> {
 }
 
 fn read_table(text: &str) -> Result<CaseTable, InputError> {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../sweeps/vehicles/surveyor-table-4-1.toml"
-    );
-    let surveyor = VehicleFile::read(Path::new(path)).unwrap();
     let settings = Settings::new(1e-5, 20.0, CrushRule::default()).unwrap();
-    parse(Path::new("c.csv"), text, &surveyor, &settings)
+    parse(Path::new("c.csv"), text, &surveyor(), &settings)
 }
 
 fn complaint(text: &str) -> String {

@@ -11,6 +11,7 @@ pub struct History {
     units: OutputUnits,
     /// Of the columns, once there is an instant.
     quantities: Vec<Quantity>,
+    written: Result<(), csv::Error>,
 }
 
 impl History {
@@ -20,14 +21,18 @@ impl History {
             writer: csv::Writer::from_writer(Vec::new()),
             units,
             quantities: Vec::new(),
+            written: Ok(()),
         }
     }
 
     /// Adds an instant.
-    ///
-    /// # Errors
-    /// None but those of memory.
-    pub fn add(&mut self, instant: &Instant) -> Result<(), csv::Error> {
+    pub fn add(&mut self, instant: &Instant) {
+        if self.written.is_ok() {
+            self.written = self.write(instant);
+        }
+    }
+
+    fn write(&mut self, instant: &Instant) -> Result<(), csv::Error> {
         let columns = columns(instant);
         if self.quantities.is_empty() {
             let names = columns.iter().map(|(name, _)| name);
@@ -45,6 +50,7 @@ impl History {
     /// # Errors
     /// None but those of memory.
     pub fn table(self) -> Result<Vec<u8>, csv::Error> {
+        self.written?;
         self.writer
             .into_inner()
             .map_err(|error| error.into_error().into())
@@ -158,8 +164,8 @@ mod tests {
         };
         let written = |units| {
             let mut history = History::new(units);
-            history.add(&instant).unwrap();
-            history.add(&instant).unwrap();
+            history.add(&instant);
+            history.add(&instant);
             String::from_utf8(history.table().unwrap()).unwrap()
         };
         let si = written(OutputUnits::Si);
@@ -180,7 +186,7 @@ mod tests {
             thrust_work,
             ..instant
         };
-        history.add(&under_thrust).unwrap();
+        history.add(&under_thrust);
         let text = String::from_utf8(history.table().unwrap()).unwrap();
         assert!(text.contains(",potential_energy_change_j,thrust_work_j,gamma_1_deg,"));
         assert!(text.contains(",-2.711635896"), "{text}");

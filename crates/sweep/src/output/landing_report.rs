@@ -134,6 +134,12 @@ fn integration(summary: &IntegrationSummary, legs: usize) -> Value {
     })
 }
 
+/// When the verdict fell, s.
+pub fn verdict_time(landing: &Landing) -> f64 {
+    let beyond = landing.beyond.as_ref();
+    beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
+}
+
 /// What is to be told of a landing although its account closes: elements that gave back more than they took.
 pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
     worth_a_warning(&landing.energies).map(|given| given_by_crushing(given, units))

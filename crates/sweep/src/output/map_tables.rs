@@ -1,6 +1,7 @@
 //! The surface and the edges of a map as tables.
 
 use crate::edge_lines::EdgeLine;
+use crate::results::optional;
 use crate::rounds::Rounds;
 use crate::surface_pieces::MapSurface;
 use crate::sweep_file::Sweep;
@@ -97,10 +98,6 @@ fn triangles(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<String>> {
         }
     }
     rows
-}
-
-fn optional(number: Option<f64>) -> String {
-    number.map_or(String::new(), |number| number.to_string())
 }
 
 /// All coordinates of a place on a map, as results write them.

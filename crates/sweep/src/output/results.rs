@@ -87,9 +87,13 @@ pub fn row(sweep: &Sweep, point: usize, finding: &Finding) -> Vec<String> {
     row
 }
 
+/// A number as tables have it, or an empty cell.
+pub(crate) fn optional(number: Option<f64>) -> String {
+    Cell::from(number).to_string()
+}
+
 fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
     let found = boundary.transition;
-    let speed = |speed: Option<f64>| speed.map_or(String::new(), |speed| speed.to_string());
     let certainty = found.map_or(Certainty::Untested, |found| found.certainty);
     let [mut word, from, to] = certainty.cells();
     let low = match found {
@@ -103,9 +107,9 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
     }
     [
         transition_name(boundary),
-        speed(found.map(|found| found.speed())),
-        speed(low),
-        speed(found.map(|found| found.high)),
+        optional(found.map(|found| found.speed())),
+        optional(low),
+        optional(found.map(|found| found.high)),
         boundary.landings.to_string(),
         boundary.evaluations.to_string(),
         word,
@@ -184,12 +188,11 @@ fn outcomes(counts: &SweepCounts) -> Value {
 mod tests {
     use super::*;
     use crate::boundary::Transition;
-    use std::path::Path;
+    use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::outcome::Class;
 
     fn example() -> (Sweep, Vec<Boundary>) {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep = Sweep::read(Path::new(path)).unwrap();
+        let sweep = figure_4_09();
         let at = |to, low, high| Boundary {
             transition: Some(Transition {
                 to,

@@ -6,7 +6,7 @@
 
 use crate::boundary::Boundary;
 use crate::parameter::Parameter;
-use crate::results::transition_name;
+use crate::results::{optional, transition_name};
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::sweep_file::Sweep;
 
@@ -51,11 +51,11 @@ pub fn rows(
         let cells = [
             own.name().to_owned(),
             own.unit().to_owned(),
-            number(value.map(|value| own.number(value))),
+            optional(value.map(|value| own.number(value))),
             transition_name(boundary),
-            number(sensitivity.speed),
+            optional(sensitivity.speed),
             slope.dependence.word().to_owned(),
-            number(slope.step.map(|step| own.number(step))),
+            optional(slope.step.map(|step| own.number(step))),
         ];
         let numbers = match (slope.dependence, value.zip(slope.step)) {
             (Dependence::Smooth { derivative, error }, Some((value, step))) => {
@@ -72,7 +72,7 @@ pub fn rows(
             }
             _ => [None; 5],
         };
-        let cells = cells.into_iter().chain(numbers.map(number));
+        let cells = cells.into_iter().chain(numbers.map(optional));
         coordinates.iter().cloned().chain(cells).collect()
     };
     slopes.map(row).collect()
@@ -88,19 +88,14 @@ fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
     }
 }
 
-fn number(number: Option<f64>) -> String {
-    number.map_or(String::new(), |number| number.to_string())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::Path;
+    use crate::sweep_file::tests::figure_4_09;
 
     #[test]
     fn numbers_stand_where_there_is_a_derivative_and_words_elsewhere() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let mut sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
+        let mut sweep = figure_4_09();
         let named = |name| Parameter::named(name, 3).unwrap();
         sweep.sensitivity = vec![
             named("vehicle.legs[2].strut.preload_lb"),

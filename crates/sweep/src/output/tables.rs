@@ -1,8 +1,9 @@
 //! The result tables of a sweep, written row by row from its journals.
 
-use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
+
+use thiserror::Error;
 
 use crate::boundary::Extent;
 use crate::file_writer::{Draft, Folder, WriteError};
@@ -42,38 +43,17 @@ pub struct Tables {
 }
 
 /// Why tables could not be written.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum TablesError {
     /// A journal cannot be read.
-    Journal(JournalError),
+    #[error(transparent)]
+    Journal(#[from] JournalError),
     /// A table cannot be written.
-    Deposit(WriteError),
+    #[error(transparent)]
+    Deposit(#[from] WriteError),
     /// No journal has a readable result of this point.
+    #[error("there is no result of point {0}")]
     Point(usize),
-}
-
-impl fmt::Display for TablesError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Journal(error) => error.fmt(f),
-            Self::Deposit(error) => error.fmt(f),
-            Self::Point(point) => write!(f, "there is no result of point {point}"),
-        }
-    }
-}
-
-impl std::error::Error for TablesError {}
-
-impl From<JournalError> for TablesError {
-    fn from(error: JournalError) -> Self {
-        Self::Journal(error)
-    }
-}
-
-impl From<WriteError> for TablesError {
-    fn from(error: WriteError) -> Self {
-        Self::Deposit(error)
-    }
 }
 
 impl Tables {

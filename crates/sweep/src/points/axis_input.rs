@@ -4,6 +4,7 @@
 //! list, or a table: a range by `step` or by `count`, listed `values`, the `spacing` of counted
 //! ones, and the group (`zip`) of axes that move together.
 
+use crate::choice::choice;
 use crate::document::{Entry, Value};
 use crate::input_error::InputError;
 use crate::levels::{Fault, Levels};
@@ -202,14 +203,7 @@ fn complaint(form: &Section, from: f64, to: f64) -> impl Fn(Fault) -> InputError
 
 /// Whether the spacing of an axis is logarithmic.
 pub(crate) fn is_logarithmic(form: &Section) -> Result<bool, InputError> {
-    let Some(found) = form.optional("spacing") else {
-        return Ok(false);
-    };
-    match found.text()? {
-        "linear" => Ok(false),
-        "log" => Ok(true),
-        _ => Err(found.complain("\"linear\" or \"log\"")),
-    }
+    choice(form, "spacing", &[("linear", false), ("log", true)])
 }
 
 /// Complains about the first key of a form that is not one of the `usable` ones.

@@ -10,7 +10,9 @@ use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::method_input;
 use crate::scene_input;
-use crate::spelling::{Conversion, differ_in_unit, dotted_conversion, spellings, with_unit_of};
+use crate::spelling::{
+    Conversion, did_you_mean, differ_in_unit, dotted_conversion, spellings, with_unit_of,
+};
 use crate::{search_input, settings_input, vehicle_file};
 
 /// A number (or one of a few words) of the input.
@@ -113,10 +115,7 @@ impl Parameter {
 
     /// The message for an unknown name.
     pub(crate) fn unknown(name: &str, legs: usize) -> String {
-        let guess = match Self::nearest(name, legs).as_slice() {
-            [] => String::new(),
-            names => format!("did you mean {}? ", names.join(" or ")),
-        };
+        let guess = did_you_mean(&Self::nearest(name, legs));
         format!(
             "unknown parameter; {guess}expected a key of the scene, or a dotted key of the vehicle, the \
              search or the solver, such as vehicle.strut.compression_damping"

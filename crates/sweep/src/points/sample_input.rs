@@ -8,6 +8,8 @@
 use std::path::Path;
 
 use crate::axis_input::{AxisEntry, is_logarithmic, only};
+use crate::choice::chosen_by;
+use crate::csv_rows;
 use crate::distribution::Distribution;
 use crate::input_error::{InputError, Place};
 use crate::joint_normal::{self, JointNormal};
@@ -74,12 +76,7 @@ pub(crate) fn sampled(
         "design",
         "\"monte-carlo\", \"latin-hypercube\" or \"sobol\"",
     )?;
-    let word = design.text()?;
-    let kind = SampleDesign::ALL
-        .into_iter()
-        .find(|kind| kind.name() == word);
-    let names = SampleDesign::ALL.map(|kind| format!("{:?}", kind.name()));
-    let kind = kind.ok_or_else(|| design.complain(&names.join(", ")))?;
+    let kind = chosen_by(&design, &SampleDesign::ALL.map(|kind| (kind.name(), kind)))?;
     let count = whole(&section, "count", 1.0, kind.most_points() as f64)?;
     let seed = whole(&section, "seed", 0.0, GREATEST_SEED)?;
     let enough = match section.optional("stop_at_interval_width") {
@@ -235,20 +232,15 @@ impl Reader<'_, '_> {
 
 /// The distribution that a table names, or whose keys it has.
 fn distribution(form: &Section) -> Result<Distribution, InputError> {
-    let name = match form.optional("distribution") {
-        Some(word) => word.text()?,
-        None if form.optional("mean").is_some() || form.optional("sd").is_some() => "normal",
-        None => "uniform",
-    };
-    let Some((name, keys)) = DISTRIBUTIONS.iter().find(|(known, _)| *known == name) else {
-        let names = DISTRIBUTIONS.map(|(name, _)| format!("{name:?}"));
-        return Err(form
-            .value("distribution", AXIS)?
-            .complain(&names.join(", ")));
+    let [uniform, normal, ..] = DISTRIBUTIONS;
+    let (name, keys) = match form.optional("distribution") {
+        Some(word) => chosen_by(&word, &DISTRIBUTIONS.map(|known| (known.0, known)))?,
+        None if form.optional("mean").is_some() || form.optional("sd").is_some() => normal,
+        None => uniform,
     };
     only(form, &[keys, &["distribution", "zip"][..]].concat())?;
     let number = |key| form.number(key);
-    let distribution = match *name {
+    let distribution = match name {
         "normal" => {
             let ends = match (form.optional("from"), form.optional("to")) {
                 (None, None) => None,
@@ -270,15 +262,8 @@ fn distribution(form: &Section) -> Result<Distribution, InputError> {
 /// The numbers of a column of a table.
 fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, InputError> {
     let place = Place::file(path);
-    let broken = |error: csv::Error| {
-        let complaint = format!("not a table of comma-separated values: {error}");
-        InputError::other(complaint).at(place.clone())
-    };
     let name = column.text()?;
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let heading = reader.headers().map_err(broken)?.clone();
+    let (heading, rows) = csv_rows::read(&place, text)?;
     let Some(index) = heading.iter().position(|known| known == name) else {
         let known: Vec<&str> = heading.iter().collect();
         return Err(column.complain(&format!(
@@ -288,17 +273,13 @@ fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, I
         )));
     };
     let mut values = Vec::new();
-    for (row, record) in reader.records().enumerate() {
-        let record = record.map_err(broken)?;
+    for (row, record) in rows.iter().enumerate() {
         let cell = record.get(index).unwrap_or("");
         match cell.parse::<f64>() {
             Ok(value) if value.is_finite() => values.push(value),
             _ => {
-                let line = record
-                    .position()
-                    .map_or(0, |position| position.line() as usize);
                 return Err(InputError::value(name, cell, "a finite number")
-                    .at(place.line(line).row(row + 1)));
+                    .at(csv_rows::place(&place, row, record)));
             }
         }
     }

@@ -1,15 +1,14 @@
 use std::convert::Infallible;
-use std::path::Path;
 
 use super::*;
 use crate::boundary::Transition;
 use crate::sweep_file::Job;
+use crate::sweep_file::tests::figure_4_09;
 use futures::executor::block_on;
 
 #[test]
 fn scales_are_magnitudes_but_of_angles() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-    let vehicle = Sweep::read(Path::new(path)).unwrap().vehicle.vehicle;
+    let vehicle = figure_4_09().vehicle.vehicle;
     let scale = |name: &str, value| scale(&Parameter::named(name, 3).unwrap(), value, &vehicle);
     assert_eq!(scale("friction", 0.8), Some(0.8));
     assert_eq!(scale("friction", 0.0), None);
@@ -33,8 +32,7 @@ type Landed = fn(f64, f64) -> Class;
 
 /// The dependence on friction, where it is 1, of a boundary at which landings end so.
 fn dependence_on_friction(landed: Landed, certainty: Certainty) -> Slope {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-    let mut sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
+    let mut sweep = figure_4_09();
     sweep.sensitivity = vec![Parameter::named("friction", 3).unwrap()];
     let case = sweep.case(0).unwrap();
     let Job::Boundary(search) = case.job else {

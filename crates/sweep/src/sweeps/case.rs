@@ -3,9 +3,9 @@
 //! Values are written into the documents as they were read, and what changed is read again: every
 //! check applies to every point.
 
-use std::fmt;
 use std::sync::Arc;
 
+use thiserror::Error;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -32,26 +32,19 @@ pub struct Case {
 }
 
 /// Why a point has no valid input.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum CaseFault {
     /// A condition of the scene is missing or not allowed.
+    #[error(transparent)]
     Scene(SceneFault),
     /// Something in another part of the input.
+    #[error("{error}")]
     Input {
         /// The part.
         part: Home,
         /// What is wrong in it.
         error: InputError,
     },
-}
-
-impl fmt::Display for CaseFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Scene(fault) => write!(f, "{}: expected {}", fault.name, fault.allowed),
-            Self::Input { error, .. } => error.fmt(f),
-        }
-    }
 }
 
 impl Sweep {

@@ -1,29 +1,21 @@
 //! The touchdowns by which run time and error are measured: level, on a slope of 15 deg, 14 ft/s
 //! down.
 
-use touchdown_dynamics::attitude::{Attitude, Euler};
-use touchdown_dynamics::invalid::Invalid;
-use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::scene::Scene;
+
+use crate::scene_input::{HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
 
 /// A level touchdown at cross-slope and roll (deg) and horizontal velocity (ft/s).
-fn level(cross_slope: f64, roll: f64, horizontal_velocity: f64) -> Result<Scene, Invalid> {
-    Scene::new(Conditions {
-        vertical_velocity: 14.0,
-        horizontal_velocity,
-        cross_slope: cross_slope.to_radians(),
-        attitude: Attitude::from_euler(Euler {
-            pitch: 0.0,
-            yaw: 0.0,
-            roll: roll.to_radians(),
-        }),
-        angular_velocity: [0.0; 3],
-        slope: 15f64.to_radians(),
-        pad_friction: 1.0,
-        block_friction: 1.0,
-        ground: touchdown_dynamics::ground::Ground::default(),
-        gravity: None,
-        thrust: touchdown_dynamics::thrust::Thrust::default(),
-    })
+fn level(cross_slope: f64, roll: f64, horizontal_velocity: f64) -> Result<Scene, SceneFault> {
+    let conditions = [
+        ("vertical_velocity_fps", 14.0),
+        (HORIZONTAL_VELOCITY, horizontal_velocity),
+        ("cross_slope_deg", cross_slope),
+        ("roll_deg", roll),
+        ("slope_deg", 15.0),
+        ("friction", 1.0),
+    ];
+    NamedConditions::of(conditions).scene()
 }
 
 /// Forty landings (ten when quick) around the toppling boundary: cross-slopes 180 to 160 deg,
@@ -31,7 +23,7 @@ fn level(cross_slope: f64, roll: f64, horizontal_velocity: f64) -> Result<Scene,
 ///
 /// # Errors
 /// Never: all conditions lie in their ranges.
-pub fn near_boundary(quick: bool) -> Result<Vec<Scene>, Invalid> {
+pub fn near_boundary(quick: bool) -> Result<Vec<Scene>, SceneFault> {
     (0..40)
         .step_by(if quick { 4 } else { 1 })
         .map(|k| {
@@ -49,7 +41,7 @@ pub fn near_boundary(quick: bool) -> Result<Vec<Scene>, Invalid> {
 ///
 /// # Errors
 /// Never: all conditions lie in their ranges.
-pub fn level_grid(quick: bool) -> Result<Vec<Scene>, Invalid> {
+pub fn level_grid(quick: bool) -> Result<Vec<Scene>, SceneFault> {
     const QUICK: [(i32, i32); 5] = [(18, 0), (18, -2), (17, -1), (16, 1), (13, -2)];
     let points = (8..=18).flat_map(|cross| (-6..=6).map(move |roll| (cross, roll)));
     points

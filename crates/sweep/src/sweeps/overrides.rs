@@ -143,15 +143,14 @@ impl Sweep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::Path;
+    use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::scene::CrushRule;
 
     use crate::boundary::Extent;
 
     #[test]
     fn words_given_instead_hold_and_may_not_vary() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
-        let sweep: Sweep = Sweep::read(Path::new(path)).unwrap();
+        let sweep = figure_4_09();
         let word = |key: &str, word: &str| (key.to_owned(), word.to_owned());
         let mut overrides = Overrides {
             words: vec![

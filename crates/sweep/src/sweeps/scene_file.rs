@@ -18,6 +18,7 @@ use crate::scene_input::{self, NamedConditions, SceneFault};
 use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::settings_input;
+use crate::spelling::did_you_mean;
 use crate::sweep_file::{locate_condition, named_vehicle};
 use crate::vehicle_file::{self, VehicleFile};
 
@@ -177,8 +178,7 @@ impl<'d> Changes<'d> {
                 let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
                 InputError::value(parameter.name(), &found.node.written, &allowed)
             }
-            (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
-            (None, _) => InputError::missing(fault.name, &fault.allowed),
+            _ => fault.error(),
         };
         self.complain(error, said.map(|(_, found)| found))
     }
@@ -192,10 +192,7 @@ impl<'d> Changes<'d> {
 fn unknown(name: &str, legs: usize) -> String {
     let mut alike = Parameter::nearest(name, legs);
     alike.retain(|name| !name.starts_with("search."));
-    let guess = match alike.as_slice() {
-        [] => String::new(),
-        names => format!("did you mean {}? ", names.join(" or ")),
-    };
+    let guess = did_you_mean(&alike);
     format!(
         "unknown key of a case; {guess}expected name, vehicle, a key of the scene, or a dotted key of the vehicle or \
          the solver, such as vehicle.strut.compression_damping"

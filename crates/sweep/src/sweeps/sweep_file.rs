@@ -5,6 +5,7 @@ use std::path::Path;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 
 use crate::axis_input::{self, AxisEntry};
+use crate::choice::choice;
 pub use crate::sweep::{Job, Sweep};
 
 use crate::case::CaseFault;
@@ -152,21 +153,19 @@ pub(crate) fn named_vehicle(
 }
 
 /// The job by its word.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum JobWord {
+    #[default]
     Boundary,
     Outcome,
 }
 
 fn asked(root: &Section) -> Result<JobWord, InputError> {
-    let Some(found) = root.optional("job") else {
-        return Ok(JobWord::Boundary);
-    };
-    match found.text()? {
-        "boundary" => Ok(JobWord::Boundary),
-        "outcome" => Ok(JobWord::Outcome),
-        _ => Err(found.complain("\"boundary\" or \"outcome\"")),
-    }
+    let jobs = [
+        ("boundary", JobWord::Boundary),
+        ("outcome", JobWord::Outcome),
+    ];
+    choice(root, "job", &jobs)
 }
 
 /// Checks that nothing is said twice or to no purpose.
@@ -310,4 +309,4 @@ pub(crate) fn locate_condition(
 
 #[cfg(test)]
 #[path = "sweep_file_tests.rs"]
-mod tests;
+pub(crate) mod tests;

@@ -6,6 +6,12 @@ use touchdown_dynamics::scene::CrushRule;
 const FIGURE: &str = include_str!("../../../../sweeps/figure-4-09.toml");
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
+/// The sweep of Figure 4-9, as it comes with the program.
+pub(crate) fn figure_4_09() -> Sweep {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
+    Sweep::read(Path::new(path)).unwrap()
+}
+
 fn read(text: &str) -> Result<Sweep, InputError> {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("vehicles")).unwrap();

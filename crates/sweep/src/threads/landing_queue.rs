@@ -182,21 +182,16 @@ impl Drop for CloseOnDrop<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
 
     use touchdown_dynamics::scene::CrushRule;
 
     use super::*;
     use crate::measured_scenes::near_boundary;
-    use crate::vehicle_file::VehicleFile;
+    use crate::vehicle_file::tests::surveyor;
 
     /// Requests a landing without waiting for it.
     fn ask(queue: &LandingQueue, search: usize) {
-        let file = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../sweeps/vehicles/surveyor-table-4-1.toml"
-        );
-        let vehicle = VehicleFile::read(Path::new(file)).unwrap().vehicle;
+        let vehicle = surveyor().vehicle;
         let scene = near_boundary(false).unwrap()[0];
         let settings = Settings::new(3e-4, 0.05, CrushRule::default()).unwrap();
         let (sender, _) = oneshot::channel();

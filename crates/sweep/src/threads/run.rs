@@ -7,7 +7,6 @@
 mod cases;
 mod points;
 
-use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Poll, ready};
@@ -15,6 +14,7 @@ use std::task::{Poll, ready};
 use futures::executor::block_on;
 use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
+use thiserror::Error;
 
 use crate::case::CaseFault;
 use crate::journal::JournalError;
@@ -44,11 +44,13 @@ pub trait Observer: Sync {
 impl Observer for () {}
 
 /// Why a run has no result.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum RunError {
     /// It was told to stop.
+    #[error("cancelled")]
     Cancelled,
     /// A point of the grid has no valid input.
+    #[error("the point {place} has no valid input: {fault}")]
     Point {
         /// Its coordinates in words.
         place: String,
@@ -56,8 +58,12 @@ pub enum RunError {
         fault: CaseFault,
     },
     /// Results could not be kept.
+    #[error(transparent)]
     Journal(JournalError),
     /// More threads were asked for than a machine with so many cores is allowed.
+    #[error(
+        "threads = {asked}: expected 1 to {most} on this machine; results do not depend on them"
+    )]
     TooManyThreads {
         /// Threads asked for.
         asked: usize,
@@ -65,27 +71,9 @@ pub enum RunError {
         most: usize,
     },
     /// The threads could not be started.
+    #[error("threads cannot be started: {0}")]
     Threads(rayon::ThreadPoolBuildError),
 }
-
-impl fmt::Display for RunError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Cancelled => f.write_str("cancelled"),
-            Self::Point { place, fault } => {
-                write!(f, "the point {place} has no valid input: {fault}")
-            }
-            Self::Journal(error) => error.fmt(f),
-            Self::TooManyThreads { asked, most } => write!(
-                f,
-                "threads = {asked}: expected 1 to {most} on this machine; results do not depend on them"
-            ),
-            Self::Threads(error) => write!(f, "threads cannot be started: {error}"),
-        }
-    }
-}
-
-impl std::error::Error for RunError {}
 
 /// The threads that compute landings.
 #[derive(Debug)]
@@ -184,7 +172,6 @@ impl<'c> Stop<'c> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
     use std::sync::Arc;
     use std::sync::atomic::AtomicUsize;
 
@@ -196,7 +183,7 @@ mod tests {
 
     use super::*;
     use crate::measured_scenes::near_boundary;
-    use crate::vehicle_file::VehicleFile;
+    use crate::vehicle_file::tests::surveyor;
 
     fn workers(threads: usize) -> Workers {
         Workers::start(NonZeroUsize::new(threads)).unwrap()
@@ -204,11 +191,7 @@ mod tests {
 
     /// The vehicle, scenes and settings of short landings.
     fn short_landings() -> (Arc<Vehicle>, Vec<Scene>, Settings) {
-        let file = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../sweeps/vehicles/surveyor-table-4-1.toml"
-        );
-        let vehicle = VehicleFile::read(Path::new(file)).unwrap().vehicle;
+        let vehicle = surveyor().vehicle;
         let settings = Settings::new(3e-4, 0.3, CrushRule::default()).unwrap();
         (Arc::new(vehicle), near_boundary(false).unwrap(), settings)
     }

@@ -142,10 +142,10 @@ pub struct Options {
 /// Runs `land`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let (Some(scene), Some(out)) = (&options.scene, &options.out) {
-        let units = options.units.given();
+        let units = options.units.given;
         return scene_cases::run(scene, out, options.interval, options.overwrite, units);
     }
-    let units = options.units.given().unwrap_or_default();
+    let units = options.units.given.unwrap_or_default();
     let settings = options.solver.settings()?;
     let Some(vehicle_path) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());
@@ -215,17 +215,15 @@ fn land_once(
     let history_place = options.history.as_deref().map(place_of).transpose()?;
 
     let mut history = History::new(units);
-    let mut written = Ok(());
     let mut observe = |instant: &Instant| {
-        if history_place.is_some() && written.is_ok() {
-            written = history.add(instant);
+        if history_place.is_some() {
+            history.add(instant);
         }
     };
     let (landing, integration) =
         land_with_summary(&vehicle.vehicle, &scene, settings, interval, &mut observe);
 
     if let Some((folder, name)) = history_place {
-        written.map_err(Failure::running)?;
         let table = history.table().map_err(Failure::running)?;
         folder.write_files(&[(name, table)])?;
     }

@@ -1,8 +1,8 @@
 //! The report of one landing as text.
 
-use touchdown_dynamics::landing::{Landing, LegWork};
+use touchdown_dynamics::landing::LegWork;
 use touchdown_sweep::choice::word;
-use touchdown_sweep::landing_report::LandingReport;
+use touchdown_sweep::landing_report::{LandingReport, verdict_time};
 use touchdown_sweep::landing_table::why;
 use touchdown_sweep::method_input::method_words;
 use touchdown_sweep::parameter::Home;
@@ -113,12 +113,6 @@ pub fn text(report: &LandingReport) -> String {
         ),
     );
     lines.0 + &integration_report::text(report.integration, legs)
-}
-
-/// When the verdict fell, s.
-fn verdict_time(landing: &Landing) -> f64 {
-    let beyond = landing.beyond.as_ref();
-    beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }
 
 /// Lines of a name and what belongs to it.

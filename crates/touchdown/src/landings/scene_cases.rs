@@ -70,15 +70,9 @@ pub fn run(
 
 fn land(case: &SceneCase, seconds: f64, units: OutputUnits) -> Result<(Landing, Vec<u8>), Failure> {
     let mut history = History::new(units);
-    let mut written = Ok(());
     let (vehicle, scene) = (&case.vehicle.vehicle, &case.scene);
-    let mut observe = |instant: &Instant| {
-        if written.is_ok() {
-            written = history.add(instant);
-        }
-    };
+    let mut observe = |instant: &Instant| history.add(instant);
     let (landing, _) = land_with_summary(vehicle, scene, &case.settings, seconds, &mut observe);
-    written.map_err(Failure::running)?;
     Ok((landing, history.table().map_err(Failure::running)?))
 }
 
@@ -108,17 +102,5 @@ fn text(cases: &[SceneCase], landings: &[Landing], units: OutputUnits) -> String
             method_words(&case.settings.method(), case.settings.tolerance()),
         ]);
     }
-    let width = |column: usize| {
-        let cells = lines.iter().map(|line| line[column].chars().count());
-        cells.max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..heading.len()).map(width).collect();
-    let line = |cells: &[String; 7]| {
-        let padded = cells
-            .iter()
-            .zip(&widths)
-            .map(|(cell, width)| format!("{cell:<width$}"));
-        format!("{}\n", padded.collect::<Vec<_>>().join("  ").trim_end())
-    };
-    lines.iter().map(line).collect()
+    summary::columns(&lines, &[])
 }

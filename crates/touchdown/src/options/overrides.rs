@@ -2,17 +2,18 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use touchdown_dynamics::scene::CrushRule;
 use touchdown_sweep::assignment::Assignment;
-use touchdown_sweep::choice;
+use touchdown_sweep::choice::word;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::settings_input::CRUSH_RULES;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
-use crate::solver_options::rule;
+use crate::solver_options::choice;
 use crate::units::UnitsOption;
 
 /// What replaces the values of the sweep files.
@@ -26,17 +27,20 @@ pub struct OverrideOptions {
     #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse)]
     set: Vec<Assignment>,
     /// Crush rule: "pivot-rate" or "section"
-    #[arg(long, value_name = "RULE", value_parser = rule)]
+    #[arg(long, value_name = "RULE", value_parser = choice(&CRUSH_RULES))]
     crush_rule: Option<CrushRule>,
     /// Find the first transition, or every band of the range
-    #[arg(long, value_name = "BANDS")]
-    bands: Option<Bands>,
+    #[arg(long, value_name = "BANDS", value_parser = words([
+        ("first", "Up to the first transition"), ("all", "The whole range")]))]
+    bands: Option<String>,
     /// Land at every step of the scan, or skip steps between quiet landings
-    #[arg(long, value_name = "SCAN")]
-    scan: Option<ScanName>,
+    #[arg(long, value_name = "SCAN", value_parser = words([
+        ("full", "Every step"), ("skipping", "Without the steps between quiet landings")]))]
+    scan: Option<String>,
     /// Narrow brackets by interpolating margins or by halving
-    #[arg(long, value_name = "HOW")]
-    refinement: Option<RefinementName>,
+    #[arg(long, value_name = "HOW", value_parser = words([
+        ("margin", "Interpolation of margins"), ("bisection", "Halving")]))]
+    refinement: Option<String>,
     /// Parameters, by their dotted names and separated by commas, for which dV_H/dp is computed at every
     /// point; with a tornado chart
     #[arg(long, value_name = "PARAMETERS", value_delimiter = ',')]
@@ -45,31 +49,11 @@ pub struct OverrideOptions {
     units: UnitsOption,
 }
 
-/// Extents of a search by name.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum Bands {
-    /// Up to the first transition
-    First,
-    /// The whole range
-    All,
-}
-
-/// Scans by name.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum ScanName {
-    /// Every step
-    Full,
-    /// Without the steps between quiet landings
-    Skipping,
-}
-
-/// Ways to narrow brackets by name.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum RefinementName {
-    /// Interpolation of margins
-    Margin,
-    /// Halving
-    Bisection,
+/// Words of sweep files, each with its meaning.
+fn words<const COUNT: usize>(words: [(&'static str, &'static str); COUNT]) -> PossibleValuesParser {
+    words
+        .map(|(word, meaning)| PossibleValue::new(word).help(meaning))
+        .into()
 }
 
 impl OverrideOptions {
@@ -81,12 +65,12 @@ impl OverrideOptions {
         let vehicle = self.vehicle.as_deref().map(VehicleFile::read).transpose()?;
         let rule = self
             .crush_rule
-            .map(|rule| choice::word(&CRUSH_RULES, rule).to_owned());
+            .map(|rule| word(&CRUSH_RULES, rule).to_owned());
         let words = [
             ("solver.crush_rule", rule),
-            ("search.bands", self.bands.and_then(word)),
-            ("search.scan", self.scan.and_then(word)),
-            ("search.refinement", self.refinement.and_then(word)),
+            ("search.bands", self.bands.clone()),
+            ("search.scan", self.scan.clone()),
+            ("search.refinement", self.refinement.clone()),
         ];
         let given = |(key, word): (&str, Option<String>)| Some((key.to_owned(), word?));
         let overrides = Overrides {
@@ -94,16 +78,11 @@ impl OverrideOptions {
             set: self.set.clone(),
             words: words.into_iter().filter_map(given).collect(),
             sensitivity: self.sensitivity.clone(),
-            units: self.units.given(),
+            units: self.units.given,
         };
         sweeps
             .into_iter()
             .map(|sweep| sweep.with(&overrides))
             .collect()
     }
-}
-
-/// The word of an option's value, which sweep files use too.
-fn word(value: impl ValueEnum) -> Option<String> {
-    Some(value.to_possible_value()?.get_name().to_owned())
 }

@@ -19,14 +19,14 @@ use crate::touchdown_options::finite;
 pub struct SolverOptions {
     /// When an element may crush further: "pivot-rate" (as in the program of 1966), only while its pivot
     /// moves into the ground; "section", whenever it goes deeper than before
-    #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = rule)]
+    #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = choice(&CRUSH_RULES))]
     crush_rule: CrushRule,
     /// When motion counts as subsided: within the "limits" of the program of 1966, made for the Surveyor; "energy", once the
     /// vehicle has had less than half of the energy that toppling takes for a while
-    #[arg(long, value_name = "RULE", default_value = "limits", value_parser = rest)]
+    #[arg(long, value_name = "RULE", default_value = "limits", value_parser = choice(&REST_RULES))]
     rest_rule: RestRule,
     /// How friction sets in near rest (4.1.5 of the report): A, B or C, as in the 1966 program
-    #[arg(long, value_name = "PROFILE", default_value = "C", value_parser = profile)]
+    #[arg(long, value_name = "PROFILE", default_value = "C", value_parser = choice(&FRICTION_PROFILES))]
     friction_profile: FrictionProfile,
     /// Integration method. "located" finds every change of a law in time; the others are those of 1966:
     /// "report" is the report's own step doubling, the rest are the methods it was compared with
@@ -51,30 +51,16 @@ pub struct SolverOptions {
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     time_limit: Option<f64>,
     /// When a landing ends: at its "verdict", or at the "time" limit, its first verdict noted, to see what comes after
-    #[arg(long, value_name = "WHEN", default_value = "verdict", value_parser = stop)]
+    #[arg(long, value_name = "WHEN", default_value = "verdict", value_parser = choice(&STOPS))]
     stop: Stop,
 }
 
 /// The choice that a word stands for.
-fn read<T: Copy>(choices: &[(&'static str, T)], word: &str) -> Result<T, String> {
-    chosen(choices, word).ok_or_else(|| format!("expected {}", words(choices).join(" or ")))
-}
-
-/// The crush rule of a name.
-pub fn rule(name: &str) -> Result<CrushRule, String> {
-    read(&CRUSH_RULES, name)
-}
-
-fn rest(name: &str) -> Result<RestRule, String> {
-    read(&REST_RULES, name)
-}
-
-fn profile(name: &str) -> Result<FrictionProfile, String> {
-    read(&FRICTION_PROFILES, name)
-}
-
-fn stop(name: &str) -> Result<Stop, String> {
-    read(&STOPS, name)
+pub fn choice<T: Copy + Send + Sync>(
+    choices: &'static [(&'static str, T)],
+) -> impl Fn(&str) -> Result<T, String> + Clone {
+    let expected = || format!("expected {}", words(choices).join(" or "));
+    move |word| chosen(choices, word).ok_or_else(expected)
 }
 
 impl SolverOptions {

@@ -87,12 +87,9 @@ impl TouchdownOptions {
             ("angular_velocity_y_dps", y),
             ("angular_velocity_z_dps", z),
         ];
-        let mut conditions = NamedConditions::default();
-        for (name, value) in given {
-            if let Some(value) = value {
-                conditions.set(name, value);
-            }
-        }
+        let given = given.into_iter();
+        let mut conditions =
+            NamedConditions::of(given.filter_map(|(name, value)| Some((name, value?))));
         for (parameter, value) in self.in_si() {
             conditions.set(parameter.program_name(), parameter.to_program(value));
         }

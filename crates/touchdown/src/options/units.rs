@@ -1,17 +1,19 @@
 //! Units of what a command writes and prints.
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use touchdown_sweep::output_units::OutputUnits;
 
 /// Units by name.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub enum Units {
-    /// Foot, slug, pound and degree
-    #[value(name = "US")]
-    Us,
-    /// Metre, kilogram and newton
-    #[value(name = "SI")]
-    Si,
+pub fn units() -> impl TypedValueParser<Value = OutputUnits> {
+    let known = [
+        PossibleValue::new("US").help("Foot, slug, pound and degree"),
+        PossibleValue::new("SI").help("Metre, kilogram and newton"),
+    ];
+    PossibleValuesParser::new(known).map(|name| {
+        // One of the two, in letters of either case.
+        OutputUnits::named(&name.to_uppercase()).unwrap_or_default()
+    })
 }
 
 /// The option of commands that write and print results.
@@ -20,21 +22,12 @@ pub struct UnitsOption {
     /// Units of what is written and printed; angles are in degrees in both [default: those of the input file, or
     /// else US]
     #[arg(
-        long,
-        value_enum,
+        id = "units",
+        long = "units",
+        value_parser = units(),
         value_name = "UNITS",
         ignore_case = true,
         help_heading = "Output"
     )]
-    units: Option<Units>,
-}
-
-impl UnitsOption {
-    /// The units, if they are given.
-    pub fn given(&self) -> Option<OutputUnits> {
-        self.units.map(|units| match units {
-            Units::Us => OutputUnits::Us,
-            Units::Si => OutputUnits::Si,
-        })
-    }
+    pub given: Option<OutputUnits>,
 }

@@ -9,10 +9,11 @@ use touchdown_figures::levels::Levels;
 use touchdown_figures::picture::{self, Choices, Picture, Source};
 use touchdown_figures::png;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::library::Library;
 
 use crate::failure::Failure;
-use crate::print::print;
+use crate::print::print_paths;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -111,9 +112,7 @@ struct Files {
 
 impl Files {
     fn read(path: &Path) -> Result<Self, InputError> {
-        let table = fs::read_to_string(path).map_err(|error| {
-            InputError::other(format!("cannot be read: {error}")).at(Place::file(path))
-        })?;
+        let table = Library::Disk.text(path)?;
         let name = stem(path);
         let beside = |name: String| fs::read_to_string(path.with_file_name(name)).ok();
         // Tables beside that of the points have the record of their sweep.
@@ -145,7 +144,7 @@ impl Files {
     }
 
     fn refuse(&self, complaint: &impl ToString) -> InputError {
-        InputError::other(complaint.to_string()).at(Place::file(&self.path))
+        InputError::in_file(&self.path, complaint.to_string())
     }
 }
 
@@ -153,7 +152,7 @@ impl Files {
 fn overlay(tables: &[Files], out: &Path, choices: &Choices) -> Result<Picture, InputError> {
     if !tables.iter().all(|files| picture::is_history(&files.table)) {
         let complaint = "--out names one picture: expected one table or several histories with it";
-        return Err(InputError::other(complaint).at(Place::file(out)));
+        return Err(InputError::in_file(out, complaint));
     }
     let mut sources: Vec<Source> = tables.iter().map(Files::source).collect();
     // Files of one name are told apart by their folders.
@@ -173,16 +172,13 @@ fn overlay(tables: &[Files], out: &Path, choices: &Choices) -> Result<Picture, I
             .map_err(|error| files.refuse(&error))?;
     }
     let svg = picture::overlay(&sources, choices)
-        .map_err(|error| InputError::other(error.to_string()).at(Place::file(out)))?;
+        .map_err(|error| InputError::in_file(out, error.to_string()))?;
     Ok(Picture { suffix: "", svg })
 }
 
 fn write(place: &Path, pictures: &[Picture], forms: &[Form]) -> Result<(), Failure> {
-    let files = Folder::of(place)?.write_files(&files(&stem(place), pictures, forms)?)?;
-    for file in files {
-        print(&format!("{}\n", file.display()))?;
-    }
-    Ok(())
+    let files = files(&stem(place), pictures, forms)?;
+    print_paths(&Folder::of(place)?.write_files(&files)?)
 }
 
 /// Pictures of a table as SVG and PNG, by name.
@@ -214,10 +210,10 @@ fn form_of(out: &Path) -> Result<Form, InputError> {
     match out.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => Ok(Form::Svg),
         Some("png") => Ok(Form::Png),
-        _ => Err(InputError::other(
+        _ => Err(InputError::in_file(
+            out,
             "is not the name of a picture: expected one that ends in .svg or .png",
-        )
-        .at(Place::file(out))),
+        )),
     }
 }
 

@@ -5,12 +5,12 @@ use std::fmt::Write;
 
 use touchdown_dynamics::land::land_observed;
 use touchdown_dynamics::landing::{Instant, Landing};
-use touchdown_dynamics::scene::{CrushRule, Settings};
+use touchdown_dynamics::scene::Settings;
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_sweep::scene_input::NamedConditions;
 
 use super::answer::{signed, speed};
 use super::results::Results;
+use super::special::runs::scene;
 use crate::failure::Failure;
 
 /// Table 4-3 of the report.
@@ -74,19 +74,8 @@ impl LandingRun {
 }
 
 fn compute(vehicle: &Vehicle, conditions: &[(&str, f64)]) -> Result<LandingRun, Failure> {
-    let mut named = NamedConditions::default();
-    for (name, value) in COMMON.iter().chain(conditions) {
-        named.set(name, *value);
-    }
-    let scene = named
-        .scene()
-        .map_err(|fault| Failure::running(format!("{}: {}", fault.name, fault.allowed)))?;
-    let settings = Settings::new(
-        Settings::DEFAULT_TOLERANCE,
-        Settings::DEFAULT_TIME_LIMIT,
-        CrushRule::default(),
-    )
-    .map_err(|invalid| Failure::running(invalid.allowed))?;
+    let scene = scene(COMMON.iter().chain(conditions).copied())?;
+    let settings = Settings::default();
     let mut moments = Vec::new();
     let mut observe = |instant: &Instant| moments.push(moment(instant));
     let landing = land_observed(vehicle, &scene, &settings, INTERVAL, &mut observe);

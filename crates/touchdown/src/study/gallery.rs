@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::library::Library;
 
 use super::results::Results;
 
@@ -66,26 +67,17 @@ fn is_of(name: &str, stem: &str) -> bool {
 }
 
 fn names(folder: &Path) -> Result<Vec<String>, InputError> {
-    let refuse = |error: std::io::Error| {
-        InputError::other(format!("cannot be read: {error}")).at(Place::file(folder))
-    };
+    let refuse = |error: std::io::Error| InputError::unreadable(folder, error);
     let mut names = Vec::new();
     for entry in fs::read_dir(folder).map_err(refuse)? {
-        names.push(
-            entry
-                .map_err(refuse)?
-                .file_name()
-                .to_string_lossy()
-                .into_owned(),
-        );
+        let name = entry.map_err(refuse)?.file_name();
+        names.push(name.to_string_lossy().into_owned());
     }
     names.sort();
     Ok(names)
 }
 
 fn read(file: &Path) -> Result<Value, InputError> {
-    let refuse = |complaint: String| InputError::other(complaint).at(Place::file(file));
-    let text =
-        fs::read_to_string(file).map_err(|error| refuse(format!("cannot be read: {error}")))?;
-    serde_json::from_str(&text).map_err(|error| refuse(format!("no record of a sweep: {error}")))
+    serde_json::from_str(&Library::Disk.text(file)?)
+        .map_err(|error| InputError::in_file(file, format!("no record of a sweep: {error}")))
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use touchdown_figures::bands_table::BandsTable;
 use touchdown_figures::boundary_table::{BoundaryTable, Kind, Transition};
 use touchdown_figures::figure_error::FigureError;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 
 /// A folder with the results of sweeps.
 pub struct Results {
@@ -52,14 +52,11 @@ impl Results {
 }
 
 fn read<T>(file: &Path, parse: impl Fn(&str) -> Result<T, FigureError>) -> Result<T, InputError> {
-    let refuse = |complaint: String| InputError::other(complaint).at(Place::file(file));
     let text = fs::read_to_string(file).map_err(|error| {
-        refuse(format!(
-            "cannot be read: {error}; expected results of the sweeps that `touchdown study \
-             --help` names"
-        ))
+        let expected = "expected results of the sweeps that `touchdown study --help` names";
+        InputError::unreadable(file, format!("{error}; {expected}"))
     })?;
-    parse(&text).map_err(|error| refuse(error.to_string()))
+    parse(&text).map_err(|error| InputError::in_file(file, error.to_string()))
 }
 
 impl Transitions {
@@ -75,9 +72,9 @@ impl Transitions {
     /// When the grid has no such point.
     pub fn at(&self, place: &[f64]) -> Result<Option<Transition>, InputError> {
         let point = self.points().find(|(coordinates, _)| *coordinates == place);
-        point.map(|(_, transition)| transition).ok_or_else(|| {
-            InputError::other(format!("has no point {place:?}")).at(Place::file(&self.file))
-        })
+        point
+            .map(|(_, transition)| transition)
+            .ok_or_else(|| InputError::in_file(&self.file, format!("has no point {place:?}")))
     }
 
     /// The point with the lowest transition.
@@ -88,7 +85,7 @@ impl Transitions {
         self.points()
             .filter_map(|(place, transition)| Some((place, transition?.speed)))
             .min_by(|(_, a), (_, b)| a.total_cmp(b))
-            .ok_or_else(|| InputError::other("has no transition").at(Place::file(&self.file)))
+            .ok_or_else(|| InputError::in_file(&self.file, "has no transition"))
     }
 }
 

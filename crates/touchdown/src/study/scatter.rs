@@ -11,13 +11,12 @@ use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::boundary_table::Kind;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::run::Workers;
-use touchdown_sweep::scene_input::NamedConditions;
 
 use super::answer::signed;
 use super::results::Results;
-use super::special::runs::{control, first_intervals, settings};
+use super::special::runs::{self, control, first_intervals, settings};
 use crate::failure::Failure;
 use crate::interrupt;
 
@@ -46,7 +45,6 @@ struct Point {
 }
 
 fn scene(conditions: &[(&str, f64)]) -> Result<Scene, Failure> {
-    let mut named = NamedConditions::default();
     let common = [
         ("vertical_velocity_fps", 14.0),
         ("horizontal_velocity_fps", 0.0),
@@ -54,12 +52,7 @@ fn scene(conditions: &[(&str, f64)]) -> Result<Scene, Failure> {
         ("slope_deg", 15.0),
         ("friction", 1.0),
     ];
-    for (name, value) in common.iter().chain(conditions) {
-        named.set(name, *value);
-    }
-    named
-        .scene()
-        .map_err(|fault| Failure::running(format!("{}: {}", fault.name, fault.allowed)))
+    runs::scene(common.iter().chain(conditions).copied())
 }
 
 fn points(results: &Results) -> Result<Vec<Point>, Failure> {
@@ -113,7 +106,7 @@ pub fn table(
             let speed = ((point.converged / STEP).round() + f64::from(step)) * STEP;
             let speed = (speed * 1e6).round() / 1e6;
             let faster = point.scene.with_horizontal_velocity(speed);
-            scenes.push(faster.map_err(|invalid| Failure::running(invalid.allowed))?);
+            scenes.push(faster.map_err(Failure::running)?);
             rows.push((point, speed, 0));
         }
     }
@@ -122,7 +115,7 @@ pub fn table(
     let cancel = interrupt::flag()?;
     for first in first_intervals(RUNS) {
         let control = control(ErrorLimits::default(), first, LEAST_INTERVAL)?;
-        let settings = settings(Method::Report(control))?;
+        let settings = settings(Method::Report(control));
         let request = |key: usize| Request {
             key,
             vehicle: Arc::clone(&vehicle),
@@ -155,7 +148,7 @@ struct Row {
 
 fn read(results: &Results) -> Result<Vec<Row>, InputError> {
     let file = results.folder().join(TABLE);
-    let refuse = |complaint: String| InputError::other(complaint).at(Place::file(&file));
+    let refuse = |complaint: String| InputError::in_file(&file, complaint);
     let text = std::fs::read_to_string(&file).map_err(|error| {
         refuse(format!(
             "cannot be read: {error}; expected what `touchdown study scatter` writes"

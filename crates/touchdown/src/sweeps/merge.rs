@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::{Access, InOrder};
 use touchdown_sweep::journal_files;
 use touchdown_sweep::merge::{Shards, by_sweep};
@@ -57,14 +57,12 @@ pub struct Options {
 
 /// Runs `merge`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let refuse = |complaint: String| {
-        Failure::from(InputError::other(complaint).at(Place::file(&options.folder)))
-    };
+    let refuse = |complaint| Failure::from(InputError::in_file(&options.folder, complaint));
     let journals = journal_files::in_folder(&options.folder)
-        .map_err(|error| refuse(format!("cannot be read: {error}")))?;
+        .map_err(|error| InputError::unreadable(&options.folder, error))?;
     if journals.is_empty() {
         return Err(refuse(
-            "has no journals: expected at least one file *.journal".to_owned(),
+            "has no journals: expected at least one file *.journal",
         ));
     }
     let access = match options.partial {
@@ -73,7 +71,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     };
     let sweeps = by_sweep(&journals, access)?;
     if sweeps.is_empty() {
-        return Err(refuse("has no journals of sweeps".to_owned()));
+        return Err(refuse("has no journals of sweeps"));
     }
     let folder = Folder::open(options.out.as_ref().unwrap_or(&options.folder))?;
     let mut told = String::new();
@@ -97,7 +95,7 @@ fn merge(shards: Shards, folder: &Folder, options: &Options) -> Result<String, F
     let Some(mut sweep) = header.sweep()? else {
         return Ok(String::new());
     };
-    sweep.units = options.units.given().unwrap_or(sweep.units);
+    sweep.units = options.units.given.unwrap_or(sweep.units);
     let mut points = header.points;
     let mut results = InOrder::new(journals, points, &folder.path("."))?;
     let missing = match sweep.map() {

@@ -66,25 +66,9 @@ impl Line {
 pub fn table(lines: &[Line], wall_time: Duration, out: &Path, units: OutputUnits) -> String {
     let unit = units.quantity(SPEED).unit();
     let heading = HEADING.map(|name| name.replace("UNIT", unit));
-    let rows: Vec<&[String; HEADING.len()]> = std::iter::once(&heading)
-        .chain(lines.iter().map(|line| &line.cells))
-        .collect();
-    let width = |column: usize| {
-        let widths = rows.iter().map(|row| row[column].chars().count());
-        widths.max().unwrap_or(0)
-    };
-    let mut text = String::new();
-    for row in &rows {
-        let cells = row.iter().enumerate().map(|(column, cell)| {
-            let width = width(column);
-            match column {
-                1 | 4 | 6 => format!("{cell:>width$}"),
-                _ => format!("{cell:<width$}"),
-            }
-        });
-        text += cells.collect::<Vec<_>>().join("  ").trim_end();
-        text.push('\n');
-    }
+    let mut rows = vec![heading];
+    rows.extend(lines.iter().map(|line| line.cells.clone()));
+    let mut text = summary::columns(&rows, &[1, 4, 6]);
     let landings: u64 = lines.iter().map(|line| line.landings).sum();
     let seconds = wall_time.as_secs_f64();
     let rate = landings as f64 / seconds.max(1e-9);

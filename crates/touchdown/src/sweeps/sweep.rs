@@ -8,7 +8,7 @@ use std::time::Instant;
 use clap::Args;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::header::Header;
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::{InOrder, Journal};
 use touchdown_sweep::journal_files;
 use touchdown_sweep::output_units::OutputUnits;
@@ -160,11 +160,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 fn check_budgets(sweeps: &[Sweep], shard: Shard) -> Result<(), InputError> {
     let has_budget = |sweep: &&Sweep| sweep.map().is_some_and(|map| map.rules.budget.is_some());
     match sweeps.iter().find(has_budget) {
-        Some(sweep) if shard != Shard::WHOLE => Err(InputError::other(
+        Some(sweep) if shard != Shard::WHOLE => Err(InputError::in_file(
+            &sweep.path,
             "map.budget_landings: a budget is shared out over the whole map, so that no shard of it can be computed \
              alone: allowed with --shard is map.error_fps without a budget",
-        )
-        .at(Place::file(&sweep.path))),
+        )),
         _ => Ok(()),
     }
 }
@@ -191,7 +191,7 @@ impl Night<'_> {
         let path = self.folder.path(&journal_files::name(&sweep.stem(), shard));
         if self.options.resume && !path.exists() {
             let complaint = "there is nothing to resume: run without --resume to begin";
-            return Err(InputError::other(complaint).at(Place::file(&path)).into());
+            return Err(InputError::in_file(&path, complaint).into());
         }
         let header = Header::new(sweep, env!("CARGO_PKG_VERSION"), shard)
             .map_err(|fault| Failure::running(format!("the first point: {fault}")))?;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use touchdown_sweep::input_error::{InputError, Place};
+use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::sweep_file::Sweep;
 
 /// Reads all sweeps before anything is run.
@@ -19,7 +19,7 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<Sweep>, InputError> {
                  after them",
                 other.path.display()
             );
-            return Err(InputError::other(complaint).at(Place::file(&file)));
+            return Err(InputError::in_file(&file, complaint));
         }
         sweeps.push(sweep);
     }
@@ -41,8 +41,7 @@ fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, InputError> {
 }
 
 fn sweep_files_in(folder: &Path) -> Result<Vec<PathBuf>, InputError> {
-    let refuse = |complaint: String| InputError::other(complaint).at(Place::file(folder));
-    let unreadable = |error: std::io::Error| refuse(format!("cannot be read: {error}"));
+    let unreadable = |error: std::io::Error| InputError::unreadable(folder, error);
     let mut found = Vec::new();
     for entry in folder.read_dir().map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
@@ -51,9 +50,8 @@ fn sweep_files_in(folder: &Path) -> Result<Vec<PathBuf>, InputError> {
         }
     }
     if found.is_empty() {
-        return Err(refuse(
-            "has no sweep files: expected at least one file *.toml".to_owned(),
-        ));
+        let complaint = "has no sweep files: expected at least one file *.toml";
+        return Err(InputError::in_file(folder, complaint));
     }
     found.sort();
     Ok(found)

@@ -1,6 +1,7 @@
 //! Printing to standard output, whose reader may have closed it.
 
 use std::io::{ErrorKind, Write, stdout};
+use std::path::PathBuf;
 
 use crate::failure::Failure;
 
@@ -14,4 +15,10 @@ pub fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Prints the paths of files, one a line.
+pub fn print_paths(files: &[PathBuf]) -> Result<(), Failure> {
+    let lines = files.iter().map(|file| format!("{}\n", file.display()));
+    print(&lines.collect::<String>())
 }

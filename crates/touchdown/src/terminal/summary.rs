@@ -296,6 +296,21 @@ fn cost(landings: u64, evaluations: u64, seconds: Option<f64>, threads: Option<u
     format!("{work}, {seconds:.2} s on {threads}: {rate:.0} landings/s\n")
 }
 
+/// Rows of cells in columns, those of the numbers in `right` flush right.
+pub fn columns<const COUNT: usize>(rows: &[[String; COUNT]], right: &[usize]) -> String {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
+    let widths: [usize; COUNT] = std::array::from_fn(|column| width(column).unwrap_or(0));
+    let line = |row: &[String; COUNT]| {
+        let cells = row.iter().zip(widths).enumerate();
+        let cells = cells.map(|(column, (cell, width))| match right.contains(&column) {
+            true => format!("{cell:>width$}"),
+            false => format!("{cell:<width$}"),
+        });
+        format!("{}\n", cells.collect::<Vec<_>>().join("  ").trim_end())
+    };
+    rows.iter().map(line).collect()
+}
+
 /// The files of a run.
 pub fn written(files: &[PathBuf]) -> String {
     let names: Vec<String> = files

@@ -102,7 +102,7 @@ impl<'v> Landings<'v> {
             .collect();
         for _ in 0..ROUNDS {
             for (&tolerance, least) in tolerances.iter().zip(&mut least) {
-                let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
+                let settings = settings(tolerance)?;
                 for (scene, least) in self.scenes.iter().zip(&mut least.alone) {
                     let clock = Clock::now();
                     black_box(land(self.vehicle, scene, &settings));
@@ -118,7 +118,7 @@ impl<'v> Landings<'v> {
 
     /// Lands with a tolerance and compares; the `times` are of this tolerance.
     pub fn measure(&self, tolerance: f64, times: &Times) -> Result<Measured, Failure> {
-        let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
+        let settings = settings(tolerance)?;
         let mut sums = [0; 3];
         for scene in &self.scenes {
             let landing = land(self.vehicle, scene, &settings);
@@ -197,7 +197,7 @@ impl Landings<'_> {
 fn result_of(vehicle: &Vehicle, scene: &Scene, tolerance: f64) -> Result<LandingResult, Failure> {
     let mut instants = [None, None];
     let mut count = 0;
-    let settings = settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?;
+    let settings = settings(tolerance)?;
     let mut observe = |instant: &Instant| {
         // The end of a landing is reported too, but not at a full interval.
         let is_regular = (instant.time - INTERVAL * count as f64).abs() < 1e-9;

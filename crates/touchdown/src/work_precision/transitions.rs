@@ -79,7 +79,7 @@ impl<'v> Landings<'v> {
         Ok(Self {
             vehicle,
             scene,
-            settings: settings(tolerance, Settings::DEFAULT_TIME_LIMIT)?,
+            settings: settings(tolerance)?,
         })
     }
 

@@ -2,7 +2,7 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-use crate::common::{BASELINE, Bench};
+use crate::common::{BASELINE, Bench, LAND_CASES};
 
 const HEADING: &str = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,\
                        pitch_deg,yaw_deg,roll_deg,slope_deg,friction";
@@ -37,16 +37,6 @@ const CASES: [(&str, &[&str]); 7] = [
     ("2,14,11", &["cases.csv:3: not a table"]),
 ];
 
-const RUN_CASES: [&str; 7] = [
-    "land",
-    "--vehicle",
-    "surveyor.toml",
-    "--cases",
-    "cases.csv",
-    "--out",
-    "out.csv",
-];
-
 #[test]
 fn bad_options_are_refused() {
     for (options, fragments) in OPTIONS {
@@ -76,7 +66,7 @@ fn bad_rows_are_refused_before_the_first_landing() {
     for (row, fragments) in CASES {
         let bench = Bench::new();
         bench.write("cases.csv", &format!("{HEADING}\n{GOOD}\n{row}\n"));
-        bench.run(&RUN_CASES).refused(fragments);
+        bench.land_cases(&["out.csv"]).refused(fragments);
         assert_eq!(
             bench.list("."),
             ["cases.csv", "surveyor.toml", "sweep.toml"]
@@ -94,19 +84,20 @@ fn bad_tables_are_refused() {
             HEADING.replace("slope_deg,f", "slope_grad,f")
         ),
     );
-    bench.run(&RUN_CASES).refused(&[
+    bench.land_cases(&["out.csv"]).refused(&[
         "cases.csv:1: column slope_grad: no such column",
         "did you mean slope_deg",
     ]);
     bench.write("cases.csv", HEADING);
-    bench.run(&RUN_CASES).refused(&["cases.csv: has no rows"]);
+    bench
+        .land_cases(&["out.csv"])
+        .refused(&["cases.csv: has no rows"]);
     bench.write("cases.csv", &format!("{HEADING}\n{GOOD}\n"));
-    let blocked = [&RUN_CASES[..6], &["."]].concat();
     bench
-        .run(&blocked)
+        .land_cases(&["."])
         .refused(&["is a folder", "name of a file"]);
-    bench.run(&RUN_CASES[..5]).refused(&["--out"]);
+    bench.run(&LAND_CASES[..5]).refused(&["--out"]);
     bench
-        .run(&[&RUN_CASES[..], &["--slope", "3"]].concat())
+        .land_cases(&["out.csv", "--slope", "3"])
         .refused(&["--slope", "--cases"]);
 }

@@ -8,7 +8,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::LazyLock;
 use std::time::Duration;
 
-use crate::common::{Bench, Done, SWEEP};
+use crate::common::{Bench, Done, LAND_CASES, SWEEP};
 use touchdown_sweep::journal::{Access, InOrder, Records};
 
 /// Points of [`sweep`].
@@ -179,22 +179,12 @@ fn cases() -> String {
     heading.to_owned() + &(0..400).map(row).collect::<String>()
 }
 
-const LAND_CASES: [&str; 7] = [
-    "land",
-    "--vehicle",
-    "surveyor.toml",
-    "--cases",
-    "cases.csv",
-    "--out",
-    "out/cases.csv",
-];
-
 #[test]
 fn tables_of_cases_go_on_after_interruptions_with_the_same_results() {
     const JOURNAL: &str = "out/cases.csv.journal";
     let bench = bench();
     bench.write("cases.csv", &cases());
-    let land = |more: &[&str]| bench.command(&[&LAND_CASES[..], more].concat());
+    let land = |more: &[&str]| bench.command(&[&LAND_CASES[..], &["out/cases.csv"], more].concat());
     let run = |more: &[&str]| Done::from(land(more).output().unwrap());
     assert_eq!(run(&["--threads", "2"]).code, Some(0));
     let expected = bench.read("out/cases.csv");

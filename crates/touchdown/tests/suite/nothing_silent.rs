@@ -136,15 +136,7 @@ fn no_command_writes_over_what_it_reads_or_what_is_not_its_own() {
     let cases = "vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction\n\
                  14,2,180,15,1\n";
     bench.write("cases.csv", cases);
-    let land = [
-        "land",
-        "--vehicle",
-        "surveyor.toml",
-        "--cases",
-        "cases.csv",
-        "--out",
-    ];
-    let land = |out: &str| bench.run(&[&land[..], &[out]].concat());
+    let land = |out: &str| bench.land_cases(&[out]);
     land("cases.csv").refused(&["cases.csv", kept]);
     land("history.csv").refused(&["history.csv", foreign]);
     for _ in 0..2 {
@@ -352,15 +344,7 @@ fn elements_that_give_back_more_than_they_took_are_told() {
     let cases = "case,vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction,\
                  vehicle.footpad.crush_pressure_psf\nsoft,14,5,180,15,1,1578.8\nstiff,14,5,180,15,1,\nless stiff,14,5,180,15,1,5e4\n";
     bench.write("cases.csv", cases);
-    let done = bench.run(&[
-        "land",
-        "--vehicle",
-        "surveyor.toml",
-        "--cases",
-        "cases.csv",
-        "--out",
-        "out.csv",
-    ]);
+    let done = bench.land_cases(&["out.csv"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
     let told: Vec<&str> = (done.err.lines())
         .filter(|line| line.contains("crushing"))

@@ -250,15 +250,7 @@ fn cases_are_landed_in_their_order() {
          yaw_deg,roll_deg,slope_deg,friction\n\
          slow,7,14,2,180,0,0,0,15,1\nfast,3,14,13,180,0,0,0,15,1\n",
     );
-    let arguments = [
-        "land",
-        "--vehicle",
-        "surveyor.toml",
-        "--cases",
-        "cases.csv",
-        "--out",
-    ];
-    let done = bench.run(&[&arguments[..], &["new/out.csv", "--threads", "2"]].concat());
+    let done = bench.land_cases(&["new/out.csv", "--threads", "2"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
     let table = bench.read("new/out.csv");
     let rows: Vec<&str> = table.lines().collect();

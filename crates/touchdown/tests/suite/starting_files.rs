@@ -114,18 +114,8 @@ fn more_threads_than_a_machine_bears_are_refused() {
     ];
     bench.run(&sweep).refused(&["5000", "expected 1 to"]);
     assert_eq!(bench.list("results"), Vec::<String>::new());
-    let cases = [
-        "land",
-        "--vehicle",
-        "surveyor.toml",
-        "--cases",
-        "cases.csv",
-        "--out",
-        "out.csv",
-        "--threads",
-        "5000",
-    ];
-    bench.run(&cases).refused(&["5000", "expected 1 to"]);
+    let done = bench.land_cases(&["out.csv", "--threads", "5000"]);
+    done.refused(&["5000", "expected 1 to"]);
     // However few cores there are, some more threads than cores do no harm.
     let done = bench.run(&[
         "sweep",

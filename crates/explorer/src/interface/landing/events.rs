@@ -4,9 +4,8 @@ use serde::Serialize;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::per_leg::PerLeg;
+use touchdown_sweep::landing_report::verdict_time;
 use touchdown_sweep::landing_table::why;
-
-use super::verdict_time;
 
 /// Something that happens once.
 #[derive(Debug, Serialize)]

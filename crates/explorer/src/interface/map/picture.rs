@@ -10,9 +10,9 @@ use touchdown_figures::legend::Mark;
 use touchdown_figures::levels::Levels;
 use touchdown_figures::map_legend;
 use touchdown_figures::map_table::{EdgeKind, MapTable};
+use touchdown_figures::palette;
 use touchdown_figures::refined_map;
 use touchdown_figures::surface::{Cell, Surface};
-use touchdown_figures::{number, palette};
 use touchdown_sweep::map_tables::LEVEL;
 
 use super::of_table;
@@ -49,14 +49,7 @@ impl Picture {
         points: &[&Point],
         caption: &Caption,
     ) -> Result<Self, Complaint> {
-        let gap_words = match caption.searched_to {
-            Some(speed) => format!(
-                "stable up to {} {}",
-                number::label(speed),
-                caption.speed_unit
-            ),
-            None => "no transition".to_owned(),
-        };
+        let gap_words = caption.without_transition();
         if let (Some(surface), 2, [0, 1]) = (&results.surface, all.axes.len(), [slow, fast]) {
             let refined = MapTable::parse(surface, results.edges.as_deref())
                 .map_err(|error| of_table(results, error))?;
@@ -92,7 +85,7 @@ impl Picture {
     }
 
     /// Adds the picture to an answer.
-    pub fn tell(&self, answer: &mut Value) -> Result<(), Complaint> {
+    pub fn tell(&self, answer: &mut Value) {
         let surface = self.surface.as_ref();
         answer["grid"] = json!(surface.map(|surface| json!({"speeds": surface.speeds})));
         answer["jump"] = json!(surface.map(|surface| surface.jump));
@@ -124,7 +117,6 @@ impl Picture {
             "bands": hex(palette::BISECTOR),
             "bisector": hex(palette::BISECTOR),
         });
-        Ok(())
     }
 }
 
@@ -179,14 +171,10 @@ fn triangles(map: &MapTable) -> Vec<[[f64; 3]; 3]> {
 }
 
 fn edges(map: &MapTable) -> Vec<Value> {
-    let edges = map.edges.iter().map(|edge| {
-        let kind = match edge.kind {
-            EdgeKind::End => "end",
-            EdgeKind::Jump => "jump",
-            EdgeKind::Bands => "bands",
-        };
-        json!({"kind": kind, "places": edge.places})
-    });
+    let edges = map
+        .edges
+        .iter()
+        .map(|edge| json!({"kind": edge.kind.name(), "places": edge.places}));
     edges.collect()
 }
 

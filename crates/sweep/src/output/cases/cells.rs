@@ -5,6 +5,7 @@ use std::path::Path;
 
 use csv::StringRecord;
 
+use crate::csv_rows;
 use crate::fingerprint::fingerprint;
 use crate::input_error::{InputError, Place};
 
@@ -61,18 +62,7 @@ impl CsvRows {
     /// Heading and rows of the text of a file.
     pub(super) fn parse(path: &Path, text: &str) -> Result<(StringRecord, Self), InputError> {
         let place = Place::file(path);
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .from_reader(text.as_bytes());
-        let broken = |error: csv::Error| {
-            let place = match error.position() {
-                Some(position) => place.line(position.line() as usize),
-                None => place.clone(),
-            };
-            InputError::other(format!("not a table of comma-separated values: {error}")).at(place)
-        };
-        let heading = reader.headers().map_err(broken)?.clone();
-        let rows = reader.records().collect::<Result<_, _>>().map_err(broken)?;
+        let (heading, rows) = csv_rows::read(&place, text)?;
         let fingerprint = fingerprint(text);
         let rows = Self {
             place,
@@ -96,10 +86,7 @@ impl CaseCells for CsvRows {
     }
 
     fn at_row(&self, row: usize, error: InputError) -> InputError {
-        let line = self.rows[row]
-            .position()
-            .map_or(0, |position| position.line());
-        error.at(self.place.line(line as usize).row(row + 1))
+        error.at(csv_rows::place(&self.place, row, &self.rows[row]))
     }
 
     fn fingerprint(&self) -> String {

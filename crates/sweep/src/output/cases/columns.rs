@@ -16,6 +16,7 @@ use crate::parameter::{Home, Parameter};
 use crate::scene_input::NamedConditions;
 use crate::section::Section;
 use crate::settings_input::{self, CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
+use crate::spelling::did_you_mean;
 
 /// A row of a table.
 #[derive(Clone, Copy)]
@@ -127,8 +128,7 @@ impl Columns {
                     let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
                     InputError::value(parameter.name(), cell, &allowed)
                 }
-                (Some(value), None) => InputError::value(fault.name, value, &fault.allowed),
-                (None, _) => InputError::missing(fault.name, &fault.allowed),
+                _ => fault.error(),
             }
         })
     }
@@ -174,10 +174,7 @@ impl Columns {
 fn unknown(name: &str) -> String {
     let mut alike = Parameter::nearest(name, MOST_LEGS);
     alike.retain(|name| !name.starts_with("search.") && !name.starts_with("scene."));
-    let guess = match alike.as_slice() {
-        [] => String::new(),
-        names => format!("did you mean {}? ", names.join(" or ")),
-    };
+    let guess = did_you_mean(&alike);
     format!(
         "column {name}: no such column; {guess}expected {}, keys of the scene, and dotted keys of the vehicle and the \
          solver, such as vehicle.strut.compression_damping; for remarks there is the column note",

@@ -6,9 +6,9 @@ use touchdown_dynamics::methods::{
     BouncingBall, ErrorCheck, Evaluator, Intervals, Milne, RungeKutta, Start, StepDoubling,
     Stepper, Trapezoidal,
 };
-use touchdown_figures::line_chart::{Axis, Curve, LineChart, Stroke};
+use touchdown_figures::line_chart::{Axis, Curve, LineChart, Panel, Stroke};
 
-use super::chapter::{chart, curve, panel};
+use super::chapter::chart;
 
 const BALL: BouncingBall = BouncingBall {
     gravity: 5.31,
@@ -107,13 +107,13 @@ An undamped ball falls 1 ft onto a springy surface (contact lasts 0.05 s of its 
             points.push((outcome.evaluations as f64, outcome.gain.abs()));
         }
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        curves.push(curve(method, Stroke::Marks, points));
+        curves.push(Curve::new(method, Stroke::Marks, points));
     }
     let picture = chart(
         "4.1.2: the bouncing ball under four methods",
         "error of its energy after ten bounces against cost",
         Axis::logarithmic("evaluations of the derivative"),
-        vec![panel(
+        vec![Panel::new(
             Axis::logarithmic("error of the energy, relative"),
             curves,
         )],

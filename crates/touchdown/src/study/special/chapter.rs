@@ -1,10 +1,11 @@
 //! A chapter of the special studies: its text and its picture.
 
 use touchdown_figures::caption::Caption;
-use touchdown_figures::line_chart::{Axis, Curve, LineChart, Panel, Stroke, draw};
-use touchdown_figures::png;
+use touchdown_figures::line_chart::{Axis, LineChart, Panel, draw};
+use touchdown_figures::picture::Picture;
 
 use crate::failure::Failure;
+use crate::plot;
 
 /// Text and pictures of a study.
 pub struct Chapter {
@@ -20,9 +21,7 @@ impl Chapter {
         let mut files = Vec::new();
         for (stem, chart) in &self.pictures {
             let svg = draw(chart).map_err(Failure::running)?;
-            let png = png::render(&svg).map_err(Failure::running)?;
-            files.push((format!("{stem}.svg"), svg.into_bytes()));
-            files.push((format!("{stem}.png"), png));
+            files.extend(plot::both(stem, &[Picture { suffix: "", svg }])?);
         }
         Ok(files)
     }
@@ -38,20 +37,5 @@ pub fn chart(title: &str, conditions: &str, abscissa: Axis, panels: Vec<Panel>) 
         },
         abscissa,
         panels,
-    }
-}
-
-/// A panel.
-pub fn panel(ordinate: Axis, curves: Vec<Curve>) -> Panel {
-    Panel { ordinate, curves }
-}
-
-/// A curve.
-pub fn curve(name: &str, stroke: Stroke, points: Vec<(f64, f64)>) -> Curve {
-    Curve {
-        name: name.to_owned(),
-        stroke,
-        points,
-        remarks: Vec::new(),
     }
 }

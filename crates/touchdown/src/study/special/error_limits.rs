@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, Method};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_figures::line_chart::{Axis, Stroke};
+use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
-use super::chapter::{Chapter, chart, curve, panel};
+use super::chapter::{Chapter, chart};
 use super::runs::{Run, first_intervals, median, report, sample_run, settings};
 use crate::failure::Failure;
 
@@ -39,7 +39,7 @@ fn apart(one: &[(f64, f64)], other: &[(f64, f64)]) -> f64 {
 /// The chapter.
 pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
     let scene = sample_run(None)?;
-    let converged = Run::of(vehicle, &scene, &settings(Method::Located)?, INTERVAL);
+    let converged = Run::of(vehicle, &scene, &settings(Method::Located), INTERVAL);
     let mut text = format!(
         "\
 ## 4.1.4 Error specification
@@ -52,7 +52,7 @@ Sample run, {RUNS} runs each with the first interval between 0.0003 and 0.0009 s
 |---:|---:|---:|---:|---:|---:|---:|---|---|
 "
     );
-    let mut curves = vec![curve("converged", Stroke::Line, converged.pitch())];
+    let mut curves = vec![Curve::new("converged", Stroke::Line, converged.pitch())];
     let mut first_cost = None;
     let mut all = [Vec::new(), Vec::new()];
     for (link_rate, angular_velocity, time_ratio) in SPECIFICATIONS {
@@ -62,7 +62,7 @@ Sample run, {RUNS} runs each with the first interval between 0.0003 and 0.0009 s
             ..ErrorLimits::default()
         };
         let run = |first: f64| -> Result<Run, Failure> {
-            let settings = settings(Method::Report(report(limits, first)?))?;
+            let settings = settings(Method::Report(report(limits, first)?));
             Ok(Run::of(vehicle, &scene, &settings, INTERVAL))
         };
         let runs = first_intervals(RUNS)
@@ -88,7 +88,7 @@ Sample run, {RUNS} runs each with the first interval between 0.0003 and 0.0009 s
         );
         let nominal = run(ErrorControl::FIRST_INTERVAL)?;
         let name = format!("{link_rate}, {angular_velocity:.2}");
-        curves.push(curve(&name, Stroke::Dashes, nominal.pitch()));
+        curves.push(Curve::new(&name, Stroke::Dashes, nominal.pitch()));
     }
     let [others, printed] = all;
     let share = |values: &[f64], limit: f64| {
@@ -112,7 +112,7 @@ Sample run, {RUNS} runs each with the first interval between 0.0003 and 0.0009 s
         "sample run by the report's method, first interval 0.0005 s; E of link rate and of angular \
          velocity, deg/s per s; Figure 4-2 of the report",
         Axis::linear("time, s"),
-        vec![panel(Axis::linear("pitch, deg"), curves)],
+        vec![Panel::new(Axis::linear("pitch, deg"), curves)],
     );
     Ok(Chapter {
         text,

@@ -6,9 +6,9 @@ use touchdown_dynamics::friction::FrictionProfile;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, Method};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_figures::line_chart::{Axis, Stroke};
+use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
-use super::chapter::{Chapter, chart, curve, panel};
+use super::chapter::{Chapter, chart};
 use super::runs::{Run, control, sample_run, settings};
 use crate::failure::Failure;
 
@@ -53,7 +53,7 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
     for friction in [1.4, 0.8] {
         let scene = sample_run(Some(friction))?;
         for (profile, letter) in PROFILES {
-            let located = settings(Method::Located)?.with_friction_profile(profile);
+            let located = settings(Method::Located).with_friction_profile(profile);
             let run = Run::of(vehicle, &scene, &located, LOOKS);
             let mut row = format!(
                 "| {friction} | {letter} | {} | {} | {:.2} |",
@@ -64,7 +64,7 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
             for least in LEAST {
                 let limits = ErrorLimits::default();
                 let method = control(limits, ErrorControl::FIRST_INTERVAL, least)?;
-                let settings = settings(Method::Report(method))?.with_friction_profile(profile);
+                let settings = settings(Method::Report(method)).with_friction_profile(profile);
                 let by_report = Run::of(vehicle, &scene, &settings, f64::INFINITY);
                 let _ = write!(
                     row,
@@ -91,7 +91,7 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
                 } else {
                     Stroke::Dashes
                 };
-                curves.push(curve(&name, stroke, pitch));
+                curves.push(Curve::new(&name, stroke, pitch));
             }
         }
     }
@@ -116,7 +116,7 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
         "4.1.5: pitch under three onsets of friction",
         "sample run, every event located; Figure 4-4 of the report",
         Axis::linear("time, s"),
-        vec![panel(Axis::linear("pitch, deg"), curves)],
+        vec![Panel::new(Axis::linear("pitch, deg"), curves)],
     );
     Ok(Chapter {
         text,

@@ -9,11 +9,10 @@ use touchdown_dynamics::methods::{
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_figures::line_chart::{Axis, Stroke};
-use touchdown_sweep::scene_input::NamedConditions;
+use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
-use super::chapter::{Chapter, chart, curve, panel};
-use super::runs::{Run, first_intervals, report, sample_run, settings};
+use super::chapter::{Chapter, chart};
+use super::runs::{Run, first_intervals, report, sample_run, scene, settings};
 use crate::failure::Failure;
 
 /// First intervals tried for one that leads onto the printed branch: one in seven does.
@@ -52,7 +51,7 @@ fn land(
         time: 0.0,
         intervals: Vec::new(),
     };
-    let settings = settings(Method::Report(control))?;
+    let settings = settings(Method::Report(control));
     land_by(
         &mut stepper,
         (vehicle, scene),
@@ -66,7 +65,7 @@ fn land(
 /// A first interval that leads onto the branch printed in 1966, s.
 fn printed_branch(vehicle: &Vehicle, scene: &Scene) -> Result<f64, Failure> {
     for first in first_intervals(CANDIDATES) {
-        let settings = settings(Method::Report(report(ErrorLimits::default(), first)?))?;
+        let settings = settings(Method::Report(report(ErrorLimits::default(), first)?));
         if Run::of(vehicle, scene, &settings, f64::INFINITY).is_as_printed() {
             return Ok(first);
         }
@@ -78,20 +77,14 @@ fn printed_branch(vehicle: &Vehicle, scene: &Scene) -> Result<f64, Failure> {
 
 /// The level vehicle of Section IV straight downhill, and its Table 4-3.
 fn level(speed: f64, cross_slope: f64, roll: f64) -> Result<Scene, Failure> {
-    let mut conditions = NamedConditions::default();
-    for (name, value) in [
+    scene([
         ("vertical_velocity_fps", 14.0),
         ("horizontal_velocity_fps", speed),
         ("cross_slope_deg", cross_slope),
         ("slope_deg", 15.0),
         ("roll_deg", roll),
         ("friction", 1.0),
-    ] {
-        conditions.set(name, value);
-    }
-    conditions
-        .scene()
-        .map_err(|fault| Failure::running(format!("{}: {}", fault.name, fault.allowed)))
+    ])
 }
 
 /// The chapter: `sample` is the vehicle of the sample run, `level_vehicle` that of Section IV.
@@ -156,7 +149,7 @@ Intervals by decade from 0.1 s down, and by the number of cuts they took. Print:
             summary.critical.iter().sum::<u64>() - links - body,
         );
         if curves.len() < 2 {
-            curves.push(curve(name, Stroke::Line, intervals));
+            curves.push(Curve::new(name, Stroke::Line, intervals));
         }
     }
     let (least, greatest) = uncut.iter().fold((1.0f64, 0.0f64), |(low, high), share| {
@@ -176,7 +169,7 @@ Intervals by decade from 0.1 s down, and by the number of cuts they took. Print:
         "4.1.3: intervals of the report's method",
         "every interval at its start",
         Axis::linear("time, s"),
-        vec![panel(Axis::logarithmic("interval, s"), curves)],
+        vec![Panel::new(Axis::logarithmic("interval, s"), curves)],
     );
     Ok(Chapter {
         text,

@@ -6,11 +6,11 @@ use std::fmt::Write;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, FixedInterval, Method};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_figures::line_chart::{Axis, Stroke};
+use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
 use super::ball::ball;
-use super::chapter::{Chapter, chart, curve, panel};
-use super::runs::{Run, control, sample_run, settings_at};
+use super::chapter::{Chapter, chart};
+use super::runs::{Run, control, sample_run, settings, settings_at};
 use crate::failure::Failure;
 
 /// Factors of the report's error limits.
@@ -32,7 +32,7 @@ fn limits(scale: f64) -> Result<ErrorControl, Failure> {
 }
 
 fn fixed(interval: f64) -> Result<FixedInterval, Failure> {
-    FixedInterval::new(interval).map_err(|invalid| Failure::running(invalid.allowed))
+    FixedInterval::new(interval).map_err(Failure::running)
 }
 
 /// Every method at every setting: method, setting, settings.
@@ -44,18 +44,16 @@ fn all() -> Result<Vec<(&'static str, String, Settings)>, Failure> {
     }
     for scale in SCALES {
         let setting = format!("limits × {scale}");
-        let report = settings_at(Settings::DEFAULT_TOLERANCE, Method::Report(limits(scale)?))?;
+        let report = settings(Method::Report(limits(scale)?));
         all.push(("report", setting.clone(), report));
-        let milne = settings_at(Settings::DEFAULT_TOLERANCE, Method::Milne(limits(scale)?))?;
+        let milne = settings(Method::Milne(limits(scale)?));
         all.push(("milne", setting, milne));
     }
     for interval in FIXED {
         let setting = format!("{interval} s");
-        let method = Method::RungeKutta(fixed(interval)?);
-        let rk4 = settings_at(Settings::DEFAULT_TOLERANCE, method)?;
+        let rk4 = settings(Method::RungeKutta(fixed(interval)?));
         all.push(("rk4", setting.clone(), rk4));
-        let method = Method::Trapezoidal(fixed(interval)?);
-        let trapezoidal = settings_at(Settings::DEFAULT_TOLERANCE, method)?;
+        let trapezoidal = settings(Method::Trapezoidal(fixed(interval)?));
         all.push(("trapezoidal", setting, trapezoidal));
     }
     Ok(all)
@@ -121,13 +119,13 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
             points.push((landing.evaluations as f64, error));
         }
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        curves.push(curve(method, Stroke::Marks, points));
+        curves.push(Curve::new(method, Stroke::Marks, points));
     }
     let picture = chart(
         "4.1.2: the sample run under four methods and the one that locates events",
         "error of the position of the CG at 0.2 s against cost of the whole landing",
         Axis::logarithmic("evaluations of the derivative"),
-        vec![panel(
+        vec![Panel::new(
             Axis::logarithmic("error of the position, ft"),
             curves,
         )],

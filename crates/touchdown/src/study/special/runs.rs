@@ -3,7 +3,7 @@
 use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, IntegrationSummary, Method};
-use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
+use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::scene_input::NamedConditions;
 
@@ -21,34 +21,26 @@ const SAMPLE_RUN: [(&str, f64); 6] = [
 /// First intervals that differ by nothing that matters lie between these, s.
 const FIRST_INTERVALS: (f64, f64) = (0.0003, 0.0009);
 
+/// The scene of these conditions; of one that is given twice the last value holds.
+pub fn scene<'n>(given: impl IntoIterator<Item = (&'n str, f64)>) -> Result<Scene, Failure> {
+    (NamedConditions::of(given).scene()).map_err(Failure::running)
+}
+
 /// The sample run at a friction coefficient, or that of the report.
 pub fn sample_run(friction: Option<f64>) -> Result<Scene, Failure> {
-    let mut conditions = NamedConditions::default();
-    for (name, value) in SAMPLE_RUN {
-        conditions.set(name, value);
-    }
-    if let Some(friction) = friction {
-        conditions.set("friction", friction);
-    }
-    conditions
-        .scene()
-        .map_err(|fault| Failure::running(format!("{}: {}", fault.name, fault.allowed)))
+    let friction = friction.map(|friction| ("friction", friction));
+    scene(SAMPLE_RUN.into_iter().chain(friction))
 }
 
 /// Settings with a method.
-pub fn settings(method: Method) -> Result<Settings, Failure> {
-    settings_at(Settings::DEFAULT_TOLERANCE, method)
+pub fn settings(method: Method) -> Settings {
+    Settings::default().with_method(method)
 }
 
 /// Settings with a method, at a tolerance of the one that locates events.
 pub fn settings_at(tolerance: f64, method: Method) -> Result<Settings, Failure> {
-    Settings::new(
-        tolerance,
-        Settings::DEFAULT_TIME_LIMIT,
-        CrushRule::default(),
-    )
-    .map(|settings| settings.with_method(method))
-    .map_err(|invalid| Failure::running(invalid.allowed))
+    let settings = Settings::default().with_tolerance(tolerance);
+    Ok(settings.map_err(Failure::running)?.with_method(method))
 }
 
 /// The report's method.
@@ -58,7 +50,7 @@ pub fn report(limits: ErrorLimits, first_interval: f64) -> Result<ErrorControl, 
 
 /// Error limits and intervals.
 pub fn control(limits: ErrorLimits, first: f64, least: f64) -> Result<ErrorControl, Failure> {
-    ErrorControl::new(limits, first, least).map_err(|invalid| Failure::running(invalid.allowed))
+    ErrorControl::new(limits, first, least).map_err(Failure::running)
 }
 
 /// `count` first intervals, s.

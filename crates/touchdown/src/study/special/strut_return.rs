@@ -8,9 +8,9 @@ use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_figures::line_chart::{Axis, Stroke};
+use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
-use super::chapter::{Chapter, chart, curve, panel};
+use super::chapter::{Chapter, chart};
 use super::runs::{sample_run, settings};
 use crate::failure::Failure;
 use touchdown_dynamics::methods::Method;
@@ -38,7 +38,7 @@ struct Point {
 /// The return of leg 1, the vehicle falling freely.
 fn freed(vehicle: &Vehicle) -> Result<Vec<Point>, Failure> {
     let scene = sample_run(None)?;
-    let model = ForceModel::new(vehicle, &scene, &settings(Method::Located)?);
+    let model = ForceModel::new(vehicle, &scene, &settings(Method::Located));
     let mut state = touchdown(vehicle, &scene, model.motion());
     let mut body = state.body();
     body.position.z -= HEIGHT;
@@ -123,18 +123,18 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
         "lower link freed at rest, pad off the surface; Figure 4-1 of the report",
         Axis::linear("time, s"),
         vec![
-            panel(
+            Panel::new(
                 Axis::linear("link angle, deg"),
                 vec![
-                    curve(names[0], Stroke::Line, exact(&|p| degrees(p.depression))),
-                    curve(names[1], Stroke::Dashes, fitted(&|t| degrees(angle(t)))),
+                    Curve::new(names[0], Stroke::Line, exact(&|p| degrees(p.depression))),
+                    Curve::new(names[1], Stroke::Dashes, fitted(&|t| degrees(angle(t)))),
                 ],
             ),
-            panel(
+            Panel::new(
                 Axis::linear("link rate, deg/s"),
                 vec![
-                    curve(names[0], Stroke::Line, exact(&|p| p.rate.to_degrees())),
-                    curve(names[1], Stroke::Dashes, fitted(&|t| rate(t).to_degrees())),
+                    Curve::new(names[0], Stroke::Line, exact(&|p| p.rate.to_degrees())),
+                    Curve::new(names[1], Stroke::Dashes, fitted(&|t| rate(t).to_degrees())),
                 ],
             ),
         ],

@@ -42,6 +42,16 @@ pub const BASELINE: [&str; 12] = [
     "1.0",
 ];
 
+/// Options of the landings of `cases.csv`, but for where their results go.
+pub const LAND_CASES: [&str; 6] = [
+    "land",
+    "--vehicle",
+    "surveyor.toml",
+    "--cases",
+    "cases.csv",
+    "--out",
+];
+
 /// What the program did.
 pub struct Done {
     pub code: Option<i32>,
@@ -100,6 +110,11 @@ impl Bench {
 
     pub fn run(&self, arguments: &[&str]) -> Done {
         Done::from(self.command(arguments).output().unwrap())
+    }
+
+    /// The landings of `cases.csv` into this file, and more options.
+    pub fn land_cases(&self, out: &[&str]) -> Done {
+        self.run(&[&LAND_CASES[..], out].concat())
     }
 }
 
