@@ -23,8 +23,8 @@ pub(crate) const SEARCH: [&str; 9] = [
 pub(crate) const EXTENTS: [(&str, Extent); 2] = [("first", Extent::First), ("all", Extent::All)];
 pub(crate) const SCANS: [(&str, Scan); 2] = [("full", Scan::Full), ("skipping", Scan::Skipping)];
 pub(crate) const REFINEMENTS: [(&str, Refinement); 2] = [
-    ("bisection", Refinement::Bisection),
     ("margin", Refinement::Margin),
+    ("bisection", Refinement::Bisection),
 ];
 pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
     ("doubtful", Doubt::Doubtful),

@@ -6,8 +6,6 @@ use crate::rounds::Rounds;
 use crate::surface_pieces::MapSurface;
 use crate::sweep_file::Sweep;
 
-/// Column of the table of points beside those of other sweeps.
-pub const LEVEL: &str = "level";
 /// Columns of the regular table after those of the axes.
 pub const GRID_COLUMNS: [&str; 2] = ["first_transition_fps", "estimated_error_fps"];
 /// Columns of the table of triangles after those of the axes.

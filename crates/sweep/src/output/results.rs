@@ -8,7 +8,6 @@ use crate::certainty::{Certainty, tolerance_cell};
 use crate::findings::Finding;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, Cell};
-use crate::map_tables;
 use crate::probabilities::wilson;
 use crate::sweep::Part;
 use crate::sweep_counts::SweepCounts;
@@ -28,6 +27,9 @@ pub const COLUMNS: [&str; 10] = [
     "disputed_to_fps",
     "solver_tolerance",
 ];
+
+/// Column of the points of a map beside those of other sweeps.
+pub const LEVEL: &str = "level";
 
 /// How a sweep was run, which its input does not tell.
 #[derive(Debug, Clone, Copy)]
@@ -65,7 +67,7 @@ pub fn transition_name(boundary: &Boundary) -> String {
 pub fn heading(sweep: &Sweep) -> Vec<String> {
     match sweep.job {
         Job::Boundary(_) if sweep.map().is_some() => {
-            sweep.heading(COLUMNS.into_iter().chain([map_tables::LEVEL]))
+            sweep.heading(COLUMNS.into_iter().chain([LEVEL]))
         }
         Job::Boundary(_) => sweep.heading(COLUMNS),
         Job::Outcome { .. } => sweep.heading(landing_table::names(sweep.leg_count())),

@@ -2,8 +2,8 @@
 //!
 //! Near a knife edge (an element that just touches, a rate that just grazes zero) the next digit of
 //! anything may decide a landing. Both ends of a bracket are landed at again at a tighter
-//! tolerance and with conditions changed by next to nothing; where a landing ends otherwise,
-//! the interval is widened until all of them agree, and searched again (`search_again`).
+//! tolerance, tilted by next to nothing; where a landing ends otherwise, the interval is widened until
+//! all of them agree, and searched again (`search_again`).
 //!
 //! Where a margin runs through zero the transition is as certain as the trajectory. It is doubtful
 //! where the margin jumps across the bracket, or where no margin speaks of the change.
@@ -65,8 +65,6 @@ pub enum Variation {
     Tolerance(f64),
     /// The solver's tolerance times a factor, for a scan: steady landings end early.
     Scan(f64),
-    /// A turn about the x axis of the ground, deg.
-    Tilt(f64),
     /// Another tolerance than the solver's, and a turn about the x axis of the ground, deg.
     At {
         /// The tolerance.
@@ -76,33 +74,24 @@ pub enum Variation {
     },
 }
 
-/// Landings that a test takes at least: three changes at both ends.
-pub const LEAST_LANDINGS: u64 = 6;
+/// Landings that a test takes at least: one at either end.
+pub const LEAST_LANDINGS: u64 = 2;
 
 /// Part of a tolerance that a test compares it with.
 const TIGHTER: f64 = 0.1;
 
-/// Turns by which a landing is put to the test, deg.
-const TILTS: [f64; 2] = [1e-6, -1e-6];
+/// Turn by which a landing is put to the test, deg.
+const TILT: f64 = 1e-6;
 
 /// Range of tolerances of the solver.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-2];
 
 impl Variation {
-    /// The changes by which a landing is tested, the dearest last: what one tells the others need not. A bracket that was
-    /// searched again is tested by both kinds of change at once.
-    fn changes(self) -> Vec<Self> {
-        let [forth, back] = TILTS;
-        match self {
-            Self::At { tolerance, .. } => vec![Self::At {
-                tolerance: TIGHTER * tolerance,
-                tilt: forth,
-            }],
-            _ => vec![
-                Self::Tilt(forth),
-                Self::Tilt(back),
-                Self::Tolerance(TIGHTER),
-            ],
+    /// The change by which a landing at a tolerance of the solver is put to the test.
+    fn testing(tolerance: f64) -> Self {
+        Self::At {
+            tolerance: (TIGHTER * tolerance).max(TOLERANCES[0]),
+            tilt: TILT,
         }
     }
 
@@ -118,7 +107,6 @@ impl Variation {
             Self::Unchanged => {}
             Self::Tolerance(factor) => settings = at_tolerance(settings, factor)?,
             Self::Scan(factor) => settings = at_tolerance(settings, factor)?.ending_early(),
-            Self::Tilt(degrees) => tilt = degrees,
             Self::At {
                 tolerance,
                 tilt: degrees,
@@ -174,7 +162,8 @@ pub(crate) async fn test<Stop>(
         let class = sample.class();
         let agree = async |speed: f64, is_new: bool| -> Result<bool, Stop> {
             let itself = is_new.then_some(given);
-            for variation in itself.into_iter().chain(given.changes()) {
+            let test = Variation::testing(sample.trial.tolerance);
+            for variation in itself.into_iter().chain([test]) {
                 if land(speed, variation).await?.outcome.class() != class {
                     return Ok(false);
                 }

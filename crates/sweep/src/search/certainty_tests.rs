@@ -9,7 +9,7 @@ fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
     let land = async |speed: f64, variation: Variation| {
         landings.set(landings.get() + 1);
         let moved = match variation {
-            Variation::Tolerance(_) => shift,
+            Variation::At { .. } => shift,
             _ => 0.0,
         };
         let margin = if speed < 1.0 + moved { jump } else { -jump };
@@ -33,8 +33,8 @@ fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
 fn a_margin_through_zero_is_certain_without_a_landing() {
     assert_eq!(tested(Doubt::Doubtful, 1e-4, 0.0), (Certainty::Certain, 0));
     assert_eq!(tested(Doubt::None, 1.0, 0.0), (Certainty::Untested, 0));
-    assert_eq!(tested(Doubt::All, 1e-4, 0.0), (Certainty::Certain, 6));
-    assert_eq!(tested(Doubt::Doubtful, 0.1, 0.0), (Certainty::Certain, 6));
+    assert_eq!(tested(Doubt::All, 1e-4, 0.0), (Certainty::Certain, 2));
+    assert_eq!(tested(Doubt::Doubtful, 0.1, 0.0), (Certainty::Certain, 2));
 }
 
 #[test]
@@ -76,7 +76,10 @@ fn variations_change_what_they_say_and_little_of_it() {
     assert_eq!(varied(Variation::Tolerance(0.1)).1.tolerance(), 1e-7);
     let scan = varied(Variation::Scan(10.0)).1;
     assert!((scan.tolerance() - 1e-5).abs() < 1e-20 && scan.ends_early());
-    let tilted = varied(Variation::Tilt(1e-6)).0.conditions().attitude;
-    let turn = tilted.euler().pitch - attitude.euler().pitch;
+    let (tested, tighter) = varied(Variation::testing(1e-6));
+    assert!((tighter.tolerance() - 1e-7).abs() < 1e-20);
+    let turn = tested.conditions().attitude.euler().pitch - attitude.euler().pitch;
     assert!((turn.to_degrees() - 1e-6).abs() < 1e-9, "{turn}");
+    // No tighter than the solver can be.
+    assert_eq!(varied(Variation::testing(1e-12)).1.tolerance(), 1e-12);
 }

@@ -3,7 +3,8 @@
 //! Landings near a change take long, and landings far from one end alike at any tolerance. So the landings of a scan
 //! may be computed at several times the solver's tolerance and end early, while those between the ends of a change
 //! are computed at the tolerance itself. An end of the final bracket that is still a landing of the scan is landed at
-//! again. Should it end otherwise, the range is scanned again at the tolerance itself.
+//! again. Should it end otherwise, the change lies beside it and is narrowed down there. Where that leaves no change although
+//! the scan ended at one, the range is scanned again at the tolerance itself.
 
 use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -15,6 +16,9 @@ use crate::refine::Narrowed;
 use crate::search_range::{Scan, Search};
 use crate::skipped::Skipped;
 use crate::trial::{Sample, Trial, first_unstable};
+
+/// Part of the greatest width of a bracket by which rounding may exceed it.
+const ROUNDING: f64 = 1e-9;
 
 /// A scan with its changes narrowed down.
 #[derive(Debug, Default)]
@@ -83,28 +87,32 @@ impl Search {
         if !to_first {
             scan.look_for_hidden_bands(self.scan_step, &sample).await?;
         }
-        let narrowing = self.narrowing(!to_first);
-        let changes = scan
+        loop {
+            let changes = scan.wide_changes(self.tolerance, to_first);
+            let narrowing = self.narrowing(!to_first);
+            let narrowed = changes
+                .iter()
+                .map(|[low, high]| narrowing.between(low, high, &sample));
+            for narrowed in join_all(narrowed).await? {
+                scan.add(narrowed);
+            }
+            let unproven = scan.unproven(to_first);
+            let again = unproven
+                .iter()
+                .map(|&index| sample(scan.samples[index].speed));
+            for (index, again) in unproven.iter().zip(join_all(again).await?) {
+                scan.replace(*index, again);
+            }
+            if changes.is_empty() && unproven.is_empty() {
+                break;
+            }
+        }
+        // A landing that only the scan took for a change ended the scan too soon.
+        let is_whole = scan
             .samples
-            .windows(2)
-            .filter(|pair| pair[0].class() != pair[1].class());
-        let most = if to_first { 1 } else { usize::MAX };
-        let narrowed = changes
-            .take(most)
-            .map(|pair| narrowing.between(&pair[0], &pair[1], &sample));
-        let narrowed = join_all(narrowed).await?;
-        let mut holds = narrowed.iter().all(|narrowed| narrowed.holds);
-        for narrowed in narrowed {
-            scan.add(narrowed);
-        }
-        let unproven = scan.unproven(to_first);
-        let again = unproven
-            .iter()
-            .map(|&index| sample(scan.samples[index].speed));
-        for (index, again) in unproven.iter().zip(join_all(again).await?) {
-            holds &= again.class() == scan.samples[*index].class();
-            scan.replace(*index, again);
-        }
+            .last()
+            .is_some_and(|last| last.speed >= self.to);
+        let holds = !to_first || is_whole || first_unstable(&scan.samples).is_some();
         Ok((scan, holds))
     }
 }
@@ -152,12 +160,25 @@ impl NarrowedScan {
         Ok(())
     }
 
+    /// Changes of class between neighbouring landings that are not as narrow as a tolerance (ft/s) yet, or the lowest change
+    /// alone if that is one.
+    fn wide_changes(&self, tolerance: f64, to_first: bool) -> Vec<[Sample; 2]> {
+        let changes = self
+            .samples
+            .windows(2)
+            .filter(|pair| pair[0].class() != pair[1].class());
+        let most = if to_first { 1 } else { usize::MAX };
+        let widest = tolerance * (1.0 + ROUNDING);
+        let is_wide = |pair: &&[Sample]| pair[1].speed - pair[0].speed > widest;
+        { changes.take(most).filter(is_wide) }
+            .map(|pair| [pair[0].clone(), pair[1].clone()])
+            .collect()
+    }
+
     /// Adds what narrowing a change gave.
     fn add(&mut self, narrowed: Narrowed) {
         self.checks.gaps += narrowed.checks;
         self.skipped.interpolated += narrowed.interpolated;
-        self.spent[0] += narrowed.spent[0];
-        self.spent[1] += narrowed.spent[1];
         for end in narrowed.ends {
             let is_end = |sample: &Sample| sample.speed == end.speed;
             match self.samples.iter().position(is_end) {
@@ -261,7 +282,13 @@ mod tests {
             (found.skipped.loose, found.skipped.replaced),
             (LOOSE.scan_count(), 0)
         );
-        let again = find(LOOSE, 11.4, 9.0).skipped;
+        // From step to step up to the change, from 9 to 11.25 ft/s; a scan that ended at 9 ft/s is made again.
+        assert_eq!(find(LOOSE, 11.4, 9.0).skipped.replaced, 10);
+        let first = Search {
+            extent: Extent::First,
+            ..LOOSE
+        };
+        let again = find(first, 11.4, 9.0).skipped;
         assert_eq!(again.replaced, again.loose);
     }
 }

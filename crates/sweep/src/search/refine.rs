@@ -18,8 +18,8 @@
 //! transition at 14.311, and interpolation finds the one, halving the other. Halving therefore holds
 //! where nothing is said.
 //!
-//! Where margins jump or turn back an interval may hold more than one change. It is halved after all then, so that both ways
-//! give the same, and its wide gaps are looked at again.
+//! Where margins jump or turn back an interval may hold more than one change: its wide gaps are looked at again. Which of
+//! several changes is met is a matter of chance, whether an interval is halved or margins are interpolated.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -31,9 +31,9 @@ use crate::trial::{Sample, margin_jumps};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Refinement {
     /// Interpolates margins where they speak of the change, and halves where they do not.
+    #[default]
     Margin,
     /// Halves.
-    #[default]
     Bisection,
 }
 
@@ -61,10 +61,6 @@ pub(crate) struct Narrowed {
     pub(crate) samples: Vec<Sample>,
     /// Ends of the interval that the change lies beside, where they were looser, at the solver's tolerance.
     pub(crate) ends: Vec<Sample>,
-    /// Whether those ended alike at either tolerance.
-    pub(crate) holds: bool,
-    /// Landings that are not among the samples, and evaluations in them.
-    pub(crate) spent: [u64; 2],
     /// Gaps between like landings that were looked into for another change.
     pub(crate) checks: CheckCounts,
     /// Landings that halving takes more than interpolating did.
@@ -97,36 +93,12 @@ impl Narrowing {
         let ends = [node(0, low), node(lattice.parts(), high)];
         let [from, to] = ends.clone();
         self.narrow(from, to, &mut land).await?;
-        let mut narrowed = Narrowed {
-            holds: true,
-            ..Narrowed::default()
-        };
+        let mut narrowed = Narrowed::default();
         let is_regular = is_regular(&ends, &nodes);
         if self.refinement == Refinement::Margin {
-            let halvings = if is_regular { lattice.halvings() } else { 0 };
-            narrowed.interpolated = halvings as i64 - nodes.len() as i64;
+            narrowed.interpolated = lattice.halvings() as i64 - nodes.len() as i64;
         }
         if !is_regular {
-            if self.refinement == Refinement::Margin {
-                // The margins led astray, or to one of several changes: only halving counts.
-                let evaluations = nodes.iter().map(|node| node.sample.trial.evaluations);
-                narrowed.spent = [nodes.len() as u64, evaluations.sum()];
-                nodes.clear();
-                let halving = Self {
-                    refinement: Refinement::Bisection,
-                    ..*self
-                };
-                let [from, to] = ends.clone();
-                let mut land = async |index| {
-                    let node = Node {
-                        index,
-                        sample: sample(lattice.speed(index)).await?,
-                    };
-                    nodes.push(node.clone());
-                    Ok(node)
-                };
-                halving.narrow(from, to, &mut land).await?;
-            }
             let mut land = async |index| {
                 let sample = sample(lattice.speed(index)).await?;
                 Ok(Node { index, sample })
@@ -138,9 +110,7 @@ impl Narrowing {
             let differs = |node: &Node| node.class() != end.class();
             let neighbours = nodes.iter().chain(&ends).filter(|node| is_beside(node));
             if end.sample.is_loose && { neighbours }.any(differs) {
-                let again = sample(end.sample.speed).await?;
-                narrowed.holds &= again.class() == end.class();
-                narrowed.ends.push(again);
+                narrowed.ends.push(sample(end.sample.speed).await?);
             }
         }
         narrowed.samples = nodes.into_iter().map(|node| node.sample).collect();

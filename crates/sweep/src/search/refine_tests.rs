@@ -16,15 +16,11 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     let land = async |speed| Ok::<_, Infallible>(sample(speed));
     let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
     let mut samples = narrowed.samples;
-    assert!(narrowed.holds && narrowed.ends.is_empty());
-    let landings = match narrowed.spent[0] {
-        0 => samples.len() - 2 * narrowed.checks.checks as usize,
-        spent => spent as usize,
-    };
-    let interpolated = match (refinement, narrowed.spent[0]) {
-        (Refinement::Bisection, _) => 0,
-        (Refinement::Margin, 0) => HALVINGS as i64 - landings as i64,
-        (Refinement::Margin, spent) => -(spent as i64),
+    assert!(narrowed.ends.is_empty());
+    let landings = samples.len() - 2 * narrowed.checks.checks as usize;
+    let interpolated = match refinement {
+        Refinement::Bisection => 0,
+        Refinement::Margin => HALVINGS as i64 - landings as i64,
     };
     assert_eq!(narrowed.interpolated, interpolated);
     samples.extend([low, high]);
@@ -122,12 +118,13 @@ fn ends_of_a_scan_are_landed_at_again_beside_a_change() {
         });
         let land = async |speed| Ok::<_, Infallible>(Sample::example(speed, place - speed));
         let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
-        let ends = narrowed.ends.iter().map(|end| end.speed);
-        (ends.collect::<Vec<_>>(), narrowed.holds)
+        let ends = narrowed.ends.iter();
+        ends.map(|end| (end.speed, end.class())).collect::<Vec<_>>()
     };
-    assert_eq!(ends_at(0.1, 0.1), (vec![], true));
-    assert_eq!(ends_at(0.1, 0.2), (vec![], true));
-    assert_eq!(ends_at(0.0005, 0.1), (vec![0.0], true));
-    assert_eq!(ends_at(-0.1, 0.1), (vec![0.0], false));
-    assert_eq!(ends_at(0.3, 0.1), (vec![0.25], false));
+    let (stable, unstable) = (Class::Stable, Class::Unstable);
+    assert_eq!(ends_at(0.1, 0.1), []);
+    assert_eq!(ends_at(0.1, 0.2), []);
+    assert_eq!(ends_at(0.0005, 0.1), [(0.0, stable)]);
+    assert_eq!(ends_at(-0.1, 0.1), [(0.0, unstable)]);
+    assert_eq!(ends_at(0.3, 0.1), [(0.25, stable)]);
 }

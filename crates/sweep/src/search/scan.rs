@@ -5,9 +5,11 @@
 //! lies between two landings that ended alike is left out when both are quiet and far from ending otherwise:
 //!
 //! * Both ended within `SOON`, or both stayed upright with σ above `UPRIGHT`. Narrow bands lie among landings that
-//!   bounce and rock for long.
+//!   bounce and rock for long. Below the first transition there are hardly any of them: where nothing else is sought, it is
+//!   enough too that a third landing has σ and the duration on a line with theirs (`LINE`).
 //! * Neither failed nor was undecided, and the strut nearest to a stop had `CLEAR` of its stroke to spare or would have
-//!   needed as much more: whether a strut just bottoms changes back and forth with the speed.
+//!   needed as much more: whether a strut just bottoms changes back and forth with the speed. Between landings that lie
+//!   close together less is enough.
 //! * The mean of their margins against toppling is more than the steepest margin seen would lose over half their distance.
 //!
 //! This is a measured rule and no proof (`docs/notes/skips.md`).
@@ -30,8 +32,14 @@ const SOON: f64 = 2.2;
 const UPRIGHT: f64 = 0.6;
 /// Change of a margin against toppling with the speed that is not expected to be exceeded, rad² per ft/s.
 const STEEPEST: f64 = 0.2;
-/// How far the struts of a quiet landing are from just meeting a stop, in units of the whole stroke.
+/// How far the struts of quiet landings are from just meeting a stop, in units of the whole stroke, however far the
+/// landings lie apart.
 const CLEAR: f64 = 0.05;
+/// The same in proportion to their distance, where that is less: in units of the whole stroke per ft/s.
+const CLEAR_PER_SPEED: f64 = 0.03;
+/// How far from the line between two stable landings one between them is that is on it: in its least stability angle,
+/// rad, and in its duration, free-fall times.
+const LINE: [f64; 2] = [0.01, 0.1];
 /// Widest stride, ft/s.
 const STRIDE: f64 = 4.0;
 
@@ -56,14 +64,14 @@ impl Search {
             let mut is_over = low.class != Class::Stable;
             while !is_over && low.index < steps {
                 let high = walk.to((low.index + walk.stride).min(steps)).await?;
-                is_over = walk.between(&low, &high).await?;
+                is_over = walk.between(&low, &high, false).await?;
                 low = high;
             }
         } else {
             let strides = (0..steps).step_by(walk.stride as usize).chain([steps]);
             let places = join_all(strides.map(|index| walk.to(index))).await?;
             let pairs = places.windows(2);
-            join_all(pairs.map(|pair| walk.between(&pair[0], &pair[1]))).await?;
+            join_all(pairs.map(|pair| walk.between(&pair[0], &pair[1], false))).await?;
         }
         let mut samples = walk.samples.into_inner();
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
@@ -101,10 +109,18 @@ struct Walk<F> {
     samples: RefCell<Vec<Sample>>,
 }
 
-/// Whether a landing ended for sure, its struts clear of their stops.
-fn is_clear(trial: &Trial) -> bool {
-    let is_decided = !matches!(trial.outcome.class(), Class::Failure | Class::Undecided);
-    is_decided && (trial.margins.bottoming).is_some_and(|margin| margin.abs() >= CLEAR)
+/// Whether two landings, so far apart (ft/s), ended for sure and had their struts clear of the stops on the same side.
+fn are_clear(ends: [&Trial; 2], width: f64) -> bool {
+    let is_decided = |trial: &Trial| {
+        let class = trial.outcome.class();
+        !matches!(class, Class::Failure | Class::Undecided)
+    };
+    let [Some(a), Some(b)] = ends.map(|trial| trial.margins.bottoming) else {
+        return false;
+    };
+    let nearest = a.abs().min(b.abs());
+    let is_near_enough = (a > 0.0) == (b > 0.0) && nearest >= CLEAR_PER_SPEED * width;
+    ends.into_iter().all(is_decided) && (nearest >= CLEAR || is_near_enough)
 }
 
 /// A place of the scan that was landed at.
@@ -129,29 +145,33 @@ where
         Ok(place)
     }
 
-    /// Whether nothing between two landings that ended alike can be expected to end otherwise.
-    fn is_quiet(&self, low: &Place, high: &Place) -> bool {
+    /// Whether nothing between two landings that ended alike can be expected to end otherwise, `on_line` with a third.
+    fn is_quiet(&self, low: &Place, high: &Place, on_line: bool) -> bool {
         let ends = [&low.trial, &high.trial];
         let are = |quiet: fn(&Trial) -> bool| ends.iter().all(|trial| quiet(trial));
-        let half_width = 0.5 * (high.index - low.index) as f64 * self.step;
+        let width = (high.index - low.index) as f64 * self.step;
         let margins = low.trial.margins.toppling.zip(high.trial.margins.toppling);
         let mean = margins.map(|(a, b)| 0.5 * (a + b));
-        are(is_clear)
-            && (are(|trial| trial.duration < SOON) || are(|trial| trial.least_angle > UPRIGHT))
-            && mean.is_some_and(|mean| mean.abs() > STEEPEST * half_width)
+        are_clear(ends, width)
+            && (on_line
+                || are(|trial| trial.duration < SOON)
+                || are(|trial| trial.least_angle > UPRIGHT))
+            && mean.is_some_and(|mean| mean.abs() > STEEPEST * 0.5 * width)
     }
 
-    /// Lands between two landings; whether the first change was all there was to find, and is found.
-    async fn between(&self, low: &Place, high: &Place) -> Result<bool, Stop> {
+    /// Lands between two landings, which may lie on a line with a third; whether the first change was all there was to
+    /// find, and is found.
+    async fn between(&self, low: &Place, high: &Place, on_line: bool) -> Result<bool, Stop> {
         if high.index - low.index == 1 {
             return Ok(self.to_first && high.class != Class::Stable);
         }
-        if low.class == high.class && self.is_quiet(low, high) {
+        if low.class == high.class && self.is_quiet(low, high, on_line) {
             return Ok(false);
         }
         let middle = self.to(next_place(low, high)).await?;
-        let below = Box::pin(self.between(low, &middle));
-        let above = Box::pin(self.between(&middle, high));
+        let on_line = self.to_first && are_on_line(low, &middle, high);
+        let below = Box::pin(self.between(low, &middle, on_line));
+        let above = Box::pin(self.between(&middle, high, on_line));
         if !self.to_first && high.index - low.index > self.stride / 4 {
             // Quarters of a stride at once, and not more however many steps there are in it.
             try_join(below, above).await?;
@@ -159,6 +179,20 @@ where
         }
         Ok(below.await? || above.await?)
     }
+}
+
+/// Whether three stable landings lie on a line, in their least stability angles and in their durations.
+fn are_on_line(low: &Place, middle: &Place, high: &Place) -> bool {
+    let part = (middle.index - low.index) as f64 / (high.index - low.index) as f64;
+    let is_on_line = |of: fn(&Trial) -> f64, within: f64| {
+        let [low, middle, high] = [low, middle, high].map(|place| of(&place.trial));
+        (middle - (low + part * (high - low))).abs() < within
+    };
+    [low, middle, high]
+        .iter()
+        .all(|place| place.class == Class::Stable)
+        && is_on_line(|trial| trial.least_angle, LINE[0])
+        && is_on_line(|trial| trial.duration, LINE[1])
 }
 
 /// Where to land between two places: where their margins say that the outcome changes, else in the middle.

@@ -2,7 +2,7 @@ use super::*;
 use crate::boundary::Extent;
 use crate::certainty::Doubt;
 use crate::refine::Refinement;
-use crate::trial::Trial;
+use crate::trial::{Margins, Trial};
 use futures::executor::block_on;
 use std::convert::Infallible;
 
@@ -113,7 +113,8 @@ fn long_landings_are_never_passed_over() {
 #[test]
 fn landings_next_to_a_stop_and_failures_are_never_passed_over() {
     for class in [Class::Stable, Class::Unstable, Class::Bottomed] {
-        for (margin, count) in [(0.06, 8), (0.04, 101), (-0.04, 101), (-0.06, 8)] {
+        // 0.04 of the stroke is enough where landings are less than 1.33 ft/s apart, 0.007 nowhere.
+        for (margin, count) in [(0.06, 8), (0.04, 26), (0.007, 101), (-0.04, 26), (-0.06, 8)] {
             let sample = async |speed| {
                 let mut trial = Trial::example(class, 1);
                 trial.duration = 0.5;
@@ -127,6 +128,46 @@ fn landings_next_to_a_stop_and_failures_are_never_passed_over() {
     }
     let fails = |_| (0.5, Class::Failure);
     assert_eq!(scan(SEARCH, false, fails).len(), 101);
+}
+
+/// Struts on both sides of a stop are never clear of it.
+#[test]
+fn landings_on_both_sides_of_a_stop_are_not_passed_over() {
+    let trials = [0.045, -0.045, 0.06].map(|bottoming| {
+        let margins = Margins {
+            toppling: Some(0.9),
+            bottoming: Some(bottoming),
+        };
+        Trial {
+            margins,
+            ..Trial::example(Class::Stable, 1)
+        }
+    });
+    let clear = |a: usize, b: usize| are_clear([&trials[a], &trials[b]], 1.0);
+    assert!(clear(0, 0) && clear(1, 1) && clear(0, 2));
+    assert!(!clear(0, 1));
+}
+
+/// Where only the first transition is sought, long landings are passed over that lie on a line with their neighbours.
+#[test]
+fn long_landings_on_a_line_are_passed_over_below_the_first_transition() {
+    let count = |to_first, bend: f64| {
+        let sample = async |speed: f64| {
+            let mut trial = Trial::example(Class::Stable, 1);
+            trial.duration = 3.0 + 0.1 * speed + bend * speed * speed;
+            trial.margins = Margins {
+                toppling: Some(0.9),
+                bottoming: Some(0.5),
+            };
+            Ok::<_, Infallible>(landing(speed, trial))
+        };
+        let Ok(samples) = block_on(SEARCH.scanned(to_first, &sample));
+        samples.len()
+    };
+    // Eight at strides of 4 ft/s, and one in the middle of each; the last stride is shorter.
+    assert_eq!(count(true, 0.0), 15);
+    assert_eq!(count(false, 0.0), 101);
+    assert_eq!(count(true, 1.0), 101);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use touchdown_figures::map_table::{EdgeKind, MapTable};
 use touchdown_figures::palette;
 use touchdown_figures::refined_map;
 use touchdown_figures::surface::{Cell, Surface};
-use touchdown_sweep::map_tables::LEVEL;
+use touchdown_sweep::results::LEVEL;
 
 use super::of_table;
 use super::table::{Point, Transitions};
