@@ -197,3 +197,23 @@ fn landings_converge_with_the_tolerance() {
 
 /// Error of position in units of the tolerance, ft: three times what was found.
 const IN_PROPORTION: f64 = 0.2;
+
+/// Below two transitions of the reference, which bisected past them, lie toppling bands of 0.002 ft/s: landings end the same
+/// way at every tolerance. Each row is (cross-slope, deg; roll, deg; V_H that lands, topples and lands again, ft/s).
+#[test]
+fn bands_that_the_reference_passed_over_are_there_at_every_tolerance() {
+    let vehicle = table_4_1();
+    for (cross_slope, roll, speeds) in [
+        (170.0, 30.0, [14.304, 14.3065, 14.309]),
+        (160.0, 20.0, [12.894, 12.8965, 12.8985]),
+    ] {
+        let ends = [Class::Stable, Class::Unstable, Class::Stable];
+        for (speed, end) in speeds.into_iter().zip(ends) {
+            for tolerance in [3e-5, 1e-6, 1e-8, 1e-10] {
+                let scene = level_scene(cross_slope, roll, speed);
+                let landing = land(&vehicle, &scene, &settings(tolerance));
+                assert_eq!(landing.outcome.class(), end, "{speed} at {tolerance:e}");
+            }
+        }
+    }
+}

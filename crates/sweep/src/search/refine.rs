@@ -13,10 +13,9 @@
 //! median (312 points of Figures 4-5 to 4-25), and lies within 0.01 ft/s at 15 % of the points, so
 //! that it could spare at most one of three landings at few of them.
 //!
-//! On the level-vehicle grid both ways give the first transitions of the reference to 0.001 ft/s but at
-//! cross-slope 170 deg, roll 30 deg: there a toppling band of 0.002 ft/s at 14.307 lies below the
-//! transition at 14.311, and interpolation finds the one, halving the other. Halving therefore holds
-//! where nothing is said.
+//! On the level-vehicle grid both ways give the first transitions of the reference to 0.001 ft/s but at two points
+//! (cross-slope 170 deg, roll 30 deg; 160 and 20): there a toppling band of 0.002 ft/s lies 0.006 and 0.003 ft/s below the
+//! transition of the reference, which halved. Interpolation finds the one, halving the other.
 //!
 //! Where margins jump or turn back an interval may hold more than one change: its wide gaps are looked at again. Which of
 //! several changes is met is a matter of chance, whether an interval is halved or margins are interpolated.

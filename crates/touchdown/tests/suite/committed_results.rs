@@ -6,6 +6,11 @@ use std::path::{Path, PathBuf};
 /// Greatest difference allowed, ft/s: the width of a bracket.
 const ALLOWED: f64 = 1e-3;
 
+/// First transitions that lie below those of the reference: cross-slope and roll, deg, and V_H, ft/s. The reference was
+/// bisected and passed over a toppling band of 0.002 ft/s there. That it exists at every tolerance is tested in `dynamics`
+/// (`convergence::bands_that_the_reference_passed_over_are_there_at_every_tolerance`).
+const PASSED_OVER: [(f64, f64, f64); 2] = [(170.0, 30.0, 14.3053), (160.0, 20.0, 12.8957)];
+
 type Row = HashMap<String, String>;
 
 fn table(path: &Path) -> Vec<Row> {
@@ -29,13 +34,26 @@ fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap()
 }
 
+/// The transition of a row of the reference, ft/s, or the one that it passed over.
+fn true_transition(expected: &Row) -> f64 {
+    let is_here = |(cross_slope, roll, _): &&(f64, f64, f64)| {
+        expected.contains_key("vertical_velocity_fps")
+            && number(expected, "vertical_velocity_fps") == 14.0
+            && number(expected, "cross_slope_deg") == *cross_slope
+            && number(expected, "roll_deg") == *roll
+    };
+    let passed_over = PASSED_OVER.iter().find(is_here);
+    passed_over.map_or_else(
+        || number(expected, "first_transition_fps"),
+        |&(.., speed)| speed,
+    )
+}
+
 /// What is wrong with a result, if anything.
 fn complaint(found: &Row, expected: &Row) -> Option<String> {
+    let is_at = |speed: f64| (number(found, "first_transition_fps") - speed).abs() <= ALLOWED;
     let agrees = found["first_transition_to"] == expected["first_transition_to"]
-        && (expected["first_transition_fps"].is_empty()
-            || (number(found, "first_transition_fps") - number(expected, "first_transition_fps"))
-                .abs()
-                <= ALLOWED);
+        && (expected["first_transition_fps"].is_empty() || is_at(true_transition(expected)));
     (!agrees).then(|| format!("{found:?} instead of {expected:?}"))
 }
 
