@@ -1,10 +1,12 @@
 use super::*;
 use futures::executor::block_on;
 use std::convert::Infallible;
+
+use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::CrushRule;
 
 /// Tests the change at 1 ft/s of landings whose transition moves by `shift` at another tolerance.
-fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
+fn tested(shift: f64) -> (Certainty, usize) {
     let landings = std::cell::Cell::new(0);
     let land = async |speed: f64, variation: Variation| {
         landings.set(landings.get() + 1);
@@ -12,41 +14,50 @@ fn tested(doubt: Doubt, jump: f64, shift: f64) -> (Certainty, usize) {
             Variation::At { .. } => shift,
             _ => 0.0,
         };
-        let margin = if speed < 1.0 + moved { jump } else { -jump };
+        let margin = if speed < 1.0 + moved { 0.1 } else { -0.1 };
         Ok::<_, Infallible>(Sample::example(speed, margin).trial)
     };
-    let (low, high) = (
-        Sample::example(0.9995, jump),
-        Sample::example(1.0005, -jump),
-    );
-    let Ok(certainty) = block_on(test(
-        doubt,
-        Variation::Unchanged,
-        [&low, &high],
-        0.25,
-        &land,
-    ));
+    let (low, high) = (Sample::example(0.9995, 0.1), Sample::example(1.0005, -0.1));
+    let Ok(certainty) = block_on(test(Variation::Unchanged, [&low, &high], 0.25, &land));
     (certainty, landings.get())
 }
 
 #[test]
-fn a_margin_through_zero_is_certain_without_a_landing() {
-    assert_eq!(tested(Doubt::Doubtful, 1e-4, 0.0), (Certainty::Certain, 0));
-    assert_eq!(tested(Doubt::None, 1.0, 0.0), (Certainty::Untested, 0));
-    assert_eq!(tested(Doubt::All, 1e-4, 0.0), (Certainty::Certain, 2));
-    assert_eq!(tested(Doubt::Doubtful, 0.1, 0.0), (Certainty::Certain, 2));
-}
-
-#[test]
 fn disagreement_widens_the_interval_until_all_agree() {
-    let (certainty, _) = tested(Doubt::Doubtful, 0.1, 0.005);
+    assert_eq!(tested(0.0), (Certainty::Certain, 2));
+    let (certainty, _) = tested(0.005);
     let Certainty::Disputed([low, high]) = certainty else {
         panic!("{certainty:?}");
     };
     assert_eq!(low, 0.9995);
     assert!((1.005..1.012).contains(&high), "{high}");
-    let (certainty, _) = tested(Doubt::Doubtful, 0.1, 9.0);
+    let (certainty, _) = tested(9.0);
     assert_eq!(certainty, Certainty::Disputed([0.9995, 1.0005 + 0.25]));
+}
+
+#[test]
+fn a_change_is_doubtful_where_the_margin_jumps_and_not_where_it_is_steep() {
+    let landings = |samples: &[[f64; 2]]| -> Vec<Sample> {
+        let sample = |&[speed, margin]: &[f64; 2]| Sample::example(speed, margin);
+        samples.iter().map(sample).collect()
+    };
+    let doubtful =
+        |below: &[[f64; 2]], above: &[[f64; 2]]| is_doubtful(&landings(below), &landings(above));
+    // Gentle, whatever lies beside.
+    assert!(!doubtful(&[[0.999, 0.001]], &[[1.0, -0.001]]));
+    // 20 rad² per ft/s across the bracket: alone, then between flat, equally steep and half as steep stretches.
+    let (low, high) = ([0.999, 0.01], [1.0, -0.01]);
+    assert!(doubtful(&[low], &[high]));
+    assert!(doubtful(&[[0.9, 0.011], low], &[high, [1.1, -0.011]]));
+    assert!(!doubtful(&[[0.998, 0.03], low], &[high, [1.001, -0.03]]));
+    assert!(!doubtful(&[[0.998, 0.02], low], &[high, [1.002, -0.03]]));
+    // Steep on one side only.
+    assert!(doubtful(&[[0.998, 0.03], low], &[high, [1.1, -0.011]]));
+    assert!(doubtful(&[[0.998, 0.03], low], &[high]));
+    // No margin tells of a change between toppling and failure.
+    let mut failed = landings(&[high]);
+    failed[0].trial = Trial::example(Class::Failure, 1);
+    assert!(is_doubtful(&landings(&[[0.998, 0.03], low]), &failed));
 }
 
 #[test]

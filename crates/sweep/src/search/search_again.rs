@@ -10,7 +10,7 @@ use std::cell::Cell;
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Settled, Tested};
-use crate::certainty::{self, Certainty, Doubt, Variation};
+use crate::certainty::{self, Certainty, Doubt, Variation, is_doubtful};
 use crate::join_all::join_all;
 use crate::search_range::Search;
 use crate::trial::{Sample, Trial};
@@ -42,7 +42,7 @@ impl Search {
             } else {
                 middle(upper)
             };
-            self.tested([&lower[lower.len() - 1], &upper[0]], [from, to], land)
+            self.tested([lower, upper], [from, to], land)
         });
         let tests = join_all(tests).await?;
         Ok(Settled {
@@ -51,14 +51,15 @@ impl Search {
         })
     }
 
-    /// Puts a change between two neighbouring landings to the test, and searches it again where it is disputed, within
-    /// limits (ft/s) beyond which other changes lie.
+    /// Puts the change between two runs of landings to the test, if it is to be, and searches it again where it is disputed,
+    /// within limits (ft/s) beyond which other changes lie.
     async fn tested<Stop>(
         &self,
-        ends: [&Sample; 2],
+        [below, above]: [&[Sample]; 2],
         limits: [f64; 2],
         land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Tested, Stop> {
+        let ends = [&below[below.len() - 1], &above[0]];
         let spent = Cell::new([0, 0]);
         let counted = async |speed, variation| {
             let trial = land(speed, variation).await?;
@@ -66,9 +67,13 @@ impl Search {
             spent.set([landings + 1, evaluations + trial.evaluations]);
             Ok(trial)
         };
-        let unchanged = Variation::Unchanged;
-        let mut certainty =
-            certainty::test(self.doubt, unchanged, ends, self.scan_step, &counted).await?;
+        let mut certainty = match self.doubt {
+            Doubt::None => Certainty::Untested,
+            Doubt::Doubtful if !is_doubtful(below, above) => Certainty::Certain,
+            Doubt::Doubtful | Doubt::All => {
+                certainty::test(Variation::Unchanged, ends, self.scan_step, &counted).await?
+            }
+        };
         let is_spared = self.doubt == Doubt::Doubtful && spent.get()[0] == 0;
         let mut found: Option<[Sample; 2]> = None;
         let is_tighter = |tolerance: &f64| *tolerance < ends[0].trial.tolerance;
@@ -88,8 +93,7 @@ impl Search {
                 continue;
             };
             let pair = [&again[0], &again[1]];
-            certainty =
-                certainty::test(Doubt::All, tighter, pair, self.scan_step, &counted).await?;
+            certainty = certainty::test(tighter, pair, self.scan_step, &counted).await?;
             if let Certainty::Disputed([low, high]) = &mut certainty {
                 *low = low.min(interval[0]);
                 *high = high.max(interval[1]);

@@ -150,10 +150,10 @@ impl Sample {
 
 /// Greatest difference of a margin across a bracket in which it runs through zero: at the regular
 /// transitions of the level vehicle it is 0.0003 for a bracket of 0.001 ft/s.
-const LEAST_JUMP: f64 = 0.01;
+pub(crate) const LEAST_JUMP: f64 = 0.01;
 
 /// Whether, of the change between two landings, no margin tells, or one that jumps.
-pub fn margin_jumps(low: &Sample, high: &Sample) -> bool {
+pub(crate) fn margin_jumps(low: &Sample, high: &Sample) -> bool {
     let classes = [low.class(), high.class()];
     match [low, high].map(|sample| sample.trial.margin(classes)) {
         [Some(a), Some(b)] => (a - b).abs() > LEAST_JUMP,
