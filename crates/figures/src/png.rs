@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use png::{AdaptiveFilterType, BitDepth, ColorType, Compression, Encoder};
+use png::{BitDepth, ColorType, Compression, Encoder, FilterType};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 
@@ -42,14 +42,15 @@ pub fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
     encode(&pixels).map_err(|error| failed(&error))
 }
 
-/// Encodes opaque pixels: without their opacity and compressed well they take a quarter of the room.
+/// Encodes opaque pixels. Even areas and lines take least room without a filter: the best compression with one takes four
+/// times as long, and up to a third more room.
 fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     let mut file = Vec::new();
     let mut encoder = Encoder::new(&mut file, pixels.width(), pixels.height());
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::Best);
-    encoder.set_adaptive_filter(AdaptiveFilterType::Adaptive);
+    encoder.set_compression(Compression::Default);
+    encoder.set_filter(FilterType::NoFilter);
     let colours: Vec<u8> = pixels
         .pixels()
         .iter()
