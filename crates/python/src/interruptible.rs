@@ -14,8 +14,9 @@ use crate::errors::{Failure, guarded};
 
 /// Time between two looks at signals.
 const LOOK_INTERVAL: Duration = Duration::from_millis(50);
-/// Longest wait for work that was told to stop: a landing that takes longer is left to end on its own.
-const PATIENCE: Duration = Duration::from_millis(100);
+/// Longest wait for work that was told to stop, and so for its journal to be free again: a landing that takes longer is left to
+/// end on its own.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Questions whether to go on for one look at the clock.
 const QUESTIONS_PER_LOOK: u32 = 64;
