@@ -38,6 +38,8 @@ struct Queue {
     count: usize,
     /// Landings that threads have started and not finished.
     under_way: usize,
+    /// Threads that wait for a request.
+    idle: usize,
     is_closed: bool,
 }
 
@@ -50,6 +52,7 @@ impl LandingQueue {
                 requests: BTreeMap::new(),
                 count: 0,
                 under_way: 0,
+                idle: 0,
                 is_closed: false,
             }),
             changed: Condvar::new(),
@@ -98,7 +101,9 @@ impl LandingQueue {
             queue.requests.insert((search, key), pending);
             queue.count += 1;
             self.waiting.fetch_add(1, Ordering::Relaxed);
-            self.changed.notify_one();
+            if queue.idle > 0 {
+                self.changed.notify_one();
+            }
         }
     }
 
@@ -114,9 +119,12 @@ impl LandingQueue {
     /// Waits for a request; false when the queue is closed.
     fn wait(&self) -> bool {
         let is_idle = |queue: &mut Queue| !queue.is_closed && queue.requests.is_empty();
-        let queue = (self.changed)
-            .wait_while(self.queue(), is_idle)
+        let mut queue = self.queue();
+        queue.idle += 1;
+        let mut queue = (self.changed)
+            .wait_while(queue, is_idle)
             .unwrap_or_else(PoisonError::into_inner);
+        queue.idle -= 1;
         !queue.is_closed
     }
 
