@@ -43,7 +43,10 @@ pub use input::{choice, deck, method_input, scene_input, settings_input, vehicle
 use input::{search_input, vehicle_tables};
 use journal::early_stop;
 pub use journal::{header, journal_files, merge, point_set, shard};
-use maps::{cell, cell_refinement, curved, located_side, pieces};
+use maps::{
+    cell, cell_refinement, curved, interval_refinement, located_side, pieces, profile_edges,
+    speed_bands,
+};
 pub use maps::{edge_lines, height, resampled, rounds, surface_pieces};
 use output::parquet_table;
 pub use output::{

@@ -5,10 +5,13 @@ pub(crate) mod cell_refinement;
 pub(crate) mod curved;
 pub mod edge_lines;
 pub mod height;
+pub(crate) mod interval_refinement;
 pub(crate) mod located_side;
 pub(crate) mod pieces;
+pub(crate) mod profile_edges;
 pub mod resampled;
 pub mod rounds;
+pub(crate) mod speed_bands;
 pub mod surface_pieces;
 
 #[cfg(test)]

@@ -14,9 +14,9 @@ use crate::refined_grid::{MapRules, Place};
 
 /// What an unlocated end of transitions counts for, beside the square root of an error in ft/s, when the most urgent places
 /// are chosen.
-const END: f64 = 0.3;
+pub(crate) const END: f64 = 0.3;
 /// Error that a first-level cell may have before its centre is known, ft/s.
-const UNKNOWN: f64 = 1.0;
+pub(crate) const UNKNOWN: f64 = 1.0;
 /// Least part of a cell that a side of its edge takes up to be checked by itself.
 const CHECKED: f64 = 0.125;
 

@@ -3,11 +3,13 @@
 use std::collections::{BTreeMap, HashMap};
 
 use crate::cell::Cell;
-use crate::cell_refinement::{Leaf, refined};
+use crate::cell_refinement::{self, Leaf};
 use crate::findings::Finding;
 use crate::height::Height;
+use crate::interval_refinement;
 use crate::refined_grid::{Place, RefinedGrid};
 use crate::shard::Shard;
+use crate::speed_bands::SpeedBands;
 
 /// Of the places that are wanted, the part that a round takes where a budget leaves some undone, and the least number
 /// of them.
@@ -19,6 +21,8 @@ const LEAST_ROUND: usize = 64;
 pub struct Rounds<'m> {
     map: &'m RefinedGrid,
     known: HashMap<usize, Height>,
+    /// Bands of the points, where a map over one axis follows them.
+    bands: HashMap<usize, SpeedBands>,
     landings: u64,
     cells: Vec<FirstLevelCell>,
 }
@@ -49,6 +53,7 @@ impl<'m> Rounds<'m> {
         Self {
             map,
             known: HashMap::new(),
+            bands: HashMap::new(),
             landings: 0,
             cells: all.map(cell).collect(),
         }
@@ -58,11 +63,16 @@ impl<'m> Rounds<'m> {
     /// spent.
     pub fn next_round(&mut self) -> Vec<usize> {
         let mut wanted: BTreeMap<usize, f64> = BTreeMap::new();
-        let (map, known) = (self.map, &self.known);
+        let (map, known, bands) = (self.map, &self.known, &self.bands);
         for first in self.cells.iter_mut().filter(|first| !first.is_fine) {
             let number = |place: Place| map.number(first.map, place);
-            let height = |place: Place| known.get(&number(place)).copied();
-            let found = refined(first.cell, &map.rules, &height);
+            let found = if map.axes().len() == 1 {
+                let bands = |place: usize| bands.get(&number([place, 0]));
+                interval_refinement::refined(first.cell, &map.rules, bands)
+            } else {
+                let height = |place: Place| known.get(&number(place)).copied();
+                cell_refinement::refined(first.cell, &map.rules, &height)
+            };
             first.leaves = found.leaves;
             first.is_fine = found.wanted.is_empty();
             for (place, urgency) in found.wanted {
@@ -105,8 +115,11 @@ impl<'m> Rounds<'m> {
 
     /// Adds what a point of the round came to.
     pub fn learn(&mut self, point: usize, finding: &Finding) {
-        if let Some(height) = Height::of(finding) {
+        if let (Some(height), Some(boundary)) = (Height::of(finding), finding.boundary()) {
             self.learn_height(point, height, finding.landings());
+            if self.map.axes().len() == 1 {
+                self.learn_bands(point, SpeedBands::of(boundary));
+            }
         }
     }
 
@@ -115,6 +128,11 @@ impl<'m> Rounds<'m> {
         if self.known.insert(point, height).is_none() {
             self.landings += landings;
         }
+    }
+
+    /// Adds the bands of a point of a map over one axis.
+    pub(crate) fn learn_bands(&mut self, point: usize, bands: SpeedBands) {
+        self.bands.insert(point, bands);
     }
 
     /// The map that results make, and the points that are missing, as far as the others call for them.
@@ -160,6 +178,10 @@ impl<'m> Rounds<'m> {
 
     pub(crate) fn height(&self, map: usize, place: Place) -> Option<Height> {
         self.known.get(&self.map.number(map, place)).copied()
+    }
+
+    pub(crate) fn bands(&self, map: usize, place: Place) -> Option<&SpeedBands> {
+        self.bands.get(&self.map.number(map, place))
     }
 
     /// All cells that are not divided, with the number of the map that they belong to.

@@ -13,7 +13,7 @@ use crate::surface_pieces::MapSurface;
 fn grid(rules: MapRules) -> RefinedGrid {
     let axis = || (Levels::range(0.0, 40.0, 10.0).unwrap(), None);
     let first = Grid::new(vec![axis(), axis()]).unwrap();
-    RefinedGrid::new(first, [0, 1], [64, 64], rules).unwrap()
+    RefinedGrid::new(first, &[(0, 64), (1, 64)], rules).unwrap()
 }
 
 const RULES: MapRules = MapRules {

@@ -1,6 +1,8 @@
 //! The surface and the edges of a map as tables.
 
 use crate::edge_lines::EdgeLine;
+use crate::profile_edges::{self, ProfileEdge};
+use crate::refined_grid::RefinedGrid;
 use crate::results::optional;
 use crate::rounds::Rounds;
 use crate::surface_pieces::MapSurface;
@@ -26,13 +28,20 @@ pub(crate) struct MapTable {
     pub(crate) rows: Vec<Vec<String>>,
 }
 
-/// The tables of a map: edges, regular table, triangles.
-pub(crate) fn all(sweep: &Sweep, rounds: &Rounds) -> [MapTable; 3] {
-    let surfaces = MapSurface::all(rounds);
-    let within = rounds.map().axes();
-    let within = within.map(|axis| format!("within_{}", sweep.axes[axis].name()));
+/// The tables of a map: edges, and over two axes a regular table and triangles.
+pub(crate) fn all(sweep: &Sweep, rounds: &Rounds) -> Vec<MapTable> {
+    let within = rounds.map().axes().iter();
+    let within = within.map(|&axis| format!("within_{}", sweep.axes[axis].name()));
     let edge_columns = EDGE_COLUMNS.map(str::to_owned).into_iter().chain(within);
-    [
+    if rounds.map().axes().len() == 1 {
+        return vec![MapTable {
+            end: "-edges",
+            heading: sweep.heading(edge_columns),
+            rows: profile_edges(sweep, rounds),
+        }];
+    }
+    let surfaces = MapSurface::all(rounds);
+    vec![
         MapTable {
             end: "-edges",
             heading: sweep.heading(edge_columns),
@@ -59,7 +68,7 @@ fn edges(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
     for (index, (surface, EdgeLine { kind, points })) in all.enumerate() {
         for point in points {
-            let mut row = coordinates(sweep, surface, point.at);
+            let mut row = coordinates(sweep, surface.grid, surface.map, &point.at);
             row.extend([(index + 1).to_string(), kind.name().to_owned()]);
             row.extend(point.speeds.map(optional));
             row.extend(point.within.map(|width| width.to_string()));
@@ -69,11 +78,22 @@ fn edges(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<String>> {
     rows
 }
 
+fn profile_edges(sweep: &Sweep, rounds: &Rounds) -> Vec<Vec<String>> {
+    let row = |(index, (map, edge)): (usize, (usize, ProfileEdge))| {
+        let mut row = coordinates(sweep, rounds.map(), map, &[edge.at]);
+        row.extend([(index + 1).to_string(), edge.kind.name().to_owned()]);
+        row.extend(edge.speeds.map(optional));
+        row.push(edge.within.to_string());
+        row
+    };
+    profile_edges::all(rounds).enumerate().map(row).collect()
+}
+
 fn grid(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<String>> {
     let row = |surface: &MapSurface| -> Vec<Vec<String>> {
         let places = surface.resampled().into_iter();
         let row = |place: crate::resampled::Resampled| {
-            let mut row = coordinates(sweep, surface, place.at);
+            let mut row = coordinates(sweep, surface.grid, surface.map, &place.at);
             row.extend([optional(place.speed), optional(place.error)]);
             row
         };
@@ -90,7 +110,7 @@ fn triangles(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
     for (index, (surface, corners)) in all.enumerate() {
         for (at, speed) in corners {
-            let mut row = coordinates(sweep, surface, at);
+            let mut row = coordinates(sweep, surface.grid, surface.map, &at);
             row.extend([(index + 1).to_string(), speed.to_string()]);
             rows.push(row);
         }
@@ -99,12 +119,10 @@ fn triangles(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<String>> {
 }
 
 /// All coordinates of a place on a map, as results write them.
-fn coordinates(sweep: &Sweep, surface: &MapSurface, at: [f64; 2]) -> Vec<String> {
-    let mut all = surface
-        .grid
-        .coordinates(surface.grid.number(surface.map, [0, 0]));
-    for (axis, value) in surface.grid.axes().into_iter().zip(at) {
-        all[axis] = value;
+fn coordinates(sweep: &Sweep, grid: &RefinedGrid, map: usize, at: &[f64]) -> Vec<String> {
+    let mut all = grid.coordinates(grid.number(map, [0, 0]));
+    for (axis, value) in grid.axes().iter().zip(at) {
+        all[*axis] = *value;
     }
     let varied = sweep.axes.iter().zip(all);
     varied.map(|(axis, value)| axis.written(value)).collect()

@@ -118,7 +118,7 @@ pub fn write<E: From<TablesError> + From<WriteError>>(
         tables.sensitivity,
     ];
     drafts.extend(beside.into_iter().flatten());
-    drafts.extend(tables.of_map.into_iter().flatten());
+    drafts.extend(tables.of_map);
     // The table comes last: where it stands, the others do too.
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();

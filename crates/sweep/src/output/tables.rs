@@ -34,8 +34,8 @@ pub struct Tables {
     pub distribution: Option<Draft>,
     /// Sensitivities, if there are any.
     pub sensitivity: Option<Draft>,
-    /// Edges, regular table and triangles of a map.
-    pub of_map: Option<[Draft; 3]>,
+    /// Edges of a map, and over two axes its regular table and its triangles.
+    pub of_map: Vec<Draft>,
     /// The same tables as Parquet files, if requested.
     pub parquet: Vec<Draft>,
     /// Counts over the points.
@@ -164,7 +164,6 @@ impl Tables {
             }
             of_map.extend(end(Some(table))?);
         }
-        let of_map = <[Draft; 3]>::try_from(of_map).ok();
         Ok(Self {
             points,
             bands: end(bands)?,

@@ -13,7 +13,7 @@ pub(crate) const MAP: [&str; 5] = [
     "budget_landings",
     "grid_steps",
 ];
-const EDGE_WIDTH: &str = "a table with two of the axes and a width in the unit of each, such as { roll_deg = 0.5, friction = 0.01 }";
+const EDGE_WIDTH: &str = "a table with one or two of the axes and a width in the unit of each, such as { roll_deg = 0.5, friction = 0.01 }";
 /// Least difference that makes an edge without a word: in errors sought, and in ft/s at least.
 const JUMP_IN_ERRORS: f64 = 4.0;
 const JUMP: f64 = 0.5;
@@ -39,12 +39,11 @@ pub(crate) fn map(
         .map(|(name, width)| refined_axis(name, width, entries, first_level))
         .collect::<Result<_, _>>()?;
     refined.sort_unstable();
-    let &[(slow, slow_parts), (fast, fast_parts)] = refined.as_slice() else {
+    if !(1..=2).contains(&refined.len()) {
         return Err(edge_width.complain_that(&format!("allowed is {EDGE_WIDTH}")));
-    };
+    }
     let rules = rules(&section)?;
-    let (axes, parts) = ([slow, fast], [slow_parts, fast_parts]);
-    RefinedGrid::new(first_level.clone(), axes, parts, rules)
+    RefinedGrid::new(first_level.clone(), &refined, rules)
         .map(Some)
         .ok_or_else(|| {
             edge_width.complain_that(

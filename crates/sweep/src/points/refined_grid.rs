@@ -1,6 +1,6 @@
-//! The places of a map: a grid of two axes (or a family of such grids) whose cells are subdivided.
+//! The places of a map: a grid of one or two axes (or a family of such grids) whose cells are subdivided.
 //!
-//! The values that the axes are given are the first level. Each interval of the two refined axes is divided into a
+//! The values that the axes are given are the first level. Each interval of the refined axes is divided into a
 //! power of two of equal parts; every place where such parts meet has a number, whether it is ever computed or not.
 
 use crate::grid::Grid;
@@ -25,35 +25,29 @@ pub struct RefinedGrid {
     first_level: Grid,
     places: Grid,
     /// Index of each refined axis.
-    axes: [usize; 2],
-    /// Parts of an interval of each refined axis.
+    axes: Vec<usize>,
+    /// Parts of an interval of each refined axis, of which there are one or two; 1 of one that is not there.
     parts: [usize; 2],
     /// Number of places along each dimension, and the step from one to the next in their numbers.
     dimensions: Vec<[usize; 2]>,
     /// Which dimension each refined axis is.
-    refined: [usize; 2],
+    refined: Vec<usize>,
     /// When it is fine enough.
     pub rules: MapRules,
 }
 
-/// A place of a map in steps of the finest division along the two refined axes.
+/// A place of a map in steps of the finest division along the refined axes; 0 along one that is not there.
 pub type Place = [usize; 2];
 
 impl RefinedGrid {
-    /// Divides the intervals of two axes of a grid, each of which varies by itself, into `parts`, powers of two; `None`
-    /// when there are more than 2^26 places.
-    pub fn new(
-        first_level: Grid,
-        axes: [usize; 2],
-        parts: [usize; 2],
-        rules: MapRules,
-    ) -> Option<Self> {
+    /// Divides the intervals of one or two axes of a grid, each of which varies by itself, into parts, a power of two for
+    /// each; `None` when there are more than 2^26 places.
+    pub fn new(first_level: Grid, refined: &[(usize, usize)], rules: MapRules) -> Option<Self> {
         const MOST_PLACES: usize = 1 << 26;
         let mut divided: Vec<(Levels, Option<String>)> = Vec::new();
         for (index, levels) in first_level.axes().iter().enumerate() {
-            let refined = axes.iter().position(|axis| *axis == index);
-            let levels = match refined {
-                Some(axis) => levels.divided(parts[axis], MOST_PLACES)?,
+            let levels = match refined.iter().find(|(axis, _)| *axis == index) {
+                Some((_, parts)) => levels.divided(*parts, MOST_PLACES)?,
                 None => levels.clone(),
             };
             let together = |dimension: &&Vec<usize>| dimension.contains(&index);
@@ -76,7 +70,13 @@ impl RefinedGrid {
             let found = places.dimensions().iter();
             found.into_iter().position(|together| *together == [axis])
         };
-        let refined = [dimension(axes[0])?, dimension(axes[1])?];
+        let axes: Vec<usize> = refined.iter().map(|(axis, _)| *axis).collect();
+        let mut parts = [1, 1];
+        for (known, (_, divided)) in parts.iter_mut().zip(refined) {
+            *known = *divided;
+        }
+        let found: Option<Vec<usize>> = axes.iter().map(|axis| dimension(*axis)).collect();
+        let refined = found?;
         Some(Self {
             first_level,
             places,
@@ -93,12 +93,12 @@ impl RefinedGrid {
         &self.first_level
     }
 
-    /// Indices of the two refined axes, the slower first.
-    pub fn axes(&self) -> [usize; 2] {
-        self.axes
+    /// Indices of the refined axes, the slower first.
+    pub fn axes(&self) -> &[usize] {
+        &self.axes
     }
 
-    /// Parts of a first-level interval of each refined axis.
+    /// Parts of a first-level interval of each refined axis; 1 of one that is not there.
     pub fn parts(&self) -> [usize; 2] {
         self.parts
     }
@@ -115,13 +115,19 @@ impl RefinedGrid {
 
     /// Number of maps: one for every combination of values of the axes that are not refined.
     pub fn maps(&self) -> usize {
-        let [one, other] = self.refined.map(|dimension| self.dimensions[dimension][0]);
-        self.count() / one / other
+        let places = self
+            .refined
+            .iter()
+            .map(|dimension| self.dimensions[*dimension][0]);
+        self.count() / places.product::<usize>()
     }
 
-    /// Number of first-level cells of a map along each refined axis.
+    /// Number of first-level cells of a map along each refined axis; 1 along one that is not there.
     pub fn cells(&self) -> [usize; 2] {
-        [0, 1].map(|axis| (self.dimensions[self.refined[axis]][0] - 1) / self.parts[axis])
+        [0, 1].map(|axis: usize| match self.refined.get(axis) {
+            Some(dimension) => (self.dimensions[*dimension][0] - 1) / self.parts[axis],
+            None => 1,
+        })
     }
 
     /// The number of a place of a map.
@@ -145,9 +151,12 @@ impl RefinedGrid {
 
     /// The place of a number in its map.
     pub fn place(&self, number: usize) -> Place {
-        self.refined.map(|dimension| {
-            let [count, stride] = self.dimensions[dimension];
-            number / stride % count
+        [0, 1].map(|axis: usize| match self.refined.get(axis) {
+            Some(dimension) => {
+                let [count, stride] = self.dimensions[*dimension];
+                number / stride % count
+            }
+            None => 0,
         })
     }
 
@@ -206,7 +215,7 @@ mod tests {
             (list(&[5.0, 6.0]), group()),
             (list(&[10.0, 30.0]), None),
         ];
-        RefinedGrid::new(Grid::new(axes).unwrap(), [1, 3], [4, 2], RULES).unwrap()
+        RefinedGrid::new(Grid::new(axes).unwrap(), &[(1, 4), (3, 2)], RULES).unwrap()
     }
 
     #[test]
@@ -240,9 +249,21 @@ mod tests {
     }
 
     #[test]
+    fn a_map_over_one_axis_has_one_row_of_cells() {
+        let list = |values: &[f64]| (Levels::list(values.to_vec()).unwrap(), None);
+        let axes = vec![list(&[1.0, 2.0]), list(&[0.0, 1.0, 3.0])];
+        let map = RefinedGrid::new(Grid::new(axes).unwrap(), &[(1, 4)], RULES).unwrap();
+        assert_eq!((map.count(), map.maps(), map.cells()), (18, 2, [2, 1]));
+        let number = map.number(1, [6, 0]);
+        assert_eq!(map.coordinates(number), [2.0, 2.0]);
+        assert_eq!((map.map_of(number), map.place(number)), (1, [6, 0]));
+        assert_eq!((map.level(number), map.parts()), (1, [4, 1]));
+    }
+
+    #[test]
     fn too_many_places_are_none() {
         let fine = || Levels::range(0.0, 1000.0, 1.0).unwrap();
         let grid = Grid::new(vec![(fine(), None), (fine(), None)]).unwrap();
-        assert_eq!(RefinedGrid::new(grid, [0, 1], [64, 64], RULES), None);
+        assert_eq!(RefinedGrid::new(grid, &[(0, 64), (1, 64)], RULES), None);
     }
 }

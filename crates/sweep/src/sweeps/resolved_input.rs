@@ -70,9 +70,16 @@ impl Sweep {
             input["sensitivity"] = names.collect();
         }
         if let Some(map) = self.map() {
-            let named = |axis: usize| self.axes[map.axes()[axis]].name();
+            let named = map
+                .axes()
+                .iter()
+                .map(|&axis| self.axes[axis].name().to_owned());
+            let parts: Map<String, Value> = named
+                .zip(map.parts())
+                .map(|(name, parts)| (name, json!(parts)))
+                .collect();
             input["map"] = json!({
-                "parts_of_first_level": { (named(0)): map.parts()[0], (named(1)): map.parts()[1] },
+                "parts_of_first_level": parts,
                 "error_fps": map.rules.error,
                 "jump_fps": map.rules.jump,
                 "budget_landings": map.rules.budget,

@@ -110,7 +110,7 @@ fn pictures(
         return Ok((Vec::new(), None));
     }
     let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
-    if let Some([edges, _, surface]) = &tables.of_map {
+    if let [edges, _, surface] = tables.of_map.as_slice() {
         let (edges, surface) = (edges.text(LONGEST_REDUCED)?, surface.text(LONGEST_REDUCED)?);
         let source = Source {
             name: &sweep.stem(),

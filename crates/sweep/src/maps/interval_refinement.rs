@@ -1,0 +1,97 @@
+//! How an interval of the first level of a map over one axis is refined.
+//!
+//! An interval is halved where its ends do not have the same bands, down to the width of an edge, and where the transitions at
+//! its middle are off the straight lines between those at its ends. What is wanted of an interval depends on the places in it
+//! alone, so that the order in which places become known changes nothing.
+
+use crate::cell::Cell;
+use crate::cell_refinement::{END, Leaf, Refined, UNKNOWN};
+use crate::located_side::BRACKET;
+use crate::refined_grid::MapRules;
+use crate::speed_bands::SpeedBands;
+
+/// Refines a first-level interval.
+pub(crate) fn refined<'k>(
+    interval: Cell,
+    rules: &MapRules,
+    bands: impl Fn(usize) -> Option<&'k SpeedBands>,
+) -> Refined {
+    let mut refinement = Refinement {
+        rules,
+        bands,
+        whole: interval.size[0],
+        refined: Refined::default(),
+    };
+    let [low, size] = [interval.low[0], interval.size[0]];
+    let ends = [low, low + size].map(|place| refinement.ask(place, f64::INFINITY));
+    if let [Some(a), Some(b)] = ends {
+        refinement.visit([low, size], [a, b], None);
+    }
+    refinement.refined
+}
+
+struct Refinement<'r, F> {
+    rules: &'r MapRules,
+    bands: F,
+    whole: usize,
+    refined: Refined,
+}
+
+impl<'k, F: Fn(usize) -> Option<&'k SpeedBands>> Refinement<'_, F> {
+    /// The bands of a place, or `None` where they have to be known first.
+    fn ask(&mut self, place: usize, urgency: f64) -> Option<&'k SpeedBands> {
+        let known = (self.bands)(place);
+        if known.is_none() {
+            self.refined.wanted.insert([place, 0], urgency);
+        }
+        known
+    }
+
+    fn leaf(&mut self, [low, size]: [usize; 2], error: Option<f64>) {
+        self.refined.leaves.push(Leaf {
+            cell: Cell {
+                low: [low, 0],
+                size: [size, 0],
+            },
+            error,
+            bend: None,
+            check: None,
+        });
+    }
+
+    /// Goes through an interval between two places whose bands are known; `parent` is the error of the interval that it is a
+    /// half of, ft/s, if that is known.
+    fn visit(&mut self, [low, size]: [usize; 2], [a, b]: [&'k SpeedBands; 2], parent: Option<f64>) {
+        if size <= BRACKET {
+            return self.leaf([low, size], parent);
+        }
+        let share = size as f64 / self.whole as f64;
+        let leap = a.leap(b);
+        // Lines half as long are four times closer to a smooth curve. Where there is no transition comes last.
+        let expected = match parent {
+            _ if a.are_one() => 0.0,
+            None => UNKNOWN,
+            Some(error) => 0.5 * error.min(leap),
+        };
+        let urgency = if leap.is_finite() {
+            expected.sqrt() * share
+        } else {
+            END * share
+        };
+        let half = size / 2;
+        let Some(middle) = self.ask(low + half, urgency) else {
+            return self.leaf([low, size], parent);
+        };
+        let error = middle.off_halfway(a, b);
+        if error <= self.rules.error {
+            return self.leaf([low, size], Some(error));
+        }
+        let known = if error.is_finite() {
+            Some(error)
+        } else {
+            parent
+        };
+        self.visit([low, half], [a, middle], known);
+        self.visit([low + half, half], [middle, b], known);
+    }
+}

@@ -1,0 +1,50 @@
+//! The edges of a map over one axis: places at which the bands over V_H are others, or jump.
+
+use crate::edge_lines::EdgeKind;
+use crate::located_side::BRACKET;
+use crate::rounds::Rounds;
+
+/// An edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ProfileEdge {
+    /// Value of the axis.
+    pub(crate) at: f64,
+    /// Half the distance of the points on either side.
+    pub(crate) within: f64,
+    /// What it parts.
+    pub(crate) kind: EdgeKind,
+    /// The first transitions found there, ft/s, the lower first; `None` where there is none.
+    pub(crate) speeds: [Option<f64>; 2],
+}
+
+/// The edges of all maps, with the number of the map that each belongs to.
+pub(crate) fn all(rounds: &Rounds) -> impl Iterator<Item = (usize, ProfileEdge)> {
+    let grid = rounds.map();
+    rounds.leaves().filter_map(move |(map, leaf)| {
+        let ends = [leaf.cell.low[0], leaf.cell.low[0] + leaf.cell.size[0]];
+        let bands = |place| rounds.bands(map, [place, 0]);
+        let leap = bands(ends[0])?.leap(bands(ends[1])?);
+        let is_jump = leap > grid.rules.jump && leaf.cell.size[0] <= BRACKET;
+        if leap.is_finite() && !is_jump {
+            return None;
+        }
+        let first = |place| Some(rounds.height(map, [place, 0])?.speed);
+        let mut speeds = [first(ends[0])?, first(ends[1])?];
+        let kind = match speeds {
+            _ if leap.is_finite() => EdgeKind::Jump,
+            [Some(_), Some(_)] | [None, None] => EdgeKind::Bands,
+            _ => EdgeKind::End,
+        };
+        if speeds[0].is_none() || speeds[1].is_some() && speeds[1] < speeds[0] {
+            speeds.reverse();
+        }
+        let [low, high] = ends.map(|place| grid.value(0, place as f64));
+        let edge = ProfileEdge {
+            at: 0.5 * (low + high),
+            within: 0.5 * (high - low).abs(),
+            kind,
+            speeds,
+        };
+        Some((map, edge))
+    })
+}

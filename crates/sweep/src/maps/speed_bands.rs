@@ -1,0 +1,76 @@
+//! How landings end over V_H at a place of a map over one axis.
+
+use touchdown_dynamics::outcome::Class;
+
+use crate::boundary::Boundary;
+
+/// The bands of a place from below: as many as were searched, the lowest two where that is the first transition alone.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SpeedBands {
+    classes: Vec<Class>,
+    /// Transitions between them, ft/s.
+    transitions: Vec<f64>,
+}
+
+impl SpeedBands {
+    /// What a search found.
+    pub(crate) fn of(boundary: &Boundary) -> Self {
+        if let [below @ .., _] = boundary.bands.as_slice() {
+            return Self {
+                classes: boundary.bands.iter().map(|band| band.class).collect(),
+                transitions: below.iter().map(|band| band.to).collect(),
+            };
+        }
+        match &boundary.transition {
+            None => Self::new(&[Class::Stable], &[]),
+            Some(found) if found.low.is_none() => Self::new(&[found.to], &[]),
+            Some(found) => Self::new(&[Class::Stable, found.to], &[found.speed()]),
+        }
+    }
+
+    /// Bands of these classes, between these transitions (ft/s).
+    pub(crate) fn new(classes: &[Class], transitions: &[f64]) -> Self {
+        Self {
+            classes: classes.to_vec(),
+            transitions: transitions.to_vec(),
+        }
+    }
+
+    /// Whether there is no transition.
+    pub(crate) fn are_one(&self) -> bool {
+        self.transitions.is_empty()
+    }
+
+    /// Greatest difference of a transition, ft/s; infinite where landings do not end alike one after another.
+    pub(crate) fn leap(&self, other: &Self) -> f64 {
+        if self.classes != other.classes {
+            return f64::INFINITY;
+        }
+        greatest(
+            self.transitions
+                .iter()
+                .zip(&other.transitions)
+                .map(|(one, other)| one - other),
+        )
+    }
+
+    /// Greatest distance of a transition from half-way between those of two others, ft/s; infinite where landings do not end
+    /// alike one after another.
+    pub(crate) fn off_halfway(&self, low: &Self, high: &Self) -> f64 {
+        if self.classes != low.classes || self.classes != high.classes {
+            return f64::INFINITY;
+        }
+        let ends = low.transitions.iter().zip(&high.transitions);
+        let halfway = ends.map(|(low, high)| 0.5 * (low + high));
+        greatest(
+            self.transitions
+                .iter()
+                .zip(halfway)
+                .map(|(here, halfway)| here - halfway),
+        )
+    }
+}
+
+fn greatest(differences: impl Iterator<Item = f64>) -> f64 {
+    differences.fold(0.0, |most, difference| difference.abs().max(most))
+}
