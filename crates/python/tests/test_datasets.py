@@ -87,6 +87,17 @@ def test_maps_have_a_regular_grid_points_and_edges(lander, scene):
     assert {"edge_kind", "corner_triangle"} <= set(found.data_vars)
 
 
+def test_a_map_over_one_axis_has_its_points_bands_and_edges(lander, scene):
+    found = td.map(
+        lander, scene, {"roll_deg": [0, 20, 40]}, {"roll_deg": 5}, error_fps=0.5, search={**SHORT, "bands": "all"}, progress=False
+    )
+    rolls = found.roll_deg.values
+    assert found.first_transition.dims == ("roll_deg",) and len(rolls) > 3 and (np.diff(rolls) > 0).all()
+    assert found.band_to.dims == ("roll_deg", "band")
+    assert {"edge_roll_deg", "edge_kind"} <= set(found.variables)
+    assert td.plot.profile(found).lines
+
+
 def test_errors_of_a_map_in_si(lander, scene):
     def mapped(**errors):
         axes = {"cross_slope_deg": [160, 180], "roll_deg": [0, 20]}

@@ -15,4 +15,6 @@ pub(crate) mod speed_bands;
 pub mod surface_pieces;
 
 #[cfg(test)]
+mod profile_tests;
+#[cfg(test)]
 mod tests;

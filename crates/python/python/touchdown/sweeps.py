@@ -98,7 +98,7 @@ def map(  # noqa: A001
     solver: Document | None = None,
     **options: Any,
 ) -> xr.Dataset:
-    """Map the transition velocity over two axes; the program refines where it curves, jumps or ends.
+    """Map the transition velocity over one axis or two; the program refines where it curves, jumps or ends.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def map(  # noqa: A001
     axes : mapping
         The first level of the map, as in `sweep`.
     edge_width : mapping of str to float
-        The two axes that are refined: edges are located between points no farther apart, in the unit of the axis.
+        The one or two axes that are refined: edges are located between points no farther apart, in the unit of the axis.
     error_fps, error_mps : float, optional
         Cells are refined while the error of interpolation at their centres is greater, ft/s or m/s.
     budget_landings : int, optional
@@ -117,7 +117,7 @@ def map(  # noqa: A001
     jump_fps, jump_mps : float, optional
         Least difference over `edge_width` that counts as an edge, ft/s or m/s.
     grid_steps : int, optional
-        Steps of the regular grid along each side of a first-level cell; default 8.
+        Steps of the regular grid along each side of a first-level cell; default 8. Not over one axis.
     search, solver : mapping, optional
         As in `sweep`.
     **options
@@ -127,7 +127,7 @@ def map(  # noqa: A001
     -------
     Dataset
         ``first_transition`` and ``estimated_error`` over the axes, on a regular grid; the points themselves as ``point_…``, edges as lines
-        ``edge_…``, and triangles ``corner_…``.
+        ``edge_…``, and triangles ``corner_…``. Over one axis: what `sweep` returns, at the points themselves, and the edges.
     """
     rules = {
         "edge_width": dict(edge_width),

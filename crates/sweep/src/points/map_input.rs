@@ -42,6 +42,13 @@ pub(crate) fn map(
     if !(1..=2).contains(&refined.len()) {
         return Err(edge_width.complain_that(&format!("allowed is {EDGE_WIDTH}")));
     }
+    if refined.len() == 1
+        && let Some(steps) = section.optional("grid_steps")
+    {
+        return Err(
+            steps.complain_that("says nothing of a map over one axis, which has no regular table")
+        );
+    }
     let rules = rules(&section)?;
     RefinedGrid::new(first_level.clone(), &refined, rules)
         .map(Some)

@@ -27,10 +27,26 @@ const TABLES: [&str; 5] = [
     "map.json",
 ];
 
-fn bench() -> Bench {
+/// All bands over one axis, along which transitions begin and end.
+fn profile() -> String {
+    SWEEP
+        .replace(
+            "roll_deg = { from = -10, to = 10, step = 10 }",
+            "roll_deg = [20, 30, 40]\n[map]\nedge_width = { roll_deg = 1 }\nerror_fps = 0.1",
+        )
+        .replace("to_fps = 12.5", "to_fps = 16\nbands = \"all\"")
+}
+
+const PROFILE_TABLES: [&str; 4] = ["map.csv", "map-bands.csv", "map-edges.csv", "map.json"];
+
+fn bench_of(text: &str) -> Bench {
     let bench = Bench::new();
-    bench.write("map.toml", &map());
+    bench.write("map.toml", text);
     bench
+}
+
+fn bench() -> Bench {
+    bench_of(&map())
 }
 
 fn run(bench: &Bench, arguments: &[&str]) -> Done {
@@ -39,25 +55,37 @@ fn run(bench: &Bench, arguments: &[&str]) -> Done {
     done
 }
 
-fn tables(bench: &Bench, folder: &str) -> [String; 5] {
-    TABLES.map(|name| bench.read(&format!("{folder}/{name}")))
+#[test]
+fn threads_shards_and_interruptions_leave_the_same_map() {
+    let bench = leaves_the_same(&map(), &TABLES);
+    assert!(bench.list("one").contains(&"map-contours.png".to_owned()));
 }
 
 #[test]
-fn threads_shards_and_interruptions_leave_the_same_map() {
-    let bench = bench();
+fn they_leave_the_same_map_over_one_axis() {
+    let bench = leaves_the_same(&profile(), &PROFILE_TABLES);
+    assert!(bench.list("one").contains(&"map.png".to_owned()));
+    assert_eq!(bench.list("one").len(), PROFILE_TABLES.len() + 2);
+}
+
+/// Computes a map on one thread, on three, in shards, and with an interruption: all leave the same tables.
+fn leaves_the_same(text: &str, names: &[&str]) -> Bench {
+    let bench = bench_of(text);
+    let tables = |folder: &str| -> Vec<String> {
+        let read = |name: &&str| bench.read(&format!("{folder}/{name}"));
+        names.iter().map(read).collect()
+    };
     run(
         &bench,
         &["sweep", "map.toml", "--out", "one", "--threads", "1"],
     );
-    let expected = tables(&bench, "one");
-    assert!(bench.list("one").contains(&"map-contours.png".to_owned()));
+    let expected = tables("one");
 
     run(
         &bench,
         &["sweep", "map.toml", "--out", "three", "--threads", "3"],
     );
-    assert_eq!(tables(&bench, "three"), expected);
+    assert_eq!(tables("three"), expected);
 
     for shard in ["1/2", "2/2"] {
         run(
@@ -66,7 +94,7 @@ fn threads_shards_and_interruptions_leave_the_same_map() {
         );
     }
     run(&bench, &["merge", "shards", "--out", "merged"]);
-    assert_eq!(tables(&bench, "merged"), expected);
+    assert_eq!(tables("merged"), expected);
 
     // Without one of its shards the map is incomplete.
     std::fs::remove_file(bench.path("shards/map.1-of-2.journal")).unwrap();
@@ -99,7 +127,45 @@ fn threads_shards_and_interruptions_leave_the_same_map() {
     let _ = child.kill();
     child.wait().unwrap();
     run(&bench, &arguments);
-    assert_eq!(tables(&bench, "again"), expected);
+    assert_eq!(tables("again"), expected);
+    bench
+}
+
+/// The rows of a table, cell by cell.
+fn rows(bench: &Bench, name: &str) -> Vec<Vec<String>> {
+    let text = bench.read(&format!("out/{name}"));
+    let rows = text.lines().skip(1);
+    rows.map(|row| row.split(',').map(str::to_owned).collect())
+        .collect()
+}
+
+#[test]
+fn edges_over_one_axis_lie_between_places_with_other_bands() {
+    let bench = bench_of(&profile());
+    run(&bench, &["sweep", "map.toml", "--out", "out"]);
+    // Outcomes from below at every roll.
+    let mut bands: Vec<(f64, Vec<String>)> = Vec::new();
+    for row in rows(&bench, "map-bands.csv") {
+        let roll = row[0].parse().unwrap();
+        match bands.last_mut() {
+            Some((last, outcomes)) if *last == roll => outcomes.push(row[4].clone()),
+            _ => bands.push((roll, vec![row[4].clone()])),
+        }
+    }
+    assert!(bands.is_sorted_by(|a, b| a.0 < b.0));
+    let unlike = bands.windows(2).filter(|pair| pair[0].1 != pair[1].1);
+    let between: Vec<[f64; 2]> = unlike.map(|pair| [pair[0].0, pair[1].0]).collect();
+    let edges = rows(&bench, "map-edges.csv");
+    let edges = edges.iter().filter(|row| row[2] != "jump");
+    let within: Vec<[f64; 2]> = edges
+        .map(|row| {
+            let [at, half]: [f64; 2] = [&row[0], &row[5]].map(|cell| cell.parse().unwrap());
+            assert!(half <= 0.5, "{row:?}");
+            [at - half, at + half]
+        })
+        .collect();
+    assert_eq!(within, between);
+    assert!(!between.is_empty());
 }
 
 #[test]
@@ -107,13 +173,7 @@ fn transitions_end_where_the_edges_are() {
     let bench = bench();
     let done = run(&bench, &["sweep", "map.toml", "--out", "out"]);
     assert!(done.out.contains("first transition to"), "{}", done.out);
-    let rows = |name: &str| -> Vec<Vec<String>> {
-        let text = bench.read(&format!("out/{name}"));
-        let rows = text.lines().skip(1);
-        rows.map(|row| row.split(',').map(str::to_owned).collect())
-            .collect()
-    };
-    let edges = rows("map-edges.csv");
+    let edges = rows(&bench, "map-edges.csv");
     assert!(edges.iter().any(|row| row[3] == "end"));
     for row in &edges {
         // Widths of two degrees, so that nothing is farther than one from the edge, were it known.
@@ -123,11 +183,11 @@ fn transitions_end_where_the_edges_are() {
             "{row:?}"
         );
     }
-    let points = rows("map.csv");
+    let points = rows(&bench, "map.csv");
     let levels: Vec<&str> = points.iter().map(|row| row[12].as_str()).collect();
     assert!(levels.contains(&"0") && levels.contains(&"2"), "{levels:?}");
     // Eight steps along the sides of cells.
-    assert_eq!(rows("map-grid.csv").len(), 9 * 17);
+    assert_eq!(rows(&bench, "map-grid.csv").len(), 9 * 17);
 }
 
 #[test]
@@ -144,12 +204,13 @@ fn dry_runs_tell_of_the_first_level() {
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
 #[rustfmt::skip]
-const BAD: [(&str, &str, &[&str]); 12] = [
+const BAD: [(&str, &str, &[&str]); 13] = [
     ("error_fps = 0.3", "", &["map.toml:10: map.error_fps is missing", "budget_landings"]),
     ("error_fps = 0.3", "error_fps = 0", &["map.toml:12: map.error_fps = 0", "> 0"]),
     ("error_fps = 0.3", "budget_landings = 1.5", &["map.toml:12: map.budget_landings = 1.5", "whole number"]),
     ("error_fps = 0.3", "error = 0.3", &["map.toml:12: map.error = 0.3", "did you mean error_fps?"]),
-    (", roll_deg = 2", "", &["map.toml:11: map.edge_width", "two of the axes"]),
+    ("{ cross_slope_deg = 2, roll_deg = 2 }", "{}", &["map.toml:11: map.edge_width", "one or two of the axes"]),
+    ("cross_slope_deg = 2, roll_deg = 2 }", "roll_deg = 2 }\ngrid_steps = 4", &["map.toml:12: map.grid_steps", "one axis"]),
     ("roll_deg = 2 }", "friction = 2 }", &["map.toml:11: map.edge_width.friction = 2", "no such axis: allowed are cross_slope_deg, roll_deg"]),
     ("roll_deg = 2 }", "roll_deg = 11 }", &["map.toml:11: map.edge_width.roll_deg = 11", "0 < value ≤ 10"]),
     ("roll_deg = 2 }", "roll_deg = 1e-9 }", &["map.toml:11: map.edge_width", "2^26 places"]),

@@ -200,20 +200,30 @@ fn columns_of_maps_are_described() {
             "cross_slope_deg = [170, 180]\nroll_deg = [20, 40]\n[map]\n\
              edge_width = { roll_deg = 10, cross_slope_deg = 10 }\nerror_fps = 1",
         );
-    fs::write(bench.path("map.toml"), map).unwrap();
+    fs::write(bench.path("map.toml"), &map).unwrap();
     bench.run(&["sweep", "map.toml", "--out", "out"]);
     let described = |name| documented(name, false);
     let points = [described("transitions"), described("map points")].concat();
     assert_eq!(bench.heading("out/map.csv", 2), points);
-    let mut edges = described("map edges");
-    edges.pop();
-    edges.extend(["cross_slope_deg", "roll_deg"].map(|axis| format!("within_{axis}")));
-    assert_eq!(bench.heading("out/map-edges.csv", 2), edges);
+    let edges = |axes: &[&str]| {
+        let mut edges = described("map edges");
+        edges.pop();
+        edges.extend(axes.iter().map(|axis| format!("within_{axis}")));
+        edges
+    };
+    let both = edges(&["cross_slope_deg", "roll_deg"]);
+    assert_eq!(bench.heading("out/map-edges.csv", 2), both);
     assert_eq!(bench.heading("out/map-grid.csv", 2), described("map grid"));
     assert_eq!(
         bench.heading("out/map-surface.csv", 2),
         described("map surface")
     );
+    let family = map.replace(", cross_slope_deg = 10", "");
+    fs::write(bench.path("family.toml"), family).unwrap();
+    bench.run(&["sweep", "family.toml", "--out", "out"]);
+    assert_eq!(bench.heading("out/family.csv", 2), points);
+    let one = edges(&["roll_deg"]);
+    assert_eq!(bench.heading("out/family-edges.csv", 2), one);
 }
 
 #[test]
