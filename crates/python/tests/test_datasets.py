@@ -94,7 +94,7 @@ def test_a_map_over_one_axis_has_its_points_bands_and_edges(lander, scene):
     rolls = found.roll_deg.values
     assert found.first_transition.dims == ("roll_deg",) and len(rolls) > 3 and (np.diff(rolls) > 0).all()
     assert found.band_to.dims == ("roll_deg", "band")
-    assert {"edge_roll_deg", "edge_kind"} <= set(found.variables)
+    assert {"edge_roll", "edge_kind"} <= set(found.variables)
     assert td.plot.profile(found).lines
 
 

@@ -1,24 +1,50 @@
 //! First transitions between known places of a map, on the quadratic surface nearest to those around.
 //!
 //! Planes between places are off by the curvature between them. Within each triangle of the surface the middles of its sides
-//! are therefore lifted to the quadratic that fits the nearest known transitions best, by least squares, nearer places
-//! counting more. A middle is lifted alike from either triangle beside it.
+//! are therefore lifted to the quadratic that fits the nearest known transitions best, nearer places counting more. It leaves
+//! the least sum of deviations, not of their squares: where a step too small for an edge parts the places, it follows
+//! the side that most of them lie on. A middle is lifted alike from either triangle beside it.
 
 use std::collections::HashMap;
+
+use nalgebra::{Matrix6, Vector6};
 
 use crate::cell::{Position, middle};
 use crate::pieces::Corner;
 
-/// Places that a quadratic is fitted to: twice its coefficients.
-const NEAREST: usize = 12;
+/// Places that a quadratic is fitted to: at most, and at least, which is twice its coefficients.
+const NEAREST: usize = 16;
+const LEAST: usize = 12;
+/// Least squares by which least deviations are approached, each with the weights that the deviations of the last call for, and
+/// the deviation below which all count alike, ft/s.
+const FITS: usize = 5;
+const DEVIATION: f64 = 0.02;
 /// Bins around one that are searched for them.
 const BINS: usize = 2;
-/// Coefficients of a quadratic over two axes.
-const COEFFICIENTS: usize = 6;
+/// Least part that is left of a diagonal element in the factorization of the normal equations.
+const DEFINITE: f64 = 1e-9;
 /// How far each place is taken to be at least, in bins.
 const SOFTENED: f64 = 0.06;
-/// Least part that is left of a diagonal element in its elimination.
-const DEFINITE: f64 = 1e-9;
+
+/// How often sides are halved, and how far the surface is off a side that is, ft/s.
+const HALVINGS: usize = 2;
+const OFF: f64 = 0.02;
+
+/// A corner of a triangle.
+#[derive(Debug, Clone, Copy)]
+struct Vertex {
+    corner: Corner,
+    /// Whether it lies on one side of every edge, as known places and what is fitted to them do.
+    is_beside_edges: bool,
+}
+
+/// A side of a triangle.
+#[derive(Debug, Clone, Copy)]
+struct Side {
+    from: Vertex,
+    /// How often it may be halved.
+    halvings: usize,
+}
 
 /// Known transitions by where they lie.
 #[derive(Debug)]
@@ -45,26 +71,54 @@ impl CurvedSurface {
         Self { size, bins, jumps }
     }
 
-    /// The four triangles of a triangle, with its sides' middles on the surface.
-    pub(crate) fn quarters(&self, [a, b, c]: [Corner; 3]) -> [[Corner; 3]; 4] {
-        let [ab, bc, ca] = [self.between(a, b), self.between(b, c), self.between(c, a)];
-        [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+    /// The triangles of a triangle, whose sides are halved where the surface is off them.
+    pub(crate) fn triangles(&self, corners: [Corner; 3]) -> Vec<[Corner; 3]> {
+        let mut triangles = Vec::new();
+        let sides = corners.map(|corner| Side {
+            from: Vertex {
+                corner,
+                is_beside_edges: self.is_known(corner),
+            },
+            halvings: HALVINGS,
+        });
+        self.divide(sides, &mut triangles);
+        triangles
     }
 
-    /// The surface half-way between two of its corners.
-    fn between(&self, a: Corner, b: Corner) -> Corner {
+    /// Halves the first of three sides that is to be. Either triangle beside a side halves it alike.
+    fn divide(&self, sides: [Side; 3], triangles: &mut Vec<[Corner; 3]>) {
+        for first in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|next| sides[(first + next) % 3]);
+            let Some(from) = self.off_side(a, b.from) else {
+                continue;
+            };
+            let halvings = a.halvings - 1;
+            let (half, across) = (Side { halvings, ..a }, Side { from, halvings });
+            self.divide([half, across, c], triangles);
+            self.divide([across, b, Side { halvings, ..c }], triangles);
+            return;
+        }
+        triangles.push(sides.map(|side| side.from.corner));
+    }
+
+    /// The surface half-way along a side, where it is to be halved and the surface is off it.
+    fn off_side(&self, Side { from: a, halvings }: Side, b: Vertex) -> Option<Vertex> {
+        // What joins two points of an edge lies on neither side of it.
+        if halvings == 0 || !(a.is_beside_edges || b.is_beside_edges) {
+            return None;
+        }
         // In one order, so that every bit is the same from either side.
-        let (a, b) = match a.at <= b.at {
-            true => (a, b),
-            false => (b, a),
+        let (a, b) = match a.corner.at <= b.corner.at {
+            true => (a.corner, b.corner),
+            false => (b.corner, a.corner),
         };
         let at = middle(a.at, b.at);
-        let straight = 0.5 * (a.speed + b.speed);
-        // What joins two points of an edge lies on neither side of it.
-        let is_beside = self.is_known(a) || self.is_known(b);
-        let fitted = is_beside.then(|| self.fitted(at)).flatten();
-        let speed = fitted.unwrap_or(straight);
-        Corner { at, speed }
+        let speed = self.fitted(at)?;
+        let is_off = (speed - 0.5 * (a.speed + b.speed)).abs() > OFF;
+        is_off.then_some(Vertex {
+            corner: Corner { at, speed },
+            is_beside_edges: true,
+        })
     }
 
     fn is_known(&self, corner: Corner) -> bool {
@@ -86,24 +140,40 @@ impl CurvedSurface {
     /// The quadratic through the places around one, there; `None` where too few are near.
     fn fitted(&self, at: Position) -> Option<f64> {
         let near = self.nearest(at);
-        if near.len() < NEAREST {
+        if near.len() < LEAST {
             return None;
         }
-        let mut matrix = [[0.0; COEFFICIENTS]; COEFFICIENTS];
-        let mut right = [0.0; COEFFICIENTS];
-        for (square, corner) in near {
-            let [x, y] = self.offset(at, corner.at);
-            let row = [1.0, x, y, x * x, x * y, y * y];
-            let root = square.sqrt() + SOFTENED;
-            let weight = 1.0 / (root * root * root * root);
-            for i in 0..COEFFICIENTS {
-                for j in 0..COEFFICIENTS {
-                    matrix[i][j] += weight * row[i] * row[j];
-                }
-                right[i] += weight * row[i] * corner.speed;
+        let places: Vec<(Vector6<f64>, f64, f64)> = near
+            .into_iter()
+            .map(|(square, corner)| {
+                let [x, y] = self.offset(at, corner.at);
+                let root = square.sqrt() + SOFTENED;
+                let terms = Vector6::new(1.0, x, y, x * x, x * y, y * y);
+                (terms, corner.speed, 1.0 / (root * root * root * root))
+            })
+            .collect();
+        let mut deviations = [DEVIATION; NEAREST];
+        let mut quadratic = Vector6::zeros();
+        for _ in 0..FITS {
+            let (mut matrix, mut right) = (Matrix6::zeros(), Vector6::zeros());
+            for ((terms, speed, nearness), deviation) in places.iter().zip(deviations) {
+                let weight = nearness / deviation.max(DEVIATION);
+                matrix.ger(weight, terms, terms, 1.0);
+                right.axpy(weight * speed, terms, 1.0);
+            }
+            let factor = matrix.cholesky()?;
+            let left = factor.l_dirty().diagonal();
+            // Not so where it is not a number.
+            let is_definite = (0..6).all(|k| left[k] * left[k] > DEFINITE * matrix[(k, k)]);
+            if !is_definite {
+                return None;
+            }
+            quadratic = factor.solve(&right);
+            for ((terms, speed, _), deviation) in places.iter().zip(&mut deviations) {
+                *deviation = (terms.dot(&quadratic) - speed).abs();
             }
         }
-        first_unknown(matrix, right)
+        Some(quadratic[0])
     }
 
     /// The nearest known places, with the squares of their distances in bins.
@@ -139,31 +209,6 @@ fn bin(at: Position, size: [f64; 2]) -> [usize; 2] {
     [0, 1].map(|axis| (at[axis] / size[axis]) as usize)
 }
 
-/// The first unknown of symmetric, positive definite equations, by elimination from the last; `None` of any others.
-fn first_unknown(
-    mut matrix: [[f64; COEFFICIENTS]; COEFFICIENTS],
-    mut right: [f64; COEFFICIENTS],
-) -> Option<f64> {
-    let diagonal = [0, 1, 2, 3, 4, 5].map(|index: usize| matrix[index][index]);
-    for pivot in (0..COEFFICIENTS).rev() {
-        let whole = matrix[pivot][pivot];
-        // Not so where it is not a number.
-        let is_definite = whole > DEFINITE * diagonal[pivot];
-        if !is_definite {
-            return None;
-        }
-        let last = matrix[pivot];
-        for row in 0..pivot {
-            let part = matrix[row][pivot] / whole;
-            for (cell, below) in matrix[row].iter_mut().zip(last).take(pivot) {
-                *cell -= part * below;
-            }
-            right[row] -= part * right[pivot];
-        }
-    }
-    Some(right[0] / matrix[0][0])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,6 +217,21 @@ mod tests {
         let [x, y] = at;
         let speed = 11.0 + 0.3 * x - 0.2 * y + 0.02 * x * x + 0.01 * x * y - 0.03 * y * y;
         Corner { at, speed }
+    }
+
+    /// The surface half-way between two known places.
+    fn halfway(curved: &CurvedSurface, ends: [Corner; 2]) -> f64 {
+        let [a, b] = ends.map(|corner| Vertex {
+            corner,
+            is_beside_edges: true,
+        });
+        let side = Side {
+            from: a,
+            halvings: 1,
+        };
+        let straight = 0.5 * (a.corner.speed + b.corner.speed);
+        let off = curved.off_side(side, b);
+        off.map_or(straight, |vertex| vertex.corner.speed)
     }
 
     fn surface(rows: usize) -> CurvedSurface {
@@ -194,19 +254,50 @@ mod tests {
         let places = (0..30).map(|index| [4.0 * (index / 5) as f64, 4.0 * (index % 5) as f64]);
         let jump = vec![[[13.0, -1.0], [13.0, 8.5]], [[13.0, 8.5], [13.0, 30.0]]];
         let curved = CurvedSurface::new(places.map(stepped), jump, [8, 8]);
-        let lifted = curved.between(corner([8.0, 8.0]), corner([12.0, 8.0]));
-        let expected = corner([10.0, 8.0]);
-        assert!((lifted.speed - expected.speed).abs() < 1e-9, "{lifted:?}");
+        let lifted = halfway(&curved, [corner([8.0, 8.0]), corner([12.0, 8.0])]);
+        let expected = corner([10.0, 8.0]).speed;
+        assert!((lifted - expected).abs() < 1e-9, "{lifted}");
+    }
+
+    #[test]
+    fn where_a_small_step_parts_the_places_most_of_them_count() {
+        let stepped = |at: Position| Corner {
+            at,
+            speed: corner(at).speed + if at[0] > 15.0 { 0.3 } else { 0.0 },
+        };
+        let places = (0..30).map(|index| [4.0 * (index / 5) as f64, 4.0 * (index % 5) as f64]);
+        let curved = CurvedSurface::new(places.map(stepped), Vec::new(), [8, 8]);
+        let lifted = halfway(&curved, [corner([4.0, 8.0]), corner([8.0, 8.0])]);
+        let off = lifted - corner([6.0, 8.0]).speed;
+        assert!(off.abs() < 0.01, "{off}");
     }
 
     #[test]
     fn a_quadratic_is_followed_between_places_and_few_places_are_joined_by_lines() {
         let ends = [corner([4.0, 8.0]), corner([8.0, 8.0])];
-        let expected = corner([6.0, 8.0]);
-        let lifted = surface(5).between(ends[0], ends[1]);
-        assert!((lifted.speed - expected.speed).abs() < 1e-9, "{lifted:?}");
-        let straight = surface(2).between(ends[0], ends[1]);
-        assert_eq!(straight.speed, 0.5 * (ends[0].speed + ends[1].speed));
-        assert_eq!(surface(5).between(ends[1], ends[0]), lifted);
+        let expected = corner([6.0, 8.0]).speed;
+        let lifted = halfway(&surface(5), ends);
+        assert!((lifted - expected).abs() < 1e-9, "{lifted}");
+        let straight = 0.5 * (ends[0].speed + ends[1].speed);
+        assert_eq!(halfway(&surface(2), ends), straight);
+        assert_eq!(halfway(&surface(5), [ends[1], ends[0]]), lifted);
+    }
+
+    #[test]
+    fn neighbouring_triangles_halve_a_side_alike() {
+        let curved = surface(7);
+        let [a, b] = [corner([4.0, 8.0]), corner([12.0, 8.0])];
+        let [left, right] = [corner([8.0, 16.0]), corner([8.0, 0.0])];
+        // Speeds along the side, from end to end, of the triangles on either side of it.
+        let along = |third: Corner| -> Vec<[f64; 2]> {
+            let triangles = curved.triangles([a, b, third]).into_iter().flatten();
+            let on_side = triangles.filter(|corner| corner.at[1] == 8.0);
+            let mut on_side: Vec<_> = on_side.map(|corner| [corner.at[0], corner.speed]).collect();
+            on_side.sort_by(|p, q| p[0].total_cmp(&q[0]));
+            on_side.dedup();
+            on_side
+        };
+        assert_eq!(along(left), along(right));
+        assert_eq!(along(left).len(), 5);
     }
 }

@@ -98,7 +98,7 @@ impl<'m> MapSurface<'m> {
     /// The triangles over a cell.
     pub(crate) fn triangles_of(&self, part: &CellSurface) -> impl Iterator<Item = [Corner; 3]> {
         let triangles = part.pieces.iter().flat_map(Piece::triangles);
-        triangles.flat_map(|corners| self.curved.quarters(corners))
+        triangles.flat_map(|corners| self.curved.triangles(corners))
     }
 }
 
