@@ -10,7 +10,7 @@
 //! as within it is steep and does not jump.
 //!
 //! Of 280 brackets of Phase II, the level grid and `scripts/strut-stops.toml` across which a margin changes by more than
-//! [`LEAST_JUMP`], it changes at most four times as fast as on either side at 106. Tests moved 11 of these, none by more than a
+//! `LEAST_JUMP`, it changes at most four times as fast as on either side at 106. Tests moved 11 of these, none by more than a
 //! bracket; they moved 54 of the 174 others.
 
 use serde::{Deserialize, Serialize};
