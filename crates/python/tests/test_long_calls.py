@@ -17,9 +17,15 @@ from touchdown import _engine
 
 from conftest import SHORT
 
+# What a shell starts in the background ignores Ctrl-C, and so does what that starts, unless it says otherwise.
+HEED_CTRL_C = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+"""
+
 # Begins a call that takes minutes, interrupts it, and says how long the call went on, in milliseconds.
-INTERRUPTED = """
-import os, signal, threading, time
+INTERRUPTED = HEED_CTRL_C + """
+import os, threading, time
 import numpy as np
 import touchdown as td
 lander = td.vehicles.surveyor()
@@ -51,8 +57,8 @@ def test_ctrl_c_stops_any_long_call(call, root, tmp_path):
 
 
 # Begins a landing that takes seconds, interrupts it, and says how long it went on, in milliseconds.
-INTERRUPTED_LANDING = """
-import os, signal, threading, time
+INTERRUPTED_LANDING = HEED_CTRL_C + """
+import os, threading, time
 import touchdown as td
 lander = td.vehicles.surveyor()
 scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11, cross_slope_deg=180, slope_deg=15, friction=1)
