@@ -6,7 +6,7 @@
 //!
 //! * Both ended within `SOON`, or both stayed upright with σ above `UPRIGHT`. Narrow bands lie among landings that
 //!   bounce and rock for long. Below the first transition there are hardly any of them: where nothing else is sought, it is
-//!   enough too that a third landing has σ and the duration on a line with theirs (`LINE`).
+//!   enough too that a third landing has σ on a line with theirs (`LINE`).
 //! * Neither failed nor was undecided, and the strut nearest to a stop had `CLEAR` of its stroke to spare or would have
 //!   needed as much more: whether a strut just bottoms changes back and forth with the speed. Between landings that lie
 //!   close together less is enough.
@@ -37,9 +37,10 @@ const STEEPEST: f64 = 0.2;
 const CLEAR: f64 = 0.05;
 /// The same in proportion to their distance, where that is less: in units of the whole stroke per ft/s.
 const CLEAR_PER_SPEED: f64 = 0.03;
-/// How far from the line between two stable landings one between them is that is on it: in its least stability angle,
-/// rad, and in its duration, free-fall times.
-const LINE: [f64; 2] = [0.01, 0.1];
+/// The same where only the first transition is sought.
+const CLEAR_PER_SPEED_TO_FIRST: f64 = 0.02;
+/// How far the least stability angle of a stable landing is from the line between those of two others, if it is on it, rad.
+const LINE: f64 = 0.01;
 /// Widest stride, ft/s.
 const STRIDE: f64 = 4.0;
 
@@ -109,8 +110,8 @@ struct Walk<F> {
     samples: RefCell<Vec<Sample>>,
 }
 
-/// Whether two landings, so far apart (ft/s), ended for sure and had their struts clear of the stops on the same side.
-fn are_clear(ends: [&Trial; 2], width: f64) -> bool {
+/// Whether two landings ended for sure and had their struts clear of the stops on the same side, by `CLEAR` or by `least`.
+fn are_clear(ends: [&Trial; 2], least: f64) -> bool {
     let is_decided = |trial: &Trial| {
         let class = trial.outcome.class();
         !matches!(class, Class::Failure | Class::Undecided)
@@ -119,7 +120,7 @@ fn are_clear(ends: [&Trial; 2], width: f64) -> bool {
         return false;
     };
     let nearest = a.abs().min(b.abs());
-    let is_near_enough = (a > 0.0) == (b > 0.0) && nearest >= CLEAR_PER_SPEED * width;
+    let is_near_enough = (a > 0.0) == (b > 0.0) && nearest >= least;
     ends.into_iter().all(is_decided) && (nearest >= CLEAR || is_near_enough)
 }
 
@@ -152,7 +153,11 @@ where
         let width = (high.index - low.index) as f64 * self.step;
         let margins = low.trial.margins.toppling.zip(high.trial.margins.toppling);
         let mean = margins.map(|(a, b)| 0.5 * (a + b));
-        are_clear(ends, width)
+        let clear_per_speed = match self.to_first {
+            true => CLEAR_PER_SPEED_TO_FIRST,
+            false => CLEAR_PER_SPEED,
+        };
+        are_clear(ends, clear_per_speed * width)
             && (on_line
                 || are(|trial| trial.duration < SOON)
                 || are(|trial| trial.least_angle > UPRIGHT))
@@ -181,18 +186,13 @@ where
     }
 }
 
-/// Whether three stable landings lie on a line, in their least stability angles and in their durations.
+/// Whether the least stability angles of three stable landings lie on a line.
 fn are_on_line(low: &Place, middle: &Place, high: &Place) -> bool {
+    let places = [low, middle, high];
+    let [a, b, c] = places.map(|place| place.trial.least_angle);
     let part = (middle.index - low.index) as f64 / (high.index - low.index) as f64;
-    let is_on_line = |of: fn(&Trial) -> f64, within: f64| {
-        let [low, middle, high] = [low, middle, high].map(|place| of(&place.trial));
-        (middle - (low + part * (high - low))).abs() < within
-    };
-    [low, middle, high]
-        .iter()
-        .all(|place| place.class == Class::Stable)
-        && is_on_line(|trial| trial.least_angle, LINE[0])
-        && is_on_line(|trial| trial.duration, LINE[1])
+    let are_stable = places.iter().all(|place| place.class == Class::Stable);
+    are_stable && (b - (a + part * (c - a))).abs() < LINE
 }
 
 /// Where to land between two places: where their margins say that the outcome changes, else in the middle.

@@ -1,16 +1,19 @@
 //! The queue between searches, which request landings, and threads, which compute them.
 //!
 //! A search needs the results of some landings before it can request the next, while the lanes of a batch need many
-//! landings at the same time. So many searches run concurrently. They all run on one thread, because they take almost no
-//! time; their requests wait here for the threads that compute batches.
+//! landings at the same time. So many searches run concurrently. They take almost no time, so they all run on one of the
+//! threads that compute batches, between its steps; their requests wait here for all threads.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
+use std::pin::pin;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::task::{Context, Poll, Wake, Waker};
 
 use futures::channel::oneshot;
+use futures::executor::block_on;
 use touchdown_dynamics::batch::{Occupancy, Request, land_many};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::{Scene, Settings};
@@ -23,6 +26,8 @@ pub(crate) struct LandingQueue {
     changed: Condvar,
     /// Length of the queue: threads read it before every step, without the lock.
     waiting: AtomicUsize,
+    /// Whether a search has got a landing and may go on.
+    has_landed: AtomicBool,
 }
 
 /// A landing that a search waits for.
@@ -57,6 +62,7 @@ impl LandingQueue {
             }),
             changed: Condvar::new(),
             waiting: AtomicUsize::new(0),
+            has_landed: AtomicBool::new(true),
         }
     }
 
@@ -111,14 +117,20 @@ impl LandingQueue {
     pub(crate) fn close(&self) {
         let mut queue = self.queue();
         queue.is_closed = true;
-        queue.requests.clear();
         self.waiting.store(0, Ordering::Relaxed);
         self.changed.notify_all();
+        let requests = std::mem::take(&mut queue.requests);
+        // Each wakes its search, which needs the queue.
+        drop(queue);
+        drop(requests);
     }
 
-    /// Waits for a request; false when the queue is closed.
-    fn wait(&self) -> bool {
-        let is_idle = |queue: &mut Queue| !queue.is_closed && queue.requests.is_empty();
+    /// Waits for a request, or for a search that may go on, if `searches`; false when the queue is closed.
+    fn wait(&self, searches: bool) -> bool {
+        let is_idle = |queue: &mut Queue| {
+            let may_search = searches && self.has_landed.load(Ordering::Acquire);
+            !queue.is_closed && queue.requests.is_empty() && !may_search
+        };
         let mut queue = self.queue();
         queue.idle += 1;
         let mut queue = (self.changed)
@@ -147,22 +159,46 @@ impl LandingQueue {
 
     /// Computes requested landings until the queue is closed.
     pub(crate) fn land(&self) {
-        self.land_with(land_many);
+        self.land_with(land_many, None);
     }
 
-    /// The same with another function for batches.
+    /// Runs searches and computes landings between, on this thread; what they came to. Then closes the queue.
+    pub(crate) fn search<T>(self: &Arc<Self>, searches: impl Future<Output = T>) -> T {
+        let waker = Waker::from(Arc::clone(self));
+        let mut context = Context::from_waker(&waker);
+        let mut searches = pin!(searches);
+        let mut result = None;
+        let mut search = || {
+            if result.is_none()
+                && self.has_landed.swap(false, Ordering::AcqRel)
+                && let Poll::Ready(found) = searches.as_mut().poll(&mut context)
+            {
+                result = Some(found);
+                self.close();
+            }
+        };
+        self.land_with(land_many, Some(&mut search));
+        // A panic in another thread closes the queue too; what searches wait for is then dropped.
+        result.unwrap_or_else(|| block_on(searches))
+    }
+
+    /// The same with another function for batches, and with something to do before every step.
     fn land_with(
         &self,
         land_many: impl Fn(
             &mut dyn FnMut() -> Option<Request>,
             &mut dyn FnMut(usize, Landing),
         ) -> Occupancy,
+        mut search: Option<&mut dyn FnMut()>,
     ) {
         // If a landing panics, the other threads must not wait for ever.
         let _close = CloseOnDrop(self);
         let under_way = RefCell::new(HashMap::new());
-        while self.wait() {
+        while self.wait(search.is_some()) {
             let mut next = || {
+                if let Some(search) = &mut search {
+                    search();
+                }
                 let mut under_way = under_way.borrow_mut();
                 let PendingLanding { request, search } = self.take(under_way.len())?;
                 under_way.insert(request.key, search);
@@ -179,8 +215,18 @@ impl LandingQueue {
     }
 }
 
+/// A search has got a landing.
+impl Wake for LandingQueue {
+    fn wake(self: Arc<Self>) {
+        self.has_landed.store(true, Ordering::Release);
+        if self.queue().idle > 0 {
+            self.changed.notify_all();
+        }
+    }
+}
+
 /// Closes a queue when dropped, also in a panic.
-pub(crate) struct CloseOnDrop<'q>(pub(crate) &'q LandingQueue);
+struct CloseOnDrop<'q>(&'q LandingQueue);
 
 impl Drop for CloseOnDrop<'_> {
     fn drop(&mut self) {
@@ -220,7 +266,7 @@ mod tests {
         let queue = LandingQueue::new(2);
         ask(&queue, 0);
         let panicked = std::thread::scope(|scope| {
-            let threads = [(), ()].map(|()| scope.spawn(|| queue.land_with(broken)));
+            let threads = [(), ()].map(|()| scope.spawn(|| queue.land_with(broken, None)));
             threads.map(|thread| thread.join().is_err())
         });
         assert_eq!(panicked.iter().filter(|panicked| **panicked).count(), 1);
@@ -239,6 +285,6 @@ mod tests {
         ask(&queue, 3);
         queue.close();
         ask(&queue, 3);
-        assert_eq!((take(0), queue.wait()), (None, false));
+        assert_eq!((take(0), queue.wait(false)), (None, false));
     }
 }

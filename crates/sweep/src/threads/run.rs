@@ -8,17 +8,17 @@ mod cases;
 mod points;
 
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Poll, ready};
 
-use futures::executor::block_on;
 use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
 use thiserror::Error;
 
 use crate::case::CaseFault;
 use crate::journal::JournalError;
-use crate::landing_queue::{CloseOnDrop, LandingQueue};
+use crate::landing_queue::LandingQueue;
 
 /// Points that are searched at a time for each thread: as many as it has landings under way, should each ask for one at a
 /// time.
@@ -125,15 +125,17 @@ impl Workers {
         search: impl AsyncFn(usize, &LandingQueue) -> Result<T, RunError>,
         mut keep: impl FnMut(Option<(usize, T)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
-        let landing_queue = &LandingQueue::new(self.threads());
+        let landing_queue = &Arc::new(LandingQueue::new(self.threads()));
         self.pool.in_place_scope(|scope| {
-            scope.spawn_broadcast(move |_, _| landing_queue.land());
-            let _rest = CloseOnDrop(landing_queue);
+            // This thread is the first.
+            for _ in 1..self.threads() {
+                scope.spawn(|_| landing_queue.land());
+            }
             let search = &search;
             let searches =
                 points.map(|point| async move { (point, search(point, landing_queue).await) });
             let mut searches = stream::iter(searches).buffer_unordered(at_a_time * self.threads());
-            block_on(poll_fn(|context| {
+            landing_queue.search(poll_fn(|context| {
                 // Whenever a search has got a landing.
                 stop.go_on()?;
                 keep(None).map_err(RunError::Journal)?;
@@ -172,7 +174,6 @@ impl<'c> Stop<'c> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
     use std::sync::atomic::AtomicUsize;
 
     use touchdown_dynamics::batch::Request;

@@ -1,8 +1,10 @@
 //! `touchdown sweep`: the boundary of stable landings over grids of conditions.
 
 use std::num::NonZeroUsize;
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
+use std::thread::{self, ScopedJoinHandle};
 use std::time::Instant;
 
 use clap::Args;
@@ -122,11 +124,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let mut told = String::new();
     // One table tells of sweeps in either unit.
     let units = sweeps.first().map_or(OutputUnits::Us, |sweep| sweep.units);
-    for sweep in &sweeps {
-        // Results of one sweep are kept whatever becomes of the next.
-        let done = night.sweep(sweep, shard).inspect_err(|_| {
-            progress.finish();
-        })?;
+    let done = night.run(&sweeps, shard).inspect_err(|_| {
+        progress.finish();
+    })?;
+    for (sweep, done) in sweeps.iter().zip(done) {
         match done {
             Done::Whole(results) => {
                 told = summary::sweep(
@@ -185,10 +186,38 @@ enum Done {
     Shard(String),
 }
 
+/// A sweep that was computed.
+struct Computed {
+    journal: Journal,
+    circumstances: Circumstances<'static>,
+}
+
 impl Night<'_> {
-    fn sweep(&self, sweep: &Sweep, shard: Shard) -> Result<Done, Failure> {
+    /// Runs sweeps one after another. The results of each are written while the next is computed, and kept whatever
+    /// becomes of that.
+    fn run(&self, sweeps: &[Sweep], shard: Shard) -> Result<Vec<Done>, Failure> {
+        thread::scope(|scope| {
+            let mut done = Vec::with_capacity(sweeps.len());
+            let mut writing = None;
+            for sweep in sweeps {
+                let computed = self.compute(sweep, shard);
+                done.extend(writing.take().map(written).transpose()?);
+                let computed = computed?;
+                writing = Some(scope.spawn(|| self.write(sweep, shard, computed)));
+            }
+            done.extend(writing.map(written).transpose()?);
+            Ok(done)
+        })
+    }
+
+    fn journal(&self, sweep: &Sweep, shard: Shard) -> PathBuf {
+        self.folder.path(&journal_files::name(&sweep.stem(), shard))
+    }
+
+    /// Computes a sweep, or a shard of it, into its journal.
+    fn compute(&self, sweep: &Sweep, shard: Shard) -> Result<Computed, Failure> {
         let start = Instant::now();
-        let path = self.folder.path(&journal_files::name(&sweep.stem(), shard));
+        let path = self.journal(sweep, shard);
         if self.options.resume && !path.exists() {
             let complaint = "there is nothing to resume: run without --resume to begin";
             return Err(InputError::in_file(&path, complaint).into());
@@ -219,18 +248,6 @@ impl Night<'_> {
             )),
             other => other.into(),
         })?;
-        if shard != Shard::WHOLE {
-            let points = match sweep.map() {
-                Some(_) => "all its".to_owned(),
-                None => points.to_string(),
-            };
-            return Ok(Done::Shard(format!(
-                "{}\n  shard {shard}: {points} points, kept in {}; `touchdown merge` makes results \
-                 of all shards\n",
-                sweep.title,
-                path.display()
-            )));
-        }
         // Time and threads of a run that went on with another's work say nothing of the whole.
         let is_one_run = earlier == 0;
         let circumstances = Circumstances {
@@ -238,7 +255,31 @@ impl Night<'_> {
             threads: is_one_run.then(|| self.workers.threads()),
             wall_time: is_one_run.then(|| start.elapsed().as_secs_f64()),
         };
-        let records = opened.journal.into_records()?;
+        Ok(Computed {
+            journal: opened.journal,
+            circumstances,
+        })
+    }
+
+    /// Writes the results of a sweep; those of a shard stay in its journal.
+    fn write(&self, sweep: &Sweep, shard: Shard, computed: Computed) -> Result<Done, Failure> {
+        if shard != Shard::WHOLE {
+            let points = match sweep.map() {
+                Some(_) => "all its".to_owned(),
+                None => shard.len(sweep.design.count()).to_string(),
+            };
+            return Ok(Done::Shard(format!(
+                "{}\n  shard {shard}: {points} points, kept in {}; `touchdown merge` makes results \
+                 of all shards\n",
+                sweep.title,
+                self.journal(sweep, shard).display()
+            )));
+        }
+        let Computed {
+            journal,
+            circumstances,
+        } = computed;
+        let records = journal.into_records()?;
         let count = sweep.design.count();
         let mut results = InOrder::new(vec![records], count, &self.options.out)?;
         let (folder, format) = (self.folder, self.options.format);
@@ -247,4 +288,9 @@ impl Night<'_> {
         results.remove_journals()?;
         Ok(Done::Whole(Box::new(written)))
     }
+}
+
+/// What the thread that writes a sweep came to.
+fn written(thread: ScopedJoinHandle<Result<Done, Failure>>) -> Result<Done, Failure> {
+    thread.join().unwrap_or_else(|panic| resume_unwind(panic))
 }
