@@ -28,6 +28,13 @@ pub trait Real:
     #[inline(always)]
     fn keep_rounds_apart() {}
 
+    /// The same numbers: keeps the compiler from taking the lanes of one number apart to fit them to those of another.
+    /// It forms registers by following sums back from where they are stored, but only a dozen operations far.
+    #[inline(always)]
+    fn keep_lanes_together<T>(numbers: T) -> T {
+        numbers
+    }
+
     /// The same constant in every lane.
     fn constant(value: f64) -> Self;
     /// Square root.

@@ -126,14 +126,14 @@ impl<S: Real> Touch<S> {
     ) -> Self {
         let line = inward + velocity.sliding * drag;
         let force = line * -normal;
-        Self {
+        S::keep_lanes_together(Self {
             moment: point.moment(&force),
             velocity,
             normal,
             drag,
             line,
             force,
-        }
+        })
     }
 
     /// Friction force, lb.
