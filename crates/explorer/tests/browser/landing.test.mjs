@@ -85,7 +85,7 @@ test("a number of the vehicle changes the landing, and goes back", async () => {
 
 test("numbers are those of touchdown land, digit for digit", async () => {
   const page = await explorer.open("#v.horizontal_velocity_fps=11.3&v.roll_deg=7.5");
-  await page.locator(".landing-tab .numbers summary").click();
+  await page.locator(".landing-tab .numbers summary").press("Enter");
   await page.waitForSelector(".landing-tab .numbers tr");
   const shown = await page.locator(".landing-tab .numbers tr").evaluateAll((rows) =>
     Object.fromEntries(rows.map((row) => [row.dataset.name, row.querySelector("td")?.textContent])));
