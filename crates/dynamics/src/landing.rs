@@ -5,6 +5,7 @@ pub mod critical_feet;
 pub mod energy;
 mod events;
 mod history;
+mod hull;
 mod kinks;
 mod peaks;
 mod ranges;
@@ -31,7 +32,6 @@ use crate::vehicle::Vehicle;
 use history::History;
 
 pub(crate) use rates::final_rates;
-pub(crate) use rest::RestByEnergy;
 pub(crate) use simulation::{NextStart, Simulation};
 pub(crate) use step_attempt::{StepKind, TakeStep, Workspace};
 

@@ -10,14 +10,77 @@ pub enum CrushRule {
     Section,
 }
 
-/// When motion counts as subsided (model chapter 7).
+/// When a landing counts as stable (model chapter 7).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RestRule {
-    /// The 1966 program's: velocities and height of the CG are within limits that were made for the Surveyor.
+    /// The 1966 program's: velocities and height of the CG are within limits that were made for the Surveyor, or it has
+    /// rocked back.
     #[default]
     Limits,
-    /// Once the vehicle has had too little energy to topple for a while (`landing/rest.rs`).
+    /// Once the vehicle has stood for a while on supports that hold it (`landing/rest.rs`).
     Energy,
+}
+
+/// When a vehicle counts as toppled (model chapter 7).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum TopplingRule {
+    /// The 1966 program's: the CG passes over the line through the critical feet, in the plane of its motion.
+    #[default]
+    CriticalFeet,
+    /// The vertical through the CG has left the convex hull of all feet in plan and moves outward.
+    Hull,
+}
+
+/// The rules by which a vehicle lands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Rules {
+    /// When an element may crush further.
+    pub crush: CrushRule,
+    /// When a landing counts as stable.
+    pub rest: RestRule,
+    /// When a vehicle counts as toppled.
+    pub toppling: TopplingRule,
+}
+
+impl Rules {
+    /// Those of the program of 1966.
+    pub const REPORT: Self = Self {
+        crush: CrushRule::PivotRate,
+        rest: RestRule::Limits,
+        toppling: TopplingRule::CriticalFeet,
+    };
+
+    /// Those that hold for any lander on any ground.
+    pub const PHYSICAL: Self = Self {
+        crush: CrushRule::Section,
+        rest: RestRule::Energy,
+        toppling: TopplingRule::Hull,
+    };
+}
+
+/// What settings say of rules: whatever they leave open is as the vehicle has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct RuleChoices {
+    /// All rules.
+    pub set: Option<Rules>,
+    /// In place of that of the set, as are the next.
+    pub crush: Option<CrushRule>,
+    /// When a landing counts as stable.
+    pub rest: Option<RestRule>,
+    /// When a vehicle counts as toppled.
+    pub toppling: Option<TopplingRule>,
+}
+
+impl RuleChoices {
+    /// The rules in force for a vehicle with rules of its own.
+    pub fn over(&self, vehicle: Rules) -> Rules {
+        let set = self.set.unwrap_or(vehicle);
+        Rules {
+            crush: self.crush.unwrap_or(set.crush),
+            rest: self.rest.unwrap_or(set.rest),
+            toppling: self.toppling.unwrap_or(set.toppling),
+        }
+    }
 }
 
 /// How friction sets in near rest (4.1.5).

@@ -138,6 +138,12 @@ impl Motion<f64> {
         self.legs[index].ground.rise(depth)
     }
 
+    /// A point of the line of action of the thrust as seen from the CG, ground axes, ft.
+    pub fn thrust_place(&self, body: &BodyFrame<f64>) -> Vector3<f64> {
+        let [x, y] = self.thrust_offset;
+        body.seen_from_center_of_gravity(&Vector3::new(x, y, 0.0))
+    }
+
     /// Moment of inertia of the lower link of leg `index` about its hardpoint, slug·ft².
     pub fn link_inertia(&self, index: usize) -> f64 {
         self.legs[index].link_inertia

@@ -1,16 +1,16 @@
 //! How a landing is computed.
 
 use super::method::Method;
+use super::vehicle::Vehicle;
 use crate::invalid::{Invalid, require};
-use crate::rules::{CrushRule, FrictionProfile, RestRule};
+use crate::rules::{CrushRule, FrictionProfile, RuleChoices, Rules};
 
 /// How a landing is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     tolerance: f64,
     time_limit: f64,
-    crush_rule: CrushRule,
-    rest_rule: RestRule,
+    rules: RuleChoices,
     method: Method,
     friction_profile: FrictionProfile,
     ends_early: bool,
@@ -22,8 +22,7 @@ impl Default for Settings {
         Self {
             tolerance: Self::DEFAULT_TOLERANCE,
             time_limit: Self::DEFAULT_TIME_LIMIT,
-            crush_rule: CrushRule::default(),
-            rest_rule: RestRule::default(),
+            rules: RuleChoices::default(),
             method: Method::default(),
             friction_profile: FrictionProfile::default(),
             ends_early: false,
@@ -53,20 +52,23 @@ impl Settings {
         })?;
         Self {
             time_limit,
-            crush_rule,
             ..Self::default()
         }
+        .with_crush_rule(crush_rule)
         .with_tolerance(tolerance)
     }
 
     /// The same settings under another crush rule.
-    pub fn with_crush_rule(self, crush_rule: CrushRule) -> Self {
-        Self { crush_rule, ..self }
+    pub fn with_crush_rule(self, rule: CrushRule) -> Self {
+        self.with_rules(RuleChoices {
+            crush: Some(rule),
+            ..self.rules
+        })
     }
 
-    /// The same settings under another rule of rest.
-    pub fn with_rest_rule(self, rest_rule: RestRule) -> Self {
-        Self { rest_rule, ..self }
+    /// The same settings with other choices of rules.
+    pub fn with_rules(self, rules: RuleChoices) -> Self {
+        Self { rules, ..self }
     }
 
     /// The same settings with another onset of friction.
@@ -148,13 +150,13 @@ impl Settings {
         self.time_limit
     }
 
-    /// Crush rule.
-    pub fn crush_rule(&self) -> CrushRule {
-        self.crush_rule
+    /// What the settings say of rules.
+    pub fn rule_choices(&self) -> RuleChoices {
+        self.rules
     }
 
-    /// When motion counts as subsided.
-    pub fn rest_rule(&self) -> RestRule {
-        self.rest_rule
+    /// The rules in force for a vehicle.
+    pub fn rules(&self, vehicle: &Vehicle) -> Rules {
+        self.rules.over(vehicle.rules())
     }
 }

@@ -55,6 +55,10 @@ impl Thrust {
                 offset.abs() <= 1000.0
             })?;
         }
+        // An engine that never pushes is none.
+        if knots.iter().all(|knot| knot[1] == 0.0) {
+            return Ok(Self::default());
+        }
         let mut thrust = Self {
             count: knots.len(),
             offset,

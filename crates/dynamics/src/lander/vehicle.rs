@@ -20,6 +20,7 @@ use crate::extremes::greatest;
 use crate::invalid::{Invalid, bounded, non_negative, positive, require};
 use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
+use crate::rules::Rules;
 
 /// Legs that a vehicle needs to stand on.
 pub const LEAST_LEGS: usize = 3;
@@ -37,6 +38,7 @@ pub struct Vehicle {
     center_of_gravity_offset: [f64; 2],
     inertia: Matrix3<f64>,
     outer_feet: OuterFeet,
+    rules: Rules,
     legs: Vec<Leg>,
 }
 
@@ -342,8 +344,14 @@ impl Vehicle {
             center_of_gravity_offset: [0.0; 2],
             inertia: matrix,
             outer_feet: outer_feet_of(&legs, [0.0, 0.0, -center_of_gravity_height]),
+            rules: Rules::PHYSICAL,
             legs,
         })
+    }
+
+    /// The same vehicle under these rules, unless settings choose others.
+    pub fn with_rules(self, rules: Rules) -> Self {
+        Self { rules, ..self }
     }
 
     /// The same vehicle with its CG off the centreline: x and y of vehicle axes, ft. The inertia is still about the CG.
@@ -390,6 +398,11 @@ impl Vehicle {
     /// The feet between which the vehicle may topple, its struts extended.
     pub fn outer_feet(&self) -> &OuterFeet {
         &self.outer_feet
+    }
+
+    /// The rules by which it lands, unless settings choose others.
+    pub fn rules(&self) -> Rules {
+        self.rules
     }
 
     /// Inertia matrix J about the CG, vehicle axes, slug·ft².

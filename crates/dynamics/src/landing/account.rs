@@ -36,7 +36,7 @@ impl Trajectory<'_> {
     }
 
     fn instant(&self, state: &State<f64>, time: f64, thrust_work: f64) -> Instant {
-        let mut monitor = self.monitor();
+        let mut monitor = self.monitor.clone();
         let seen = monitor
             .choose_plane(&self.motion, state)
             .unwrap_or_else(|_| monitor.observe(&self.motion, state));
@@ -75,7 +75,7 @@ impl Trajectory<'_> {
             max_strut_force: self.peaks.force,
             max_stroke: self.peaks.stroke,
             final_rates: final_rates(
-                self.monitor(),
+                self.monitor.clone(),
                 &self.motion,
                 self.time,
                 &self.step.before,

@@ -1,127 +1,228 @@
-//! Rest by energy: motion has subsided once the vehicle has had too little energy to topple for a while.
+//! Rest: a vehicle is at rest once it has stood for a while on supports that hold it.
 //!
-//! To topple over the line between two feet the CG has to rise until it is over that line. What is left to move the vehicle
-//! is judged against the least of these rises. Struts and pads that still push back add to it: the while gives them time to.
+//! Supports are feet and blocks, each with the fall that is left to its own ground. A set of them holds the vehicle if the CG is
+//! over it and what it takes to lift the CG over an edge of it is twice what may move the vehicle: its kinetic energy, and
+//! that of the fall until all of the set stand. Struts and pads that still push back add to that energy: the while gives
+//! them time to.
 
+use arrayvec::ArrayVec;
 use libm::sqrt;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-use crate::energy::kinetic;
-use crate::extremes::least;
-use crate::kinematics::Surface;
-use crate::motion::{Footing, Motion};
-use crate::per_leg::PerLeg;
-use crate::scene::Scene;
-use crate::state::State;
-use crate::vehicle::{OuterFeet, Vehicle};
-
+use super::hull::{Hull, MOST_SUPPORTS};
 use super::trajectory::Trajectory;
+use crate::energy::kinetic;
+use crate::kinematics::BodyFrame;
+use crate::motion::Signal;
+use crate::products::transposed_times;
+use crate::scene::Scene;
+use crate::vehicle::Vehicle;
 
 /// Share of the energy that toppling takes up to which there is too little.
 const SHARE: f64 = 0.5;
-/// How long there is, in free falls of the CG from its height on extended legs.
+/// How long the vehicle stands, in free falls of the CG from its height on extended legs.
 const WHILE: f64 = 0.4;
+/// Crushing faster than this gives way, as a share of the speed of that free fall.
+const CREEP: f64 = 1e-3;
 
-/// Since when a vehicle has had too little energy to topple.
+/// Since when a vehicle has stood on supports that hold it.
 #[derive(Debug, Clone)]
-pub(crate) struct RestByEnergy {
+pub(super) struct Rest {
     /// For how long it must have, s.
     needed: f64,
-    /// Height of each footpad's pivot over the surface when the pad stands on its ground, ft.
-    stances: PerLeg<f64>,
-    outer_feet: OuterFeet,
+    /// Speed above which an element that crushes gives way, ft/s.
+    creep: f64,
+    /// Nominal friction under footpads and under blocks.
+    friction: [f64; 2],
     since: Option<f64>,
 }
 
-impl RestByEnergy {
+/// A foot or block that the vehicle stands on, or will when it has fallen a little.
+struct Support {
+    leg: usize,
+    is_foot: bool,
+    /// Seen from the point that is taken for the CG, z along what is taken for the weight, ft.
+    place: Vector3<f64>,
+    /// How far it has to fall to its ground, ft.
+    fall: f64,
+    /// Tangent of the angle between its ground and a level one.
+    steepness: f64,
+}
+
+/// What pulls the vehicle down: its weight or, with an engine that stays on, weight and thrust together.
+struct Pull {
+    /// lb.
+    force: f64,
+    /// Turns ground axes into axes whose z is along it.
+    axes: Matrix3<f64>,
+    /// Where its line of action passes the CG, ft.
+    beside: Vector3<f64>,
+}
+
+impl Rest {
     /// For a vehicle in a scene.
-    pub(crate) fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
-        let legs = vehicle.legs();
-        let free_fall = sqrt(2.0 * vehicle.standing_height() / scene.gravity(vehicle));
+    pub(super) fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
+        let (height, gravity) = (vehicle.standing_height(), scene.gravity(vehicle));
+        let conditions = scene.conditions();
         Self {
-            needed: WHILE * free_fall,
-            stances: PerLeg::from_fn(legs.len(), |j| {
-                legs[j].design().footpad.height + scene.conditions().ground.leg(j).pad.height
-            }),
-            outer_feet: vehicle.outer_feet().clone(),
+            needed: WHILE * sqrt(2.0 * height / gravity),
+            creep: CREEP * sqrt(2.0 * height * gravity),
+            friction: [conditions.pad_friction, conditions.block_friction],
             since: None,
         }
     }
 
-    /// Takes note of a state at a time (s), of which a thrust that changes no more leaves this `weight` (lb): whether the
-    /// vehicle is at rest.
-    pub(crate) fn note(
-        &mut self,
-        time: f64,
-        motion: &Motion<f64>,
-        state: &State<f64>,
-        weight: Option<f64>,
-    ) -> bool {
-        let has_little = weight.is_some_and(|weight| {
-            kinetic(motion, state) <= weight * self.height_to_spare(motion, state)
-        });
-        self.since = has_little.then(|| self.since.unwrap_or(time));
+    /// Takes note of where a landing is: whether the vehicle is at rest.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn note(&mut self, trajectory: &Trajectory<'_>) -> bool {
+        let time = trajectory.time;
+        self.since = self.holds(trajectory).then(|| self.since.unwrap_or(time));
         self.since.is_some_and(|since| time - since >= self.needed)
     }
 
-    /// Height to which too little energy may lift the CG, less that by which it can still come down, ft.
-    fn height_to_spare(&self, motion: &Motion<f64>, state: &State<f64>) -> f64 {
-        let footing = motion.footing(state);
-        let surface: &Surface<f64> = motion.surface();
-        let Footing { feet, depth, .. } = &footing;
-        let heights = feet.iter().zip(self.stances.iter());
-        let lowest = least(heights.map(|(foot, stance)| -depth - surface.depth(foot) - stance));
-        let ring = &self.outer_feet;
-        let rises = (ring.iter().zip(ring.iter().cycle().skip(1)))
-            .map(|(&foot, &next)| rise_over(&feet[foot], &feet[next]));
-        SHARE * least(rises) - lowest.max(0.0)
+    /// Whether supports hold the vehicle now.
+    fn holds(&self, trajectory: &Trajectory<'_>) -> bool {
+        let (motion, state) = (&trajectory.motion, &trajectory.step.before);
+        let Some(pull) = trajectory.pull_at_rest() else {
+            return false;
+        };
+        // Height to which the energy of motion would lift the CG.
+        let lift = kinetic(motion, state) / pull.force;
+        let reach = |leg| foot(trajectory, leg).norm();
+        let farthest = (0..motion.leg_count()).map(reach).fold(0.0, f64::max);
+        if lift > SHARE * farthest {
+            return false;
+        }
+        let frame = motion.frame(&state.body());
+        let mut supports = trajectory.supports(&frame, &pull);
+        supports.sort_by(|a, b| a.fall.total_cmp(&b.fall));
+        let places: ArrayVec<Vector3<f64>, MOST_SUPPORTS> =
+            supports.iter().map(|support| support.place).collect();
+        (3..=supports.len()).any(|count| {
+            let hull = Hull::of(&places[..count]);
+            let fall = supports[count - 1].fall;
+            hull.has_center()
+                && SHARE * hull.least_rise() - fall >= lift
+                && (supports[..count].iter().enumerate()).all(|(index, support)| {
+                    let load = pull.force * hull.greatest_share(index);
+                    self.bears(trajectory, support, load, &frame)
+                })
+        })
     }
+
+    /// Whether a support neither gives way under so much load (lb) at most nor slides off its ground.
+    fn bears(
+        &self,
+        trajectory: &Trajectory<'_>,
+        support: &Support,
+        load: f64,
+        frame: &BodyFrame<f64>,
+    ) -> bool {
+        let leg = support.leg;
+        let (mode, laws) = (&trajectory.modes[leg], &trajectory.laws[leg]);
+        let signals = trajectory.signals.start().leg(leg);
+        let [friction, sliding] = if support.is_foot {
+            [self.friction[0], signals[Signal::PadSliding as usize]]
+        } else {
+            [self.friction[1], signals[Signal::BlockSliding as usize]]
+        };
+        let sticks = support.fall > 0.0 || laws.is_viscous(sliding);
+        if support.steepness > friction && !sticks {
+            return false;
+        }
+        if mode.crushes_faster(support.is_foot, self.creep, signals) {
+            return false;
+        }
+        !support.is_foot || {
+            // The strut force that bears the load on the link (68), by virtual work.
+            let descent = foot_descent(trajectory, leg, frame);
+            mode.strut_bears(laws, load * descent / signals[Signal::StrutLever as usize])
+        }
+    }
+}
+
+/// The pivot of a footpad as seen from the CG, ground axes, ft.
+fn foot(trajectory: &Trajectory<'_>, leg: usize) -> Vector3<f64> {
+    let signals = trajectory.signals.start();
+    let [x, y, z] = [Signal::FootX, Signal::FootY, Signal::FootZ];
+    Vector3::new(signals.of(leg, x), signals.of(leg, y), signals.of(leg, z))
+}
+
+/// How far the pivot of a footpad comes down per link angle, ft.
+fn foot_descent(trajectory: &Trajectory<'_>, leg: usize, frame: &BodyFrame<f64>) -> f64 {
+    let swing = (trajectory.motion.geometry(leg)).swing(trajectory.step.before.leg(leg).link_angle);
+    let down = frame.rotation.row(2);
+    down[0] * swing.x + down[1] * swing.y + down[2] * swing.z
 }
 
 impl Trajectory<'_> {
-    /// Whether the vehicle is at rest by its energy.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn is_at_rest(&self, rest: &mut RestByEnergy) -> bool {
-        let weight = self.weight_at_rest();
-        rest.note(self.time, &self.motion, &self.step.before, weight)
+    /// What pulls a vehicle down that comes to rest. None comes to rest while the thrust still changes or lifts it.
+    fn pull_at_rest(&self) -> Option<Pull> {
+        self.weight_at_rest()?;
+        let weight = Vector3::new(0.0, 0.0, self.motion.mass() * self.motion.gravity());
+        let thrust = self.pieces.thrust().at(self.time);
+        if thrust == 0.0 {
+            return Some(Pull {
+                force: weight.z,
+                axes: Matrix3::identity(),
+                beside: Vector3::zeros(),
+            });
+        }
+        let frame = self.motion.frame(&self.step.before.body());
+        let pushed = frame.rotation.column(2) * -thrust;
+        let moment = (self.motion.thrust_place(&frame)).cross(&pushed);
+        let pull: Vector3<f64> = weight + pushed;
+        let squared = pull.norm_squared();
+        let down = pull / sqrt(squared);
+        (down.z > 0.0).then(|| {
+            let across = Vector3::y().cross(&down).normalize();
+            let along = down.cross(&across);
+            Pull {
+                force: sqrt(squared),
+                axes: Matrix3::from_rows(&[
+                    across.transpose(),
+                    along.transpose(),
+                    down.transpose(),
+                ]),
+                beside: pull.cross(&moment) / squared,
+            }
+        })
     }
-}
 
-/// How far the CG rises until it is over the line between two outer feet, `to` being the next in ring order, ft; the way back,
-/// negative, where it is beyond. Feet are seen from the CG, in ground axes.
-fn rise_over(from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
-    let span = to - from;
-    let along = span / sqrt(span.norm_squared());
-    let nearest = from - along * from.dot(&along);
-    let upright = sqrt(nearest.norm_squared() * (1.0 - along.z * along.z).max(0.0));
-    let rise = upright - nearest.z;
-    let is_inboard = from.y * to.x - from.x * to.y > 0.0;
-    if is_inboard { rise } else { -rise }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::extremes::greatest;
-
-    #[test]
-    fn the_rise_over_a_level_line_is_that_of_a_pendulum_turned_over() {
-        // Feet 3 ft ahead of the CG and 4 ft below it: the CG turns about them on a circle of 5 ft.
-        let [from, to] = [[-2.0, 3.0, 4.0], [2.0, 3.0, 4.0]].map(Vector3::from);
-        assert_eq!(rise_over(&from, &to), 1.0);
-        assert_eq!(rise_over(&to, &from), -1.0);
-    }
-
-    #[test]
-    fn the_rise_over_an_inclined_line_is_that_of_all_turns_about_it() {
-        let (from, to) = (Vector3::new(-2.0, 1.0, 3.5), Vector3::new(2.5, 0.5, 4.5));
-        let axis = nalgebra::Unit::new_normalize(to - from);
-        let height = |angle: f64| {
-            let turned = nalgebra::Rotation3::from_axis_angle(&axis, angle) * -from;
-            -(from + turned).z
-        };
-        let highest = greatest((0..100_000).map(|k| height(f64::from(k) * 1e-4)));
-        assert!((rise_over(&from, &to) - highest).abs() < 1e-7);
+    /// All feet and blocks.
+    fn supports(&self, frame: &BodyFrame<f64>, pull: &Pull) -> ArrayVec<Support, MOST_SUPPORTS> {
+        let mut supports = ArrayVec::new();
+        let down = transposed_times(&frame.rotation, &pull.axes.row(2).transpose());
+        for leg in 0..self.leg_count() {
+            let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
+            let signals = self.signals.start().leg(leg);
+            let grounds = self.motion.ground(leg, frame);
+            let places = [
+                foot(self, leg),
+                frame.seen_from_center_of_gravity(&self.motion.geometry(leg).block_face()),
+            ];
+            let gaps = [
+                Some(mode.pad_gap(laws, signals)),
+                mode.block_gap(laws, signals, 1.0 / grounds[1].upright),
+            ];
+            for (is_foot, ((ground, place), gap)) in [true, false]
+                .into_iter()
+                .zip(grounds.iter().zip(places).zip(gaps))
+            {
+                let facing = ground.normal.dot(&down);
+                let Some(gap) = gap.filter(|_| facing > 0.0) else {
+                    continue;
+                };
+                supports.push(Support {
+                    leg,
+                    is_foot,
+                    place: pull.axes * (place - pull.beside),
+                    fall: gap / facing,
+                    steepness: sqrt((1.0 / (facing * facing) - 1.0).max(0.0)),
+                });
+            }
+        }
+        supports
     }
 }

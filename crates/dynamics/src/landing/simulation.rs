@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use pulp::NullaryFnOnce;
 
 use super::history::History;
-use super::rest::RestByEnergy;
+use super::rest::Rest;
 use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep, Workspace};
 use super::trajectory::{Earlier, Trajectory};
@@ -48,8 +48,8 @@ pub(crate) struct Simulation<'o> {
     pub(crate) trajectory: Trajectory<'o>,
     stability: StabilityTrack,
     steadiness: Steadiness,
-    /// Set where rest is judged by energy.
-    rest: Option<RestByEnergy>,
+    /// Set where rest is judged by what supports hold.
+    rest: Option<Rest>,
     control: StepControl,
     /// Steps aimed at, rejected ones included.
     attempts: u64,
@@ -75,13 +75,13 @@ impl<'o> Simulation<'o> {
         history: Option<History<'o>>,
     ) -> Self {
         let trajectory = Trajectory::new(vehicle, scene, settings, history);
-        let monitor = trajectory.monitor();
-        let by_energy = settings.rest_rule() == RestRule::Energy;
+        let monitor = trajectory.monitor.clone();
+        let rules = settings.rules(vehicle);
         Self {
             trajectory,
             stability: StabilityTrack::new(monitor, vehicle.legs().len()),
-            steadiness: Steadiness::new(vehicle, scene),
-            rest: by_energy.then(|| RestByEnergy::new(vehicle, scene)),
+            steadiness: Steadiness::new(vehicle, scene, rules.rest),
+            rest: (rules.rest == RestRule::Energy).then(|| Rest::new(vehicle, scene)),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (0, 0.0),
@@ -110,29 +110,41 @@ impl<'o> Simulation<'o> {
     /// # Errors
     /// The outcome, if there already is one.
     pub(crate) fn begin(&mut self) -> Result<(), Outcome> {
-        let trajectory = &mut self.trajectory;
-        if let Err(verdict) = self.stability.begin(trajectory) {
-            if !trajectory.settings.goes_on() {
-                return Err(verdict.into());
-            }
-            self.noted = Some((verdict.into(), 0.0));
+        self.trajectory.follow_thrust();
+        let judged = self.stability.begin(&mut self.trajectory);
+        self.trajectory.settle()?;
+        self.trajectory.refuse_ground_in_body()?;
+        if let Err(verdict) = judged {
+            self.conclude(verdict.into())?;
         }
-        self.follow_thrust();
-        let trajectory = &mut self.trajectory;
-        trajectory.settle()?;
-        trajectory.refuse_ground_in_body()?;
-        self.burst = (trajectory.events, trajectory.time);
+        self.burst = (self.trajectory.events, self.trajectory.time);
         self.plan_step()?;
         Ok(())
     }
 
     /// Puts the line in place on which the thrust is from now on; whether it is another.
-    fn follow_thrust(&mut self) -> bool {
+    ///
+    /// # Errors
+    /// The outcome, if the vehicle is at rest now that the thrust is over.
+    fn follow_thrust(&mut self) -> Result<bool, Outcome> {
         let is_other = self.trajectory.follow_thrust();
-        if is_other {
-            self.stability.follow_thrust(&self.trajectory);
+        if is_other && let Some(verdict) = self.stability.follow_thrust(&self.trajectory) {
+            self.conclude(verdict.into())?;
         }
-        is_other
+        Ok(is_other)
+    }
+
+    /// Takes note of the first verdict of a landing that goes on beyond it.
+    ///
+    /// # Errors
+    /// The verdict, where it ends the landing.
+    fn conclude(&mut self, verdict: Outcome) -> Result<(), Outcome> {
+        if !self.trajectory.settings.goes_on() {
+            return Err(verdict);
+        }
+        let time = self.trajectory.time;
+        self.noted.get_or_insert((verdict, time));
+        Ok(())
     }
 
     /// Kind of the next step.
@@ -239,11 +251,11 @@ impl<'o> Simulation<'o> {
     /// The outcome, if no further step is to be taken.
     #[inline(always)]
     fn plan_step(&mut self) -> Result<bool, Outcome> {
-        let mut goes_elsewhere = self.follow_thrust();
+        let mut goes_elsewhere = self.follow_thrust()?;
         while self.trajectory.flies_freely() {
             goes_elsewhere = true;
             self.fly()?;
-            self.follow_thrust();
+            self.follow_thrust()?;
         }
         let left = self.time_left()?;
         let trajectory = &mut self.trajectory;
@@ -429,25 +441,23 @@ impl<'o> Simulation<'o> {
                 length: reach * length,
             });
         }
-        if noted.is_none()
-            && let Some(rest) = rest
-            && trajectory.is_at_rest(rest)
-        {
-            if !trajectory.settings.goes_on() {
-                return Err(Outcome::StableSubsided);
-            }
-            *noted = Some((Outcome::StableSubsided, trajectory.time));
-        }
         steadiness.note(trajectory.time, stability.angle());
-        let ends_early = trajectory.settings.ends_early();
-        let body = trajectory.step.before.body();
-        if let Some(outcome) = steadiness.end(trajectory.time, &body, ends_early)
-            && !trajectory.settings.goes_on()
-            && trajectory.pieces.thrust().is_none()
-        {
-            return Err(outcome);
-        }
+        let at_rest = match rest {
+            Some(rest) if noted.is_none() => rest.note(trajectory),
+            _ => false,
+        };
+        let end = if at_rest {
+            Some(Outcome::StableSubsided)
+        } else if trajectory.pieces.thrust().is_none() {
+            let ends_early = trajectory.settings.ends_early();
+            steadiness.end(trajectory.time, &trajectory.step.before.body(), ends_early)
+        } else {
+            None
+        };
         trajectory.follow();
+        if let Some(outcome) = end {
+            self.conclude(outcome)?;
+        }
         Ok(if goes_to_end {
             NextStart::StepEnd
         } else {

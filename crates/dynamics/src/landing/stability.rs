@@ -5,6 +5,7 @@ use libm::{atan2, hypot};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
+use super::hull::Hull;
 use crate::critical_feet::{CriticalFeet, critical_feet};
 use crate::extremes::greatest;
 use crate::integrator::event::{Bounds, Guard, SignalValues};
@@ -12,7 +13,7 @@ use crate::integrator::ranges::{LANES, Quad, Ranges};
 use crate::motion::{Footing, Motion};
 use crate::outcome::Outcome;
 use crate::per_leg::{MOST_LEGS, PerLeg};
-use crate::rules::RestRule;
+use crate::rules::{RestRule, Rules, TopplingRule};
 use crate::scene::Scene;
 use crate::state::{Body, State};
 use crate::vehicle::{OuterFeet, Vehicle};
@@ -41,21 +42,29 @@ const SIDE_SLACK: f64 = 1e-9;
 const ANGLE_SLACK: f64 = 1e-12;
 const CALM_SLACK: f64 = 1e-11;
 
-/// Height of the CG over the surface above which motion has not subsided, ft: over the highest ground under a footpad. Under
-/// another rule than that of limits none is low enough.
-pub fn calm_height(rule: RestRule, vehicle: &Vehicle, scene: &Scene) -> f64 {
-    if rule != RestRule::Limits {
-        return f64::NEG_INFINITY;
-    }
+/// Height of the CG over the surface above which motion has not subsided, ft: over the highest ground under a footpad.
+fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
     let ground = &scene.conditions().ground;
     let heights = (0..vehicle.legs().len()).map(|leg| ground.leg(leg).pad.height);
     let highest = greatest(heights);
     vehicle.standing_height() + CALM_MARGIN + highest
 }
 
+/// Against what toppling is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Reference {
+    /// The line through the critical feet, in a plane.
+    Plane(Plane),
+    /// The hull of all feet. Toppled is who leaves it: one that touches down beyond it may still come back.
+    Hull {
+        /// Whether the CG was within.
+        is_within: bool,
+    },
+}
+
 /// The plane in which toppling is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Plane {
+enum Plane {
     /// That of the CG's horizontal velocity.
     Motion,
     /// That of the steepest slope, while the CG hardly moves sideways.
@@ -133,6 +142,8 @@ pub enum Verdict {
     Yaw,
     /// σ ≤ 0.
     Pitch,
+    /// The CG has left the hull of the feet.
+    Toppled,
     /// Rocked up and came back.
     Rockback,
     /// Motion subsided.
@@ -144,6 +155,7 @@ impl From<Verdict> for Outcome {
         match verdict {
             Verdict::Yaw => Self::UnstableYaw,
             Verdict::Pitch => Self::UnstablePitch,
+            Verdict::Toppled => Self::UnstableToppled,
             Verdict::Rockback => Self::StableRockback,
             Verdict::Subsided => Self::StableSubsided,
         }
@@ -155,24 +167,68 @@ impl From<Verdict> for Outcome {
 pub struct StabilityMonitor {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
     slope_side: f64,
-    calm_height: f64,
+    /// Set where limits tell whether motion has subsided and whether the vehicle has rocked back.
+    limits: Option<Limits>,
     outer_feet: OuterFeet,
-    plane: Plane,
+    reference: Reference,
     feet: CriticalFeet,
     ranges: Ranges<QUADS>,
     guards: ArrayVec<Guard, { QUADS * LANES }>,
 }
 
+/// The limits of 1966 for motion that has subsided.
+#[derive(Debug, Clone, Copy)]
+struct Limits {
+    /// Height of the CG over the surface above which it has not, ft.
+    calm_height: f64,
+    /// Whether the vehicle can come to rest at all, as the thrust is.
+    may_rest: bool,
+}
+
+impl Plane {
+    /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
+    /// where the line joining the critical feet meets the plane. A lies in the plane, so its
+    /// horizontal part has the direction of motion and σ is a plain polar angle.
+    #[inline(always)]
+    fn angle(self, from: &Vector3<f64>, to: &Vector3<f64>, vx: f64, vy: f64) -> f64 {
+        let span = to - from;
+        let denominator = match self {
+            Self::Motion => vx * span.y - vy * span.x,
+            Self::Slope => 0.0,
+        };
+        let along = if denominator.abs() >= LEAST_DENOMINATOR {
+            (vy * from.x - vx * from.y) / denominator
+        } else if span.x != 0.0 {
+            -from.x / span.x
+        } else {
+            0.5
+        };
+        let a = from + span * along;
+        match self {
+            Self::Motion => {
+                let speed = (vx * vx + vy * vy).sqrt();
+                atan2((a.x * vx + a.y * vy) / speed, a.z)
+            }
+            Self::Slope => atan2(hypot(a.x, a.y), a.z),
+        }
+    }
+}
+
 impl StabilityMonitor {
-    /// A monitor for a scene; plane and critical feet are yet to be chosen, these among the vehicle's outer ones. Motion counts
-    /// as subsided only while the CG is within `calm_height` (ft) of the surface.
-    pub fn new(scene: &Scene, calm_height: f64, outer_feet: &OuterFeet) -> Self {
+    /// A monitor of a vehicle in a scene under these rules; plane and critical feet are yet to be chosen.
+    pub fn new(rules: Rules, vehicle: &Vehicle, scene: &Scene) -> Self {
         let slope = scene.conditions().slope;
         Self {
             slope_side: if slope == 0.0 { 1.0 } else { -slope.signum() },
-            calm_height,
-            outer_feet: outer_feet.clone(),
-            plane: Plane::Motion,
+            limits: (rules.rest == RestRule::Limits).then(|| Limits {
+                calm_height: calm_height(vehicle, scene),
+                may_rest: true,
+            }),
+            outer_feet: vehicle.outer_feet().clone(),
+            reference: match rules.toppling {
+                TopplingRule::CriticalFeet => Reference::Plane(Plane::Motion),
+                TopplingRule::Hull => Reference::Hull { is_within: false },
+            },
             feet: CriticalFeet {
                 negative: 0,
                 positive: 1,
@@ -187,9 +243,11 @@ impl StabilityMonitor {
         self.feet
     }
 
-    /// Judges motion from now on as subsided only while the CG is within `calm_height` (ft) of the surface.
-    pub fn set_calm_height(&mut self, calm_height: f64) {
-        self.calm_height = calm_height;
+    /// Judges motion from now on as subsided only if the vehicle `may_rest`, as the thrust is.
+    pub fn set_thrust(&mut self, may_rest: bool) {
+        if let Some(limits) = &mut self.limits {
+            limits.may_rest = may_rest;
+        }
         self.guards.clear();
     }
 
@@ -203,17 +261,19 @@ impl StabilityMonitor {
         motion: &Motion<f64>,
         state: &State<f64>,
     ) -> Result<Observation, Verdict> {
-        let velocity = state.body().velocity;
-        let slow = |speed: f64| speed.abs() < DIRECTIONLESS;
-        self.plane = if slow(velocity.x) && slow(velocity.y) {
-            Plane::Slope
-        } else {
-            Plane::Motion
-        };
         self.guards.clear();
-        let sides = self.observe(motion, state).sides();
-        self.feet =
-            critical_feet(&self.outer_feet, |foot| sides[foot] >= 0.0).ok_or(Verdict::Yaw)?;
+        if matches!(self.reference, Reference::Plane(_)) {
+            let velocity = state.body().velocity;
+            let slow = |speed: f64| speed.abs() < DIRECTIONLESS;
+            self.reference = Reference::Plane(if slow(velocity.x) && slow(velocity.y) {
+                Plane::Slope
+            } else {
+                Plane::Motion
+            });
+            let sides = self.observe(motion, state).sides();
+            self.feet =
+                critical_feet(&self.outer_feet, |foot| sides[foot] >= 0.0).ok_or(Verdict::Yaw)?;
+        }
         Ok(self.observe(motion, state))
     }
 
@@ -230,48 +290,27 @@ impl StabilityMonitor {
             depth,
             hardpoint_depths,
         } = footing;
-        let (vx, vy) = (body.velocity.x, body.velocity.y);
-        let mut sides = PerLeg::same(feet.len(), 0.0);
-        for (side, foot) in sides.iter_mut().zip(feet) {
-            *side = match self.plane {
-                Plane::Motion => vy * foot.x - vx * foot.y,
-                Plane::Slope => self.slope_side * foot.x,
-            };
-        }
         let clearance = hardpoint_depths
             .iter()
             .fold(f64::INFINITY, |least, depth| least.min(-depth));
-        let angle = self.angle(&feet[self.feet.negative], &feet[self.feet.positive], vx, vy);
+        let mut sides = PerLeg::same(feet.len(), 0.0);
+        let angle = match self.reference {
+            Reference::Plane(plane) => {
+                let (vx, vy) = (body.velocity.x, body.velocity.y);
+                for (side, foot) in sides.iter_mut().zip(feet) {
+                    *side = match plane {
+                        Plane::Motion => vy * foot.x - vx * foot.y,
+                        Plane::Slope => self.slope_side * foot.x,
+                    };
+                }
+                let [from, to] = [self.feet.negative, self.feet.positive].map(|foot| &feet[foot]);
+                plane.angle(from, to, vx, vy)
+            }
+            Reference::Hull { .. } => Hull::of(feet).stability_angle(),
+        };
         let (v, rate) = (&body.velocity, &body.rate);
         let calm = [v.x, v.y, v.z, rate.x, rate.y, rate.z, -depth];
         Observation::new(&sides, angle, calm, clearance)
-    }
-
-    /// Stability angle σ (76)-(79) between the vertical and the line from the CG to the point A
-    /// where the line joining the critical feet meets the plane. A lies in the plane, so its
-    /// horizontal part has the direction of motion and σ is a plain polar angle.
-    #[inline(always)]
-    fn angle(&self, from: &Vector3<f64>, to: &Vector3<f64>, vx: f64, vy: f64) -> f64 {
-        let span = to - from;
-        let denominator = match self.plane {
-            Plane::Motion => vx * span.y - vy * span.x,
-            Plane::Slope => 0.0,
-        };
-        let along = if denominator.abs() >= LEAST_DENOMINATOR {
-            (vy * from.x - vx * from.y) / denominator
-        } else if span.x != 0.0 {
-            -from.x / span.x
-        } else {
-            0.5
-        };
-        let a = from + span * along;
-        match self.plane {
-            Plane::Motion => {
-                let speed = (vx * vx + vy * vy).sqrt();
-                atan2((a.x * vx + a.y * vy) / speed, a.z)
-            }
-            Plane::Slope => atan2(hypot(a.x, a.y), a.z),
-        }
     }
 
     /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
@@ -279,36 +318,57 @@ impl StabilityMonitor {
     /// rock-back.
     #[inline(always)]
     pub fn guard(&mut self, seen: &Observation, least_angle: f64) {
-        let highest = if least_angle < ROCKED_UP {
+        let highest = if self.limits.is_some() && least_angle < ROCKED_UP {
             least_angle + ROCKED_BACK
         } else {
             f64::INFINITY
         };
-        let angle = Bounds {
+        let mut angle = Bounds {
             lower: 0.0,
             upper: highest + ANGLE_SLACK,
         };
+        if let Reference::Hull { is_within } = &mut self.reference {
+            *is_within = seen.angle > 0.0;
+            if !*is_within {
+                angle.lower = f64::NEG_INFINITY;
+            }
+        }
         if self.guards.is_empty() {
-            let sides = seen.sides().into_iter().map(|side| {
-                let range = if side >= 0.0 {
-                    Bounds::above(0.0)
-                } else {
-                    Bounds::below(0.0)
-                };
-                range.widened(SIDE_SLACK)
-            });
-            let calm = seen.calm().into_iter().enumerate().map(|(index, value)| {
-                calm_cell(self.calm_height, index, value).widened(CALM_SLACK)
-            });
-            let angle = std::iter::once((ANGLE, angle));
-            let calm = (FIRST_CALM..).zip(calm);
-            for (signal, range) in angle.chain(calm).chain((FIRST_SIDE..).zip(sides)) {
-                self.guards.push(Guard { signal, range });
-                self.ranges.set(signal, range);
+            self.set_guard(ANGLE, angle);
+            if let Reference::Plane(_) = self.reference {
+                let calm_height = self.calm_height();
+                for (index, value) in seen.calm().into_iter().enumerate() {
+                    let cell = calm_cell(calm_height, index, value).widened(CALM_SLACK);
+                    self.set_guard(FIRST_CALM + index, cell);
+                }
+                for (leg, side) in seen.sides().into_iter().enumerate() {
+                    let range = if side >= 0.0 {
+                        Bounds::above(0.0)
+                    } else {
+                        Bounds::below(0.0)
+                    };
+                    self.set_guard(FIRST_SIDE + leg, range.widened(SIDE_SLACK));
+                }
             }
         } else {
             self.guards[ANGLE].range = angle;
             self.ranges.set(ANGLE, angle);
+        }
+    }
+
+    fn set_guard(&mut self, signal: usize, range: Bounds) {
+        self.guards.push(Guard { signal, range });
+        self.ranges.set(signal, range);
+    }
+
+    /// Height of the CG over the surface above which motion has not subsided, ft; none is low enough where other rules judge.
+    fn calm_height(&self) -> f64 {
+        match self.limits {
+            Some(Limits {
+                calm_height,
+                may_rest: true,
+            }) => calm_height,
+            _ => f64::NEG_INFINITY,
         }
     }
 
@@ -328,7 +388,8 @@ impl StabilityMonitor {
         let horizontal = |seen: &Observation| (seen.get(FIRST_CALM), seen.get(FIRST_CALM + 1));
         let ((ax, ay), (bx, by)) = (horizontal(start), horizontal(end));
         let (sine, cosine) = (ax * by - ay * bx, ax * bx + ay * by);
-        if self.plane == Plane::Slope || sine.abs() <= MOST_TURN * cosine {
+        let follows_motion = self.reference == Reference::Plane(Plane::Motion);
+        if !follows_motion || sine.abs() <= MOST_TURN * cosine {
             return 1.0;
         }
         // The direction it has after the turn, and how far either end is off it.
@@ -336,6 +397,14 @@ impl StabilityMonitor {
         let (dx, dy) = (ax - turn * ay, ay + turn * ax);
         let (before, after) = (ax * dy - ay * dx, bx * dy - by * dx);
         before / (before - after)
+    }
+
+    /// Whether the CG is beyond the hull of the feet and has moved outward between two observations.
+    #[inline(always)]
+    pub fn moves_away(&self, [before, after]: [&Observation; 2]) -> bool {
+        self.reference == Reference::Hull { is_within: false }
+            && after.angle <= 0.0
+            && after.angle < before.angle
     }
 
     /// The ranges last chosen.
@@ -348,10 +417,18 @@ impl StabilityMonitor {
         let [vx, vy, vz, wx, wy, wz, height] = seen.calm();
         let calm = [vx, vy, vz].iter().all(|v| v.abs() <= CALM_SPEED)
             && [wx, wy, wz].iter().all(|w| w.abs() <= CALM_RATE)
-            && height <= self.calm_height;
-        if seen.angle <= 0.0 {
-            Some(Verdict::Pitch)
-        } else if least_angle < ROCKED_UP && seen.angle - least_angle > ROCKED_BACK {
+            && height <= self.calm_height();
+        match self.reference {
+            Reference::Hull { is_within: true } if seen.angle <= 0.0 => {
+                return Some(Verdict::Toppled);
+            }
+            Reference::Plane(_) if seen.angle <= 0.0 => return Some(Verdict::Pitch),
+            _ => {}
+        }
+        if self.limits.is_some()
+            && least_angle < ROCKED_UP
+            && seen.angle - least_angle > ROCKED_BACK
+        {
             Some(Verdict::Rockback)
         } else if calm {
             Some(Verdict::Subsided)

@@ -5,6 +5,7 @@
 //! that has kept within a few degrees for a while has never been seen to fall to zero.
 
 use crate::outcome::Outcome;
+use crate::rules::RestRule;
 use crate::scene::Scene;
 use crate::state::Body;
 use crate::vehicle::Vehicle;
@@ -58,20 +59,29 @@ impl Stretch {
 pub(super) struct Steadiness {
     /// Time in which the CG falls freely from its height at touchdown, s.
     fall_time: f64,
+    /// Whether landings of a scan may end early: where supports tell when a vehicle is at rest, that is soon enough.
+    may_end_early: bool,
     /// Slope (sine, cosine) down which friction cannot hold the vehicle.
     slippery: Option<(f64, f64)>,
+    /// Speed downhill above which a slide on it counts, ft/s.
+    sliding_speed: f64,
     upright: Stretch,
     sliding: Stretch,
 }
 
 impl Steadiness {
-    pub(super) fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
+    pub(super) fn new(vehicle: &Vehicle, scene: &Scene, rule: RestRule) -> Self {
         let conditions = scene.conditions();
         let (sine, cosine) = libm::sincos(conditions.slope);
         let friction = conditions.pad_friction.max(conditions.block_friction);
         Self {
             fall_time: (2.0 * vehicle.standing_height() / scene.gravity(vehicle)).sqrt(),
             slippery: (sine > friction * cosine).then_some((sine, cosine)),
+            may_end_early: rule == RestRule::Limits,
+            sliding_speed: match rule {
+                RestRule::Limits => SLIDING,
+                RestRule::Energy => 0.0,
+            },
             upright: Stretch::above(UPRIGHT),
             sliding: Stretch::above(SLIDES_UPRIGHT),
         }
@@ -89,12 +99,14 @@ impl Steadiness {
     #[inline(always)]
     pub(super) fn end(&self, time: f64, body: &Body<f64>, ends_early: bool) -> Option<Outcome> {
         let steady = |stretch: &Stretch| (time - stretch.since) / self.fall_time;
+        let ends_early = ends_early && self.may_end_early;
         if ends_early && steady(&self.upright) >= STEADY && time >= EARLIEST * self.fall_time {
             return Some(Outcome::StableSteady);
         }
         let (sine, cosine) = self.slippery?;
         let downhill = sine * body.velocity.z - cosine * body.velocity.y;
-        (downhill > SLIDING && steady(&self.sliding) >= ENDLESS).then_some(Outcome::Sliding)
+        (downhill > self.sliding_speed && steady(&self.sliding) >= ENDLESS)
+            .then_some(Outcome::Sliding)
     }
 }
 

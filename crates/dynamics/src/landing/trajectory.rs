@@ -17,11 +17,10 @@ use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::registers::{Registers, Single};
 use crate::scene::{Scene, Settings};
 use crate::stability::StabilityMonitor;
-use crate::stability::calm_height;
 use crate::state::State;
 use crate::strut::GentleKinks;
 use crate::touchdown::touchdown;
-use crate::vehicle::{OuterFeet, Vehicle};
+use crate::vehicle::Vehicle;
 
 /// Tolerance up to which gentle kinks of the laws are located: at looser ones steps run over them.
 const KINKS_LOCATED: f64 = 1e-6;
@@ -46,9 +45,8 @@ pub(crate) struct Trajectory<'o> {
     pub(super) scene: Scene,
     pub(super) settings: Settings,
     pub(crate) motion: Motion<f64>,
-    /// Height of the CG over the surface above which motion has not subsided, ft.
-    pub(super) calm_height: f64,
-    pub(super) outer_feet: OuterFeet,
+    /// A monitor of stability that has yet to look.
+    pub(super) monitor: StabilityMonitor,
     pub(super) stiffness: Stiffness,
     /// Time within which an event is located, s.
     pub(super) event_resolution: f64,
@@ -104,6 +102,7 @@ impl<'o> Trajectory<'o> {
         settings: &Settings,
         history: Option<History<'o>>,
     ) -> Self {
+        let rules = settings.rules(vehicle);
         let motion = Motion::new(vehicle, scene);
         let legs = motion.leg_count();
         let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
@@ -112,7 +111,7 @@ impl<'o> Trajectory<'o> {
             .map(|leg| {
                 leg.laws()
                     .clone()
-                    .with_crush_rule(settings.crush_rule())
+                    .with_crush_rule(rules.crush)
                     .with_friction(settings.friction_profile())
                     .within(settings.tolerance())
             })
@@ -126,8 +125,7 @@ impl<'o> Trajectory<'o> {
             registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
-            calm_height: calm_height(settings.rest_rule(), vehicle, scene),
-            outer_feet: vehicle.outer_feet().clone(),
+            monitor: StabilityMonitor::new(rules, vehicle, scene),
             stiffness: Stiffness::new(settings.tolerance()),
             event_resolution: resolution,
             energy,
@@ -211,11 +209,6 @@ impl<'o> Trajectory<'o> {
             self.signals.end_mut(),
         ));
         self.evaluations += 1;
-    }
-
-    /// A monitor of its stability that has yet to look.
-    pub(super) fn monitor(&self) -> StabilityMonitor {
-        StabilityMonitor::new(&self.scene, self.calm_height, &self.outer_feet)
     }
 
     /// Derivative and signals of the present state.

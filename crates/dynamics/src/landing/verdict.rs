@@ -38,6 +38,8 @@ impl StabilityTrack {
     /// # Errors
     /// The verdict, if there already is one.
     pub(super) fn begin(&mut self, trajectory: &mut Trajectory<'_>) -> Result<(), Verdict> {
+        self.monitor
+            .set_thrust(trajectory.weight_at_rest().is_some());
         let first_look = self
             .monitor
             .choose_plane(&trajectory.motion, &trajectory.start);
@@ -54,13 +56,11 @@ impl StabilityTrack {
         }
     }
 
-    /// Takes note that the thrust is on another line.
-    pub(super) fn follow_thrust(&mut self, trajectory: &Trajectory<'_>) {
+    /// Takes note that the thrust is on another line: the verdict that was waiting for it.
+    pub(super) fn follow_thrust(&mut self, trajectory: &Trajectory<'_>) -> Option<Verdict> {
         self.monitor
-            .set_calm_height(match trajectory.weight_at_rest() {
-                Some(_) => trajectory.calm_height,
-                None => f64::NEG_INFINITY,
-            });
+            .set_thrust(trajectory.weight_at_rest().is_some());
+        self.monitor.verdict(&self.seen, trajectory.least_angle.0)
     }
 
     /// Stability angle σ now, rad.
@@ -103,6 +103,10 @@ impl Trajectory<'_> {
                 let part = (share * (reach - theta)).max(self.event_resolution / self.step.length);
                 end_theta = reach.min(theta + part);
                 end = self.observe(&stability.monitor, end_theta, event);
+            }
+            if (stability.monitor).moves_away([&stability.seen, &end]) {
+                self.note_observation(&end, self.time_at(end_theta));
+                return Some((end_theta, Verdict::Toppled));
             }
             let length = (end_theta - theta) * self.step.length;
             let is_plain = self.is_plain(stability, &end, length);

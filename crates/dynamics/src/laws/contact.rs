@@ -25,6 +25,9 @@ pub use choice::Choice;
 /// cos 65 deg: a loaded pad inclined further has no law in the model.
 const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
 
+/// Cosine below which the inclination of a pad is held in its interference.
+const LEAST_INCLINATION: f64 = 0.1;
+
 /// Slack of the guard on the cosine of a pad that has an edge.
 const INCLINATION_SLACK: f64 = 1e-12;
 
@@ -89,6 +92,11 @@ impl LegLaws {
     /// The same laws with another friction profile.
     pub fn with_friction(self, friction: FrictionProfile) -> Self {
         Self { friction, ..self }
+    }
+
+    /// Whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
+    pub fn is_viscous(&self, speed_squared: f64) -> bool {
+        Sliding::at(self.friction, speed_squared) == Sliding::Viscous
     }
 
     /// The same laws with their changes no more exact than landings at this tolerance need.
@@ -290,6 +298,63 @@ impl LegMode {
             block: (self.block).set_at(&laws.block, value(Signal::BlockInterference)),
             strut: (self.cartridge).set_at(&laws.cartridge, value(Signal::Stroke)),
         }
+    }
+
+    /// How far the footpad is over its ground, along the ground's normal, ft.
+    pub fn pad_gap(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> f64 {
+        let (outer, law) = self.outer(laws);
+        let gap = |element: &Crush, law: &CrushLaw, signal: Signal| {
+            let interference = signals[signal as usize];
+            element.set_at(law, interference) - interference
+        };
+        let outer = gap(outer, law, Signal::OuterInterference);
+        if self.is_on_edge {
+            return outer.max(0.0);
+        }
+        let inner = gap(&self.pad[1], &laws.pad, Signal::InnerInterference);
+        let inclination = signals[Signal::PadInclination as usize].max(LEAST_INCLINATION);
+        outer.min(inner).max(0.0) * inclination
+    }
+
+    /// The same of the block, if there is one, at the cosine of its inclination.
+    pub fn block_gap(
+        &self,
+        laws: &LegLaws,
+        signals: &LegSignals<f64>,
+        inclination: f64,
+    ) -> Option<f64> {
+        let interference = signals[Signal::BlockInterference as usize];
+        let set = self.block.set_at(&laws.block, interference);
+        (!laws.block.is_absent()).then(|| (set - interference).max(0.0) * inclination)
+    }
+
+    /// Whether the footpad and the strut of the leg, or its block, are being crushed faster than this, ft/s.
+    pub fn crushes_faster(&self, is_foot: bool, limit: f64, signals: &LegSignals<f64>) -> bool {
+        let crushes =
+            |element: &Crush, rate: Signal| element.is_on_front() && signals[rate as usize] > limit;
+        if is_foot {
+            let outer = if self.is_on_edge {
+                &self.edge
+            } else {
+                &self.pad[0]
+            };
+            crushes(outer, Signal::OuterRate)
+                || !self.is_on_edge && crushes(&self.pad[1], Signal::InnerRate)
+                || crushes(&self.cartridge, Signal::StrokeRate)
+        } else {
+            crushes(&self.block, Signal::BlockRate)
+        }
+    }
+
+    /// Whether the strut comes to rest before its stop under so much force, lb.
+    pub fn strut_bears(&self, laws: &LegLaws, force: f64) -> bool {
+        let stop = laws.strut.bottoming_stroke();
+        let greatest = if laws.cartridge.is_absent() {
+            laws.strut.static_force(stop)
+        } else {
+            self.cartridge.greatest_front(&laws.cartridge, stop)
+        };
+        force < greatest
     }
 
     /// Centres the coefficients of laws that only bend a little on a stroke δ (ft), where the leg is now;

@@ -256,6 +256,32 @@ impl Crush {
         )
     }
 
+    /// Whether the element is on its crushing front.
+    pub fn is_on_front(&self) -> bool {
+        matches!(self.stage, Stage::Front(_))
+    }
+
+    /// Greatest relative pressure on the front between where it is met again and a deeper interference `last`, ft.
+    pub fn greatest_front(&self, law: &CrushLaw, last: f64) -> f64 {
+        let segments = &law.segments[self.onset_segment.min(law.segments.len() - 1)..];
+        let mut from = self.onset.min(last);
+        let mut greatest = 0.0_f64;
+        for Segment {
+            offset,
+            slope,
+            upper,
+        } in segments
+        {
+            let to = upper.min(last);
+            greatest = greatest.max(offset + slope * from).max(offset + slope * to);
+            if *upper >= last {
+                break;
+            }
+            from = to;
+        }
+        greatest
+    }
+
     /// Which way an element may move, if it matters: the front is left when the element is no
     /// longer driven into the ground, and jumped onto when it is again.
     pub fn drive_bounds(&self) -> Bounds {

@@ -27,6 +27,8 @@ pub enum Outcome {
     Sliding,
     /// It stood or slid steadily and upright, far from toppling: a landing of a scan goes no further.
     StableSteady,
+    /// The vertical through the CG left the convex hull of all feet in plan.
+    UnstableToppled,
 }
 
 /// Why a landing could not be computed to its end.
@@ -75,7 +77,7 @@ impl Outcome {
         match self {
             Self::StableRockback | Self::StableSubsided | Self::StableSteady => Class::Stable,
             Self::TimeExpired | Self::Sliding => Class::Undecided,
-            Self::UnstablePitch | Self::UnstableYaw => Class::Unstable,
+            Self::UnstablePitch | Self::UnstableYaw | Self::UnstableToppled => Class::Unstable,
             Self::Bottomed { .. } => Class::Bottomed,
             Self::Failure(_) => Class::Failure,
         }
@@ -118,6 +120,7 @@ impl fmt::Display for Outcome {
             Self::Failure(_) => f.write_str("failure"),
             Self::Sliding => f.write_str("sliding"),
             Self::StableSteady => f.write_str("stable-steady"),
+            Self::UnstableToppled => f.write_str("unstable-toppled"),
         }
     }
 }
@@ -165,6 +168,7 @@ mod tests {
             Outcome::StableSteady,
             Outcome::UnstablePitch,
             Outcome::UnstableYaw,
+            Outcome::UnstableToppled,
             Outcome::Bottomed { leg: 4 },
             Outcome::TimeExpired,
             Outcome::Sliding,

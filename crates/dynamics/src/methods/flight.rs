@@ -2,14 +2,14 @@
 
 use crate::contact;
 use crate::energy::{kinetic, released};
-use crate::landing::{RestByEnergy, final_rates};
+use crate::landing::final_rates;
 use crate::motion::{Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
 use crate::record::{Energies, EnergiesAt, Foot, Instant, Landing, LegWork};
-use crate::rules::RestRule;
+use crate::rules::Rules;
 use crate::scene::{Scene, Settings};
-use crate::stability::{StabilityMonitor, calm_height};
+use crate::stability::StabilityMonitor;
 use crate::state::State;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
@@ -29,8 +29,6 @@ pub(super) struct Flight<'a> {
     /// A monitor that has yet to look, and that which follows the landing.
     fresh: StabilityMonitor,
     monitor: StabilityMonitor,
-    /// Set where rest is judged by energy.
-    rest: Option<RestByEnergy>,
     time: f64,
     first: State<f64>,
     interval: f64,
@@ -58,15 +56,13 @@ impl<'a> Flight<'a> {
         interval: f64,
         observe: &'a mut dyn FnMut(&Instant),
     ) -> Self {
-        let rule = settings.rest_rule();
-        let calm_height = calm_height(rule, vehicle, scene);
-        let fresh = StabilityMonitor::new(scene, calm_height, vehicle.outer_feet());
+        // These methods judge as the program of 1966 did.
+        let fresh = StabilityMonitor::new(Rules::REPORT, vehicle, scene);
         Self {
             settings,
             model,
             monitor: fresh.clone(),
             fresh,
-            rest: (rule == RestRule::Energy).then(|| RestByEnergy::new(vehicle, scene)),
             time: 0.0,
             first: touchdown(vehicle, scene, model.motion()),
             interval,
@@ -176,13 +172,6 @@ impl<'a> Flight<'a> {
         }
         if let Some(verdict) = self.monitor.verdict(&seen, extremes.angle.0) {
             return Some(verdict.into());
-        }
-        // These methods know no thrust.
-        let weight = motion.mass() * motion.gravity();
-        let is_at_rest = (self.rest.as_mut())
-            .is_some_and(|rest| rest.note(self.time, motion, &start.state, Some(weight)));
-        if is_at_rest {
-            return Some(Outcome::StableSubsided);
         }
         self.model.end(look)
     }

@@ -48,7 +48,7 @@ impl ForceModel {
             .map(|leg| {
                 leg.laws()
                     .clone()
-                    .with_crush_rule(settings.crush_rule())
+                    .with_crush_rule(settings.rules(vehicle).crush)
                     .with_friction(settings.friction_profile())
             })
             .collect();

@@ -10,6 +10,7 @@ use nalgebra::{Unit, UnitQuaternion, Vector3, Vector4};
 use touchdown_dynamics::hinge::{Hinge, Stops};
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::profile::Profile;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::state::{Body, State, rotation};
 use touchdown_dynamics::touchdown::extended_legs;
@@ -225,7 +226,9 @@ fn on_its_blocks() -> Vehicle {
         design.footpad.crush_pressure = 1e-12;
         Leg::new(design).unwrap()
     });
-    Vehicle::new(20.0, 5.31, 1.445, PRINCIPAL, legs).unwrap()
+    Vehicle::new(20.0, 5.31, 1.445, PRINCIPAL, legs)
+        .unwrap()
+        .with_rules(Rules::REPORT)
 }
 
 /// ∫ p dI of a table from 0 to `depth` and p at `depth`.

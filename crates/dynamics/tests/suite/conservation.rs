@@ -9,6 +9,7 @@ use nalgebra::{Vector3, Vector4};
 use rayon::prelude::*;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::state::{Body, State, rotation};
 use touchdown_dynamics::touchdown::extended_legs;
@@ -72,7 +73,9 @@ fn given_by_pads(factor: f64, rule: CrushRule, conditions: Conditions) -> [f64; 
         design.footpad.crush_pressure *= factor;
         Leg::new(design).unwrap()
     });
-    let vehicle = Vehicle::new(20.0, 5.31, 1.445, PRINCIPAL, legs).unwrap();
+    let vehicle = Vehicle::new(20.0, 5.31, 1.445, PRINCIPAL, legs)
+        .unwrap()
+        .with_rules(Rules::REPORT);
     let settings = Settings::new(1e-8, 10.0, rule).unwrap();
     let landing = land(&vehicle, &Scene::new(conditions).unwrap(), &settings);
     let energies = &landing.energies;

@@ -9,6 +9,7 @@ use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::rules::CrushRule;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, Scene};
 use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
@@ -18,7 +19,9 @@ fn lander(edge: Option<PadEdge>) -> Vehicle {
         design.footpad.edge = edge;
         Leg::new(design).unwrap()
     });
-    Vehicle::new(20.0, 5.31, 1.445, even_inertia(142.0), legs.to_vec()).unwrap()
+    Vehicle::new(20.0, 5.31, 1.445, even_inertia(142.0), legs.to_vec())
+        .unwrap()
+        .with_rules(Rules::REPORT)
 }
 
 /// Steep and fast: pads turn over.

@@ -8,6 +8,7 @@ use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, Scene};
 use touchdown_dynamics::vehicle::{Honeycomb, Leg, Strut, StrutElement, Vehicle};
 
@@ -46,7 +47,9 @@ fn lander(legs: usize, friction: f64) -> Vehicle {
         Leg::new(design).unwrap()
     });
     let legs: Vec<Leg> = legs.collect();
-    Vehicle::new(20.0, 5.31, 1.445, even_inertia(142.0), legs).unwrap()
+    Vehicle::new(20.0, 5.31, 1.445, even_inertia(142.0), legs)
+        .unwrap()
+        .with_rules(Rules::REPORT)
 }
 
 /// Work that crushes a cartridge to this stroke (ft), and the load there: the table, risen to at the elastic stiffness.

@@ -45,7 +45,7 @@ fn is_open(search: &Search, step: usize, letters: [char; 2]) -> bool {
     let outcomes: Vec<char> = (-4..=4)
         .flat_map(|k| [1e-8, 1e-9, 1e-10].map(|tolerance| (k, tolerance)))
         .map(|(k, tolerance)| {
-            let rule = search.settings.crush_rule();
+            let rule = search.settings.rules(search.vehicle).crush;
             let settings = Settings::new(tolerance, Settings::DEFAULT_TIME_LIMIT, rule).unwrap();
             let velocity = SCAN_STEP * step as f64 + 5e-4 * f64::from(k);
             let scene = search.scene.with_horizontal_velocity(velocity).unwrap();

@@ -6,7 +6,7 @@ use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::land::{land, land_observed};
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Outcome;
-use touchdown_dynamics::rules::{CrushRule, RestRule};
+use touchdown_dynamics::rules::{CrushRule, RestRule, RuleChoices, Rules};
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 use touchdown_dynamics::vehicle::{Honeycomb, Leg, StrutElement, Vehicle};
 
@@ -21,7 +21,9 @@ fn lander() -> Vehicle {
         });
         Leg::new(design).unwrap()
     });
-    Vehicle::new(20.0, 5.31, 3.0, even_inertia(142.0), legs.to_vec()).unwrap()
+    Vehicle::new(20.0, 5.31, 3.0, even_inertia(142.0), legs.to_vec())
+        .unwrap()
+        .with_rules(Rules::REPORT)
 }
 
 /// What becomes of landings on Ceres that count as subsided.
@@ -38,9 +40,11 @@ struct Afterwards {
 /// rises by 2 ft.
 fn afterwards(rule: RestRule) -> Afterwards {
     let vehicle = lander();
-    let settings = Settings::new(3e-5, 20.0, CrushRule::Section)
-        .unwrap()
-        .with_rest_rule(rule);
+    let settings = Settings::new(3e-5, 20.0, CrushRule::Section).unwrap();
+    let settings = settings.with_rules(RuleChoices {
+        rest: Some(rule),
+        ..settings.rule_choices()
+    });
     let mut found = Afterwards::default();
     for conditions in fixed_list(&usual_conditions(), 30) {
         for k in 0..10 {

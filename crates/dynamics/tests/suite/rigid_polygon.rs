@@ -18,6 +18,7 @@ use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::profile::Profile;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::thrust::Thrust;
 use touchdown_dynamics::vehicle::{Honeycomb, Leg, StrutElement, Vehicle};
@@ -62,7 +63,9 @@ fn lander(force: f64) -> Vehicle {
         design.footpad.maximum_angle = 85f64.to_radians();
         Leg::new(design).unwrap()
     });
-    Vehicle::new(MASS, GRAVITY, 4.0, even_inertia(INERTIA), legs.to_vec()).unwrap()
+    Vehicle::new(MASS, GRAVITY, 4.0, even_inertia(INERTIA), legs.to_vec())
+        .unwrap()
+        .with_rules(Rules::REPORT)
 }
 
 /// Whether the lander topples at a speed, its nose down, rolled by 0 or 45 deg.

@@ -11,6 +11,7 @@ use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::record::{Instant, Landing};
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
@@ -253,7 +254,8 @@ fn a_leg_too_short_to_touch_changes_nothing() {
         even_inertia(142.22),
         legs,
     )
-    .unwrap();
+    .unwrap()
+    .with_rules(Rules::REPORT);
     for (conditions, rule) in touchdowns(12) {
         let scene = Scene::new(conditions).unwrap();
         let settings = settings(1e-8).with_crush_rule(rule);

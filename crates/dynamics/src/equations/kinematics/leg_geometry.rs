@@ -164,6 +164,16 @@ impl<S: Real> LegGeometry<S> {
         })
     }
 
+    /// How the footpad pivot moves with the link angle γ, vehicle axes, ft.
+    #[inline(always)]
+    pub fn swing(&self, link_angle: S) -> Vector3<S> {
+        let (sine, cosine) = link_angle.sin_cos();
+        self.off_leg_plane(&PlanePoint {
+            reach: -(self.link_length * sine),
+            drop: self.link_length * cosine,
+        })
+    }
+
     /// Centre of the uncrushed block's face relative to the centre, ft.
     #[inline(always)]
     pub fn block_face(&self) -> Vector3<S> {

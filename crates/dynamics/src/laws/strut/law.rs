@@ -117,6 +117,19 @@ impl StrutLaw {
         self.bottoming_stroke
     }
 
+    /// Force of the spring (42)(43) at rest at a stroke (ft), lb.
+    pub fn static_force(&self, stroke: f64) -> f64 {
+        let spring = &self.spring;
+        let segment = &self.segments[self.segment_at(stroke)];
+        if segment.is_plastic {
+            let [offset, slope] = segment.multiplier;
+            let growth = spring.spring_constant * (offset + slope * stroke);
+            spring.preload + growth * (stroke - spring.elastic_limit)
+        } else {
+            spring.structural_stiffness * stroke
+        }
+    }
+
     pub(super) fn segment_at(&self, stroke: f64) -> usize {
         let last = self.segments.len() - 1;
         self.segments

@@ -14,6 +14,7 @@ use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::profile::Profile;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::{
     Block, Damper, Footpad, Inertia, Leg, LegDesign, Linkage, Strut, StrutElement, Vehicle,
@@ -99,7 +100,9 @@ pub fn damper(strut: &mut Strut) -> &mut Damper {
 /// The Surveyor with given CG height and inertia.
 pub fn surveyor(center_of_gravity_height: f64, inertia: Inertia) -> Vehicle {
     let legs = [0.0, 120.0, 240.0].map(|azimuth| Leg::new(surveyor_leg(azimuth)).unwrap());
-    Vehicle::new(20.0, 5.31, center_of_gravity_height, inertia, legs).unwrap()
+    Vehicle::new(20.0, 5.31, center_of_gravity_height, inertia, legs)
+        .unwrap()
+        .with_rules(Rules::REPORT)
 }
 
 /// Inertia of Table 4-1 without its products.
@@ -146,7 +149,9 @@ pub fn ring(legs: usize) -> Vehicle {
     let legs: Vec<Leg> = azimuths
         .map(|azimuth| Leg::new(surveyor_leg(azimuth)).unwrap())
         .collect();
-    Vehicle::new(20.0, 5.31, 1.5417, even_inertia(142.22), legs).unwrap()
+    Vehicle::new(20.0, 5.31, 1.5417, even_inertia(142.22), legs)
+        .unwrap()
+        .with_rules(Rules::REPORT)
 }
 
 /// Where tests put the CG off the centreline, ft.

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene};
 use touchdown_dynamics::vehicle::{Inertia, Leg, LegDesign, Vehicle};
 
@@ -177,6 +178,7 @@ pub fn wild_vehicle(count: usize) -> impl Strategy<Value = Vehicle> {
                 };
                 Vehicle::new(mass, gravity, height, inertia, legs)
                     .and_then(|vehicle| vehicle.with_center_of_gravity_offset(offset))
+                    .map(|vehicle| vehicle.with_rules(Rules::REPORT))
                     .ok()
             },
         )
