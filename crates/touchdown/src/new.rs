@@ -18,6 +18,8 @@ const SWEEP: &str = include_str!("new/sweep.toml");
 const SWEEP_SI: &str = include_str!("new/sweep-si.toml");
 const SCENE: &str = include_str!("new/scene.toml");
 const SCENE_SI: &str = include_str!("new/scene-si.toml");
+/// Rules of the Surveyor, and those of a lander of one's own.
+const RULES: [&str; 2] = ["rules = \"1966\"    ", "rules = \"physical\""];
 /// Placeholder of the templates for the path of the vehicle file.
 const VEHICLE_PATH: &str = "VEHICLE";
 
@@ -81,7 +83,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     };
     match vehicle {
         Some(vehicle) => write(&new.file, &naming(template, vehicle)),
-        None => write(&new.file, template),
+        None => write(&new.file, &template.replace(RULES[0], RULES[1])),
     }
 }
 

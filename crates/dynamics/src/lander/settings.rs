@@ -47,15 +47,21 @@ impl Settings {
     /// # Errors
     /// The tolerance must lie in [1e-12, 1e-2], the time limit in (0, 10000] s.
     pub fn new(tolerance: f64, time_limit: f64, crush_rule: CrushRule) -> Result<Self, Invalid> {
+        Self::default()
+            .with_crush_rule(crush_rule)
+            .with_time_limit(time_limit)?
+            .with_tolerance(tolerance)
+    }
+
+    /// The same settings with another time limit, s.
+    ///
+    /// # Errors
+    /// It must lie in (0, 10000] s.
+    pub fn with_time_limit(self, time_limit: f64) -> Result<Self, Invalid> {
         require("time_limit_s", time_limit, "0 < value ≤ 10000", |v| {
             v > 0.0 && v <= 1e4
         })?;
-        Self {
-            time_limit,
-            ..Self::default()
-        }
-        .with_crush_rule(crush_rule)
-        .with_tolerance(tolerance)
+        Ok(Self { time_limit, ..self })
     }
 
     /// The same settings under another crush rule.

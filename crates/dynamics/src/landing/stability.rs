@@ -238,9 +238,13 @@ impl StabilityMonitor {
         }
     }
 
-    /// The critical feet that were chosen.
-    pub fn critical_feet(&self) -> CriticalFeet {
-        self.feet
+    /// The feet at the ends of the edge over which a vehicle would topple that stands like this: those that were chosen, or of
+    /// the hull of all feet those next to which the CG is.
+    pub fn critical_feet(&self, footing: &Footing) -> [usize; 2] {
+        match self.reference {
+            Reference::Plane(_) => [self.feet.negative, self.feet.positive],
+            Reference::Hull { .. } => Hull::of(&footing.feet).critical_supports(),
+        }
     }
 
     /// Judges motion from now on as subsided only if the vehicle `may_rest`, as the thrust is.

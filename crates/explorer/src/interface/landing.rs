@@ -116,7 +116,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         energies: request.history.then(|| Energies::of(&instants, units)),
         drawing: request
             .drawing
-            .then(|| Drawing::of(vehicle, &scene, &instants)),
+            .then(|| Drawing::of(vehicle, &scene, settings.rules(vehicle), &instants)),
     })
 }
 

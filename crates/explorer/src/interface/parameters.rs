@@ -13,7 +13,7 @@ use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::choice::word;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::{self, Home, Parameter};
-use touchdown_sweep::settings_input::{CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
+use touchdown_sweep::settings_input::{FRICTION_PROFILES, rules_by_key};
 use touchdown_sweep::vehicle_file::{self, VehicleFile};
 
 use super::complaint::Complaint;
@@ -185,8 +185,6 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
                 Some(Slider::over(shown, limit, &ranges::of(name))),
             )
         }
-        "crush_rule" => (json!(word(&CRUSH_RULES, settings.crush_rule())), None),
-        "rest_rule" => (json!(word(&REST_RULES, settings.rest_rule())), None),
         "friction_profile" => (
             json!(word(&FRICTION_PROFILES, settings.friction_profile())),
             None,
@@ -195,7 +193,11 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
             let word = parameter.words().get(usize::from(settings.goes_on()));
             (json!(word), None)
         }
-        _ => return None,
+        _ => {
+            let rules = rules_by_key(settings.rules(&touchdown.vehicle.vehicle));
+            let (_, word) = rules.into_iter().find(|(rule, _)| *rule == key)?;
+            (json!(word), None)
+        }
     };
     Some(Told {
         name: name.to_owned(),

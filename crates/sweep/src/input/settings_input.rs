@@ -1,31 +1,43 @@
 //! How landings are computed: the table `[solver]` of input files, and the words in it.
 
+use serde_json::{Map, Value, json};
 use touchdown_dynamics::method::Method;
-use touchdown_dynamics::rules::{CrushRule, FrictionProfile, RestRule};
+use touchdown_dynamics::rules::{
+    CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
+};
 use touchdown_dynamics::scene::Settings;
 
-use crate::choice::{choice, words};
+use crate::choice::{choice, chosen_by, word, words};
 use crate::input_error::InputError;
 use crate::method_input;
 use crate::section::{LocatedValue, Section};
 
 /// Keys of `[solver]`.
-pub const SOLVER: [&str; 6] = [
+pub const SOLVER: [&str; 8] = [
     "tolerance",
     "time_limit_s",
+    "rules",
     "crush_rule",
     "rest_rule",
+    "toppling_rule",
     "friction_profile",
     "stop",
 ];
+/// Sets of rules by which vehicles land.
+pub const RULES: [(&str, Rules); 2] = [("1966", Rules::REPORT), ("physical", Rules::PHYSICAL)];
 /// When an element may crush further.
 pub const CRUSH_RULES: [(&str, CrushRule); 2] = [
     ("pivot-rate", CrushRule::PivotRate),
     ("section", CrushRule::Section),
 ];
-/// When motion counts as subsided.
+/// When a landing counts as stable.
 pub const REST_RULES: [(&str, RestRule); 2] =
     [("limits", RestRule::Limits), ("energy", RestRule::Energy)];
+/// When a vehicle counts as toppled.
+pub const TOPPLING_RULES: [(&str, TopplingRule); 2] = [
+    ("critical-feet", TopplingRule::CriticalFeet),
+    ("hull", TopplingRule::Hull),
+];
 /// How friction sets in near rest.
 pub const FRICTION_PROFILES: [(&str, FrictionProfile); 3] = [
     ("A", FrictionProfile::A),
@@ -46,14 +58,93 @@ pub enum Stop {
 }
 
 /// Keys of `[solver]` whose values are words, and these.
-pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 5] {
+pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 7] {
     [
+        ("rules", words(&RULES)),
         ("crush_rule", words(&CRUSH_RULES)),
         ("rest_rule", words(&REST_RULES)),
+        ("toppling_rule", words(&TOPPLING_RULES)),
         ("friction_profile", words(&FRICTION_PROFILES)),
         ("stop", words(&STOPS)),
         ("method", method_input::METHODS.to_vec()),
     ]
+}
+
+/// The rules in force by their keys: the set that they are of, or most of them, then each by itself.
+pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 4] {
+    let single = |rules: Rules| {
+        [
+            ("crush_rule", word(&CRUSH_RULES, rules.crush)),
+            ("rest_rule", word(&REST_RULES, rules.rest)),
+            ("toppling_rule", word(&TOPPLING_RULES, rules.toppling)),
+        ]
+    };
+    let own = single(rules);
+    let alike = |(_, set): &&(&str, Rules)| {
+        let pairs = own.iter().zip(single(*set));
+        pairs.filter(|(one, other)| **one == *other).count()
+    };
+    let set = RULES.iter().max_by_key(alike).map_or("", |(word, _)| word);
+    let [crush, rest, toppling] = own;
+    [("rules", set), crush, rest, toppling]
+}
+
+/// The rules in force, as a report or a record names them.
+pub fn rules_in_record(rules: Rules) -> Map<String, Value> {
+    let keys = rules_by_key(rules).into_iter();
+    keys.map(|(key, word)| (key.to_owned(), json!(word)))
+        .collect()
+}
+
+/// The rules in force in words: their set, and what differs from it.
+pub fn rules_in_words(rules: Rules) -> String {
+    let [(_, set), single @ ..] = rules_by_key(rules);
+    let whole = RULES.iter().find(|(word, _)| *word == set);
+    let [_, regular @ ..] = rules_by_key(whole.map_or(rules, |(_, whole)| *whole));
+    let others = single.iter().zip(regular);
+    let others = others.filter(|(one, regular)| **one != *regular);
+    let others = others.map(|((key, word), _)| format!(", {} {word}", key.replace('_', " ")));
+    format!("{set} rules{}", others.collect::<String>())
+}
+
+/// Keys and words of `[solver]` that make these choices of rules.
+pub(crate) fn chosen_rules(choices: RuleChoices) -> Vec<(&'static str, &'static str)> {
+    let RuleChoices {
+        set,
+        crush,
+        rest,
+        toppling,
+    } = choices;
+    let keys = [
+        ("rules", set.map(|set| word(&RULES, set))),
+        ("crush_rule", crush.map(|rule| word(&CRUSH_RULES, rule))),
+        ("rest_rule", rest.map(|rule| word(&REST_RULES, rule))),
+        (
+            "toppling_rule",
+            toppling.map(|rule| word(&TOPPLING_RULES, rule)),
+        ),
+    ];
+    (keys.into_iter())
+        .filter_map(|(key, word)| Some((key, word?)))
+        .collect()
+}
+
+/// What `[solver]` says of rules.
+fn rule_choices(solver: &Section) -> Result<RuleChoices, InputError> {
+    fn chosen<T: Copy>(
+        solver: &Section,
+        key: &str,
+        choices: &[(&str, T)],
+    ) -> Result<Option<T>, InputError> {
+        let given = solver.optional(key);
+        given.map(|value| chosen_by(&value, choices)).transpose()
+    }
+    Ok(RuleChoices {
+        set: chosen(solver, "rules", &RULES)?,
+        crush: chosen(solver, "crush_rule", &CRUSH_RULES)?,
+        rest: chosen(solver, "rest_rule", &REST_RULES)?,
+        toppling: chosen(solver, "toppling_rule", &TOPPLING_RULES)?,
+    })
 }
 
 /// Reads `[solver]` of a sweep; whatever it leaves out has the program's default.
@@ -84,13 +175,14 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
     let tolerance = tolerance.unwrap_or(default_tolerance);
     let time_limit =
         (solver.optional_number("time_limit_s")?).unwrap_or(Settings::DEFAULT_TIME_LIMIT);
-    let crush_rule = choice(&solver, "crush_rule", &CRUSH_RULES)?;
-    let rest_rule = choice(&solver, "rest_rule", &REST_RULES)?;
+    let rules = rule_choices(&solver)?;
     let friction_profile = choice(&solver, "friction_profile", &FRICTION_PROFILES)?;
-    let settings = Settings::new(tolerance, time_limit, crush_rule)
+    let settings = Settings::default()
+        .with_time_limit(time_limit)
+        .and_then(|settings| settings.with_tolerance(tolerance))
         .map_err(|invalid| solver.complain(&invalid))?
         .with_method(method)
-        .with_rest_rule(rest_rule)
+        .with_rules(rules)
         .with_friction_profile(friction_profile);
     let stop = choice(&solver, "stop", &STOPS)?;
     stopping(settings, stop).map_err(|why| match solver.optional("stop") {

@@ -5,6 +5,7 @@ use std::path::Path;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::vehicle::{
     Block, Damper, Footpad, Honeycomb, Inertia, LEAST_LEGS, Leg, LegDesign, Linkage, Strut,
     StrutElement, Vehicle,
@@ -16,10 +17,12 @@ use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::library::Library;
 use crate::section::Section;
+use crate::settings_input::RULES;
 use crate::vehicle_tables::{LOAD, MULTIPLIER, PRESSURE, SCALE, crush_load, profile};
 
-pub(crate) const VEHICLE: [&str; 12] = [
+pub(crate) const VEHICLE: [&str; 13] = [
     "name",
+    "rules",
     "mass_slug",
     "gravity_fps2",
     "center_of_gravity_height_ft",
@@ -232,6 +235,8 @@ impl VehicleFile {
                 None => root.missing("legs", allowed),
             });
         }
+        let rules = (root.optional("rules"))
+            .map_or(Ok(Rules::PHYSICAL), |word| chosen_by(&word, &RULES))?;
         let [x, y] = OFFSET.map(|key| root.optional_number(key));
         let offset = [x?.unwrap_or(0.0), y?.unwrap_or(0.0)];
         let vehicle = Vehicle::new(
@@ -242,6 +247,7 @@ impl VehicleFile {
             legs,
         )
         .and_then(|vehicle| vehicle.with_center_of_gravity_offset(offset))
+        .map(|vehicle| vehicle.with_rules(rules))
         .map_err(|invalid| match of_a_leg(&invalid) {
             Some((leg, invalid)) if leg < entries.len() => entries[leg].complain(&invalid),
             _ => root.complain(&invalid),

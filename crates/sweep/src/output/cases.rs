@@ -145,7 +145,7 @@ impl CaseTable {
             "table_of_cases": cells.fingerprint(),
             "vehicle_files": files,
             "vehicle": resolved_input::vehicle(&vehicle.document),
-            "solver": resolved_input::solver(settings),
+            "solver": resolved_input::solver(settings, &vehicle.vehicle),
         });
         Ok(Self {
             cells,

@@ -67,7 +67,12 @@ fn rows_may_differ_in_how_they_are_computed() {
     );
     let cases = read_text(&text).unwrap();
     let settings = |case: usize| cases[case].settings;
-    let of = |case| (settings(case).tolerance(), settings(case).crush_rule());
+    let of = |case| {
+        (
+            settings(case).tolerance(),
+            settings(case).rule_choices().crush.unwrap(),
+        )
+    };
     assert_eq!(of(0), (1e-8, CrushRule::Section));
     assert_eq!(of(1), (1e-5, CrushRule::PivotRate));
     assert_eq!(settings(0).time_limit(), 20.0);

@@ -14,7 +14,7 @@ use crate::method_input::method_name;
 use crate::output_units::OutputUnits;
 use crate::results;
 use crate::scene_input::NamedConditions;
-use crate::settings_input::{CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
+use crate::settings_input::{FRICTION_PROFILES, rules_in_record};
 use crate::vehicle_file::VehicleFile;
 
 /// What is told of a landing.
@@ -86,8 +86,6 @@ impl LandingReport<'_> {
             "solver": {
                 "tolerance": settings.tolerance(),
                 "time_limit_s": settings.time_limit(),
-                "crush_rule": word(&CRUSH_RULES, settings.crush_rule()),
-                "rest_rule": word(&REST_RULES, settings.rest_rule()),
                 "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
                 "method": method_name(&settings.method()),
             },
@@ -99,6 +97,9 @@ impl LandingReport<'_> {
             (end.name()): end.number(landing.energies.final_kinetic),
             "integration": integration(self.integration, landing.leg_count()),
         });
+        for (key, word) in rules_in_record(settings.rules(&vehicle.vehicle)) {
+            report["solver"][key] = word;
+        }
         if let Some(beyond) = &landing.beyond {
             report["verdict_time_s"] = json!(beyond.verdict_time);
             report["went_on_to"] = json!(beyond.end.to_string());

@@ -94,7 +94,7 @@ impl Trial {
 fn toppling(landing: &Landing, scales: &Scales) -> Option<f64> {
     match landing.outcome {
         Outcome::UnstableYaw => None,
-        Outcome::UnstablePitch => {
+        Outcome::UnstablePitch | Outcome::UnstableToppled => {
             let rate = landing.final_rates.stability_angle? * scales.fall_time;
             Some(-rate * rate)
         }

@@ -182,6 +182,7 @@ pub fn why(outcome: &Outcome) -> String {
         Outcome::UnstablePitch => {
             "its CG passed over the line through the critical feet".to_owned()
         }
+        Outcome::UnstableToppled => "its CG passed beyond the hull of its feet".to_owned(),
         Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
         Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
         Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),

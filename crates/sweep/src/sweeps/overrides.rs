@@ -162,7 +162,7 @@ mod tests {
         let mut changed = sweep.with(&overrides).unwrap();
         assert_eq!(changed.search().unwrap().extent, Extent::First);
         let settings = changed.case(3).unwrap().settings;
-        assert_eq!(settings.crush_rule(), CrushRule::Section);
+        assert_eq!(settings.rule_choices().crush, Some(CrushRule::Section));
         changed.axes[0] = crate::parameter::Parameter::named("solver.crush_rule", 3).unwrap();
         let complaint = changed.clone().with(&overrides).unwrap_err().to_string();
         assert!(

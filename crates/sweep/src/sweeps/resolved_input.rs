@@ -1,8 +1,8 @@
 //! All of a sweep's input with defaults filled in, as a tree of names and values.
 
 use serde_json::{Map, Value, json};
-use touchdown_dynamics::rules::RestRule;
 use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::choice::word;
 use crate::design::Design;
@@ -13,7 +13,7 @@ use crate::method_input::method_name;
 use crate::parameter::Parameter;
 use crate::sample::SampledAxis;
 use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS};
-use crate::settings_input::{CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
+use crate::settings_input::{FRICTION_PROFILES, rules_in_record};
 use crate::spelling::{Conversion, conversion};
 use crate::sweep_file::{Job, Sweep};
 use crate::vehicle_file;
@@ -47,7 +47,7 @@ impl Sweep {
             "scene": scene,
             "axes": self.axes_resolved(),
             "axes_that_move_together": self.together(),
-            "solver": solver(&self.settings),
+            "solver": solver(&self.settings, &self.vehicle.vehicle),
         });
         match self.job {
             Job::Boundary(search) => {
@@ -188,20 +188,18 @@ fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
     }
 }
 
-/// How landings are computed.
-pub(crate) fn solver(settings: &Settings) -> Value {
+/// How landings of a vehicle are computed.
+pub(crate) fn solver(settings: &Settings, vehicle: &Vehicle) -> Value {
     let mut solver = json!({
         "tolerance": settings.tolerance(),
         "time_limit_s": settings.time_limit(),
-        "crush_rule": word(&CRUSH_RULES, settings.crush_rule()),
         "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
         "method": method_name(&settings.method()),
         // All its numbers, to the last digit.
         "method_in_full": format!("{:?}", settings.method()),
     });
-    // Rules that came later are told where they are not what they used to be.
-    if settings.rest_rule() != RestRule::default() {
-        solver["rest_rule"] = json!(word(&REST_RULES, settings.rest_rule()));
+    for (key, word) in rules_in_record(settings.rules(vehicle)) {
+        solver[key] = word;
     }
     if settings.goes_on() {
         solver["stop"] = json!("time");

@@ -56,8 +56,11 @@ fn a_case_keeps_what_it_does_not_change() {
         (leg(2, 1).footpad.height, leg(2, 2).footpad.height),
         (0.5, 0.54167)
     );
-    assert_eq!(cases[1].settings.crush_rule(), CrushRule::PivotRate);
-    assert_eq!(cases[3].settings.crush_rule(), CrushRule::Section);
+    assert_eq!(cases[1].settings.rule_choices().crush, None);
+    assert_eq!(
+        cases[3].settings.rule_choices().crush,
+        Some(CrushRule::Section)
+    );
     assert_eq!(cases[3].settings.tolerance(), 1e-4);
     // Another vehicle file stands for itself.
     assert_eq!(
@@ -209,7 +212,10 @@ fn gravity_thrust_and_stop_are_of_the_scene() {
     let goes_on = [0, 1].map(|case| cases[case].settings.goes_on());
     assert_eq!(goes_on, [true, false]);
     // Journals tell the two apart.
-    let solver = [0, 1].map(|case| crate::resolved_input::solver(&cases[case].settings));
+    let solver = [0, 1].map(|case| {
+        let case = &cases[case];
+        crate::resolved_input::solver(&case.settings, &case.vehicle.vehicle)
+    });
     assert_eq!(
         (&solver[0]["stop"], solver[1].get("stop")),
         (&"time".into(), None)

@@ -135,7 +135,7 @@ fn any_number_of_the_input_is_an_axis() {
     let pad = &case.vehicle.legs()[2].design().footpad;
     assert_eq!(pad.profile.knots()[9][1], 1.5);
     assert_eq!(case.settings.tolerance(), 1e-7);
-    assert_eq!(case.settings.crush_rule(), CrushRule::Section);
+    assert_eq!(case.settings.rule_choices().crush, Some(CrushRule::Section));
     let Job::Boundary(search) = case.job else {
         panic!("a boundary is asked");
     };

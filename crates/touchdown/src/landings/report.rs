@@ -1,12 +1,11 @@
 //! The report of one landing as text.
 
 use touchdown_dynamics::landing::LegWork;
-use touchdown_sweep::choice::word;
 use touchdown_sweep::landing_report::{LandingReport, verdict_time};
 use touchdown_sweep::landing_table::why;
 use touchdown_sweep::method_input::method_words;
 use touchdown_sweep::parameter::Home;
-use touchdown_sweep::settings_input::CRUSH_RULES;
+use touchdown_sweep::settings_input::rules_in_words;
 
 use crate::integration_report;
 use crate::summary::number;
@@ -107,9 +106,9 @@ pub fn text(report: &LandingReport) -> String {
     lines.add(
         "",
         format!(
-            "{}, crush rule {}",
+            "{}, {}",
             method_words(&settings.method(), settings.tolerance()),
-            word(&CRUSH_RULES, settings.crush_rule())
+            rules_in_words(settings.rules(&report.vehicle.vehicle))
         ),
     );
     lines.0 + &integration_report::text(report.integration, legs)

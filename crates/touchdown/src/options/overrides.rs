@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use touchdown_dynamics::scene::CrushRule;
+use touchdown_dynamics::rules::{CrushRule, Rules};
 use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::choice::word;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::overrides::Overrides;
-use touchdown_sweep::settings_input::CRUSH_RULES;
+use touchdown_sweep::settings_input::{CRUSH_RULES, RULES};
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
@@ -26,6 +26,9 @@ pub struct OverrideOptions {
     /// Set one value by its dotted name, e.g. vehicle.strut.preload_lb=200 or slope_deg=10; may be repeated
     #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse)]
     set: Vec<Assignment>,
+    /// Rules by which vehicles land: "1966" or "physical"
+    #[arg(long, value_name = "RULES", value_parser = choice(&RULES))]
+    rules: Option<Rules>,
     /// Crush rule: "pivot-rate" or "section"
     #[arg(long, value_name = "RULE", value_parser = choice(&CRUSH_RULES))]
     crush_rule: Option<CrushRule>,
@@ -63,10 +66,12 @@ impl OverrideOptions {
     /// When the vehicle file cannot be used, or what was given varies in a sweep.
     pub fn apply(&self, sweeps: Vec<Sweep>) -> Result<Vec<Sweep>, InputError> {
         let vehicle = self.vehicle.as_deref().map(VehicleFile::read).transpose()?;
+        let rules = self.rules.map(|rules| word(&RULES, rules).to_owned());
         let rule = self
             .crush_rule
             .map(|rule| word(&CRUSH_RULES, rule).to_owned());
         let words = [
+            ("solver.rules", rules),
             ("solver.crush_rule", rule),
             ("search.bands", self.bands.clone()),
             ("search.scan", self.scan.clone()),

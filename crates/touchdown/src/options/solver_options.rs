@@ -2,13 +2,15 @@
 
 use clap::Args;
 use touchdown_dynamics::invalid::Invalid;
-use touchdown_dynamics::rules::{CrushRule, FrictionProfile, RestRule};
+use touchdown_dynamics::rules::{
+    CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
+};
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::choice::{chosen, words};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
 use touchdown_sweep::settings_input::{
-    CRUSH_RULES, FRICTION_PROFILES, REST_RULES, STOPS, Stop, stopping,
+    CRUSH_RULES, FRICTION_PROFILES, REST_RULES, RULES, STOPS, Stop, TOPPLING_RULES, stopping,
 };
 
 use crate::touchdown_options::finite;
@@ -17,14 +19,22 @@ use crate::touchdown_options::finite;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Solver")]
 pub struct SolverOptions {
+    /// Rules by which the vehicle lands, in place of those of its file: "1966", those of the report's program, or "physical",
+    /// those for any lander on any ground. The next options replace one of them
+    #[arg(long, value_name = "RULES", value_parser = choice(&RULES))]
+    rules: Option<Rules>,
     /// When an element may crush further: "pivot-rate" (as in the program of 1966), only while its pivot
     /// moves into the ground; "section", whenever it goes deeper than before
-    #[arg(long, value_name = "RULE", default_value = "pivot-rate", value_parser = choice(&CRUSH_RULES))]
-    crush_rule: CrushRule,
-    /// When motion counts as subsided: within the "limits" of the program of 1966, made for the Surveyor; "energy", once the
-    /// vehicle has had less than half of the energy that toppling takes for a while
-    #[arg(long, value_name = "RULE", default_value = "limits", value_parser = choice(&REST_RULES))]
-    rest_rule: RestRule,
+    #[arg(long, value_name = "RULE", value_parser = choice(&CRUSH_RULES))]
+    crush_rule: Option<CrushRule>,
+    /// When a landing counts as stable: within the "limits" of the program of 1966, made for the Surveyor; "energy", once it
+    /// has stood for a while on supports over which its energy cannot tip it
+    #[arg(long, value_name = "RULE", value_parser = choice(&REST_RULES))]
+    rest_rule: Option<RestRule>,
+    /// When the vehicle counts as toppled: once its CG has passed over the line through the "critical-feet", in the plane of
+    /// its motion (as in the program of 1966), or has left the "hull" of all feet
+    #[arg(long, value_name = "RULE", value_parser = choice(&TOPPLING_RULES))]
+    toppling_rule: Option<TopplingRule>,
     /// How friction sets in near rest (4.1.5 of the report): A, B or C, as in the 1966 program
     #[arg(long, value_name = "PROFILE", default_value = "C", value_parser = choice(&FRICTION_PROFILES))]
     friction_profile: FrictionProfile,
@@ -77,11 +87,19 @@ impl SolverOptions {
         let method = method(&self.method, &numbers).map_err(in_options)?;
         let tolerance = self.tolerance.unwrap_or(Settings::DEFAULT_TOLERANCE);
         let time_limit = self.time_limit.unwrap_or(Settings::DEFAULT_TIME_LIMIT);
-        let settings = Settings::new(tolerance, time_limit, self.crush_rule)
+        let rules = RuleChoices {
+            set: self.rules,
+            crush: self.crush_rule,
+            rest: self.rest_rule,
+            toppling: self.toppling_rule,
+        };
+        let settings = Settings::default()
+            .with_time_limit(time_limit)
+            .and_then(|settings| settings.with_tolerance(tolerance))
             .map(|settings| {
                 settings
                     .with_method(method)
-                    .with_rest_rule(self.rest_rule)
+                    .with_rules(rules)
                     .with_friction_profile(self.friction_profile)
             })
             .map_err(in_options)?;

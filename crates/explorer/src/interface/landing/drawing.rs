@@ -11,6 +11,7 @@ use nalgebra::Vector3;
 use serde::Serialize;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::motion::Motion;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -30,13 +31,13 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Of a landing with these instants.
-    pub fn of(vehicle: &Vehicle, scene: &Scene, instants: &[Instant]) -> Self {
+    /// Of a landing under these rules with these instants.
+    pub fn of(vehicle: &Vehicle, scene: &Scene, rules: Rules, instants: &[Instant]) -> Self {
         let motion = Motion::new(vehicle, scene);
         Self {
             ground: Ground::of(vehicle, scene, &motion),
             vehicle: Shape::of(vehicle, &motion),
-            instants: Instants::of(vehicle, scene, &motion, instants),
+            instants: Instants::of(vehicle, scene, rules, &motion, instants),
         }
     }
 }

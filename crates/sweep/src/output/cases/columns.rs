@@ -15,7 +15,7 @@ use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::NamedConditions;
 use crate::section::Section;
-use crate::settings_input::{self, CRUSH_RULES, FRICTION_PROFILES, REST_RULES};
+use crate::settings_input::{self, FRICTION_PROFILES, chosen_rules};
 use crate::spelling::did_you_mean;
 
 /// A row of a table.
@@ -148,12 +148,13 @@ impl Columns {
                 || matches!(&one.value, Value::Text(word) if word == "located")
         };
         let mut text = format!(
-            "[solver]\ntime_limit_s = {}\ncrush_rule = \"{}\"\nfriction_profile = \"{}\"\nrest_rule = \"{}\"\n",
+            "[solver]\ntime_limit_s = {}\nfriction_profile = \"{}\"\n",
             given.time_limit(),
-            word(&CRUSH_RULES, given.crush_rule()),
-            word(&FRICTION_PROFILES, given.friction_profile()),
-            word(&REST_RULES, given.rest_rule())
+            word(&FRICTION_PROFILES, given.friction_profile())
         );
+        for (key, word) in chosen_rules(given.rule_choices()) {
+            text += &format!("{key} = \"{word}\"\n");
+        }
         if given.goes_on() {
             text += "stop = \"time\"\n";
         }

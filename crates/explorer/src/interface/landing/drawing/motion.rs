@@ -5,6 +5,7 @@ use serde::Serialize;
 use touchdown_dynamics::kinematics::{BodyFrame, PointVelocity, SeenGround};
 use touchdown_dynamics::landing::{Instant, LegInstant};
 use touchdown_dynamics::motion::Motion;
+use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::stability::StabilityMonitor;
 use touchdown_dynamics::state::{Body, LegState, State};
@@ -48,10 +49,11 @@ impl Instants {
     pub fn of(
         vehicle: &Vehicle,
         scene: &Scene,
+        rules: Rules,
         motion: &Motion<f64>,
         instants: &[Instant],
     ) -> Self {
-        let mut monitor = StabilityMonitor::new(scene, f64::INFINITY, vehicle.outer_feet());
+        let mut monitor = StabilityMonitor::new(rules, vehicle, scene);
         let mut columns = Self {
             legs: vec![LegColumns::default(); vehicle.legs().len()],
             ..Self::default()
@@ -69,10 +71,11 @@ impl Instants {
             columns.rotation.push(rotation);
             let angle = instant.stability_angle.to_degrees();
             columns.stability_angle_deg.push(rounded(angle));
-            let chosen = monitor.choose_plane(motion, &state(&body, instant));
+            let state = state(&body, instant);
+            let chosen = monitor.choose_plane(motion, &state);
             columns.critical_edge.push(chosen.ok().map(|_| {
-                let feet = monitor.critical_feet();
-                [feet.negative + 1, feet.positive + 1]
+                let feet = monitor.critical_feet(&motion.footing(&state));
+                feet.map(|foot| foot + 1)
             }));
             for (index, (leg, to)) in instant.legs.iter().zip(&mut columns.legs).enumerate() {
                 to.add(motion, index, &frame, leg);
