@@ -15,6 +15,7 @@ mod study;
 mod surface;
 mod sweeps;
 mod terminal;
+mod verdicts;
 mod work_precision;
 
 use std::process::ExitCode;
@@ -76,6 +77,8 @@ enum Command {
     WorkPrecision(work_precision::Options),
     /// Test the program on this machine: kill sweeps again and again, compute random extreme landings
     Stress(stress::Options),
+    /// Follow random landings beyond their verdicts: whether anything contradicts them
+    Verdicts(verdicts::Options),
     /// Print completions for a shell
     Completions(shell::Completions),
     /// Print a manual page (roff)
@@ -96,6 +99,7 @@ fn main() -> ExitCode {
         Command::Study(options) => study::run(&options),
         Command::WorkPrecision(options) => work_precision::run(&options),
         Command::Stress(options) => stress::run(&options),
+        Command::Verdicts(options) => verdicts::run(&options),
         Command::Completions(options) => shell::completions(&options, Cli::command()),
         Command::Man(options) => shell::manual(&options, Cli::command()),
     };

@@ -3,6 +3,7 @@
 mod combinations;
 mod lanes;
 
+use libm::{atan2, hypot};
 use nalgebra::{Matrix3, Vector3, Vector4};
 
 use crate::integrator::step::StateVector;
@@ -278,6 +279,14 @@ impl State<f64> {
             are_finite &= number.is_finite();
         }
         are_finite
+    }
+}
+
+impl Body<f64> {
+    /// Inclination of the centreline to the vertical, rad.
+    pub fn tilt(&self) -> f64 {
+        let down = rotation(&self.quaternion).column(2).into_owned();
+        atan2(hypot(down.x, down.y), down.z)
     }
 }
 

@@ -63,6 +63,7 @@ impl Trajectory<'_> {
             min_stability_angle: self.least_angle.0,
             min_stability_time: self.least_angle.1,
             min_clearance: self.least_clearance,
+            tilt: self.step.before.body().tilt(),
             energies: Energies {
                 initial_kinetic: kinetic(&self.motion, &self.start),
                 potential_change: released(&self.motion, &self.start, &self.step.before),

@@ -141,6 +141,8 @@ pub struct Landing {
     pub min_stability_time: f64,
     /// Least ground clearance of the lower hardpoints, ft (71): also of what follows the verdict.
     pub min_clearance: f64,
+    /// Inclination of the centreline to the vertical at the end, rad.
+    pub tilt: f64,
     /// Largest strut force magnitudes, lb.
     pub max_strut_force: PerLeg<f64>,
     /// Greatest stroke of each strut, ft.

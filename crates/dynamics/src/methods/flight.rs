@@ -121,6 +121,7 @@ impl<'a> Flight<'a> {
             min_stability_angle: least.0.max(0.0),
             min_stability_time: least.1,
             min_clearance: extremes.clearance,
+            tilt: state.body().tilt(),
             max_strut_force: extremes.strut_force,
             max_stroke: extremes.stroke,
             final_rates: final_rates(

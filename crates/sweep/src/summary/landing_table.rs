@@ -217,6 +217,7 @@ pub(crate) mod tests {
             min_stability_angle: std::f64::consts::PI / 6.0,
             min_stability_time: 1.0,
             min_clearance: 0.5,
+            tilt: 0.25,
             max_strut_force: [1.0, 2.0, 3.0].into(),
             max_stroke: [0.0; 3].into(),
             final_rates: FinalRates {
