@@ -5,12 +5,14 @@ mod draw;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use clap::Args;
 use rayon::prelude::*;
-use touchdown_dynamics::land::land;
-use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::batch::{Request, land_many};
+use touchdown_dynamics::land::land_observed;
+use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::scene::Settings;
@@ -47,10 +49,16 @@ const BEYOND: f64 = 60.0;
 const LIMIT: f64 = 120.0;
 /// Tilt beyond which a vehicle no longer stands, rad.
 const FALLEN: f64 = 60.0 * std::f64::consts::PI / 180.0;
-/// Speed above which a vehicle at the end is not at rest, ft/s.
-const SLIDES: f64 = 0.1 / 0.3048;
+/// Speed above which a vehicle slides at the end, ft/s, and the time over which that is measured, s.
+const DRIFT: f64 = 0.1 / 0.3048;
+const DRIFTS: f64 = 10.0;
 /// Landings at a time between two looks for an interruption.
-const CHUNK: u64 = 200;
+const CHUNK: u64 = 1000;
+/// Landings side by side on one thread.
+const GROUP: usize = 64;
+
+/// Interval of a printed course, s.
+const COURSE: f64 = 0.05;
 
 /// Options of `verdicts`.
 #[derive(Debug, Args)]
@@ -87,44 +95,60 @@ struct Fate {
     evaluations: u64,
     /// How it went on, unless nothing follows its verdict.
     beyond: Option<Landing>,
-    speed: f64,
+    /// Mean horizontal speed at the end, ft/s.
+    drift: f64,
     contradiction: Option<&'static str>,
 }
 
 impl Fate {
-    fn of(stock: &Stock, seed: u64, number: u64) -> Result<Self, Failure> {
-        let draw = stock.draw(seed, number);
-        let Draw { vehicle, scene, .. } = &draw;
-        let settings = settings(LIMIT)?;
-        let first = land(vehicle, scene, &settings);
-        let goes_on = matches!(first.outcome.class(), Class::Stable | Class::Unstable);
-        let beyond = if goes_on {
-            let limit = self::settings(first.end_time + BEYOND)?;
-            Some(land(vehicle, scene, &limit.beyond_verdict()))
-        } else {
-            None
-        };
-        let speed = beyond.as_ref().map_or(0.0, |landing| {
-            (2.0 * landing.energies.final_kinetic / vehicle.mass()).sqrt()
+    /// What becomes of landings of landers with as many legs.
+    fn of_all(draws: &[Draw]) -> Result<Vec<Self>, Failure> {
+        let first = settings(LIMIT)?;
+        let verdicts = land_all(draws.iter().map(|draw| (draw, first)));
+        let mut onward = Vec::new();
+        for (draw, landing) in draws.iter().zip(&verdicts) {
+            if goes_on(landing) {
+                onward.push((draw, settings(landing.end_time + BEYOND)?.beyond_verdict()));
+            }
+        }
+        let mut beyond = land_all(onward.into_iter()).into_iter();
+        let fates = draws.iter().zip(verdicts).map(|(draw, landing)| {
+            let beyond = if goes_on(&landing) {
+                beyond.next()
+            } else {
+                None
+            };
+            Self::new(draw, landing, beyond)
         });
-        Ok(Self {
-            number,
+        fates.collect()
+    }
+
+    fn new(draw: &Draw, landing: Landing, beyond: Option<Landing>) -> Result<Self, Failure> {
+        let mut fate = Self {
+            number: draw.number,
             kinds: [
                 PLACES[draw.place].0,
                 LANDERS[draw.lander],
                 GROUNDS[draw.ground],
                 ENGINES[draw.engine],
             ],
-            legs: vehicle.legs().len(),
-            contradiction: beyond
-                .as_ref()
-                .and_then(|beyond| contradiction(&first.outcome, beyond, speed)),
-            verdict: first.outcome,
-            verdict_time: first.end_time,
-            evaluations: first.evaluations,
+            legs: draw.vehicle.legs().len(),
+            verdict: landing.outcome,
+            verdict_time: landing.end_time,
+            evaluations: landing.evaluations,
             beyond,
-            speed,
-        })
+            drift: 0.0,
+            contradiction: None,
+        };
+        if let Some(beyond) = &fate.beyond {
+            let energy = beyond.energies.final_kinetic;
+            // Links and bodies may tremble faster than the vehicle drifts.
+            if (2.0 * energy / draw.vehicle.mass()).sqrt() > DRIFT {
+                fate.drift = drift(draw, beyond.end_time)?;
+            }
+            fate.contradiction = contradiction(&fate.verdict, beyond, fate.drift);
+        }
+        Ok(fate)
     }
 
     fn end(&self) -> String {
@@ -136,6 +160,42 @@ impl Fate {
     }
 }
 
+/// Whether anything follows that could contradict a verdict.
+fn goes_on(landing: &Landing) -> bool {
+    matches!(landing.outcome.class(), Class::Stable | Class::Unstable)
+}
+
+/// Lands landers with as many legs side by side.
+fn land_all<'d>(landings: impl Iterator<Item = (&'d Draw, Settings)>) -> Vec<Landing> {
+    let mut landed = BTreeMap::new();
+    let mut requests = landings.enumerate().map(|(key, (draw, settings))| Request {
+        key,
+        vehicle: Arc::clone(&draw.vehicle),
+        scene: draw.scene,
+        settings,
+    });
+    land_many(&mut || requests.next(), &mut |key, landing| {
+        landed.insert(key, landing);
+    });
+    landed.into_values().collect()
+}
+
+/// Mean horizontal speed over the last seconds of a landing that goes on to a time (s), ft/s.
+fn drift(draw: &Draw, end: f64) -> Result<f64, Failure> {
+    let mut places = Vec::new();
+    let mut observe = |instant: &Instant| {
+        if instant.time >= end - DRIFTS {
+            places.push((instant.time, instant.position));
+        }
+    };
+    let settings = settings(end)?.beyond_verdict();
+    land_observed(&draw.vehicle, &draw.scene, &settings, 1.0, &mut observe);
+    Ok(match places[..] {
+        [(from, a), .., (to, b)] if to > from => (b - a).xy().norm() / (to - from),
+        _ => 0.0,
+    })
+}
+
 /// How landings are computed.
 fn settings(limit: f64) -> Result<Settings, Failure> {
     (Settings::default().with_time_limit(limit))
@@ -144,14 +204,14 @@ fn settings(limit: f64) -> Result<Settings, Failure> {
 }
 
 /// How what follows a verdict contradicts it, if it does.
-fn contradiction(verdict: &Outcome, landing: &Landing, speed: f64) -> Option<&'static str> {
+fn contradiction(verdict: &Outcome, landing: &Landing, drift: f64) -> Option<&'static str> {
     let end = &landing.beyond.as_ref()?.end;
     let has_fallen = landing.tilt > FALLEN;
     match verdict.class() {
         Class::Stable if has_fallen => Some("stable, then fallen"),
         Class::Stable if end.class() == Class::Bottomed => Some("stable, then bottomed"),
-        Class::Stable if speed > SLIDES => Some("stable, then sliding"),
-        Class::Unstable if !has_fallen && speed < SLIDES && *end == Outcome::TimeExpired => {
+        Class::Stable if drift > DRIFT => Some("stable, then sliding"),
+        Class::Unstable if !has_fallen && drift < DRIFT && *end == Outcome::TimeExpired => {
             Some("toppled, then standing")
         }
         _ => None,
@@ -163,11 +223,16 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let stock = Stock::read()?;
     if let Some(number) = options.landing {
         let draw = stock.draw(options.seed, number);
-        let fate = Fate::of(&stock, options.seed, number)?;
+        let draw = [draw];
+        let [fate] = &Fate::of_all(&draw)?[..] else {
+            return Err(Failure::running("nothing landed"));
+        };
+        let [draw] = draw;
         return print(&format!(
-            "{:#?}\n{:#?}\n{:?}\nverdict {} at {} s, then {}: tilt {:.1} deg, {:.3} ft/s\n{:#?}\n",
+            "{:#?}\n{:#?}\n{}\n{:?}\nverdict {} at {} s, then {}: tilt {:.1} deg, {:.3} ft/s\n{:#?}\n",
             draw.vehicle,
             draw.scene,
+            course(&draw, fate.verdict_time + BEYOND)?,
             fate.kinds,
             fate.verdict,
             fate.verdict_time,
@@ -175,7 +240,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             fate.beyond
                 .as_ref()
                 .map_or(0.0, |landing| landing.tilt.to_degrees()),
-            fate.speed,
+            fate.drift,
             fate.beyond,
         ));
     }
@@ -194,21 +259,31 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             return Err(Failure::Interrupted("nothing was written".to_owned()));
         }
         let to = options.landings.min(from + CHUNK);
-        let chunk: Result<Vec<Fate>, Failure> = pool.install(|| {
-            (from..to)
-                .into_par_iter()
-                .map(|number| {
-                    let fate = Fate::of(&stock, options.seed, number);
-                    progress.landing();
-                    progress.point(number as usize);
-                    fate
+        let numbers: Vec<u64> = (from..to).collect();
+        let chunk: Result<Vec<Vec<Fate>>, Failure> = pool.install(|| {
+            let draws = numbers
+                .par_iter()
+                .map(|number| stock.draw(options.seed, *number));
+            let mut draws: Vec<Draw> = draws.collect();
+            draws.sort_by_key(|draw| draw.vehicle.legs().len());
+            let alike = draws.chunk_by(|a, b| a.vehicle.legs().len() == b.vehicle.legs().len());
+            let groups = alike.flat_map(|group| group.chunks(GROUP));
+            (groups.collect::<Vec<_>>().into_par_iter())
+                .map(|group| {
+                    let fates = Fate::of_all(group)?;
+                    for fate in &fates {
+                        progress.landing();
+                        progress.point(fate.number as usize);
+                    }
+                    Ok(fates)
                 })
                 .collect()
         });
-        fates.extend(chunk?);
+        fates.extend(chunk?.into_iter().flatten());
         from = to;
     }
     let time = progress.finish();
+    fates.sort_by_key(|fate| fate.number);
     let files = [
         ("verdicts.csv".to_owned(), counts(&fates).into_bytes()),
         (
@@ -235,6 +310,31 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             "{contradicted} verdicts are contradicted"
         )))
     }
+}
+
+/// The course of a landing as lines.
+fn course(draw: &Draw, limit: f64) -> Result<String, Failure> {
+    let mut lines =
+        "  time, s  sigma, deg  tilt, deg  height, ft  speed, ft/s  pads and struts, lb\n"
+            .to_owned();
+    let settings = settings(limit)?.beyond_verdict();
+    let mut observe = |instant: &Instant| {
+        let loads = instant
+            .legs
+            .iter()
+            .map(|leg| format!(" {:.0}/{:.0}", leg.pad_normal, leg.strut_force));
+        lines += &format!(
+            "{:9.3} {:11.3} {:10.3} {:11.4} {:12.5} {}\n",
+            instant.time,
+            instant.stability_angle.to_degrees(),
+            instant.attitude.tip().tip.to_degrees(),
+            -instant.position.z,
+            instant.velocity.norm(),
+            loads.collect::<String>(),
+        );
+    };
+    land_observed(&draw.vehicle, &draw.scene, &settings, COURSE, &mut observe);
+    Ok(lines)
 }
 
 /// Verdicts and contradictions, most frequent first.
@@ -311,10 +411,10 @@ fn exceptions(fates: &[Fate]) -> String {
             fate.end(),
             beyond.end_time,
             beyond.tilt.to_degrees(),
-            fate.speed,
+            fate.drift,
         ))
     });
-    "landing,place,lander,ground,engine,legs,verdict,verdict_time_s,contradiction,end,end_time_s,tilt_deg,speed_fps\n"
+    "landing,place,lander,ground,engine,legs,verdict,verdict_time_s,contradiction,end,end_time_s,tilt_deg,drift_fps\n"
         .to_owned()
         + &rows.collect::<String>()
 }

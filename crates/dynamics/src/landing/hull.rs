@@ -3,6 +3,8 @@
 //! Supports are seen from the CG in axes whose z points down; in plan means along z. Edges go round in the order of azimuths
 //! (from y to x), so that what is inboard lies to their right.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use arrayvec::ArrayVec;
 use libm::{atan2, sqrt};
 use nalgebra::Vector3;
@@ -70,11 +72,13 @@ impl<'a> Hull<'a> {
     }
 
     /// Stability angle: the least angle between the vertical through the CG and the line from the CG to the point of an edge
-    /// that is nearest in plan, rad; positive where the CG is within the hull and above its edges.
+    /// that is nearest in plan, rad; positive where the CG is within the hull and above the edge.
     #[inline(always)]
     pub(super) fn stability_angle(&self) -> f64 {
         let (_, [inboard, height]) = self.critical_edge();
-        atan2(inboard, height)
+        let angle = atan2(inboard, height);
+        // Below all its supports, on its back, a vehicle is not stable anywhere.
+        if angle > FRAC_PI_2 { angle - PI } else { angle }
     }
 
     /// The supports at the ends of the edge over which the CG is next to tip.
@@ -96,12 +100,8 @@ impl<'a> Hull<'a> {
             let inboard = (from.y * to.x - from.x * to.y) / squared.sqrt();
             let share = -(from.x * x + from.y * y) / squared;
             let height = from.z + share * (to.z - from.z);
-            // A vehicle below its supports lies on its back.
-            let edge = if height > 0.0 {
-                [inboard, height]
-            } else {
-                [-inboard.abs(), height]
-            };
+            // On the far side of an inclined vehicle an edge may be above the CG.
+            let edge = [inboard, height];
             let least = critical.1;
             let is_less = if edge[1] > 0.0 && least[1] > 0.0 {
                 edge[0] * least[1] < least[0] * edge[1]

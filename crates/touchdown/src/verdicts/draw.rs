@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::path::Path;
+use std::sync::Arc;
 
 use rand::{RngExt, SeedableRng};
 use rand_distr::{Distribution, Normal};
@@ -42,7 +43,8 @@ pub struct Stock {
 
 /// A lander and its touchdown.
 pub struct Draw {
-    pub vehicle: Vehicle,
+    pub number: u64,
+    pub vehicle: Arc<Vehicle>,
     pub scene: Scene,
     /// Places in the lists of kinds.
     pub place: usize,
@@ -71,13 +73,13 @@ impl Stock {
     pub fn draw(&self, seed: u64, number: u64) -> Draw {
         let mut random = Random(Pcg64::seed_from_u64(seed.rotate_left(32) ^ number));
         loop {
-            if let Ok(draw) = self.attempt(&mut random) {
+            if let Ok(draw) = self.attempt(number, &mut random) {
                 return draw;
             }
         }
     }
 
-    fn attempt(&self, random: &mut Random) -> Result<Draw, Invalid> {
+    fn attempt(&self, number: u64, random: &mut Random) -> Result<Draw, Invalid> {
         let [place, lander, ground, engine] = [
             random.below(PLACES.len()),
             random.below(LANDERS.len()),
@@ -109,7 +111,8 @@ impl Stock {
             thrust: thrust(vehicle.mass() * gravity, engine, random)?,
         })?;
         Ok(Draw {
-            vehicle,
+            number,
+            vehicle: Arc::new(vehicle),
             scene,
             place,
             lander,
