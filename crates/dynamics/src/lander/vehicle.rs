@@ -6,6 +6,7 @@
 
 use std::f64::consts::TAU;
 
+use arrayvec::ArrayVec;
 use libm::{asin, cos, sin, sincos};
 use nalgebra::{Matrix3, SymmetricEigen};
 
@@ -14,8 +15,7 @@ pub use crate::parts::{
     Block, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
 };
 
-pub use super::footprint::OuterFeet;
-use super::footprint::{check_offset, outer_feet};
+use super::footprint::check_offset;
 use crate::extremes::greatest;
 use crate::invalid::{Invalid, bounded, non_negative, positive, require};
 use crate::per_leg::MOST_LEGS;
@@ -28,6 +28,9 @@ pub const LEAST_LEGS: usize = 3;
 const LEAST_GAP: f64 = 1.0;
 const GREATEST_GAP: f64 = 180.0 - 1e-6;
 
+/// Legs by their azimuths from 0 to 360 deg, as indices.
+pub type Ring = ArrayVec<usize, MOST_LEGS>;
+
 /// Mass properties and legs of a lander.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vehicle {
@@ -36,7 +39,7 @@ pub struct Vehicle {
     center_of_gravity_height: f64,
     center_of_gravity_offset: [f64; 2],
     inertia: Matrix3<f64>,
-    outer_feet: OuterFeet,
+    ring: Ring,
     legs: Vec<Leg>,
 }
 
@@ -261,17 +264,6 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
     Ok(angle)
 }
 
-fn outer_feet_of(legs: &[Leg], center_of_gravity: [f64; 3]) -> OuterFeet {
-    let foot = |leg: &Leg| {
-        let [x, y] = leg.extended_foot();
-        [x, y, leg.stance()]
-    };
-    outer_feet(
-        &legs.iter().map(foot).collect::<Vec<_>>(),
-        center_of_gravity,
-    )
-}
-
 impl Vehicle {
     /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
     /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered by their azimuths from 0 to 360 deg in whatever
@@ -341,7 +333,7 @@ impl Vehicle {
             center_of_gravity_height,
             center_of_gravity_offset: [0.0; 2],
             inertia: matrix,
-            outer_feet: outer_feet_of(&legs, [0.0, 0.0, -center_of_gravity_height]),
+            ring: (0..legs.len()).collect(),
             legs,
         })
     }
@@ -353,9 +345,7 @@ impl Vehicle {
     pub fn with_center_of_gravity_offset(self, offset: [f64; 2]) -> Result<Self, Invalid> {
         let feet: Vec<[f64; 2]> = self.legs.iter().map(Leg::extended_foot).collect();
         check_offset(offset, &feet)?;
-        let [x, y] = offset;
         Ok(Self {
-            outer_feet: outer_feet_of(&self.legs, [x, y, -self.center_of_gravity_height]),
             center_of_gravity_offset: offset,
             ..self
         })
@@ -387,9 +377,9 @@ impl Vehicle {
         self.center_of_gravity_height + greatest(stances)
     }
 
-    /// The feet between which the vehicle may topple, its struts extended.
-    pub fn outer_feet(&self) -> &OuterFeet {
-        &self.outer_feet
+    /// The legs by azimuth: each stands beside the one before it and the one after it, the last beside the first.
+    pub fn ring(&self) -> &Ring {
+        &self.ring
     }
 
     /// Inertia matrix J about the CG, vehicle axes, slug·ft².

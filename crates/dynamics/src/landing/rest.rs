@@ -13,7 +13,7 @@ use crate::motion::{Footing, Motion};
 use crate::per_leg::PerLeg;
 use crate::scene::Scene;
 use crate::state::State;
-use crate::vehicle::{OuterFeet, Vehicle};
+use crate::vehicle::{Ring, Vehicle};
 
 use super::trajectory::Trajectory;
 
@@ -29,7 +29,7 @@ pub(crate) struct RestByEnergy {
     needed: f64,
     /// Height of each footpad's pivot over the surface when the pad stands on its ground, ft.
     stances: PerLeg<f64>,
-    outer_feet: OuterFeet,
+    ring: Ring,
     since: Option<f64>,
 }
 
@@ -43,7 +43,7 @@ impl RestByEnergy {
             stances: PerLeg::from_fn(legs.len(), |j| {
                 legs[j].design().footpad.height + scene.conditions().ground.leg(j).pad.height
             }),
-            outer_feet: vehicle.outer_feet().clone(),
+            ring: vehicle.ring().clone(),
             since: None,
         }
     }
@@ -71,8 +71,7 @@ impl RestByEnergy {
         let Footing { feet, depth, .. } = &footing;
         let heights = feet.iter().zip(self.stances.iter());
         let lowest = least(heights.map(|(foot, stance)| -depth - surface.depth(foot) - stance));
-        let ring = &self.outer_feet;
-        let rises = (ring.iter().zip(ring.iter().cycle().skip(1)))
+        let rises = (self.ring.iter().zip(self.ring.iter().cycle().skip(1)))
             .map(|(&foot, &next)| rise_over(&feet[foot], &feet[next]));
         SHARE * least(rises) - lowest.max(0.0)
     }
@@ -88,7 +87,7 @@ impl Trajectory<'_> {
     }
 }
 
-/// How far the CG rises until it is over the line between two outer feet, `to` being the next in ring order, ft; the way back,
+/// How far the CG rises until it is over the line between two feet, `to` being the next in the ring, ft; the way back,
 /// negative, where it is beyond. Feet are seen from the CG, in ground axes.
 fn rise_over(from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
     let span = to - from;

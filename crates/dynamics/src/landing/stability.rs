@@ -15,7 +15,7 @@ use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::rules::RestRule;
 use crate::scene::Scene;
 use crate::state::{Body, State};
-use crate::vehicle::{OuterFeet, Vehicle};
+use crate::vehicle::{Ring, Vehicle};
 
 /// Speed below which the CG has no direction of its own, ft/s.
 const DIRECTIONLESS: f64 = 0.001;
@@ -156,7 +156,7 @@ pub struct StabilityMonitor {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
     slope_side: f64,
     calm_height: f64,
-    outer_feet: OuterFeet,
+    ring: Ring,
     plane: Plane,
     feet: CriticalFeet,
     ranges: Ranges<QUADS>,
@@ -164,14 +164,14 @@ pub struct StabilityMonitor {
 }
 
 impl StabilityMonitor {
-    /// A monitor for a scene; plane and critical feet are yet to be chosen, these among the vehicle's outer ones. Motion counts
+    /// A monitor for a scene; plane and critical feet are yet to be chosen, these next to each other in the vehicle's ring. Motion counts
     /// as subsided only while the CG is within `calm_height` (ft) of the surface.
-    pub fn new(scene: &Scene, calm_height: f64, outer_feet: &OuterFeet) -> Self {
+    pub fn new(scene: &Scene, calm_height: f64, ring: &Ring) -> Self {
         let slope = scene.conditions().slope;
         Self {
             slope_side: if slope == 0.0 { 1.0 } else { -slope.signum() },
             calm_height,
-            outer_feet: outer_feet.clone(),
+            ring: ring.clone(),
             plane: Plane::Motion,
             feet: CriticalFeet {
                 negative: 0,
@@ -212,8 +212,7 @@ impl StabilityMonitor {
         };
         self.guards.clear();
         let sides = self.observe(motion, state).sides();
-        self.feet =
-            critical_feet(&self.outer_feet, |foot| sides[foot] >= 0.0).ok_or(Verdict::Yaw)?;
+        self.feet = critical_feet(&self.ring, |foot| sides[foot] >= 0.0).ok_or(Verdict::Yaw)?;
         Ok(self.observe(motion, state))
     }
 

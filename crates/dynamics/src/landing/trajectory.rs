@@ -21,7 +21,7 @@ use crate::stability::calm_height;
 use crate::state::State;
 use crate::strut::GentleKinks;
 use crate::touchdown::touchdown;
-use crate::vehicle::{OuterFeet, Vehicle};
+use crate::vehicle::{Ring, Vehicle};
 
 /// Tolerance up to which gentle kinks of the laws are located: at looser ones steps run over them.
 const KINKS_LOCATED: f64 = 1e-6;
@@ -48,7 +48,7 @@ pub(crate) struct Trajectory<'o> {
     pub(crate) motion: Motion<f64>,
     /// Height of the CG over the surface above which motion has not subsided, ft.
     pub(super) calm_height: f64,
-    pub(super) outer_feet: OuterFeet,
+    pub(super) ring: Ring,
     pub(super) stiffness: Stiffness,
     /// Time within which an event is located, s.
     pub(super) event_resolution: f64,
@@ -127,7 +127,7 @@ impl<'o> Trajectory<'o> {
             scene: *scene,
             settings: *settings,
             calm_height: calm_height(settings.rest_rule(), vehicle, scene),
-            outer_feet: vehicle.outer_feet().clone(),
+            ring: vehicle.ring().clone(),
             stiffness: Stiffness::new(settings.tolerance()),
             event_resolution: resolution,
             energy,
@@ -215,7 +215,7 @@ impl<'o> Trajectory<'o> {
 
     /// A monitor of its stability that has yet to look.
     pub(super) fn monitor(&self) -> StabilityMonitor {
-        StabilityMonitor::new(&self.scene, self.calm_height, &self.outer_feet)
+        StabilityMonitor::new(&self.scene, self.calm_height, &self.ring)
     }
 
     /// Derivative and signals of the present state.

@@ -60,7 +60,7 @@ impl<'a> Flight<'a> {
     ) -> Self {
         let rule = settings.rest_rule();
         let calm_height = calm_height(rule, vehicle, scene);
-        let fresh = StabilityMonitor::new(scene, calm_height, vehicle.outer_feet());
+        let fresh = StabilityMonitor::new(scene, calm_height, vehicle.ring());
         Self {
             settings,
             model,

@@ -51,7 +51,7 @@ impl Instants {
         motion: &Motion<f64>,
         instants: &[Instant],
     ) -> Self {
-        let mut monitor = StabilityMonitor::new(scene, f64::INFINITY, vehicle.outer_feet());
+        let mut monitor = StabilityMonitor::new(scene, f64::INFINITY, vehicle.ring());
         let mut columns = Self {
             legs: vec![LegColumns::default(); vehicle.legs().len()],
             ..Self::default()
