@@ -218,16 +218,15 @@ fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// Legs by their azimuths from 0 to 360 deg. They have to surround the centreline: with half a turn or more between two
-/// neighbours a vehicle falls over where it stands.
-fn in_ring_order(legs: Vec<Leg>) -> Result<Vec<Leg>, Invalid> {
-    let turn = |leg: &Leg| leg.design.azimuth.rem_euclid(TAU);
-    let mut ring: Vec<(usize, Leg)> = legs.into_iter().enumerate().collect();
-    ring.sort_by(|(_, a), (_, b)| turn(a).total_cmp(&turn(b)));
-    for (place, (_, leg)) in ring.iter().enumerate() {
-        let (number, next) = &ring[(place + 1) % ring.len()];
+/// The legs by azimuth. They have to surround the centreline: with half a turn or more between two neighbours a vehicle
+/// falls over where it stands.
+fn ring_of(legs: &[Leg]) -> Result<Ring, Invalid> {
+    let turn = |leg: usize| legs[leg].design.azimuth.rem_euclid(TAU);
+    let mut ring: Ring = (0..legs.len()).collect();
+    ring.sort_by(|&a, &b| turn(a).total_cmp(&turn(b)));
+    for (&leg, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
         let gap = (turn(next) - turn(leg)).rem_euclid(TAU).to_degrees();
-        let here = leg.design.azimuth.to_degrees();
+        let [here, azimuth] = [leg, next].map(|leg| legs[leg].design.azimuth.to_degrees());
         let allowed = if gap < LEAST_GAP {
             format!("{LEAST_GAP} deg or more from another leg, that at {here:.4} deg")
         } else if gap > GREATEST_GAP {
@@ -237,11 +236,10 @@ fn in_ring_order(legs: Vec<Leg>) -> Result<Vec<Leg>, Invalid> {
         } else {
             continue;
         };
-        let quantity = format!("legs[{}].azimuth_deg", number + 1);
-        let azimuth = next.design.azimuth.to_degrees();
+        let quantity = format!("legs[{}].azimuth_deg", next + 1);
         return Err(Invalid::new(quantity, azimuth, allowed));
     }
-    Ok(ring.into_iter().map(|(_, leg)| leg).collect())
+    Ok(ring)
 }
 
 /// Solves (11) for the angle γ of the extended strut.
@@ -266,8 +264,7 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
 
 impl Vehicle {
     /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
-    /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered by their azimuths from 0 to 360 deg in whatever
-    /// order they come.
+    /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered in the order in which they come.
     ///
     /// # Errors
     /// Names the first quantity outside its range, in the words of the vehicle file.
@@ -326,14 +323,13 @@ impl Vehicle {
                 |v| v > 0.0,
             )?;
         }
-        let legs = in_ring_order(legs)?;
         Ok(Self {
             mass,
             gravity,
             center_of_gravity_height,
             center_of_gravity_offset: [0.0; 2],
             inertia: matrix,
-            ring: (0..legs.len()).collect(),
+            ring: ring_of(&legs)?,
             legs,
         })
     }
@@ -387,7 +383,7 @@ impl Vehicle {
         &self.inertia
     }
 
-    /// The legs, in ring order.
+    /// The legs, in the order in which they were given: that in which all that is told of them comes.
     pub fn legs(&self) -> &[Leg] {
         &self.legs
     }

@@ -164,7 +164,7 @@ pub struct StabilityMonitor {
 }
 
 impl StabilityMonitor {
-    /// A monitor for a scene; plane and critical feet are yet to be chosen, these next to each other in the vehicle's ring. Motion counts
+    /// A monitor for a scene and a vehicle with this ring of feet; plane and critical feet are yet to be chosen. Motion counts
     /// as subsided only while the CG is within `calm_height` (ft) of the surface.
     pub fn new(scene: &Scene, calm_height: f64, ring: &Ring) -> Self {
         let slope = scene.conditions().slope;

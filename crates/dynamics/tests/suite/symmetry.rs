@@ -328,6 +328,37 @@ fn turns_permute_legs(legs: usize) {
     }
 }
 
+#[test]
+fn legs_in_another_order_are_the_same_lander() {
+    // Leg j of the one is leg image_leg[j] of the other.
+    for image_leg in [[1, 2, 0], [0, 2, 1]] {
+        let one = table_4_1();
+        let mut legs = one.legs().to_vec();
+        // One that bottoms before the others.
+        let mut weak = legs[1].design().clone();
+        weak.strut.minimum_length += 0.1;
+        legs[1] = Leg::new(weak).unwrap();
+        let mut shuffled = legs.clone();
+        for (leg, &image) in legs.iter().zip(&image_leg) {
+            shuffled[image] = leg.clone();
+        }
+        let vehicles = [legs, shuffled].map(|legs| {
+            Vehicle::new(20.0, 5.31, 1.445, PRINCIPAL, legs)
+                .unwrap()
+                .with_center_of_gravity_offset(OFFSET)
+                .unwrap()
+        });
+        let pairs = compare(
+            [&vehicles[0], &vehicles[1]],
+            |conditions| *conditions,
+            |position| position,
+            &image_leg,
+        );
+        check("motion", &pairs, |d| d.motion);
+        check("end", &pairs, |d| d.end);
+    }
+}
+
 /// The turns and mirrors about the centreline, other than none, that carry every leg to another's place.
 fn leg_symmetries() -> [Matrix3<f64>; 5] {
     let turn = |degrees: f64| {

@@ -347,18 +347,21 @@ fn with_legs(azimuths: [&str; 3]) -> Result<VehicleFile, InputError> {
 }
 
 #[test]
-fn legs_are_numbered_by_their_azimuths() {
-    let azimuths = |file: VehicleFile| {
-        let legs = file.vehicle.legs().iter();
-        legs.map(|leg| leg.design().azimuth.to_degrees().round())
-            .collect::<Vec<_>>()
+fn legs_keep_their_places_in_the_file() {
+    let legs = |azimuths| {
+        let vehicle = with_legs(azimuths).unwrap().vehicle;
+        let azimuths = (vehicle.legs().iter())
+            .map(|leg| leg.design().azimuth.to_degrees().round())
+            .collect::<Vec<_>>();
+        (azimuths, vehicle.ring().to_vec())
     };
-    let ordered = with_legs(["0", "120", "240"]).unwrap();
-    let reversed = with_legs(["240", "120", "0"]).unwrap();
-    assert_eq!(reversed.vehicle, ordered.vehicle);
     assert_eq!(
-        azimuths(with_legs(["60", "-60", "180"]).unwrap()),
-        [60.0, 180.0, -60.0]
+        legs(["0", "120", "240"]),
+        (vec![0.0, 120.0, 240.0], vec![0, 1, 2])
+    );
+    assert_eq!(
+        legs(["60", "-60", "180"]),
+        (vec![60.0, -60.0, 180.0], vec![0, 2, 1])
     );
 }
 
