@@ -1,12 +1,6 @@
 //! The ground that a vehicle covers as it stands with its struts extended.
 
-use arrayvec::ArrayVec;
-
 use crate::invalid::{Invalid, bounded, require};
-use crate::per_leg::MOST_LEGS;
-
-/// The feet at the corners of the polygon of the feet, in ring order.
-pub type OuterFeet = ArrayVec<usize, MOST_LEGS>;
 
 /// Keys of the CG's offset from the centreline, along x and y of vehicle axes.
 const KEYS: [&str; 2] = [
@@ -43,39 +37,6 @@ pub(super) fn check_offset(offset: [f64; 2], feet: &[[f64; 2]]) -> Result<(), In
     within(greater, offset, ends(crossings), &at)
 }
 
-/// The outer ones of all feet, which come in ring order: x and y of vehicle axes and depth below the lower hardpoints, ft.
-///
-/// A foot is not where it stands within the polygon of the others, or so high over it that a vehicle that topples over its
-/// neighbours has its CG, likewise x, y and depth, beyond them before the foot comes down: on a leg too short to touch.
-pub(super) fn outer_feet(feet: &[[f64; 3]], center_of_gravity: [f64; 3]) -> OuterFeet {
-    let mut ring: OuterFeet = (0..feet.len()).collect();
-    let needless = |ring: &[usize]| {
-        (0..ring.len()).find(|&place| {
-            let at = |step: usize| feet[ring[(place + step) % ring.len()]];
-            let (before, foot, after) = (at(ring.len() - 1), at(0), at(1));
-            let [foot, center] =
-                [foot, center_of_gravity].map(|point| beyond(before, after, point));
-            let inward = -center[0];
-            foot[0] <= 0.0 || inward > 0.0 && foot[1] * center[1] >= foot[0] * inward
-        })
-    };
-    while ring.len() > 3
-        && let Some(place) = needless(&ring)
-    {
-        ring.remove(place);
-    }
-    ring
-}
-
-/// How far a point is outward of and above the line between two feet, ft.
-fn beyond([x0, y0, z0]: [f64; 3], [x1, y1, z1]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 2] {
-    let [along_x, along_y] = [x1 - x0, y1 - y0];
-    let squared = along_x * along_x + along_y * along_y;
-    let share = ((x - x0) * along_x + (y - y0) * along_y) / squared;
-    let outward = (along_x * (y - y0) - along_y * (x - x0)) / squared.sqrt();
-    [outward, z0 + share * (z1 - z0) - z]
-}
-
 /// Least and greatest.
 fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold(
@@ -97,48 +58,4 @@ fn within(
         least < value && value < most
     })
     .map(|_| ())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Outer ones of feet with these reaches and depths, under a CG that is 2 ft over the lower hardpoints.
-    fn outer(reaches: &[f64], depths: &[f64]) -> Vec<usize> {
-        let legs = reaches.len() as f64;
-        let feet: Vec<[f64; 3]> = (reaches.iter().zip(depths).enumerate())
-            .map(|(leg, (reach, depth))| {
-                let azimuth = std::f64::consts::TAU * leg as f64 / legs;
-                [reach * azimuth.sin(), reach * azimuth.cos(), *depth]
-            })
-            .collect();
-        outer_feet(&feet, [0.0, 0.0, -2.0]).to_vec()
-    }
-
-    #[test]
-    fn feet_within_the_polygon_are_not_outer() {
-        let level = [3.0; 6];
-        assert_eq!(outer(&[1.0; 6], &level), [0, 1, 2, 3, 4, 5]);
-        // The line between its neighbours passes at half their reach.
-        assert_eq!(
-            outer(&[4.0, 1.9, 4.0, 4.0, 4.0, 4.0], &level),
-            [0, 2, 3, 4, 5]
-        );
-        assert_eq!(
-            outer(&[4.0, 2.1, 4.0, 4.0, 4.0, 4.0], &level),
-            [0, 1, 2, 3, 4, 5]
-        );
-        assert_eq!(outer(&[4.0, 1.0, 4.0, 1.0, 4.0, 1.0], &level), [0, 2, 4]);
-        assert_eq!(outer(&[4.0, 0.5, 2.0], &level), [0, 1, 2]);
-    }
-
-    #[test]
-    fn feet_that_come_down_too_late_are_not_outer() {
-        // The line between the neighbours is 2 ft ahead of the CG and 5 ft below it. The foot, 1 ft further ahead, comes down
-        // in time when it is no more than 0.4 ft higher.
-        let reaches = [4.0, 3.0, 4.0, 4.0, 4.0, 4.0];
-        let raised = |by: f64| outer(&reaches, &[3.0, 3.0 - by, 3.0, 3.0, 3.0, 3.0]);
-        assert_eq!(raised(0.39), [0, 1, 2, 3, 4, 5]);
-        assert_eq!(raised(0.41), [0, 2, 3, 4, 5]);
-    }
 }

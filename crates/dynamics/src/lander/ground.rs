@@ -45,7 +45,7 @@ const GREATEST_HEIGHT: f64 = 1000.0;
 const GREATEST_TILT: f64 = 60.0;
 
 impl Ground {
-    /// The ground under legs in ring order; under those beyond the given ones it is the surface.
+    /// The ground under the vehicle's legs in their order; under those beyond the given ones it is the surface.
     ///
     /// # Errors
     /// Names the first quantity outside its range, in the words of the sweep file.

@@ -6,6 +6,7 @@
 
 use std::f64::consts::TAU;
 
+use arrayvec::ArrayVec;
 use libm::{asin, cos, sin, sincos};
 use nalgebra::{Matrix3, SymmetricEigen};
 
@@ -14,8 +15,7 @@ pub use crate::parts::{
     Block, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
 };
 
-pub use super::footprint::OuterFeet;
-use super::footprint::{check_offset, outer_feet};
+use super::footprint::check_offset;
 use crate::extremes::greatest;
 use crate::invalid::{Invalid, bounded, non_negative, positive, require};
 use crate::per_leg::MOST_LEGS;
@@ -29,6 +29,9 @@ pub const LEAST_LEGS: usize = 3;
 const LEAST_GAP: f64 = 1.0;
 const GREATEST_GAP: f64 = 180.0 - 1e-6;
 
+/// Legs by their azimuths from 0 to 360 deg, as indices.
+pub type Ring = ArrayVec<usize, MOST_LEGS>;
+
 /// Mass properties and legs of a lander.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vehicle {
@@ -37,8 +40,8 @@ pub struct Vehicle {
     center_of_gravity_height: f64,
     center_of_gravity_offset: [f64; 2],
     inertia: Matrix3<f64>,
-    outer_feet: OuterFeet,
     rules: Rules,
+    ring: Ring,
     legs: Vec<Leg>,
 }
 
@@ -217,16 +220,15 @@ fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// Legs by their azimuths from 0 to 360 deg. They have to surround the centreline: with half a turn or more between two
-/// neighbours a vehicle falls over where it stands.
-fn in_ring_order(legs: Vec<Leg>) -> Result<Vec<Leg>, Invalid> {
-    let turn = |leg: &Leg| leg.design.azimuth.rem_euclid(TAU);
-    let mut ring: Vec<(usize, Leg)> = legs.into_iter().enumerate().collect();
-    ring.sort_by(|(_, a), (_, b)| turn(a).total_cmp(&turn(b)));
-    for (place, (_, leg)) in ring.iter().enumerate() {
-        let (number, next) = &ring[(place + 1) % ring.len()];
+/// The legs by azimuth. They have to surround the centreline: with half a turn or more between two neighbours a vehicle
+/// falls over where it stands.
+fn ring_of(legs: &[Leg]) -> Result<Ring, Invalid> {
+    let turn = |leg: usize| legs[leg].design.azimuth.rem_euclid(TAU);
+    let mut ring: Ring = (0..legs.len()).collect();
+    ring.sort_by(|&a, &b| turn(a).total_cmp(&turn(b)));
+    for (&leg, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
         let gap = (turn(next) - turn(leg)).rem_euclid(TAU).to_degrees();
-        let here = leg.design.azimuth.to_degrees();
+        let [here, azimuth] = [leg, next].map(|leg| legs[leg].design.azimuth.to_degrees());
         let allowed = if gap < LEAST_GAP {
             format!("{LEAST_GAP} deg or more from another leg, that at {here:.4} deg")
         } else if gap > GREATEST_GAP {
@@ -236,11 +238,10 @@ fn in_ring_order(legs: Vec<Leg>) -> Result<Vec<Leg>, Invalid> {
         } else {
             continue;
         };
-        let quantity = format!("legs[{}].azimuth_deg", number + 1);
-        let azimuth = next.design.azimuth.to_degrees();
+        let quantity = format!("legs[{}].azimuth_deg", next + 1);
         return Err(Invalid::new(quantity, azimuth, allowed));
     }
-    Ok(ring.into_iter().map(|(_, leg)| leg).collect())
+    Ok(ring)
 }
 
 /// Solves (11) for the angle γ of the extended strut.
@@ -263,21 +264,9 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
     Ok(angle)
 }
 
-fn outer_feet_of(legs: &[Leg], center_of_gravity: [f64; 3]) -> OuterFeet {
-    let foot = |leg: &Leg| {
-        let [x, y] = leg.extended_foot();
-        [x, y, leg.stance()]
-    };
-    outer_feet(
-        &legs.iter().map(foot).collect::<Vec<_>>(),
-        center_of_gravity,
-    )
-}
-
 impl Vehicle {
     /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
-    /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered by their azimuths from 0 to 360 deg in whatever
-    /// order they come.
+    /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered in the order in which they come.
     ///
     /// # Errors
     /// Names the first quantity outside its range, in the words of the vehicle file.
@@ -336,15 +325,14 @@ impl Vehicle {
                 |v| v > 0.0,
             )?;
         }
-        let legs = in_ring_order(legs)?;
         Ok(Self {
             mass,
             gravity,
             center_of_gravity_height,
             center_of_gravity_offset: [0.0; 2],
             inertia: matrix,
-            outer_feet: outer_feet_of(&legs, [0.0, 0.0, -center_of_gravity_height]),
             rules: Rules::PHYSICAL,
+            ring: ring_of(&legs)?,
             legs,
         })
     }
@@ -361,9 +349,7 @@ impl Vehicle {
     pub fn with_center_of_gravity_offset(self, offset: [f64; 2]) -> Result<Self, Invalid> {
         let feet: Vec<[f64; 2]> = self.legs.iter().map(Leg::extended_foot).collect();
         check_offset(offset, &feet)?;
-        let [x, y] = offset;
         Ok(Self {
-            outer_feet: outer_feet_of(&self.legs, [x, y, -self.center_of_gravity_height]),
             center_of_gravity_offset: offset,
             ..self
         })
@@ -395,9 +381,9 @@ impl Vehicle {
         self.center_of_gravity_height + greatest(stances)
     }
 
-    /// The feet between which the vehicle may topple, its struts extended.
-    pub fn outer_feet(&self) -> &OuterFeet {
-        &self.outer_feet
+    /// The legs by azimuth: each stands beside the one before it and the one after it, the last beside the first.
+    pub fn ring(&self) -> &Ring {
+        &self.ring
     }
 
     /// The rules by which it lands, unless settings choose others.
@@ -410,7 +396,7 @@ impl Vehicle {
         &self.inertia
     }
 
-    /// The legs, in ring order.
+    /// The legs, in the order in which they were given: that in which all that is told of them comes.
     pub fn legs(&self) -> &[Leg] {
         &self.legs
     }

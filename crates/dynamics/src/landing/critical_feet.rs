@@ -69,14 +69,5 @@ mod tests {
             })
         );
         assert_eq!(critical_feet(&[0, 1, 2, 3, 4, 5], |_| true), None);
-        // Without the foot of a short leg among them its neighbours are next to each other.
-        let feet = critical_feet(&[0, 1, 2, 3, 4], |foot| positive[foot]);
-        assert_eq!(
-            feet,
-            Some(CriticalFeet {
-                negative: 4,
-                positive: 0
-            })
-        );
     }
 }

@@ -16,7 +16,7 @@ use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::rules::{RestRule, Rules, TopplingRule};
 use crate::scene::Scene;
 use crate::state::{Body, State};
-use crate::vehicle::{OuterFeet, Vehicle};
+use crate::vehicle::{Ring, Vehicle};
 
 /// Speed below which the CG has no direction of its own, ft/s.
 const DIRECTIONLESS: f64 = 0.001;
@@ -169,7 +169,7 @@ pub struct StabilityMonitor {
     slope_side: f64,
     /// Set where limits tell whether motion has subsided and whether the vehicle has rocked back.
     limits: Option<Limits>,
-    outer_feet: OuterFeet,
+    ring: Ring,
     reference: Reference,
     feet: CriticalFeet,
     ranges: Ranges<QUADS>,
@@ -224,7 +224,7 @@ impl StabilityMonitor {
                 calm_height: calm_height(vehicle, scene),
                 may_rest: true,
             }),
-            outer_feet: vehicle.outer_feet().clone(),
+            ring: vehicle.ring().clone(),
             reference: match rules.toppling {
                 TopplingRule::CriticalFeet => Reference::Plane(Plane::Motion),
                 TopplingRule::Hull => Reference::Hull { is_within: false },
@@ -275,8 +275,7 @@ impl StabilityMonitor {
                 Plane::Motion
             });
             let sides = self.observe(motion, state).sides();
-            self.feet =
-                critical_feet(&self.outer_feet, |foot| sides[foot] >= 0.0).ok_or(Verdict::Yaw)?;
+            self.feet = critical_feet(&self.ring, |foot| sides[foot] >= 0.0).ok_or(Verdict::Yaw)?;
         }
         Ok(self.observe(motion, state))
     }
@@ -442,7 +441,8 @@ impl StabilityMonitor {
     }
 }
 
-/// The stretch between two neighbouring limits in which a calm quantity lies.
+/// The stretch between two neighbouring limits in which a calm quantity lies. What is at a limit lies beyond it, seen from
+/// zero: a speed that is not below [`DIRECTIONLESS`] has a direction, and has to lose it before it gets the opposite one.
 fn calm_cell(calm_height: f64, index: usize, value: f64) -> Bounds {
     let limits: &[f64] = match index {
         0 | 1 => &[-CALM_SPEED, -DIRECTIONLESS, DIRECTIONLESS, CALM_SPEED],
@@ -452,7 +452,7 @@ fn calm_cell(calm_height: f64, index: usize, value: f64) -> Bounds {
     };
     let mut cell = Bounds::FREE;
     for &limit in limits {
-        if value >= limit {
+        if value > limit || value == limit && limit > 0.0 {
             cell.lower = limit;
         } else {
             cell.upper = limit;

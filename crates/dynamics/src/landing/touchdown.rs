@@ -48,8 +48,9 @@ pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> Stat
         let [pad, block] = motion.ground(j, &frame);
         let leg_frame = geometry.frame(&frame, [&pad, &block]);
         let pose = geometry.pose(&leg_frame, legs[j].link_angle, legs[j].pad_turn);
-        let depths = pose.pad_interference.map(|i| i * pose.pad_inclination);
-        depths.map(|depth| motion.rise(j, depth))
+        geometry
+            .section_depths(&pose)
+            .map(|depth| motion.rise(j, depth))
     });
     body.position.z = -greatest(rises);
     State::new(&body, &legs)

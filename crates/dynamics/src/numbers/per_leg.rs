@@ -6,7 +6,7 @@ use std::ops::{Deref, DerefMut};
 /// Legs that a vehicle may have.
 pub const MOST_LEGS: usize = 8;
 
-/// One item for each leg, in ring order. Behaves as a slice with an item a leg.
+/// One item for each leg, in the order of the vehicle's legs. Behaves as a slice with an item a leg.
 ///
 /// There is room for [`MOST_LEGS`], so that what is made of it lies in one piece; what lies beyond the last leg
 /// repeats the item of the first and means nothing.

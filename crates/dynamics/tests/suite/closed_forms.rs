@@ -7,7 +7,9 @@ use crate::common::bare::{Bare, distance};
 use crate::common::scenes::history;
 use crate::common::{PRINCIPAL, level, level_scene, settings, surveyor, surveyor_leg, table_4_1};
 use nalgebra::{Unit, UnitQuaternion, Vector3, Vector4};
+use touchdown_dynamics::attitude::{Attitude, Tip};
 use touchdown_dynamics::hinge::{Hinge, Stops};
+use touchdown_dynamics::land::land_observed;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::rules::Rules;
@@ -47,6 +49,52 @@ fn ballistic_flight() {
         assert_eq!(instant.angular_velocity, Vector3::zeros());
         let released = vehicle.mass() * vehicle.gravity() * fall;
         assert!((instant.potential_change - released).abs() < 1e-10);
+    }
+}
+
+#[test]
+fn the_lowest_pad_section_touches_at_any_tip() {
+    let vehicle = table_4_1();
+    let leg = vehicle.legs()[0].design().clone();
+    let (extended, linkage) = (vehicle.legs()[0].extended_angle(), &leg.linkage);
+    let reach = linkage.lower_hardpoint_radius + linkage.lower_link_length * extended.cos();
+    let drop = vehicle.center_of_gravity_height()
+        + linkage.lower_link_length * extended.sin()
+        + leg.footpad.height;
+    let aside = 2.0 * leg.footpad.diameter / (3.0 * PI);
+    for tip_deg in [0, 30, 84, 85, 95, 120, 150, 180] {
+        for azimuth_deg in [0, 90, 200] {
+            let attitude = Attitude::from_tip(Tip {
+                tip: f64::from(tip_deg).to_radians(),
+                azimuth: f64::from(azimuth_deg).to_radians(),
+                nominal_roll: 0.3,
+            });
+            let conditions = Conditions {
+                attitude,
+                ..level(170.0, 0.0, 10.0)
+            };
+            let mut first = None;
+            land_observed(
+                &vehicle,
+                &Scene::new(conditions).unwrap(),
+                &settings(1e-6),
+                1.0,
+                &mut |instant| {
+                    first.get_or_insert(instant.position);
+                },
+            );
+            let depths = (vehicle.legs().iter()).flat_map(|leg| {
+                let (sine, cosine) = leg.design().azimuth.sin_cos();
+                [reach + aside, reach - aside].map(|reach| {
+                    let section = Vector3::new(reach * sine, reach * cosine, drop);
+                    let place = first.unwrap() + attitude.matrix() * section;
+                    let (sine, cosine) = conditions.slope.sin_cos();
+                    sine * place.y + cosine * place.z
+                })
+            });
+            let deepest = depths.fold(f64::NEG_INFINITY, f64::max);
+            assert!(deepest.abs() < 1e-12, "{tip_deg} deg: {deepest} ft");
+        }
     }
 }
 

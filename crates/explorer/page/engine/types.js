@@ -34,7 +34,8 @@
  *   strut: { extended_length: number, minimum_length: number, kind: string },
  *   footpad: { diameter: number, height: number },
  *   block: { face: Vector, diameter: number, height: number } | null }} LegShape
- * @typedef {{ center: Vector, body: { top: number, bottom: number, radius: number }, legs: LegShape[] }} VehicleShape
+ * @typedef {{ center: Vector, body: { top: number, bottom: number, radius: number }, ring: number[],
+ *   legs: LegShape[] }} VehicleShape
  * @typedef {{ pivot: Vector[], pad_axis: Vector[], pad_crush: [number, number][], block_crush: number[],
  *   pad_interference: [number, number][], block_interference: number[], stroke: number[], strut_force: number[],
  *   pad_force: Vector[], block_force: Vector[], is_down: boolean[] }} LegInstants

@@ -32,6 +32,7 @@ export class Marks {
   /** @param {import("./motion.js").Motion} motion */
   set(motion) {
     this.#drawPath(motion.drawing.instants.center_of_gravity);
+    this.ring = motion.drawing.vehicle.ring;
     const { surface_point, normal } = motion.drawing.ground;
     this.surface = { point: new Vector3(...surface_point), normal: new Vector3(...normal) };
   }
@@ -60,10 +61,11 @@ export class Marks {
     this.ball.position.copy(pose.center);
     this.ball.quaternion.copy(pose.rotation);
     this.done?.geometry.setDrawRange(0, 36 * Math.round(share * (this.segments ?? 0)));
-    if (!this.surface) return;
-    const count = pose.legs.length;
-    for (const [index, { pivot }] of pose.legs.entries()) {
-      this.rods.lay(index, 0.004 * this.size, pivot, pose.legs[(index + 1) % count].pivot);
+    if (!this.surface || !this.ring) return;
+    const count = this.ring.length;
+    const corners = this.ring.map((leg) => pose.legs[leg - 1].pivot);
+    for (const [index, corner] of corners.entries()) {
+      this.rods.lay(index, 0.004 * this.size, corner, corners[(index + 1) % count]);
     }
     const edge = pose.criticalEdge;
     const [a, b] = edge ? edge.map((leg) => pose.legs[leg - 1].pivot) : [foot, foot];

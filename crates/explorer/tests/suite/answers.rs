@@ -102,6 +102,7 @@ fn the_drawing_is_of_one_piece() {
             .sum::<f64>()
             .sqrt()
     };
+    assert_eq!(vehicle["ring"], json!([1, 2, 3]));
     let count = instants["time_s"].as_array().unwrap().len();
     for index in (0..count).step_by(7) {
         let rotation = numbers(&instants["rotation"][index]);

@@ -132,8 +132,11 @@ fn has_report_feet(vehicle: &Value) -> bool {
         return false;
     }
     let azimuths = vehicle["legs"].as_array().into_iter().flatten();
-    let azimuths: Vec<Option<f64>> = azimuths.map(|leg| leg["azimuth_deg"].as_f64()).collect();
-    azimuths == [0.0, 120.0, 240.0].map(Some)
+    let mut azimuths: Vec<f64> = azimuths
+        .filter_map(|leg| leg["azimuth_deg"].as_f64())
+        .collect();
+    azimuths.sort_by(f64::total_cmp);
+    azimuths == [0.0, 120.0, 240.0]
 }
 
 /// A fixed condition in words, unless it is zero, or follows from another, where that is the rule.
@@ -206,6 +209,7 @@ mod tests {
                 .has_report_feet
         };
         assert!(has_report_feet(&[0.0, 120.0, 240.0], 0.0));
+        assert!(has_report_feet(&[240.0, 0.0, 120.0], 0.0));
         assert!(!has_report_feet(&[0.0, 120.0, 240.0], -0.1));
         assert!(!has_report_feet(&[0.0, 90.0, 180.0, 270.0], 0.0));
         assert!(!has_report_feet(&[60.0, 180.0, 300.0], 0.0));

@@ -151,13 +151,13 @@ const WRONG: [(&str, &str, &[&str]); 28] = [
     (
         "mass_slug = 20",
         "mass_slug = -20",
-        &["v.toml:3: mass_slug = -20", "0 < value ≤ 1e9"],
+        &["v.toml:4: mass_slug = -20", "0 < value ≤ 1e9"],
     ),
     (
         "mass_slug = 20",
         "mass_lb = 640",
         &[
-            "v.toml:3: mass_lb = 640: unknown key",
+            "v.toml:4: mass_lb = 640: unknown key",
             "did you mean mass_slug or mass_kg?",
         ],
     ),
@@ -165,37 +165,37 @@ const WRONG: [(&str, &str, &[&str]); 28] = [
         "mass_slug = 20",
         "mass_slug = 20\nmass_kg = 292",
         &[
-            "v.toml:4: mass_kg = 292: expected one spelling of a quantity, but line 3 says mass_slug",
+            "v.toml:5: mass_kg = 292: expected one spelling of a quantity, but line 4 says mass_slug",
         ],
     ),
     (
         "mass_slug = 20",
         "mass_kg = -292",
-        &["v.toml:3: mass_kg = -292: expected 0 < value ≤ 1e9 (in slug: this is -20.0084)"],
+        &["v.toml:4: mass_kg = -292: expected 0 < value ≤ 1e9 (in slug: this is -20.0084)"],
     ),
     (
         "mass_slug = 20",
         "mass_kg = \"292\"",
-        &["v.toml:3: mass_kg = \"292\": expected a number"],
+        &["v.toml:4: mass_kg = \"292\": expected a number"],
     ),
     (
         "stroke_in = [0, 0.25, 0.5",
         "stroke_mm = [0, 12.7, 6.35",
         &[
-            "v.toml:34: strut.spring_profile.stroke_mm[3] = 6.35",
+            "v.toml:35: strut.spring_profile.stroke_mm[3] = 6.35",
             "increasing order (in inch: this is 0.25)",
         ],
     ),
     (
         "[strut]",
         "[strut]\nkind = \"foam\"",
-        &["v.toml:23: strut.kind = \"foam\": expected \"damper\" or \"honeycomb\""],
+        &["v.toml:24: strut.kind = \"foam\": expected \"damper\" or \"honeycomb\""],
     ),
     (
         "[strut]",
         "[strut]\nkind = \"honeycomb\"",
         &[
-            "v.toml:26: strut.structural_stiffness_lb_per_ft",
+            "v.toml:27: strut.structural_stiffness_lb_per_ft",
             "only struts of kind \"damper\" have this, and this one is of kind \"honeycomb\"",
         ],
     ),
@@ -203,7 +203,7 @@ const WRONG: [(&str, &str, &[&str]); 28] = [
         "[strut]",
         "[strut]\nunloading_stiffness_lb_per_ft = 1e5",
         &[
-            "v.toml:23: strut.unloading_stiffness_lb_per_ft",
+            "v.toml:24: strut.unloading_stiffness_lb_per_ft",
             "only struts of kind \"honeycomb\" have this, and this one is of kind \"damper\"",
         ],
     ),
@@ -216,49 +216,49 @@ const WRONG: [(&str, &str, &[&str]); 28] = [
     (
         "mass_slug = 20",
         "mass_slug = \"20\"",
-        &["v.toml:3: mass_slug = \"20\"", "a number"],
+        &["v.toml:4: mass_slug = \"20\"", "a number"],
     ),
     (
         "xx = 138.12",
         "xx = 0.2",
-        &["v.toml:7: inertia_slug_ft2 (least principal moment)"],
+        &["v.toml:8: inertia_slug_ft2 (least principal moment)"],
     ),
     (
         "[inertia_slug_ft2]",
         "center_of_gravity_offset_x_ft = 5\ncenter_of_gravity_offset_y_ft = 0.5\n[inertia_slug_ft2]",
         &[
-            "v.toml:7: center_of_gravity_offset_x_ft = 5: expected -3.4048 < value < 3.4048",
+            "v.toml:8: center_of_gravity_offset_x_ft = 5: expected -3.4048 < value < 3.4048",
             "over the polygon of the feet at center_of_gravity_offset_y_ft = 0.5",
         ],
     ),
     (
         "[inertia_slug_ft2]",
         "center_of_gravity_offset_x_ft = 4\ncenter_of_gravity_offset_y_ft = -3.6\n[inertia_slug_ft2]",
-        &["v.toml:8: center_of_gravity_offset_y_ft = -3.6: expected -3.1987 < value < 6.3974"],
+        &["v.toml:9: center_of_gravity_offset_y_ft = -3.6: expected -3.1987 < value < 6.3974"],
     ),
     (
         "[inertia_slug_ft2]",
         "center_of_gravity_offset_y_ft = -3.4\n[inertia_slug_ft2]",
-        &["v.toml:7: center_of_gravity_offset_y_ft = -3.4: expected -3.1987 < value < 6.3974"],
+        &["v.toml:8: center_of_gravity_offset_y_ft = -3.4: expected -3.1987 < value < 6.3974"],
     ),
     (
         "[inertia_slug_ft2]",
         "center_of_gravity_offset_x_in = 1\n[inertia_slug_ft2]",
         &[
-            "v.toml:7: center_of_gravity_offset_x_in = 1",
+            "v.toml:8: center_of_gravity_offset_x_in = 1",
             "did you mean center_of_gravity_offset_x_ft or center_of_gravity_offset_x_m or",
         ],
     ),
     (
         "preload_lb = 185",
         "preload_lb = 0",
-        &["v.toml:26: strut.preload_lb = 0"],
+        &["v.toml:27: strut.preload_lb = 0"],
     ),
     (
         "stroke_in = [0, 0.25, 0.5",
         "stroke_in = [0, 0.5, 0.25",
         &[
-            "v.toml:34: strut.spring_profile.stroke_in[3] = 0.25",
+            "v.toml:35: strut.spring_profile.stroke_in[3] = 0.25",
             "increasing",
         ],
     ),
@@ -279,7 +279,7 @@ const WRONG: [(&str, &str, &[&str]); 28] = [
         "relative_pressure = [0, 1, 1, 21]",
         "relative_pressure = [0, 1, 0.5, 21]",
         &[
-            "v.toml:61: block.profile.relative_pressure[3] = 0.5: expected 1 ≤ value ≤ 57.5",
+            "v.toml:62: block.profile.relative_pressure[3] = 0.5: expected 1 ≤ value ≤ 57.5",
             "no segment falls",
         ],
     ),
@@ -347,18 +347,21 @@ fn with_legs(azimuths: [&str; 3]) -> Result<VehicleFile, InputError> {
 }
 
 #[test]
-fn legs_are_numbered_by_their_azimuths() {
-    let azimuths = |file: VehicleFile| {
-        let legs = file.vehicle.legs().iter();
-        legs.map(|leg| leg.design().azimuth.to_degrees().round())
-            .collect::<Vec<_>>()
+fn legs_keep_their_places_in_the_file() {
+    let legs = |azimuths| {
+        let vehicle = with_legs(azimuths).unwrap().vehicle;
+        let azimuths = (vehicle.legs().iter())
+            .map(|leg| leg.design().azimuth.to_degrees().round())
+            .collect::<Vec<_>>();
+        (azimuths, vehicle.ring().to_vec())
     };
-    let ordered = with_legs(["0", "120", "240"]).unwrap();
-    let reversed = with_legs(["240", "120", "0"]).unwrap();
-    assert_eq!(reversed.vehicle, ordered.vehicle);
     assert_eq!(
-        azimuths(with_legs(["60", "-60", "180"]).unwrap()),
-        [60.0, 180.0, -60.0]
+        legs(["0", "120", "240"]),
+        (vec![0.0, 120.0, 240.0], vec![0, 1, 2])
+    );
+    assert_eq!(
+        legs(["60", "-60", "180"]),
+        (vec![60.0, -60.0, 180.0], vec![0, 2, 1])
     );
 }
 

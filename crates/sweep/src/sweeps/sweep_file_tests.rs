@@ -158,7 +158,7 @@ fn values_of_axes_are_checked_before_the_run() {
     for fragment in [
         "axes.vehicle.strut.preload_lb = [185, -5]",
         "at vehicle.strut.preload_lb = -5",
-        "surveyor-table-4-1.toml:26: strut.preload_lb = -5: expected",
+        "surveyor-table-4-1.toml:27: strut.preload_lb = -5: expected",
     ] {
         assert!(said.contains(fragment), "{fragment} is not in: {said}");
     }

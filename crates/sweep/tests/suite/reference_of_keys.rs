@@ -87,9 +87,12 @@ fn words_and_their_defaults_are_those_of_the_code() {
         let default = match choice.key {
             // The default of the friction profile is the last letter.
             "friction_profile" => &words[2],
+            "rules" | "crush_rule" | "rest_rule" | "toppling_rule" | "contact_rule" => {
+                "the vehicle's"
+            }
             _ => &words[0],
         };
-        assert_eq!(row[3], *default, "{key}");
+        assert_eq!(row[3], default, "{key}");
     }
 }
 

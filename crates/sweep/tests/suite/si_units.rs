@@ -484,7 +484,7 @@ fn complaints_about_axes_have_their_unit() {
     );
     let light = said("[axes]\n", "[axes]\nvehicle.mass_kg = [-5]\n");
     assert!(
-        light.contains("at vehicle.mass_kg = -5: v.toml:3: mass_slug = -0.34"),
+        light.contains("at vehicle.mass_kg = -5: v.toml:4: mass_slug = -0.34"),
         "{light}"
     );
 }

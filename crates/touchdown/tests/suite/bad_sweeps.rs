@@ -49,15 +49,15 @@ const SWEEPS: [(&str, &str, &[&str]); 33] = [
 /// The same for the vehicle file.
 #[rustfmt::skip]
 const VEHICLES: [(&str, &str, &[&str]); 9] = [
-    ("mass_slug = 20", "mass_slug = -20", &["surveyor.toml:3: mass_slug = -20", "0 < value"]),
-    ("mass_slug = 20", "mass_lb = 643", &["surveyor.toml:3: mass_lb = 643", "did you mean mass_slug or mass_kg?"]),
-    ("xy = 6.81", "xy = 400", &["surveyor.toml:7: inertia_slug_ft2", "positive definite"]),
-    ("zz = 145.78", "zz = -1", &["surveyor.toml:10: inertia_slug_ft2.zz = -1", "0 < value"]),
-    ("preload_lb = 185", "preload_lb = inf", &["surveyor.toml:26: strut.preload_lb = inf", "finite"]),
-    ("[0, 0.1, 5.75, 7.75]", "[0, 5.75, 0.1, 7.75]", &["surveyor.toml:60: block.profile.interference_in[3] = 0.1", "increasing"]),
-    ("[0, 0.1, 5.75, 7.75]\nrelative_pressure = [0, 1, 1, 21]", "[0]\nrelative_pressure = [0]", &["surveyor.toml:60: block.profile.interference_in = [0]", "at least two"]),
-    ("[[legs]]\nazimuth_deg = 240", "", &["surveyor.toml:65: legs", "2 legs", "three to eight tables [[legs]]"]),
-    ("azimuth_deg = 240", "azimuth_deg = 240\n[legs.strut]\npreload_lb = -5", &["surveyor.toml:74: legs[3].strut.preload_lb = -5", "0 < value"]),
+    ("mass_slug = 20", "mass_slug = -20", &["surveyor.toml:4: mass_slug = -20", "0 < value"]),
+    ("mass_slug = 20", "mass_lb = 643", &["surveyor.toml:4: mass_lb = 643", "did you mean mass_slug or mass_kg?"]),
+    ("xy = 6.81", "xy = 400", &["surveyor.toml:8: inertia_slug_ft2", "positive definite"]),
+    ("zz = 145.78", "zz = -1", &["surveyor.toml:11: inertia_slug_ft2.zz = -1", "0 < value"]),
+    ("preload_lb = 185", "preload_lb = inf", &["surveyor.toml:27: strut.preload_lb = inf", "finite"]),
+    ("[0, 0.1, 5.75, 7.75]", "[0, 5.75, 0.1, 7.75]", &["surveyor.toml:61: block.profile.interference_in[3] = 0.1", "increasing"]),
+    ("[0, 0.1, 5.75, 7.75]\nrelative_pressure = [0, 1, 1, 21]", "[0]\nrelative_pressure = [0]", &["surveyor.toml:61: block.profile.interference_in = [0]", "at least two"]),
+    ("[[legs]]\nazimuth_deg = 240", "", &["surveyor.toml:66: legs", "2 legs", "three to eight tables [[legs]]"]),
+    ("azimuth_deg = 240", "azimuth_deg = 240\n[legs.strut]\npreload_lb = -5", &["surveyor.toml:75: legs[3].strut.preload_lb = -5", "0 < value"]),
 ];
 
 fn refuse(bench: &Bench, fragments: &[&str]) {

@@ -63,6 +63,36 @@ fn landings_of_four_to_eight_legs_have_a_column_for_each() {
 }
 
 #[test]
+fn a_leg_has_the_number_of_its_place_in_the_file_everywhere() {
+    let bench = Bench::new();
+    let surveyor = bench.read("surveyor.toml");
+    let (body, _) = surveyor.split_once("[[legs]]").unwrap();
+    let land = |azimuths: [f64; 3], leg: usize| {
+        let legs = azimuths.map(|azimuth| format!("[[legs]]\nazimuth_deg = {azimuth}\n"));
+        bench.write("vehicle.toml", &(body.to_owned() + &legs.concat()));
+        // On a rock and with little stroke: it touches first and bottoms first.
+        let height = format!("footing[{leg}].height_ft=3");
+        let length = format!("vehicle.legs[{leg}].strut.minimum_length_ft=3.05");
+        let options = ["land", "--vehicle", "vehicle.toml", "--json"];
+        let set = ["--set", &height, "--set", &length];
+        let done = bench.run(&[&options[..], &TOUCHDOWN, &set].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let told: serde_json::Value = serde_json::from_str(&done.out).unwrap();
+        told["result"].clone()
+    };
+    let azimuths = [0.0, 120.0, 240.0];
+    for (order, leg) in [([2, 0, 1], 1), ([2, 0, 1], 2), ([0, 2, 1], 3)] {
+        let shuffled = land(order.map(|place| azimuths[place]), leg);
+        let ordered = land(azimuths, order[leg - 1] + 1);
+        assert_eq!(shuffled["outcome"], format!("bottomed-leg-{leg}"));
+        let number = |told: &serde_json::Value, key: &str| told[key].as_f64().unwrap();
+        assert!(number(&shuffled, &format!("pad_contact_{leg}_s")) < 1e-6);
+        let ends = [&shuffled, &ordered].map(|told| number(told, "end_time_s"));
+        assert!((ends[0] - ends[1]).abs() < 1e-6);
+    }
+}
+
+#[test]
 fn cases_with_different_numbers_of_legs_share_a_table() {
     let bench = Bench::new();
     let (four, six) = (ring(&bench, 4), ring(&bench, 6));

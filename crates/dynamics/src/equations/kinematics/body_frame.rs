@@ -79,7 +79,13 @@ impl<S: Real> SeenGround<S> {
 /// vehicle lying on its side does not seem to touch the ground.
 #[inline(always)]
 pub(super) fn upright<S: Real>(inclination: S) -> S {
-    S::one() / inclination.max(S::constant(LEAST_INCLINATION))
+    S::one() / held(inclination)
+}
+
+/// The cosine that [`upright`] takes for this cos ξ.
+#[inline(always)]
+pub(super) fn held<S: Real>(inclination: S) -> S {
+    inclination.max(S::constant(LEAST_INCLINATION))
 }
 
 /// Cosine below which an inclination is held.

@@ -3,7 +3,7 @@
 use libm::sincos;
 use nalgebra::Vector3;
 
-use super::body_frame::{BodyFrame, SeenGround, upright};
+use super::body_frame::{BodyFrame, SeenGround, held, upright};
 use super::leg_frame::{LegFrame, SeenAlongLeg};
 use super::leg_pose::LegPose;
 use super::plane::{PlaneDirection, PlanePoint};
@@ -119,6 +119,14 @@ impl<S: Real> LegGeometry<S> {
         centroid.add(self.centroids()[section], &pose.pad_y);
         centroid.add(height, &pose.pad_z);
         centroid
+    }
+
+    /// Depths of the uncrushed centroids of the outboard and inboard sections below the ground, ft (negative above).
+    pub fn section_depths(&self, pose: &LegPose<S>) -> [S; 2] {
+        // An interference divides the depth of the pivot by the held cosine and counts the whole height of the pad.
+        let cosine = held(pose.pad_inclination);
+        let height = self.pad_height * (cosine - pose.pad_inclination);
+        pose.pad_interference.map(|i| i * cosine - height)
     }
 
     /// Depth of the edge of a pad below the ground, ft (negative above): it goes with the pivot, as the load acts there.

@@ -8,7 +8,7 @@ impl Deck {
         let at = |card, field| run.at(card, field);
         let [pads, blocks, struts] = &self.tables;
         let mut text = format!(
-            "# Converted from a card deck of the 1966 program.\nname = {name:?}\n\
+            "# Converted from a card deck of the 1966 program.\nname = {name:?}\nrules = \"1966\"\n\
              mass_slug = {}\ngravity_fps2 = {}\ncenter_of_gravity_height_ft = {}\n\n\
              [inertia_slug_ft2]\nxx = {}\nyy = {}\nzz = {}\nxy = {}\nxz = {}\nyz = {}\n\n\
              [linkage]\nlower_hardpoint_radius_ft = {}\nlower_link_length_ft = {}\n\

@@ -13,6 +13,8 @@ pub struct Shape {
     /// The point of the centreline level with the CG.
     center: Triple,
     body: Drum,
+    /// Numbers of the legs by azimuth: the order of the corners of the polygon of the feet.
+    ring: Vec<usize>,
     legs: Vec<LegShape>,
 }
 
@@ -77,6 +79,7 @@ impl Shape {
                 bottom: heights(|leg| &leg.lower_hardpoint).fold(f64::NEG_INFINITY, f64::max),
                 radius: rounded(radii.fold(f64::INFINITY, f64::min)),
             },
+            ring: vehicle.ring().iter().map(|leg| leg + 1).collect(),
             legs,
         }
     }
