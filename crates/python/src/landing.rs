@@ -111,6 +111,7 @@ fn results<'py>(py: Python<'py>, landing: &Landing) -> PyResult<Bound<'py, PyDic
     )?;
     set("min_stability_time_s", landing.min_stability_time)?;
     set("min_clearance_ft", landing.min_clearance)?;
+    set("tilt_deg", landing.tilt.to_degrees())?;
     set("initial_kinetic_energy_ftlb", energies.initial_kinetic)?;
     set("potential_energy_change_ftlb", energies.potential_change)?;
     set("thrust_work_ftlb", energies.thrust)?;
@@ -124,6 +125,10 @@ fn results<'py>(py: Python<'py>, landing: &Landing) -> PyResult<Bound<'py, PyDic
     results.set_item(
         "max_stroke_ft",
         PyTuple::new(py, landing.max_stroke.iter())?,
+    )?;
+    results.set_item(
+        "max_stroke_share",
+        PyTuple::new(py, landing.max_stroke_share.iter())?,
     )?;
     results.set_item(
         "pad_contact_s",

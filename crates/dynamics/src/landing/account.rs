@@ -76,6 +76,9 @@ impl Trajectory<'_> {
             },
             max_strut_force: self.peaks.force,
             max_stroke: self.peaks.stroke,
+            max_stroke_share: PerLeg::from_fn(self.leg_count(), |j| {
+                self.peaks.stroke[j] / self.laws[j].bottoming_stroke()
+            }),
             final_rates: final_rates(
                 self.monitor.clone(),
                 &self.motion,

@@ -147,6 +147,8 @@ pub struct Landing {
     pub max_strut_force: PerLeg<f64>,
     /// Greatest stroke of each strut, ft.
     pub max_stroke: PerLeg<f64>,
+    /// The same as a share of the stroke at which the strut bottoms.
+    pub max_stroke_share: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,
     /// First contact of each footpad, s.

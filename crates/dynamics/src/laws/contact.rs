@@ -94,6 +94,11 @@ impl LegLaws {
         Self { friction, ..self }
     }
 
+    /// Stroke at which the strut bottoms, ft.
+    pub fn bottoming_stroke(&self) -> f64 {
+        self.strut.bottoming_stroke()
+    }
+
     /// Whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
     pub fn is_viscous(&self, speed_squared: f64) -> bool {
         Sliding::at(self.friction, speed_squared) == Sliding::Viscous
@@ -348,7 +353,7 @@ impl LegMode {
 
     /// Whether the strut comes to rest before its stop under so much force, lb.
     pub fn strut_bears(&self, laws: &LegLaws, force: f64) -> bool {
-        let stop = laws.strut.bottoming_stroke();
+        let stop = laws.bottoming_stroke();
         let greatest = if laws.cartridge.is_absent() {
             laws.strut.static_force(stop)
         } else {

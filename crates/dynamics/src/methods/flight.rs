@@ -124,6 +124,9 @@ impl<'a> Flight<'a> {
             tilt: state.body().tilt(),
             max_strut_force: extremes.strut_force,
             max_stroke: extremes.stroke,
+            max_stroke_share: PerLeg::from_fn(state.leg_count(), |j| {
+                extremes.stroke[j] / self.model.bottoming_stroke(j)
+            }),
             final_rates: final_rates(
                 self.fresh,
                 self.model.motion(),

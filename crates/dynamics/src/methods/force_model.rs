@@ -63,6 +63,11 @@ impl ForceModel {
         }
     }
 
+    /// Stroke at which the strut of leg `leg` bottoms, ft.
+    pub fn bottoming_stroke(&self, leg: usize) -> f64 {
+        self.laws[leg].bottoming_stroke()
+    }
+
     /// The equations of motion.
     pub fn motion(&self) -> &Motion<f64> {
         &self.motion

@@ -17,16 +17,24 @@ from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
 
 # Results of each leg: what stands before and after its number in tables.
-_OF_LEGS = {"max_strut_force_lb": ("max_strut_force", "lb"), "pad_contact_s": ("pad_contact", "s"), "block_contact_s": ("block_contact", "s")}
+_OF_LEGS = {
+    "max_strut_force_lb": ("max_strut_force", "_lb"),
+    "max_stroke_ft": ("max_stroke", "_ft"),
+    "max_stroke_share": ("max_stroke_share", ""),
+    "pad_contact_s": ("pad_contact", "_s"),
+    "block_contact_s": ("block_contact", "_s"),
+}
 _COLUMNS = [
     "outcome",
     "outcome_class",
     "end_time_s",
     "min_stability_angle_deg",
     "min_clearance_ft",
+    "tilt_deg",
     "initial_kinetic_energy_ftlb",
     "potential_energy_change_ftlb",
     *_OF_LEGS,
+    "given_by_contact_ftlb",
     "energy_closure_ftlb",
     "steps",
     "derivative_evaluations",
@@ -38,6 +46,7 @@ _COLUMNS = [
 _SHOWN = [
     ("least stability angle", "min_stability_angle_deg"),
     ("least ground clearance", "min_clearance_ft"),
+    ("tilt at the end", "tilt_deg"),
     ("footpad contact", "pad_contact_s"),
     ("block contact", "block_contact_s"),
     ("largest strut force", "max_strut_force_lb"),
@@ -66,6 +75,8 @@ class Landing(InBothUnits):
         Least stability angle, deg, and when, s.
     min_clearance_ft : float
         Least height of a lower hardpoint over the surface, ft.
+    tilt_deg : float
+        Inclination of the centreline to the vertical at the end, deg.
     initial_kinetic_energy_ftlb, potential_energy_change_ftlb, thrust_work_ftlb : float
         Kinetic energy at first contact, potential energy released since, and work of the thrust, ft·lb.
     final_kinetic_energy_ftlb : float
@@ -75,8 +86,8 @@ class Landing(InBothUnits):
     given_by_crushing_ftlb : float
         Energy that footpads, crush and friction together, and blocks gave to the motion, ft·lb, which no material does: they are too
         stiff for the laws.
-    max_strut_force_lb, max_stroke_ft : tuple of float
-        Largest force, lb, and stroke, ft, of each strut.
+    max_strut_force_lb, max_stroke_ft, max_stroke_share : tuple of float
+        Largest force, lb, and stroke, ft, of each strut, and the share of its whole stroke that this is.
     pad_contact_s, block_contact_s : tuple of float or None
         First contact of each footpad and body block, s.
     strut_work_ftlb, pad_crush_work_ftlb, pad_friction_work_ftlb : tuple of float
@@ -108,6 +119,7 @@ class Landing(InBothUnits):
     min_stability_angle_deg: float
     min_stability_time_s: float
     min_clearance_ft: float
+    tilt_deg: float
     initial_kinetic_energy_ftlb: float
     potential_energy_change_ftlb: float
     thrust_work_ftlb: float
@@ -116,6 +128,7 @@ class Landing(InBothUnits):
     given_by_crushing_ftlb: float
     max_strut_force_lb: tuple[float, ...]
     max_stroke_ft: tuple[float, ...]
+    max_stroke_share: tuple[float, ...]
     pad_contact_s: tuple[float | None, ...]
     block_contact_s: tuple[float | None, ...]
     strut_work_ftlb: tuple[float, ...]
@@ -173,7 +186,7 @@ class Landing(InBothUnits):
             value = getattr(self, name)
             if name in _OF_LEGS:
                 before, unit = _OF_LEGS[name]
-                row |= {f"{before}_{leg}_{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
+                row |= {f"{before}_{leg}{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
             else:
                 row[name] = np.nan if value is None else value
         return pd.Series(in_units(row, units or self.units), dtype=object)

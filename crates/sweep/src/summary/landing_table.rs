@@ -77,6 +77,7 @@ pub fn columns(landing: &Landing) -> Vec<Column> {
         Some(landing.min_stability_angle.to_degrees()),
     );
     number("min_clearance_ft", Some(landing.min_clearance));
+    number("tilt_deg", Some(landing.tilt.to_degrees()));
     number(
         "initial_kinetic_energy_ftlb",
         Some(landing.energies.initial_kinetic),
@@ -88,12 +89,20 @@ pub fn columns(landing: &Landing) -> Vec<Column> {
     for (leg, force) in landing.max_strut_force.iter().enumerate() {
         number(&format!("max_strut_force_{}_lb", leg + 1), Some(*force));
     }
+    for (leg, stroke) in landing.max_stroke.iter().enumerate() {
+        number(&format!("max_stroke_{}_ft", leg + 1), Some(*stroke));
+    }
+    for (leg, share) in landing.max_stroke_share.iter().enumerate() {
+        number(&format!("max_stroke_share_{}", leg + 1), Some(*share));
+    }
     for (leg, time) in landing.pad_contact.iter().enumerate() {
         number(&format!("pad_contact_{}_s", leg + 1), *time);
     }
     for (leg, time) in landing.block_contact.iter().enumerate() {
         number(&format!("block_contact_{}_s", leg + 1), *time);
     }
+    let given = landing.energies.given_by_crushing();
+    number("given_by_contact_ftlb", Some(given));
     number("energy_closure_ftlb", Some(landing.energies.closure()));
     columns.push(column("steps", Cell::Count(landing.steps)));
     columns.push(column(
@@ -111,15 +120,19 @@ pub fn names(legs: usize) -> Vec<String> {
         "end_time_s",
         "min_stability_angle_deg",
         "min_clearance_ft",
+        "tilt_deg",
         "initial_kinetic_energy_ftlb",
         "potential_energy_change_ftlb",
     ];
     let of_legs = [
-        ("max_strut_force", "lb"),
-        ("pad_contact", "s"),
-        ("block_contact", "s"),
+        ("max_strut_force", "_lb"),
+        ("max_stroke", "_ft"),
+        ("max_stroke_share", ""),
+        ("pad_contact", "_s"),
+        ("block_contact", "_s"),
     ];
     let after = [
+        "given_by_contact_ftlb",
         "energy_closure_ftlb",
         "steps",
         "derivative_evaluations",
@@ -127,7 +140,7 @@ pub fn names(legs: usize) -> Vec<String> {
     ];
     let of_legs = of_legs
         .iter()
-        .flat_map(|(name, unit)| (1..=legs).map(move |leg| format!("{name}_{leg}_{unit}")));
+        .flat_map(|(name, unit)| (1..=legs).map(move |leg| format!("{name}_{leg}{unit}")));
     let own = |name: &str| name.to_owned();
     before
         .map(own)
@@ -220,6 +233,7 @@ pub(crate) mod tests {
             tilt: 0.25,
             max_strut_force: [1.0, 2.0, 3.0].into(),
             max_stroke: [0.0; 3].into(),
+            max_stroke_share: [0.0; 3].into(),
             final_rates: FinalRates {
                 stability_angle: None,
                 strokes: [0.0; 3].into(),

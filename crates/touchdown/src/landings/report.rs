@@ -57,6 +57,10 @@ pub fn text(report: &LandingReport) -> String {
             length.unit()
         ),
     );
+    lines.add(
+        "tilt at the end",
+        format!("{} deg", degrees(landing.tilt, 2)),
+    );
     let legs = landing.leg_count();
     lines.legs("leg", (1..=legs).map(|leg| leg.to_string()));
     lines.legs(
@@ -71,6 +75,15 @@ pub fn text(report: &LandingReport) -> String {
     lines.legs(
         &format!("largest strut force, {}", force.unit()),
         (landing.max_strut_force.into_iter()).map(|f| format!("{:.1}", force.number(f))),
+    );
+    let stroke = units.quantity("stroke_ft");
+    lines.legs(
+        &format!("greatest stroke, {}", stroke.unit()),
+        (landing.max_stroke.into_iter()).map(|length| format!("{:.4}", stroke.number(length))),
+    );
+    lines.legs(
+        "- of the whole, %",
+        (landing.max_stroke_share.into_iter()).map(|share| format!("{:.1}", 100.0 * share)),
     );
     let energy = units.quantity("energy_ftlb");
     let closure = energy.number(energies.closure());
