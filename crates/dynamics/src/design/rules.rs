@@ -10,6 +10,16 @@ pub enum CrushRule {
     Section,
 }
 
+/// Where the ground acts on footpads and blocks (docs/model.md, "Contact at the face").
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ContactRule {
+    /// The 1966 program's: forces on a footpad act at its pivot, by whose velocity friction is judged.
+    #[default]
+    Pivot,
+    /// Forces act where the ground is touched, by the velocity of that place: contact only takes energy.
+    Face,
+}
+
 /// When motion counts as subsided (model chapter 7).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RestRule {

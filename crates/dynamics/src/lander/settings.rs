@@ -2,7 +2,7 @@
 
 use super::method::Method;
 use crate::invalid::{Invalid, require};
-use crate::rules::{CrushRule, FrictionProfile, RestRule};
+use crate::rules::{ContactRule, CrushRule, FrictionProfile, RestRule};
 
 /// How a landing is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,6 +10,7 @@ pub struct Settings {
     tolerance: f64,
     time_limit: f64,
     crush_rule: CrushRule,
+    contact_rule: ContactRule,
     rest_rule: RestRule,
     method: Method,
     friction_profile: FrictionProfile,
@@ -23,6 +24,7 @@ impl Default for Settings {
             tolerance: Self::DEFAULT_TOLERANCE,
             time_limit: Self::DEFAULT_TIME_LIMIT,
             crush_rule: CrushRule::default(),
+            contact_rule: ContactRule::default(),
             rest_rule: RestRule::default(),
             method: Method::default(),
             friction_profile: FrictionProfile::default(),
@@ -62,6 +64,14 @@ impl Settings {
     /// The same settings under another crush rule.
     pub fn with_crush_rule(self, crush_rule: CrushRule) -> Self {
         Self { crush_rule, ..self }
+    }
+
+    /// The same settings under another rule of contact. The integrators of 1966 know only the first, whatever is set here.
+    pub fn with_contact_rule(self, contact_rule: ContactRule) -> Self {
+        Self {
+            contact_rule,
+            ..self
+        }
     }
 
     /// The same settings under another rule of rest.
@@ -151,6 +161,11 @@ impl Settings {
     /// Crush rule.
     pub fn crush_rule(&self) -> CrushRule {
         self.crush_rule
+    }
+
+    /// Where the ground acts on footpads and blocks.
+    pub fn contact_rule(&self) -> ContactRule {
+        self.contact_rule
     }
 
     /// When motion counts as subsided.

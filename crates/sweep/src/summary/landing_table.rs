@@ -184,6 +184,12 @@ pub fn why(outcome: &Outcome) -> String {
         }
         Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
         Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
+        Outcome::BottomedPad { leg } => {
+            format!("footpad {} was crushed by its whole height", leg + 1)
+        }
+        Outcome::BottomedBlock { leg } => {
+            format!("block {} was crushed by its whole height", leg + 1)
+        }
         Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),
         Outcome::Failure(reason) => reason.to_string(),
         Outcome::Sliding => {
@@ -218,6 +224,7 @@ pub(crate) mod tests {
             min_clearance: 0.5,
             max_strut_force: [1.0, 2.0, 3.0].into(),
             max_stroke: [0.0; 3].into(),
+            max_pad_crush: [0.0; 3].into(),
             final_rates: FinalRates {
                 stability_angle: None,
                 strokes: [0.0; 3].into(),
