@@ -98,6 +98,8 @@ pub struct LegResponse<S> {
     pub pad_turn: [S; 2],
     /// Speed of the hinge before its clip per α̇: 0 of a pad at rest on a stop.
     pub hinge_gain: S,
+    /// Share of the error of the pad's rate that counts.
+    pub pad_error_share: S,
     /// Whether any pad of the group is not at rest on a stop.
     pub swings_pads: bool,
     /// Inertia of link and pad, slug·ft².
@@ -117,6 +119,7 @@ impl<S: Real> LegResponse<S> {
             link_moves: zero,
             pad_turn: [zero; 2],
             hinge_gain: zero,
+            pad_error_share: S::one(),
             swings_pads: false,
             inertia: [S::one(); 2],
         }

@@ -15,7 +15,11 @@ use touchdown_dynamics::vehicle::{Leg, Vehicle};
 /// A landing that is hard to account for: any number of legs, pads up to 30 times as stiff, little friction or much.
 fn wild() -> impl Strategy<Value = (Vehicle, Scene)> {
     let legs = (3usize..9, 0.0..1.0, 0.3..1.0);
-    let conditions = (usual_conditions(), 0.0..1.0, prop::array::uniform3(-1.0..1.0));
+    let conditions = (
+        usual_conditions(),
+        0.0..1.0,
+        prop::array::uniform3(-1.0..1.0),
+    );
     (legs, conditions).prop_map(
         |((legs, stiffness, inertia), (conditions, friction, spin)): (
             (usize, f64, f64),

@@ -78,37 +78,60 @@ fn implicit_stages_solve_the_equations_of_small_motions() {
     let cases = [(0.06, 0.01), (0.06, 0.4), (0.06, 4.0), (0.9, 0.01)];
     let all = cases.map(|case| [(table_4_1(), case), (off_center(table_4_1()), case)]);
     for rule in [ContactRule::Pivot, ContactRule::Face] {
-      for (vehicle, (depth, sliding)) in all.iter().flatten().cloned() {
-            let depth = if rule == ContactRule::Face && depth > 0.5 {0.5} else {depth};
-        let (bare, state) = pressed_by(&vehicle, depth, sliding, rule);
-        let response = bare.response(&state);
-        let mut factors = Factors::none(3);
-        let system = response.over(tau, &mut factors);
-        let rotations = 9..12;
-        let mut answers = 0;
-        for (k, r) in changes(&state.body().quaternion).iter().enumerate() {
-            let mut u = State::zero(3);
-            system.solve(r, &mut u);
-            let answered = answered(&bare, &state, &u);
-            let off = State::zero(3).advanced([1.0 / tau, -1.0, -1.0], [&u, &answered, r]);
-            println!("{rule:?} {k} {:e} {:e}", greatest(&off), greatest(&answered));
-            let off = greatest(&off);
-            let answered = greatest(&answered);
-            if rule == ContactRule::Face {continue;}
-            // As the body turns, levers of all forces turn with it, which is left out: it is not stiff.
-            let bound = if rotations.contains(&k) {
-                2000.0
+        for (vehicle, (depth, sliding)) in all.iter().flatten().cloned() {
+            let depth = if rule == ContactRule::Face && depth > 0.5 {
+                0.5
             } else {
-                5e-3 * answered.max(1.0)
+                depth
             };
-            assert!(
-                off < bound,
-                "{depth} ft deep at {sliding} ft/s, change {k}: off {off:e} of {answered:e}"
-            );
-            answers += u32::from(answered > 1.0);
+            let (bare, state) = pressed_by(&vehicle, depth, sliding, rule);
+            let response = bare.response(&state);
+            let mut factors = Factors::none(3);
+            let system = response.over(tau, &mut factors);
+            let rotations = 9..12;
+            let mut answers = 0;
+            for (k, r) in changes(&state.body().quaternion).iter().enumerate() {
+                let mut u = State::zero(3);
+                system.solve(r, &mut u);
+                let answered = answered(&bare, &state, &u);
+                let off = State::zero(3).advanced([1.0 / tau, -1.0, -1.0], [&u, &answered, r]);
+                if k == 8 || k == 14 || k == 15 || k == 9 {
+                    println!(
+                        "{rule:?} {k} {depth} {sliding} body off {:?} of {:?}\n   rate {:?} of {:?}",
+                        off.body().velocity,
+                        answered.body().velocity,
+                        off.body().rate,
+                        answered.body().rate
+                    );
+                    for j in 0..3 {
+                        println!(
+                            "    link {:e} of {:e} pad {:e} of {:e}",
+                            off.leg(j).link_rate,
+                            answered.leg(j).link_rate,
+                            off.leg(j).pad_rate,
+                            answered.leg(j).pad_rate
+                        );
+                    }
+                }
+                let off = greatest(&off);
+                let answered = greatest(&answered);
+                if rule == ContactRule::Face {
+                    continue;
+                }
+                // As the body turns, levers of all forces turn with it, which is left out: it is not stiff.
+                let bound = if rotations.contains(&k) {
+                    2000.0
+                } else {
+                    5e-3 * answered.max(1.0)
+                };
+                assert!(
+                    off < bound,
+                    "{depth} ft deep at {sliding} ft/s, change {k}: off {off:e} of {answered:e}"
+                );
+                answers += u32::from(answered > 1.0);
+            }
+            println!("{rule:?} {answers}");
         }
-        println!("{rule:?} {answers}");
-      }
     }
 }
 

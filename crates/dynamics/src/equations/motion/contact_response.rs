@@ -167,8 +167,25 @@ impl<'a, S: Real> Contact<'a, S, true> {
         let line = self.along_beside(&self.line(), centroid);
         let mut change = self.force(&line, -stiffness, S::zero());
         // The centre of pressure goes toward the section, which gets shorter.
-        let moved = (centroid - self.offset) * stiffness - pose.pad_z.in_leg_axes() * normal;
-        let faster = frame.rate().cross(&moved) + turned(&moved) * self.turning;
+        let shorter = pose.pad_z.in_leg_axes() * -normal;
+        let moved = (centroid - self.offset) * stiffness + shorter;
+        change.add(S::one(), &self.displaced(frame, &moved, &shorter));
+        change
+    }
+}
+
+impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
+    /// How the forces change as the place of a normal force is `moved` by so much, and by so much of it relative to what carries
+    /// it (both times that force, lb·ft): the place has another velocity there, and the force another lever about the centre.
+    #[inline(always)]
+    pub(super) fn displaced(
+        &self,
+        frame: &LegFrame<S>,
+        moved: &Vector3<S>,
+        shorter: &Vector3<S>,
+    ) -> Coordinates<S> {
+        let mut change = self.turned(&self.line().cross(shorter), S::zero());
+        let faster = frame.rate().cross(moved) + turned(moved) * self.turning;
         for Sliding { direction, rate } in self.slidings() {
             let force = rate * faster.dot(&direction);
             change.add(
@@ -178,9 +195,7 @@ impl<'a, S: Real> Contact<'a, S, true> {
         }
         change
     }
-}
 
-impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
     /// n + μ t̂.
     #[inline(always)]
     pub(super) fn line(&self) -> Vector3<S> {

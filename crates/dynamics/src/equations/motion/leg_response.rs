@@ -1,6 +1,6 @@
 //! Derivatives of the forces on a leg with respect to the motion.
 
-use nalgebra::{Matrix3, Vector4};
+use nalgebra::{Matrix3, Vector3, Vector4};
 
 use super::contact_response::{Contact, Posture};
 use super::leg::LegMotion;
@@ -11,6 +11,10 @@ use crate::per_leg::PerLeg;
 use crate::response::{Coordinates, ForceDerivative, LegResponse, Response};
 use crate::scalar::Real;
 use crate::state::{LegState, State};
+
+/// Share of the error of a pad's rate that counts where the ground acts at its face. Friction makes it follow body and link
+/// at once; on them and on its angle, whose errors count whole, it has hardly any influence.
+const PAD_ERROR_SHARE: f64 = 0.1;
 
 impl<S: Real> Motion<S> {
     /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
@@ -78,6 +82,7 @@ impl<S: Real> LegMotion<S> {
             let swings = pieces.hinge.swings();
             response.inertia[0] += (S::one() - swings) * self.pad_inertia;
             self.hinge_responds(swings, pieces, response);
+            response.pad_error_share = S::constant(PAD_ERROR_SHARE);
         }
         // Legs that hang in the air have no other forces.
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
@@ -100,7 +105,7 @@ impl<S: Real> LegMotion<S> {
             }
         }
         if pressed.blocks {
-            self.block_responds(&posture, response);
+            self.block_responds::<FACE>(&posture, response);
         }
         self.strut_responds(&posture, response);
     }
@@ -182,25 +187,30 @@ impl<S: Real> LegMotion<S> {
         let pressures = self.pad_pressures(pose, pieces);
         let (cosine, sine) = (pose.pad_inclination, pose.pad_y_normal);
         let two = S::constant(2.0);
+        let upright = pose.pad_z.in_leg_axes();
+        let lean = contact.turned(&upright.cross(&frame.pad.normal), S::zero());
         let mut leaning = S::zero();
         for k in [0, 1] {
             let centroid = self.geometry.section_centroid(pose, k);
             let (pressure, slope) = (pressures[k], pieces.pad[k].slope());
             let borne = per_pressure * pressure;
             let deeper = contact.deeper(pose, &centroid);
+            let stored = self.pad_leaning * pressure;
+            leaning += stored * pressure;
+            let leaning_change = two * stored * slope * cosine;
+            let mut force = contact.push_back(
+                frame,
+                pose,
+                &centroid.in_leg_axes(),
+                [borne, per_pressure * slope],
+            );
+            force.add(-leaning_change, &lean);
             response.push(&ForceDerivative {
-                force: contact.push_back(
-                    frame,
-                    pose,
-                    &centroid.in_leg_axes(),
-                    [borne, per_pressure * slope],
-                ),
+                force,
                 velocity: Coordinates::zero(),
                 displacement: deeper,
             });
-            let stored = self.pad_leaning * pressure;
-            leaning += stored * pressure;
-            let torque = borne * pose.pad_y.dot(&line) - two * stored * slope * cosine * sine;
+            let torque = borne * pose.pad_y.dot(&line) - leaning_change * sine;
             on_hinge.add(torque, &deeper);
         }
         let edge_stiffness = pieces.edge.load.slope();
@@ -248,7 +258,11 @@ impl<S: Real> LegMotion<S> {
 
     /// Block: normal force (33), friction (39).
     #[inline(always)]
-    fn block_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
+    fn block_responds<const FACE: bool>(
+        &self,
+        posture: &Posture<'_, S>,
+        response: &mut LegResponse<S>,
+    ) {
         let Posture {
             frame,
             pose,
@@ -265,8 +279,25 @@ impl<S: Real> LegMotion<S> {
         let mut deeper = contact.along(&frame.block.normal);
         // An interference grows by so much per depth.
         deeper.body *= frame.block.upright;
+        let mut push = contact.force(&along_line, -per_depth, S::zero());
+        if FACE {
+            // A block gets shorter, and leans on the ground.
+            let (zero, n) = (S::zero(), &frame.block.normal);
+            let shorter = Vector3::new(zero, zero, -force);
+            push.add(S::one(), &contact.displaced(frame, &shorter, &shorter));
+            let (pressure, slope) = (
+                pieces.block.at(pose.block_interference),
+                pieces.block.slope(),
+            );
+            let factor = S::one() + S::constant(3.0) * n.z * n.z;
+            let change = S::constant(2.0) * self.block_leaning * factor * pressure * slope;
+            push.add(
+                change,
+                &contact.turned(&Vector3::new(n.y, -n.x, zero), zero),
+            );
+        }
         response.push(&ForceDerivative {
-            force: contact.force(&along_line, -per_depth, S::zero()),
+            force: push,
             velocity: Coordinates::zero(),
             displacement: deeper,
         });
