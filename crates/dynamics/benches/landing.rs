@@ -139,7 +139,7 @@ impl<const N: usize> NullaryFnOnce for Derive<'_, N> {
     #[inline(always)]
     fn call(self) {
         self.0
-            .derivative::<false>(Lanes([0.0; N]), self.2, self.1, self.3);
+            .derivative::<false, false>(Lanes([0.0; N]), self.2, self.1, self.3);
     }
 }
 

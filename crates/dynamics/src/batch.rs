@@ -17,6 +17,7 @@ use crate::record::Landing;
 use crate::registers::{Baseline, Transpose};
 #[cfg(target_arch = "x86_64")]
 use crate::registers::{Eight, Four};
+use crate::rules::ContactRule;
 use crate::scene::{Scene, Settings};
 use crate::vehicle::Vehicle;
 
@@ -221,10 +222,11 @@ impl<const N: usize> LaneGroup<N> {
     }
 }
 
-/// All landings under way. They have as many legs as the first.
+/// All landings under way. They have as many legs as the first, and its contact rule.
 struct Batch<R, const N: usize> {
     registers: R,
     legs: usize,
+    contact_rule: ContactRule,
     under_way: usize,
     explicit: LaneGroup<N>,
     implicit: LaneGroup<N>,
@@ -238,10 +240,12 @@ struct Batch<R, const N: usize> {
 impl<R: Transpose<N>, const N: usize> Batch<R, N> {
     /// A batch for landings such as this one; there are none in it yet.
     fn new(registers: R, first: &Request) -> Self {
-        let motion = Motion::new(&first.vehicle, &first.scene);
+        let contact_rule = first.settings.rules(&first.vehicle).contact;
+        let motion = Motion::new(&first.vehicle, &first.scene).with_contact_rule(contact_rule);
         Self {
             registers,
             legs: motion.leg_count(),
+            contact_rule,
             under_way: 0,
             explicit: LaneGroup::new(&motion),
             implicit: LaneGroup::new(&motion),
@@ -258,7 +262,7 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
         }
     }
 
-    /// Starts a landing. Methods of 1966 and vehicles with another number of legs have no lanes here.
+    /// Starts a landing. Methods of 1966, vehicles with another number of legs and other contact rules have no lanes here.
     fn start(&mut self, request: &Request, done: &mut dyn FnMut(usize, Landing)) {
         let Request {
             key,
@@ -266,7 +270,9 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             scene,
             settings,
         } = request;
-        if settings.method() != Method::Located || vehicle.legs().len() != self.legs {
+        let is_other =
+            vehicle.legs().len() != self.legs || settings.rules(vehicle).contact != self.contact_rule;
+        if settings.method() != Method::Located || is_other {
             return done(*key, land(vehicle, scene, settings));
         }
         let member = Member {

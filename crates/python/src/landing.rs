@@ -117,7 +117,7 @@ fn results<'py>(py: Python<'py>, landing: &Landing) -> PyResult<Bound<'py, PyDic
     set("thrust_work_ftlb", energies.thrust)?;
     set("final_kinetic_energy_ftlb", energies.final_kinetic)?;
     set("energy_closure_ftlb", energies.closure())?;
-    set("given_by_crushing_ftlb", energies.given_by_crushing())?;
+    set("given_by_contact_ftlb", energies.given_by_contact())?;
     results.set_item(
         "max_strut_force_lb",
         PyTuple::new(py, landing.max_strut_force.iter())?,

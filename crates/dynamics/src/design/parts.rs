@@ -135,6 +135,8 @@ pub struct Footpad {
     pub crush_pressure: f64,
     /// Moment of inertia I_α about the pivot, slug·ft².
     pub inertia: f64,
+    /// Damping of its hinge, ft·lb·s/rad: under [`crate::rules::ContactRule::Face`] only.
+    pub hinge_damping: f64,
     /// Least angle α between pad and link, rad (inner stop).
     pub minimum_angle: f64,
     /// Greatest angle α between pad and link, rad (outer stop).

@@ -65,6 +65,12 @@ impl Profile {
         &self.knots
     }
 
+    /// Slope of the first segment.
+    pub fn first_slope(&self) -> f64 {
+        let [[x0, y0], [x1, y1]] = [self.knots[0], self.knots[1]];
+        (y1 - y0) / (x1 - x0)
+    }
+
     /// The segments from left to right.
     pub fn segments(&self) -> Vec<Segment> {
         let last = self.knots.len() - 2;

@@ -10,6 +10,16 @@ pub enum CrushRule {
     Section,
 }
 
+/// Where the ground acts on footpads and blocks (docs/model.md, "Contact at the face").
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ContactRule {
+    /// The 1966 program's: forces on a footpad act at its pivot, by whose velocity friction is judged.
+    #[default]
+    Pivot,
+    /// Forces act where the ground is touched, by the velocity of that place: contact only takes energy.
+    Face,
+}
+
 /// When a landing counts as stable (model chapter 7).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RestRule {
@@ -36,6 +46,8 @@ pub enum TopplingRule {
 pub struct Rules {
     /// When an element may crush further.
     pub crush: CrushRule,
+    /// Where the ground acts on footpads and blocks.
+    pub contact: ContactRule,
     /// When a landing counts as stable.
     pub rest: RestRule,
     /// When a vehicle counts as toppled.
@@ -46,6 +58,7 @@ impl Rules {
     /// Those of the program of 1966.
     pub const REPORT: Self = Self {
         crush: CrushRule::PivotRate,
+        contact: ContactRule::Pivot,
         rest: RestRule::Limits,
         toppling: TopplingRule::CriticalFeet,
     };
@@ -53,6 +66,7 @@ impl Rules {
     /// Those that hold for any lander on any ground.
     pub const PHYSICAL: Self = Self {
         crush: CrushRule::Section,
+        contact: ContactRule::Face,
         rest: RestRule::Energy,
         toppling: TopplingRule::Hull,
     };
@@ -65,6 +79,8 @@ pub struct RuleChoices {
     pub set: Option<Rules>,
     /// In place of that of the set, as are the next.
     pub crush: Option<CrushRule>,
+    /// Where the ground acts on footpads and blocks.
+    pub contact: Option<ContactRule>,
     /// When a landing counts as stable.
     pub rest: Option<RestRule>,
     /// When a vehicle counts as toppled.
@@ -77,6 +93,7 @@ impl RuleChoices {
         let set = self.set.unwrap_or(vehicle);
         Rules {
             crush: self.crush.unwrap_or(set.crush),
+            contact: self.contact.unwrap_or(set.contact),
             rest: self.rest.unwrap_or(set.rest),
             toppling: self.toppling.unwrap_or(set.toppling),
         }

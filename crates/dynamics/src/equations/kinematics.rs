@@ -17,4 +17,4 @@ pub use leg_frame::{LegFrame, PointVelocity, SeenAlongLeg};
 pub use leg_geometry::LegGeometry;
 pub use leg_pose::LegPose;
 pub use local_ground::LegGround;
-pub use plane::{PlaneDirection, PlanePoint};
+pub use plane::{PlaneDirection, PlanePoint, turned};

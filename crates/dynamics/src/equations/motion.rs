@@ -7,6 +7,7 @@
 
 mod contact_response;
 mod decay;
+mod face;
 mod footing;
 mod free_flight;
 mod leg;
@@ -20,6 +21,7 @@ use crate::kinematics::{BodyFrame, LegGeometry, SeenGround, Surface};
 use crate::lanes::{Lanes, PerLane, per_lane};
 use crate::per_leg::PerLeg;
 use crate::products::times;
+use crate::rules::ContactRule;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, LegState, State, quaternion_rate};
@@ -71,6 +73,8 @@ pub struct Motion<S> {
     inertia: Matrix3<S>,
     inverse_inertia: Matrix3<S>,
     legs: PerLeg<LegMotion<S>>,
+    /// Whether the ground acts where it is touched: of all lanes together.
+    acts_at_face: bool,
 }
 
 impl Motion<f64> {
@@ -94,6 +98,15 @@ impl Motion<f64> {
             legs: PerLeg::from_fn(legs.len(), |j| {
                 LegMotion::new(j, &legs[j], depth, center, scene)
             }),
+            acts_at_face: false,
+        }
+    }
+
+    /// The same under another contact rule.
+    pub fn with_contact_rule(self, rule: ContactRule) -> Self {
+        Self {
+            acts_at_face: rule == ContactRule::Face,
+            ..self
         }
     }
 
@@ -109,7 +122,14 @@ impl Motion<f64> {
             inertia: self.inertia.splat(),
             inverse_inertia: self.inverse_inertia.splat(),
             legs: self.legs.map(|leg| leg.splat()),
+            acts_at_face: self.acts_at_face,
         }
+    }
+
+    /// Whether damping of any hinge acts: what swings in the air is not known in closed form then.
+    #[inline(always)]
+    pub fn damps_hinges(&self) -> bool {
+        self.acts_at_face && !self.legs.iter().all(|leg| leg.hinge_damping == 0.0)
     }
 
     /// Acceleration of gravity, ft/s².
@@ -144,6 +164,23 @@ impl Motion<f64> {
         body.seen_from_center_of_gravity(&Vector3::new(x, y, 0.0))
     }
 
+    /// Lets the pad of leg `index` arrive at a stop of its hinge: its rate against the link ends, and a link that is free takes
+    /// over its momentum. What that adds to the energy of the link its stop gives.
+    pub fn stop_pad(&self, index: usize, link_is_free: bool, leg: &mut LegState<f64>) {
+        let LegMotion {
+            link_inertia,
+            pad_inertia,
+            ..
+        } = self.legs[index];
+        if link_is_free {
+            let before = leg.link_rate;
+            leg.link_rate -= pad_inertia / (link_inertia + pad_inertia) * leg.pad_rate;
+            let [.., stop] = &mut leg.work;
+            *stop -= 0.5 * link_inertia * (leg.link_rate * leg.link_rate - before * before);
+        }
+        leg.pad_rate = 0.0;
+    }
+
     /// Moment of inertia of the lower link of leg `index` about its hardpoint, slug·ft².
     pub fn link_inertia(&self, index: usize) -> f64 {
         self.legs[index].link_inertia
@@ -172,10 +209,13 @@ impl Motion<f64> {
     ) {
         let frame = self.frame(&state.body());
         for leg in 0..self.leg_count() {
-            let action = if with_torques {
-                self.action::<true, true, true>(leg, &frame, state, pieces)
-            } else {
-                self.action::<false, true, true>(leg, &frame, state, pieces)
+            let action = match (with_torques, self.acts_at_face) {
+                (true, false) => self.action::<true, true, true, false>(leg, &frame, state, pieces),
+                (true, true) => self.action::<true, true, true, true>(leg, &frame, state, pieces),
+                (false, false) => {
+                    self.action::<false, true, true, false>(leg, &frame, state, pieces)
+                }
+                (false, true) => self.action::<false, true, true, true>(leg, &frame, state, pieces),
             };
             signals.set_leg(leg, &action.signals);
         }
@@ -185,8 +225,13 @@ impl Motion<f64> {
     pub fn loads(&self, state: &State<f64>, pieces: &Pieces<f64>) -> PerLeg<LegLoads<f64>> {
         let frame = self.frame(&state.body());
         PerLeg::from_fn(self.leg_count(), |leg| {
-            self.action::<true, true, true>(leg, &frame, state, pieces)
-                .loads
+            if self.acts_at_face {
+                self.action::<true, true, true, true>(leg, &frame, state, pieces)
+                    .loads
+            } else {
+                self.action::<true, true, true, false>(leg, &frame, state, pieces)
+                    .loads
+            }
         })
     }
 }
@@ -247,10 +292,17 @@ impl<S: Real> Motion<S> {
             || pieces.has_edges()
     }
 
-    /// Writes the time derivative of the state, `time` s after first contact. Without `FULL` what is seldom there is left out ([`Self::is_full`]): known
-    /// beforehand, it takes no branch among the equations, which would cost more than itself.
+    /// Whether the ground acts where it is touched ([`ContactRule::Face`]).
     #[inline(always)]
-    pub fn derivative<const FULL: bool>(
+    pub fn acts_at_face(&self) -> bool {
+        self.acts_at_face
+    }
+
+    /// Writes the time derivative of the state, `time` s after first contact. Without `FULL` what is seldom there is left out ([`Self::is_full`]): known
+    /// beforehand, it takes no branch among the equations, which would cost more than itself. `FACE` goes with
+    /// [`Self::acts_at_face`] and needs `FULL`.
+    #[inline(always)]
+    pub fn derivative<const FULL: bool, const FACE: bool>(
         &self,
         time: S,
         state: &State<S>,
@@ -261,7 +313,7 @@ impl<S: Real> Motion<S> {
         let frame = self.frame(&body);
         let mut push = Push::none();
         for leg in 0..self.legs.len() {
-            let action = self.action::<true, false, FULL>(leg, &frame, state, pieces);
+            let action = self.action::<true, false, FULL, FACE>(leg, &frame, state, pieces);
             derivative.set_leg(leg, &action.derivative);
             push.add(&action);
         }
@@ -271,9 +323,9 @@ impl<S: Real> Motion<S> {
         self.move_body(&body, &frame, &push, derivative);
     }
 
-    /// Writes the time derivative of the state and the signals of all legs; `FULL` as for [`Self::derivative`].
+    /// Writes the time derivative of the state and the signals of all legs; `FULL` and `FACE` as for [`Self::derivative`].
     #[inline(always)]
-    pub fn evaluate<const FULL: bool>(
+    pub fn evaluate<const FULL: bool, const FACE: bool>(
         &self,
         time: S,
         state: &State<S>,
@@ -285,7 +337,7 @@ impl<S: Real> Motion<S> {
         let frame = self.frame(&body);
         let mut push = Push::none();
         for leg in 0..self.legs.len() {
-            let action = self.action::<true, true, FULL>(leg, &frame, state, pieces);
+            let action = self.action::<true, true, FULL, FACE>(leg, &frame, state, pieces);
             derivative.set_leg(leg, &action.derivative);
             signals.set_leg(leg, &action.signals);
             push.add(&action);
@@ -346,7 +398,7 @@ impl<S: Real> Motion<S> {
 
     /// What a leg does ([`LegMotion::action`]), pads that press on a stop included.
     #[inline(always)]
-    fn action<const FORCES: bool, const SIGNALS: bool, const FULL: bool>(
+    fn action<const FORCES: bool, const SIGNALS: bool, const FULL: bool, const FACE: bool>(
         &self,
         leg: usize,
         frame: &BodyFrame<S>,
@@ -356,8 +408,12 @@ impl<S: Real> Motion<S> {
         let (motion, pieces) = (&self.legs[leg], pieces.leg(leg));
         let leg = state.leg(leg);
         let posed = if FULL { at_angle(pieces, leg) } else { leg };
-        let mut action =
-            motion.action::<FORCES, SIGNALS, FULL>(frame, &posed, &pieces.leg, pieces.pressed);
+        let mut action = motion.action::<FORCES, SIGNALS, FULL, FACE>(
+            frame,
+            &posed,
+            &pieces.leg,
+            pieces.pressed,
+        );
         if FULL && pieces.pressed.stops {
             let turning = &mut action.derivative.pad_turn;
             *turning = pieces.leg.hinge.turning(*turning, leg.pad_rate);

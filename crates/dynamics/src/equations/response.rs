@@ -76,12 +76,15 @@ impl<S: Real> ForceDerivative<S> {
     }
 }
 
+/// Derivatives of forces on a leg, as many as there can be.
+const MOST: usize = 9;
+
 /// Derivatives of the forces on one leg.
 #[derive(Debug, Clone, Copy)]
 pub struct LegResponse<S> {
-    /// Those of pad and block with respect to sliding along and across and to interference; pads, or blocks, that carry no
-    /// pressure in any lane are left out.
-    derivatives: [ForceDerivative<S>; 6],
+    /// Those of pad and block with respect to sliding along and across and to interference, of each section by itself where it
+    /// acts at its face, and of a hinge that is damped; pads, or blocks, that carry no pressure in any lane are left out.
+    derivatives: [ForceDerivative<S>; MOST],
     count: usize,
     /// Torque on the link per displacement, not counting those, ft·lb.
     pub link_torque: Coordinates<S>,
@@ -95,6 +98,8 @@ pub struct LegResponse<S> {
     pub pad_turn: [S; 2],
     /// Speed of the hinge before its clip per α̇: 0 of a pad at rest on a stop.
     pub hinge_gain: S,
+    /// Share of the error of the pad's rate that counts.
+    pub pad_error_share: S,
     /// Whether any pad of the group is not at rest on a stop.
     pub swings_pads: bool,
     /// Inertia of link and pad, slug·ft².
@@ -106,7 +111,7 @@ impl<S: Real> LegResponse<S> {
     pub fn none() -> Self {
         let zero = S::zero();
         Self {
-            derivatives: [ForceDerivative::none(); 6],
+            derivatives: [ForceDerivative::none(); MOST],
             count: 0,
             link_torque: Coordinates::zero(),
             hinge_torque: Coordinates::zero(),
@@ -114,6 +119,7 @@ impl<S: Real> LegResponse<S> {
             link_moves: zero,
             pad_turn: [zero; 2],
             hinge_gain: zero,
+            pad_error_share: S::one(),
             swings_pads: false,
             inertia: [S::one(); 2],
         }
@@ -163,13 +169,14 @@ impl<S: Real> Response<S> {
         let per_body = inverse_inertias(self.mass, &self.inertia);
         let mut greatest = S::zero();
         for leg in &self.legs {
-            let per_link = S::one() / leg.inertia[0];
+            let per_leg = leg.inertia.map(|inertia| S::one() / inertia);
+            let [per_link, _] = per_leg;
             let mut decay = leg.link_damping.max(S::zero()) * per_link;
             for ForceDerivative {
                 force, velocity, ..
             } in leg.derivatives()
             {
-                decay += greatest_decay(force, velocity, &per_body, per_link);
+                decay += greatest_decay(force, velocity, &per_body, per_leg);
             }
             greatest += decay;
         }
@@ -191,15 +198,16 @@ pub fn inverse_inertias<S: Real>(mass: S, inertia: &Matrix3<S>) -> [S; 6] {
 }
 
 /// Rate (1/s) that no decay of a velocity exceeds which a force brings about that grows with that `velocity`, with these
-/// inverses of the inertias of body and link.
+/// inverses of the inertias of body, link and pad.
 #[inline(always)]
 pub fn greatest_decay<S: Real>(
     force: &Coordinates<S>,
     velocity: &Coordinates<S>,
     per_body: &[S; 6],
-    per_link: S,
+    [per_link, per_pad]: [S; 2],
 ) -> S {
-    let mut growth = force.link * velocity.link * per_link;
+    let on_pad = force.pad * velocity.pad * per_pad;
+    let mut growth = force.link * velocity.link * per_link + on_pad;
     for (i, &per_body) in per_body.iter().enumerate() {
         S::keep_rounds_apart();
         growth += force.body[i] * velocity.body[i] * per_body;

@@ -235,8 +235,8 @@ impl<S: Real> State<S> {
     }
 
     /// Sums by Simpson's rule what only accumulates of leg `leg` over a step of length `h`: its work integrals, and
-    /// the rate of its pad where that is at rest on a stop, its `hinge_gain` 0. Of the error of work, over h, it writes
-    /// a guess.
+    /// the rate of its pad where that is at rest on a stop, its `hinge_gain` 0; elsewhere a share of the error of that rate
+    /// counts. Of the error of work, over h, it writes a guess.
     #[inline(always)]
     pub fn accumulate(
         &mut self,
@@ -244,7 +244,7 @@ impl<S: Real> State<S> {
         before: &Self,
         h: S,
         slopes: [&Self; 3],
-        hinge_gain: S,
+        [hinge_gain, pad_share]: [S; 2],
         error: &mut Self,
     ) {
         let [first, middle, last] = slopes.map(|slope| &slope.legs[leg]);
@@ -258,7 +258,7 @@ impl<S: Real> State<S> {
             let summed = before[i] + h * mean;
             if i < LEG_MOTION {
                 own[i] = hinge_gain.where_zero(summed, own[i]);
-                error[i] = hinge_gain.where_zero(S::zero(), error[i]);
+                error[i] = hinge_gain.where_zero(S::zero(), error[i] * pad_share);
             } else {
                 own[i] = summed;
                 error[i] = S::constant(SIMPSON_SHARE) * past_midpoint;

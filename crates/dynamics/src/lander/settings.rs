@@ -3,7 +3,7 @@
 use super::method::Method;
 use super::vehicle::Vehicle;
 use crate::invalid::{Invalid, require};
-use crate::rules::{CrushRule, FrictionProfile, RuleChoices, Rules};
+use crate::rules::{ContactRule, CrushRule, FrictionProfile, RuleChoices, Rules};
 
 /// How a landing is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,6 +68,14 @@ impl Settings {
     pub fn with_crush_rule(self, rule: CrushRule) -> Self {
         self.with_rules(RuleChoices {
             crush: Some(rule),
+            ..self.rules
+        })
+    }
+
+    /// The same settings under another rule of contact.
+    pub fn with_contact_rule(self, rule: ContactRule) -> Self {
+        self.with_rules(RuleChoices {
+            contact: Some(rule),
             ..self.rules
         })
     }

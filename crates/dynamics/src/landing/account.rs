@@ -56,6 +56,7 @@ impl Trajectory<'_> {
     }
 
     pub(super) fn result(&self, outcome: Outcome) -> Landing {
+        let signals = (self.motion).signals(&self.step.before, &self.pieces, false);
         Landing {
             outcome,
             end_time: self.time,
@@ -78,6 +79,11 @@ impl Trajectory<'_> {
             max_stroke: self.peaks.stroke,
             max_stroke_share: PerLeg::from_fn(self.leg_count(), |j| {
                 self.peaks.stroke[j] / self.laws[j].bottoming_stroke()
+            }),
+            max_pad_crush: PerLeg::from_fn(self.leg_count(), |j| {
+                self.modes[j]
+                    .sets(&self.laws[j], signals.leg(j))
+                    .pad_crush()
             }),
             final_rates: final_rates(
                 self.monitor.clone(),

@@ -152,7 +152,7 @@ impl Trajectory<'_> {
         Ok(exits.iter().any(Option::is_some))
     }
 
-    /// Restates the turn of a pad whose hinge has changed its mode.
+    /// Restates the turn of a pad whose hinge has changed its mode; one that has arrived at a stop goes on with its link.
     fn turn_pad(&mut self, leg: usize, before: &LegMode) {
         let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
         if !mode.has_other_hinge(before) {
@@ -160,6 +160,10 @@ impl Trajectory<'_> {
         }
         let mut state = self.step.before.leg(leg);
         state.pad_turn = mode.pad_turn(laws, before.pad_angle(laws, state.pad_turn));
+        if mode.pad_is_on_stop() {
+            let link_is_free = mode.pieces(laws).link.free != 0.0;
+            self.motion.stop_pad(leg, link_is_free, &mut state);
+        }
         self.step.before.set_leg(leg, &state);
     }
 

@@ -19,7 +19,11 @@ pub fn final_rates(
     pieces: &Pieces<f64>,
 ) -> FinalRates {
     let mut derivative = State::zero(state.leg_count());
-    motion.derivative::<true>(time, state, pieces, &mut derivative);
+    if motion.acts_at_face() {
+        motion.derivative::<true, true>(time, state, pieces, &mut derivative);
+    } else {
+        motion.derivative::<true, false>(time, state, pieces, &mut derivative);
+    }
     let [earlier, later] = [-SPAN, SPAN].map(|time| {
         let mut moved = state.advanced_motion([time], [&derivative]);
         for j in 0..state.leg_count() {

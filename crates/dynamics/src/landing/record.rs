@@ -85,7 +85,7 @@ impl Energies {
     ///
     /// Crush and friction of a footpad count together: friction at its face tips the pad about its hinge, and the pad lifts the
     /// vehicle by what friction took from it.
-    pub fn given_by_crushing(&self) -> f64 {
+    pub fn given_by_contact(&self) -> f64 {
         const LEAST_SHARE: f64 = 1e-9;
         let works =
             (self.legs.iter()).flat_map(|leg| [leg.pad_crush + leg.pad_friction, leg.block_crush]);
@@ -149,6 +149,9 @@ pub struct Landing {
     pub max_stroke: PerLeg<f64>,
     /// The same as a share of the stroke at which the strut bottoms.
     pub max_stroke_share: PerLeg<f64>,
+    /// Greatest set of either section of each footpad, ft: more than its height means that it was crushed to its hinge and
+    /// beyond.
+    pub max_pad_crush: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,
     /// First contact of each footpad, s.

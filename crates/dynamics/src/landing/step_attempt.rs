@@ -102,24 +102,33 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
             signals,
         } = self;
         let is_full = motion.is_full(pieces);
+        let acts_at_face = motion.acts_at_face();
         let at = |fraction: f64| time + S::constant(fraction) * length;
         let derivative = |fraction: f64, state: &State<S>, slope: &mut State<S>| {
             let time = at(fraction);
-            if is_full {
-                registers.dispatch(Derive::<true, S>(motion, time, state, pieces, slope));
+            if acts_at_face {
+                registers.dispatch(Derive::<true, true, S>(motion, time, state, pieces, slope));
+            } else if is_full {
+                registers.dispatch(Derive::<true, false, S>(motion, time, state, pieces, slope));
             } else {
-                registers.dispatch(Derive::<false, S>(motion, time, state, pieces, slope));
+                registers.dispatch(Derive::<false, false, S>(
+                    motion, time, state, pieces, slope,
+                ));
             }
         };
         let evaluate =
             |fraction: f64, state: &State<S>, slope: &mut State<S>, signals: &mut Signals<S>| {
                 let time = at(fraction);
-                if is_full {
-                    registers.dispatch(Evaluate::<true, S>(
+                if acts_at_face {
+                    registers.dispatch(Evaluate::<true, true, S>(
+                        motion, time, state, pieces, slope, signals,
+                    ));
+                } else if is_full {
+                    registers.dispatch(Evaluate::<true, false, S>(
                         motion, time, state, pieces, slope, signals,
                     ));
                 } else {
-                    registers.dispatch(Evaluate::<false, S>(
+                    registers.dispatch(Evaluate::<false, false, S>(
                         motion, time, state, pieces, slope, signals,
                     ));
                 }
@@ -128,8 +137,11 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
         match kind {
             StepKind::Explicit => step.take_explicit(length, derivative, last),
             StepKind::Implicit => {
-                *greatest_decay =
-                    registers.dispatch(Respond(motion, &step.before, pieces, response));
+                *greatest_decay = if acts_at_face {
+                    registers.dispatch(Respond::<true, S>(motion, &step.before, pieces, response))
+                } else {
+                    registers.dispatch(Respond::<false, S>(motion, &step.before, pieces, response))
+                };
                 let system = Dispatched {
                     registers,
                     system: &response.over(S::constant(GAMMA) * length, factors),
@@ -159,7 +171,7 @@ impl<R: Registers, S: Real> NullaryFnOnce for TakeStep<'_, R, S> {
 }
 
 /// The derivative at a time and a state.
-struct Derive<'a, const FULL: bool, S>(
+struct Derive<'a, const FULL: bool, const FACE: bool, S>(
     &'a Motion<S>,
     S,
     &'a State<S>,
@@ -167,18 +179,18 @@ struct Derive<'a, const FULL: bool, S>(
     &'a mut State<S>,
 );
 
-impl<const FULL: bool, S: Real> NullaryFnOnce for Derive<'_, FULL, S> {
+impl<const FULL: bool, const FACE: bool, S: Real> NullaryFnOnce for Derive<'_, FULL, FACE, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
         let Self(motion, time, state, pieces, slope) = self;
-        motion.derivative::<FULL>(time, state, pieces, slope);
+        motion.derivative::<FULL, FACE>(time, state, pieces, slope);
     }
 }
 
 /// The derivative and the signals at a time and a state.
-pub(super) struct Evaluate<'a, const FULL: bool, S>(
+pub(super) struct Evaluate<'a, const FULL: bool, const FACE: bool, S>(
     pub(super) &'a Motion<S>,
     pub(super) S,
     pub(super) &'a State<S>,
@@ -187,13 +199,13 @@ pub(super) struct Evaluate<'a, const FULL: bool, S>(
     pub(super) &'a mut Signals<S>,
 );
 
-impl<const FULL: bool, S: Real> NullaryFnOnce for Evaluate<'_, FULL, S> {
+impl<const FULL: bool, const FACE: bool, S: Real> NullaryFnOnce for Evaluate<'_, FULL, FACE, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
         let Self(motion, time, state, pieces, slope, signals) = self;
-        motion.evaluate::<FULL>(time, state, pieces, slope, signals);
+        motion.evaluate::<FULL, FACE>(time, state, pieces, slope, signals);
     }
 }
 
@@ -237,39 +249,39 @@ impl<S: Real> NullaryFnOnce for Solve<'_, S> {
 }
 
 /// The derivatives of the forces at a state.
-struct Respond<'a, S>(
+struct Respond<'a, const FACE: bool, S>(
     &'a Motion<S>,
     &'a State<S>,
     &'a Pieces<S>,
     &'a mut Response<S>,
 );
 
-impl<S: Real> NullaryFnOnce for Respond<'_, S> {
+impl<const FACE: bool, S: Real> NullaryFnOnce for Respond<'_, FACE, S> {
     /// Rate (1/s) that no decay of a velocity exceeds.
     type Output = S;
 
     #[inline(always)]
     fn call(self) -> S {
         let Self(motion, state, pieces, response) = self;
-        motion.respond(state, pieces, response);
+        motion.respond::<FACE>(state, pieces, response);
         response.greatest_decay()
     }
 }
 
 /// How fast velocities decay at a state.
-pub(super) struct Decay<'a, S>(
+pub(super) struct Decay<'a, const FACE: bool, S>(
     pub(super) &'a Motion<S>,
     pub(super) &'a State<S>,
     pub(super) &'a Pieces<S>,
 );
 
-impl<S: Real> NullaryFnOnce for Decay<'_, S> {
+impl<const FACE: bool, S: Real> NullaryFnOnce for Decay<'_, FACE, S> {
     /// Rate (1/s) that no decay of a velocity exceeds.
     type Output = S;
 
     #[inline(always)]
     fn call(self) -> S {
         let Self(motion, state, pieces) = self;
-        motion.greatest_decay(state, pieces)
+        motion.greatest_decay::<FACE>(state, pieces)
     }
 }

@@ -103,7 +103,7 @@ impl<'o> Trajectory<'o> {
         history: Option<History<'o>>,
     ) -> Self {
         let rules = settings.rules(vehicle);
-        let motion = Motion::new(vehicle, scene);
+        let motion = Motion::new(vehicle, scene).with_contact_rule(rules.contact);
         let legs = motion.leg_count();
         let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
         let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
@@ -112,6 +112,7 @@ impl<'o> Trajectory<'o> {
                 leg.laws()
                     .clone()
                     .with_crush_rule(rules.crush)
+                    .with_contact_rule(rules.contact)
                     .with_friction(settings.friction_profile())
                     .within(settings.tolerance())
             })
@@ -126,7 +127,7 @@ impl<'o> Trajectory<'o> {
             scene: *scene,
             settings: *settings,
             monitor: StabilityMonitor::new(rules, vehicle, scene),
-            stiffness: Stiffness::new(settings.tolerance()),
+            stiffness: Stiffness::new(settings.tolerance(), rules.contact),
             event_resolution: resolution,
             energy,
             motion,
@@ -181,7 +182,12 @@ impl<'o> Trajectory<'o> {
         if self.stiffness.is_known_mild() {
             return false;
         }
-        let rate = (self.registers).dispatch(Decay(&self.motion, &self.step.before, &self.pieces));
+        let (motion, state, pieces) = (&self.motion, &self.step.before, &self.pieces);
+        let rate = if motion.acts_at_face() {
+            (self.registers).dispatch(Decay::<true, f64>(motion, state, pieces))
+        } else {
+            (self.registers).dispatch(Decay::<false, f64>(motion, state, pieces))
+        };
         self.stiffness.exceeds_at(rate, length)
     }
 
@@ -200,35 +206,39 @@ impl<'o> Trajectory<'o> {
     /// Derivative and signals at the end of the step.
     pub(super) fn evaluate_end(&mut self) {
         let [.., last] = &mut self.step.slopes;
-        self.registers.dispatch(Evaluate::<true, f64>(
+        evaluate(
+            self.registers,
             &self.motion,
             self.time + self.step.length,
             &self.step.after,
             &self.pieces,
             last,
             self.signals.end_mut(),
-        ));
+        );
         self.evaluations += 1;
     }
 
     /// Derivative and signals of the present state.
     pub(super) fn evaluate(&mut self) {
         let [first, ..] = &mut self.step.slopes;
-        self.registers.dispatch(Evaluate::<true, f64>(
+        evaluate(
+            self.registers,
             &self.motion,
             self.time,
             &self.step.before,
             &self.pieces,
             first,
             self.signals.start_mut(),
-        ));
+        );
         self.evaluations += 1;
     }
 
     /// Whether all legs hang in the air, and no thrust acts.
     #[inline(always)]
     pub(super) fn flies_freely(&self) -> bool {
-        self.modes.iter().all(LegMode::is_hanging) && self.pieces.thrust().is_none()
+        self.modes.iter().all(LegMode::is_hanging)
+            && self.pieces.thrust().is_none()
+            && !self.motion.damps_hinges()
     }
 
     /// Starts a step of free flight of this length (s): where it ends is known.
@@ -251,5 +261,26 @@ impl<'o> Trajectory<'o> {
             let end = self.step.after.leg(j).pad_rate;
             self.signals.end_mut().set(j, Signal::PadRate, end);
         }
+    }
+}
+
+/// Writes derivative and signals at a time and a state.
+fn evaluate(
+    registers: Single,
+    motion: &Motion<f64>,
+    time: f64,
+    state: &State<f64>,
+    pieces: &Pieces<f64>,
+    slope: &mut State<f64>,
+    signals: &mut Signals<f64>,
+) {
+    if motion.acts_at_face() {
+        registers.dispatch(Evaluate::<true, true, f64>(
+            motion, time, state, pieces, slope, signals,
+        ));
+    } else {
+        registers.dispatch(Evaluate::<true, false, f64>(
+            motion, time, state, pieces, slope, signals,
+        ));
     }
 }

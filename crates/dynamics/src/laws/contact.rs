@@ -8,7 +8,7 @@
 mod choice;
 
 use crate::crush::{Crush, CrushLaw, PressureLine};
-use libm::cos;
+use libm::{cos, sincos};
 
 use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::{Hinge, Stops};
@@ -16,7 +16,7 @@ use crate::integrator::event::{Bounds, Exit};
 use crate::leg_pieces::{EdgePiece, LegPieces};
 use crate::outcome::{Failure, Outcome};
 use crate::parts::{LegDesign, StrutElement};
-use crate::rules::CrushRule;
+use crate::rules::{ContactRule, CrushRule};
 use crate::signal::{LegSignals, Signal};
 use crate::strut::{GentleKinks, Stance, StrutLaw};
 
@@ -51,6 +51,31 @@ pub struct LegLaws {
     least_inclination: f64,
     rule: CrushRule,
     friction: FrictionProfile,
+    heights: Heights,
+}
+
+/// What elements can be crushed by until their hinge or hardpoint is on the ground, ft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Heights {
+    pad: f64,
+    edge: f64,
+    block: f64,
+}
+
+impl Heights {
+    fn of(design: &LegDesign) -> Self {
+        let footpad = &design.footpad;
+        // Its hardpoint is the end of a block only where it hangs below it.
+        let block = (design.block.as_ref()).filter(|block| block.height > 0.0);
+        Self {
+            pad: footpad.height,
+            edge: footpad.edge.as_ref().map_or(f64::INFINITY, |edge| {
+                let (sine, cosine) = sincos(edge.angle);
+                0.5 * (footpad.diameter * sine + footpad.height * cosine)
+            }),
+            block: block.map_or(f64::INFINITY, |block| block.height),
+        }
+    }
 }
 
 impl LegLaws {
@@ -73,6 +98,7 @@ impl LegLaws {
                 inner: design.footpad.minimum_angle,
                 outer: design.footpad.maximum_angle,
                 arrival: PAD_ARRIVAL,
+                rule: ContactRule::default(),
             },
             edge: (design.footpad.edge.as_ref()).map_or_else(CrushLaw::absent, |edge| {
                 CrushLaw::of_edge(edge, &design.footpad.profile)
@@ -81,7 +107,14 @@ impl LegLaws {
                 .map_or(LEAST_PAD_INCLINATION, |edge| cos(edge.angle)),
             rule: CrushRule::default(),
             friction: FrictionProfile::default(),
+            heights: Heights::of(design),
         }
+    }
+
+    /// The same laws under another contact rule.
+    pub fn with_contact_rule(self, rule: ContactRule) -> Self {
+        let stops = Stops { rule, ..self.stops };
+        Self { stops, ..self }
     }
 
     /// The same laws under another crush rule.
@@ -127,6 +160,14 @@ pub struct Sets {
     pub block: f64,
     /// Cartridge of the strut.
     pub strut: f64,
+}
+
+impl Sets {
+    /// The greater one of the pad's sections, ft.
+    pub fn pad_crush(&self) -> f64 {
+        let [outer, inner] = self.pad;
+        outer.max(inner)
+    }
 }
 
 /// The discrete state of one leg.
@@ -183,6 +224,11 @@ impl LegMode {
     /// What the footpad has turned by at an angle α, rad.
     pub fn pad_turn(&self, laws: &LegLaws, angle: f64) -> f64 {
         self.hinge.turn(laws.stops, angle)
+    }
+
+    /// Whether the footpad is on a stop of its hinge, one with its link ([`ContactRule::Face`]).
+    pub fn pad_is_on_stop(&self) -> bool {
+        self.hinge.is_on_stop()
     }
 
     /// Whether the leg hangs in the air, its link still.
@@ -379,19 +425,31 @@ impl LegMode {
         let only = |holds: bool, range: Bounds| if holds { range } else { Bounds::FREE };
         let by_pivot = laws.rule == CrushRule::PivotRate;
         let pad_loaded = self.pad_loaded();
-        let interference = |element: &Crush, law: &CrushLaw, has_touched: bool| {
-            element.interference_bounds(law, self.is_contact_watched(has_touched))
+        let interference = |element: &Crush, law: &CrushLaw, has_touched: bool, height: f64| {
+            let bounds = element.interference_bounds(law, self.is_contact_watched(has_touched));
+            let bears_as_stop = laws.stops.rule == ContactRule::Face && element.is_loaded();
+            bounds.meet(only(bears_as_stop, Bounds::below(height)))
         };
         let (outer, outer_law) = self.outer(laws);
         let inner = &self.pad[1];
         let is_on_face = !self.is_on_edge;
         [
-            interference(outer, outer_law, self.pad_has_touched),
+            interference(
+                outer,
+                outer_law,
+                self.pad_has_touched,
+                self.pad_height(laws),
+            ),
             only(
                 is_on_face,
-                interference(inner, &laws.pad, self.pad_has_touched),
+                interference(inner, &laws.pad, self.pad_has_touched, laws.heights.pad),
             ),
-            interference(&self.block, &laws.block, self.block_has_touched),
+            interference(
+                &self.block,
+                &laws.block,
+                self.block_has_touched,
+                laws.heights.block,
+            ),
             (self.stance.stroke_bounds(&laws.strut)).meet(self.cartridge_bounds(laws)),
             outer.rate_bounds(),
             only(is_on_face, inner.rate_bounds()),
@@ -411,9 +469,46 @@ impl LegMode {
             self.stance.torque_bounds(),
             self.hinge.turn_bounds(laws.stops),
             self.hinge.rate_bounds(),
-            self.hinge.speed_bounds(),
+            self.hinge.drive_bounds(laws.stops),
             self.inclination_bounds(laws),
         ]
+    }
+
+    /// What the outer element of the pad can be crushed by, ft.
+    fn pad_height(&self, laws: &LegLaws) -> f64 {
+        if self.is_on_edge {
+            laws.heights.edge
+        } else {
+            laws.heights.pad
+        }
+    }
+
+    /// How an element ends the landing that has used up its height, if it has.
+    fn bottomed(
+        &self,
+        laws: &LegLaws,
+        leg: usize,
+        signal: Signal,
+        interference: f64,
+    ) -> Option<Outcome> {
+        let (element, height, outcome) = match signal {
+            Signal::OuterInterference => (
+                self.outer(laws).0,
+                self.pad_height(laws),
+                Outcome::BottomedPad { leg },
+            ),
+            Signal::InnerInterference => {
+                (&self.pad[1], laws.heights.pad, Outcome::BottomedPad { leg })
+            }
+            Signal::BlockInterference => (
+                &self.block,
+                laws.heights.block,
+                Outcome::BottomedBlock { leg },
+            ),
+            _ => return None,
+        };
+        let bears_as_stop = laws.stops.rule == ContactRule::Face && element.is_loaded();
+        (bears_as_stop && interference >= height).then_some(outcome)
     }
 
     /// Range of cos ξ over which the pad lies on its face, or on its edge.
@@ -441,6 +536,11 @@ impl LegMode {
             self.pad[1].leave_front(&laws.pad, value(Signal::InnerInterference));
         }
         self.is_on_edge = !self.is_on_edge;
+        if self.is_on_edge {
+            self.edge.take_over();
+        } else {
+            self.pad.iter_mut().for_each(Crush::take_over);
+        }
     }
 
     /// Range of the stroke over which the cartridge of the strut keeps its line.
@@ -464,6 +564,9 @@ impl LegMode {
         let before = *self;
         let value = |signal: Signal| signals[signal as usize];
         let driven = |rate: Signal| laws.rule == CrushRule::Section || value(rate) >= 0.0;
+        if let Some(outcome) = self.bottomed(laws, leg, signal, value(signal)) {
+            return Err(outcome);
+        }
         match signal {
             Signal::OuterInterference => {
                 let driven = self.is_on_edge || driven(Signal::PivotRate);
@@ -527,9 +630,9 @@ impl LegMode {
                     .cross_rate(&laws.strut, before.on_surface(), stroke, rate);
             }
             Signal::LinkTorque => self.stance.cross_torque(exit),
-            Signal::PadTurn => self.hinge.cross_turn(exit),
+            Signal::PadTurn => self.hinge.cross_turn(laws.stops, exit),
             Signal::PadRate => self.hinge.cross_rate(),
-            Signal::HingeSpeed => self.hinge.cross_speed(exit),
+            Signal::HingeDrive => self.hinge.cross_drive(exit),
             Signal::StrokeRate => {
                 (self.cartridge).leave_front(&laws.cartridge, value(Signal::Stroke));
             }

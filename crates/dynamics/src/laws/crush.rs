@@ -127,6 +127,17 @@ impl CrushLaw {
         interference - (offset + slope * interference) / self.elastic_slope
     }
 
+    /// Interference at which the elastic line of a plastic set meets the front, and the segment that it meets there.
+    fn onset_of(&self, set: f64) -> (f64, usize) {
+        let slope = self.elastic_slope;
+        let meets = |s: &Segment| (slope * set + s.offset) / (slope - s.slope);
+        (self.segments.iter().enumerate())
+            .filter(|(_, s)| s.slope < slope)
+            .map(|(index, s)| (meets(s), index))
+            .find(|&(onset, index)| onset <= self.segments[index].upper)
+            .unwrap_or((f64::INFINITY, self.segments.len() - 1))
+    }
+
     fn segment_at(&self, interference: f64) -> usize {
         let last = self.segments.len() - 1;
         self.segments
@@ -198,6 +209,8 @@ enum Stage {
     Overdriven,
     /// On the crushing front, in this segment of the profile.
     Front(usize),
+    /// It takes over from another element, wherever it is: what of it lies below the surface counts as crushed.
+    TakingOver,
 }
 
 /// Crush memory and active stage of one element.
@@ -234,7 +247,7 @@ impl Crush {
     /// Whether the element is in contact: I − P > 1e-6 ft. Where contact is not watched this is as
     /// of the last [`Self::update_contact`].
     pub fn in_contact(&self) -> bool {
-        !matches!(self.stage, Stage::Absent | Stage::Clear)
+        !matches!(self.stage, Stage::Absent | Stage::Clear | Stage::TakingOver)
     }
 
     /// Finds out about contact at an interference, if the element carries no pressure.
@@ -288,14 +301,18 @@ impl Crush {
         match self.stage {
             Stage::Front(_) => Bounds::above(0.0).widened(RATE_SLACK),
             Stage::Overdriven => Bounds::below(0.0).widened(RATE_SLACK),
-            Stage::Absent | Stage::Clear | Stage::Touching | Stage::Elastic => Bounds::FREE,
+            Stage::Absent | Stage::Clear | Stage::Touching | Stage::Elastic | Stage::TakingOver => {
+                Bounds::FREE
+            }
         }
     }
 
     /// The active line of pressure.
     pub fn line(&self, law: &CrushLaw) -> PressureLine<f64> {
         match self.stage {
-            Stage::Absent | Stage::Clear | Stage::Touching => PressureLine::slack(),
+            Stage::Absent | Stage::Clear | Stage::Touching | Stage::TakingOver => {
+                PressureLine::slack()
+            }
             Stage::Elastic | Stage::Overdriven => PressureLine {
                 offset: -law.elastic_slope * self.set,
                 slope: law.elastic_slope,
@@ -331,6 +348,8 @@ impl Crush {
             Stage::Elastic => Bounds::between(self.set + law.pressure_threshold, self.onset),
             Stage::Overdriven => Bounds::above(self.onset),
             Stage::Front(segment) => Bounds::below(law.segments[segment].upper),
+            // At once, wherever it is.
+            Stage::TakingOver => Bounds::below(f64::NEG_INFINITY),
         }
         .widened(SLACK)
     }
@@ -341,6 +360,14 @@ impl Crush {
         match self.stage {
             Stage::Front(_) => Bounds::above(0.0).widened(RATE_SLACK),
             _ => Bounds::FREE,
+        }
+    }
+
+    /// Takes over from another element, unloaded: neither is it loaded all at once, nor does it give back what the other
+    /// was crushed by.
+    pub fn take_over(&mut self) {
+        if self.stage != Stage::Absent {
+            self.stage = Stage::TakingOver;
         }
     }
 
@@ -370,6 +397,11 @@ impl Crush {
             (Stage::Elastic, Exit::Below) => Stage::Touching,
             (Stage::Overdriven, _) => Stage::Elastic,
             (Stage::Front(segment), _) => Stage::Front((segment + 1).min(law.segments.len() - 1)),
+            (Stage::TakingOver, _) => {
+                self.set = self.set.max(interference);
+                (self.onset, self.onset_segment) = law.onset_of(self.set);
+                Stage::Clear
+            }
         };
     }
 

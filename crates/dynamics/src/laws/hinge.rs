@@ -7,11 +7,15 @@
 //! That has a closed form: overrun = (1 − e^(−1000 Θ))/1000, with Θ = ∫|α̇| dt what α̇ has turned since the stop. So
 //! a pad that presses on a stop has a *turn* in place of its angle, stop ± Θ, which follows α̇ and is not stiff.
 //! Methods that choose pieces anew at every evaluation take dα/dt as it is written.
+//!
+//! Under [`ContactRule::Face`] all of that is plain mechanics: a pad that arrives at a stop is one with its link, until the
+//! torque on it pulls it off.
 
 use libm::log1p;
 
 use crate::integrator::event::{Bounds, Exit};
 use crate::lanes::per_lane;
+use crate::rules::ContactRule;
 use crate::scalar::Real;
 
 /// Fading of the rate beyond a stop, 1/rad: its inverse is the greatest overrun.
@@ -21,10 +25,11 @@ const FADING: f64 = 1000.0;
 const E_FOLDINGS: f64 = 4.0;
 /// Greatest |dα/dt|, rad/s.
 const FASTEST: f64 = 100.0;
-/// Slacks of the guards on turn (rad), rate state (rad/s) and hinge speed (rad/s).
+/// Slacks of the guards on turn (rad), rate state (rad/s), hinge speed (rad/s) and torque on a pad at a stop (ft·lb).
 const ANGLE_SLACK: f64 = 1e-14;
 const RATE_SLACK: f64 = 1e-10;
 const SPEED_SLACK: f64 = 1e-9;
+const TORQUE_SLACK: f64 = 1e-9;
 
 /// Coefficients of the active piece: unclipped speed = (gain + fading α) α̇, and
 /// dα/dt = follow · unclipped speed + clip.
@@ -61,6 +66,12 @@ impl<S: Real> HingePiece<S> {
             pressed: zero,
             stop: zero,
         }
+    }
+
+    /// 1 where the pad turns by itself, 0 where it is one with its link, under [`ContactRule::Face`].
+    #[inline(always)]
+    pub fn swings(&self) -> S {
+        self.gain
     }
 
     /// Whether a pad presses on a stop.
@@ -131,6 +142,8 @@ pub struct Stops {
     pub outer: f64,
     /// Distance from the resting place beyond a stop at which the pad counts as arrived.
     pub arrival: f64,
+    /// What a stop does.
+    pub rule: ContactRule,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -167,6 +180,8 @@ enum Zone {
     Held(Side),
     /// Beyond a stop and moving back.
     Returning(Side),
+    /// On a stop, one with the link ([`ContactRule::Face`]).
+    OnStop(Side),
 }
 
 /// What the hinge is doing.
@@ -229,7 +244,7 @@ impl Hinge {
             Zone::Free | Zone::Returning(_) => (1.0, 0.0),
             Zone::Pressing(Side::Outer) => (1.0 + FADING * stops.outer, -FADING),
             Zone::Pressing(Side::Inner) => (1.0 - FADING * stops.inner, FADING),
-            Zone::Held(_) => (0.0, 0.0),
+            Zone::Held(_) | Zone::OnStop(_) => (0.0, 0.0),
         };
         let follow = if self.clip == 0.0 { 1.0 } else { 0.0 };
         HingePiece {
@@ -242,6 +257,11 @@ impl Hinge {
         }
     }
 
+    /// Whether the pad is on a stop, one with its link.
+    pub fn is_on_stop(&self) -> bool {
+        matches!(self.zone, Zone::OnStop(_))
+    }
+
     /// Angle α of a pad that has turned like this, rad.
     pub fn angle(&self, stops: Stops, turn: f64) -> f64 {
         self.piece(stops).angle(turn)
@@ -249,6 +269,9 @@ impl Hinge {
 
     /// The turn of a pad at this angle α, rad.
     pub fn turn(&self, stops: Stops, angle: f64) -> f64 {
+        if let Zone::OnStop(side) = self.zone {
+            return side.of(stops);
+        }
         let HingePiece { pressed, stop, .. } = self.piece(stops);
         if pressed == 0.0 {
             return angle;
@@ -267,7 +290,7 @@ impl Hinge {
             Zone::Free => Bounds::between(stops.inner, stops.outer),
             Zone::Pressing(side @ Side::Outer) => Bounds::below(arrived(side)),
             Zone::Pressing(side @ Side::Inner) => Bounds::above(arrived(side)),
-            Zone::Held(_) => Bounds::FREE,
+            Zone::Held(_) | Zone::OnStop(_) => Bounds::FREE,
             Zone::Returning(Side::Outer) => Bounds::above(stops.outer),
             Zone::Returning(Side::Inner) => Bounds::below(stops.inner),
         }
@@ -277,7 +300,7 @@ impl Hinge {
     /// Range of the rate state α̇ over which the active piece holds.
     pub fn rate_bounds(&self) -> Bounds {
         let outward = match self.zone {
-            Zone::Free => return Bounds::FREE,
+            Zone::Free | Zone::OnStop(_) => return Bounds::FREE,
             Zone::Pressing(side) | Zone::Held(side) => side.sign(),
             Zone::Returning(side) => -side.sign(),
         };
@@ -289,10 +312,15 @@ impl Hinge {
         bounds.widened(RATE_SLACK)
     }
 
-    /// Range of the unclipped speed over which the active piece holds.
-    pub fn speed_bounds(&self) -> Bounds {
-        if matches!(self.zone, Zone::Held(_)) {
-            return Bounds::FREE;
+    /// Range of what moves the hinge over which the active piece holds: of its unclipped speed, or of the torque on a pad
+    /// that is one with its link.
+    pub fn drive_bounds(&self, stops: Stops) -> Bounds {
+        match self.zone {
+            Zone::OnStop(Side::Outer) => return Bounds::above(0.0).widened(TORQUE_SLACK),
+            Zone::OnStop(Side::Inner) => return Bounds::below(0.0).widened(TORQUE_SLACK),
+            Zone::Held(_) => return Bounds::FREE,
+            _ if stops.rule == ContactRule::Face => return Bounds::FREE,
+            Zone::Free | Zone::Pressing(_) | Zone::Returning(_) => {}
         }
         if self.clip > 0.0 {
             Bounds::above(FASTEST)
@@ -314,13 +342,17 @@ impl Hinge {
     }
 
     /// The turn left its range.
-    pub fn cross_turn(&mut self, exit: Exit) {
+    pub fn cross_turn(&mut self, stops: Stops, exit: Exit) {
         match self.zone {
             Zone::Free => {
-                self.zone = Zone::Pressing(match exit {
+                let side = match exit {
                     Exit::Above => Side::Outer,
                     Exit::Below => Side::Inner,
-                });
+                };
+                self.zone = match stops.rule {
+                    ContactRule::Pivot => Zone::Pressing(side),
+                    ContactRule::Face => Zone::OnStop(side),
+                };
             }
             Zone::Pressing(side) => {
                 *self = Self {
@@ -329,21 +361,25 @@ impl Hinge {
                 }
             }
             Zone::Returning(_) => self.zone = Zone::Free,
-            Zone::Held(_) => {}
+            Zone::Held(_) | Zone::OnStop(_) => {}
         }
     }
 
     /// The rate state changed sign.
     pub fn cross_rate(&mut self) {
         self.zone = match self.zone {
-            Zone::Free => Zone::Free,
+            Zone::Free | Zone::OnStop(_) => self.zone,
             Zone::Pressing(side) | Zone::Held(side) => Zone::Returning(side),
             Zone::Returning(side) => Zone::Pressing(side),
         };
     }
 
-    /// The unclipped speed crossed the clip.
-    pub fn cross_speed(&mut self, exit: Exit) {
+    /// The unclipped speed crossed the clip, or the torque on a pad pulls it off its stop.
+    pub fn cross_drive(&mut self, exit: Exit) {
+        if self.is_on_stop() {
+            self.zone = Zone::Free;
+            return;
+        }
         self.clip = match (self.clip == 0.0, exit) {
             (true, Exit::Above) => 1.0,
             (true, Exit::Below) => -1.0,

@@ -19,6 +19,16 @@ pub enum Outcome {
         /// Index of the leg, from 0.
         leg: usize,
     },
+    /// The footpad of this leg was crushed by its whole height ([`crate::rules::ContactRule::Face`]).
+    BottomedPad {
+        /// Index of the leg, from 0.
+        leg: usize,
+    },
+    /// The block of this leg was crushed by its whole height ([`crate::rules::ContactRule::Face`]).
+    BottomedBlock {
+        /// Index of the leg, from 0.
+        leg: usize,
+    },
     /// None of these before the time limit.
     TimeExpired,
     /// The landing could not be computed to its end.
@@ -63,7 +73,7 @@ pub enum Class {
     Stable,
     /// Toppled, in pitch or in yaw.
     Unstable,
-    /// A strut bottomed.
+    /// A strut, a footpad or a block used up its travel.
     Bottomed,
     /// Could not be computed.
     Failure,
@@ -78,7 +88,9 @@ impl Outcome {
             Self::StableRockback | Self::StableSubsided | Self::StableSteady => Class::Stable,
             Self::TimeExpired | Self::Sliding => Class::Undecided,
             Self::UnstablePitch | Self::UnstableYaw | Self::UnstableToppled => Class::Unstable,
-            Self::Bottomed { .. } => Class::Bottomed,
+            Self::Bottomed { .. } | Self::BottomedPad { .. } | Self::BottomedBlock { .. } => {
+                Class::Bottomed
+            }
             Self::Failure(_) => Class::Failure,
         }
     }
@@ -116,6 +128,8 @@ impl fmt::Display for Outcome {
             Self::UnstablePitch => f.write_str("unstable-pitch"),
             Self::UnstableYaw => f.write_str("unstable-yaw"),
             Self::Bottomed { leg } => write!(f, "bottomed-leg-{}", leg + 1),
+            Self::BottomedPad { leg } => write!(f, "bottomed-pad-{}", leg + 1),
+            Self::BottomedBlock { leg } => write!(f, "bottomed-block-{}", leg + 1),
             Self::TimeExpired => f.write_str("time-expired"),
             Self::Failure(_) => f.write_str("failure"),
             Self::Sliding => f.write_str("sliding"),
@@ -170,6 +184,8 @@ mod tests {
             Outcome::UnstableYaw,
             Outcome::UnstableToppled,
             Outcome::Bottomed { leg: 4 },
+            Outcome::BottomedPad { leg: 0 },
+            Outcome::BottomedBlock { leg: 1 },
             Outcome::TimeExpired,
             Outcome::Sliding,
             Outcome::Failure(Failure::StepLimit),

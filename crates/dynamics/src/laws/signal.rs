@@ -36,8 +36,9 @@ pub enum Signal {
     PadTurn,
     /// Pad rate state α̇, rad/s.
     PadRate,
-    /// Hinge speed before the clip, rad/s.
-    HingeSpeed,
+    /// What moves the hinge: its speed before the clip, rad/s; under [`crate::rules::ContactRule::Face`] the torque that turns
+    /// the pad outward against its link, ft·lb.
+    HingeDrive,
     /// cos ξ of the pad.
     PadInclination,
     /// Strut force F, lb: for the record, without a range.
@@ -80,7 +81,7 @@ impl Signal {
         Self::LinkTorque,
         Self::PadTurn,
         Self::PadRate,
-        Self::HingeSpeed,
+        Self::HingeDrive,
         Self::PadInclination,
         Self::StrutForce,
         Self::StrutLever,

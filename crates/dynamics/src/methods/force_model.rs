@@ -82,7 +82,7 @@ impl ForceModel {
         let evaluate = |pieces: &[LegPieces<f64>], slope: &mut _, signals: &mut _| {
             let pieces = Pieces::new(pieces);
             self.motion
-                .evaluate::<true>(0.0, state, &pieces, slope, signals);
+                .evaluate::<true, false>(0.0, state, &pieces, slope, signals);
         };
         evaluate(&pieces, &mut slope, &mut signals);
         let mut pushed = false;
@@ -143,7 +143,7 @@ impl System for ForceModel {
         }
         let mut slope = State::zero(state.leg_count());
         self.motion
-            .derivative::<true>(0.0, state, &Pieces::new(&pieces), &mut slope);
+            .derivative::<true, false>(0.0, state, &Pieces::new(&pieces), &mut slope);
         slope
     }
 

@@ -12,7 +12,7 @@ use touchdown_dynamics::hinge::{Hinge, Stops};
 use touchdown_dynamics::land::land_observed;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::profile::Profile;
-use touchdown_dynamics::rules::Rules;
+use touchdown_dynamics::rules::{ContactRule, Rules};
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::state::{Body, State, rotation};
 use touchdown_dynamics::touchdown::extended_legs;
@@ -230,6 +230,7 @@ const STOPS: Stops = Stops {
     inner: 0.013,
     outer: 0.785,
     arrival: 1e-9,
+    rule: ContactRule::Pivot,
 };
 
 /// dα/dt = α̇ (1 − 1000·overrun) (model chapter 6), with an α̇ that swells and fades, in steps of a classical Runge-Kutta

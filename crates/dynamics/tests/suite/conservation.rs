@@ -82,7 +82,7 @@ fn given_by_pads(factor: f64, rule: CrushRule, conditions: Conditions) -> [f64; 
     assert!(energies.closure().abs() < 1e-3);
     // Where there is friction, it took more from each pad than crushing gave.
     if conditions.pad_friction > 0.0 {
-        assert_eq!(energies.given_by_crushing(), 0.0);
+        assert_eq!(energies.given_by_contact(), 0.0);
     }
     let lifting = energies.legs.iter().filter(|leg| leg.pad_crush < 0.0);
     lifting.fold([0.0; 2], |[crush, friction], leg| {

@@ -126,7 +126,7 @@ fn the_ranges_of_a_leg_stand_in_the_order_of_its_signals() {
     let pad = range(Signal::PadTurn);
     let limits = [0.74f64, 0.76, 44.9, 45.1].map(|degrees| pad.exit(degrees.to_radians()));
     assert_eq!(limits, [Some(Exit::Below), None, None, Some(Exit::Above)]);
-    let hinge = range(Signal::HingeSpeed);
+    let hinge = range(Signal::HingeDrive);
     let limits = [-100.1, -99.9, 99.9, 100.1].map(|speed| hinge.exit(speed));
     assert_eq!(limits, [Some(Exit::Below), None, None, Some(Exit::Above)]);
     let restricted = Signal::ALL[..Signal::RANGED]

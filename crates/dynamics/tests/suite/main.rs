@@ -9,6 +9,7 @@ mod batch;
 mod center_of_gravity_offset;
 mod closed_forms;
 mod conservation;
+mod contact;
 mod convergence;
 mod early_end;
 mod extremes;

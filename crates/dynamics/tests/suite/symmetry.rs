@@ -171,6 +171,12 @@ fn mapped(outcome: &Outcome, image_leg: &[usize]) -> Outcome {
         Outcome::Bottomed { leg } => Outcome::Bottomed {
             leg: image_leg[*leg],
         },
+        Outcome::BottomedPad { leg } => Outcome::BottomedPad {
+            leg: image_leg[*leg],
+        },
+        Outcome::BottomedBlock { leg } => Outcome::BottomedBlock {
+            leg: image_leg[*leg],
+        },
         Outcome::Failure(Failure::PadInclination { leg }) => {
             Outcome::Failure(Failure::PadInclination {
                 leg: image_leg[*leg],

@@ -34,11 +34,12 @@ const OPTIONS: [(&str, &str); 12] = [
     ("nominal_roll_deg", "--nominal-roll"),
 ];
 /// Options that give the solver.
-const SOLVER_OPTIONS: [(&str, &str); 8] = [
+const SOLVER_OPTIONS: [(&str, &str); 9] = [
     ("tolerance", "--tolerance"),
     ("time_limit_s", "--time-limit"),
     ("rules", "--rules"),
     ("crush_rule", "--crush-rule"),
+    ("contact_rule", "--contact-rule"),
     ("rest_rule", "--rest-rule"),
     ("toppling_rule", "--toppling-rule"),
     ("friction_profile", "--friction-profile"),

@@ -83,7 +83,7 @@ class Landing(InBothUnits):
         Kinetic energy at the end, ft·lb.
     energy_closure_ftlb : float
         What the account of energies does not explain, ft·lb; 0 but for integration error.
-    given_by_crushing_ftlb : float
+    given_by_contact_ftlb : float
         Energy that footpads, crush and friction together, and blocks gave to the motion, ft·lb, which no material does: they are too
         stiff for the laws.
     max_strut_force_lb, max_stroke_ft, max_stroke_share : tuple of float
@@ -125,7 +125,7 @@ class Landing(InBothUnits):
     thrust_work_ftlb: float
     final_kinetic_energy_ftlb: float
     energy_closure_ftlb: float
-    given_by_crushing_ftlb: float
+    given_by_contact_ftlb: float
     max_strut_force_lb: tuple[float, ...]
     max_stroke_ft: tuple[float, ...]
     max_stroke_share: tuple[float, ...]

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::rules::{
-    CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
+    ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
 use touchdown_dynamics::scene::Settings;
 
@@ -13,11 +13,12 @@ use crate::method_input;
 use crate::section::{LocatedValue, Section};
 
 /// Keys of `[solver]`.
-pub const SOLVER: [&str; 8] = [
+pub const SOLVER: [&str; 9] = [
     "tolerance",
     "time_limit_s",
     "rules",
     "crush_rule",
+    "contact_rule",
     "rest_rule",
     "toppling_rule",
     "friction_profile",
@@ -30,6 +31,9 @@ pub const CRUSH_RULES: [(&str, CrushRule); 2] = [
     ("pivot-rate", CrushRule::PivotRate),
     ("section", CrushRule::Section),
 ];
+/// Where the ground acts on footpads and blocks.
+pub const CONTACT_RULES: [(&str, ContactRule); 2] =
+    [("pivot", ContactRule::Pivot), ("face", ContactRule::Face)];
 /// When a landing counts as stable.
 pub const REST_RULES: [(&str, RestRule); 2] =
     [("limits", RestRule::Limits), ("energy", RestRule::Energy)];
@@ -58,10 +62,11 @@ pub enum Stop {
 }
 
 /// Keys of `[solver]` whose values are words, and these.
-pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 7] {
+pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 8] {
     [
         ("rules", words(&RULES)),
         ("crush_rule", words(&CRUSH_RULES)),
+        ("contact_rule", words(&CONTACT_RULES)),
         ("rest_rule", words(&REST_RULES)),
         ("toppling_rule", words(&TOPPLING_RULES)),
         ("friction_profile", words(&FRICTION_PROFILES)),
@@ -71,10 +76,11 @@ pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 7] {
 }
 
 /// The rules in force by their keys: the set that they are of, or most of them, then each by itself.
-pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 4] {
+pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 5] {
     let single = |rules: Rules| {
         [
             ("crush_rule", word(&CRUSH_RULES, rules.crush)),
+            ("contact_rule", word(&CONTACT_RULES, rules.contact)),
             ("rest_rule", word(&REST_RULES, rules.rest)),
             ("toppling_rule", word(&TOPPLING_RULES, rules.toppling)),
         ]
@@ -85,8 +91,8 @@ pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 4] {
         pairs.filter(|(one, other)| **one == *other).count()
     };
     let set = RULES.iter().max_by_key(alike).map_or("", |(word, _)| word);
-    let [crush, rest, toppling] = own;
-    [("rules", set), crush, rest, toppling]
+    let [crush, contact, rest, toppling] = own;
+    [("rules", set), crush, contact, rest, toppling]
 }
 
 /// The rules in force, as a report or a record names them.
@@ -112,12 +118,17 @@ pub(crate) fn chosen_rules(choices: RuleChoices) -> Vec<(&'static str, &'static 
     let RuleChoices {
         set,
         crush,
+        contact,
         rest,
         toppling,
     } = choices;
     let keys = [
         ("rules", set.map(|set| word(&RULES, set))),
         ("crush_rule", crush.map(|rule| word(&CRUSH_RULES, rule))),
+        (
+            "contact_rule",
+            contact.map(|rule| word(&CONTACT_RULES, rule)),
+        ),
         ("rest_rule", rest.map(|rule| word(&REST_RULES, rule))),
         (
             "toppling_rule",
@@ -142,6 +153,7 @@ fn rule_choices(solver: &Section) -> Result<RuleChoices, InputError> {
     Ok(RuleChoices {
         set: chosen(solver, "rules", &RULES)?,
         crush: chosen(solver, "crush_rule", &CRUSH_RULES)?,
+        contact: chosen(solver, "contact_rule", &CONTACT_RULES)?,
         rest: chosen(solver, "rest_rule", &REST_RULES)?,
         toppling: chosen(solver, "toppling_rule", &TOPPLING_RULES)?,
     })

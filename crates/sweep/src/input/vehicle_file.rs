@@ -345,6 +345,7 @@ fn footpad(section: &Section) -> Result<Footpad, InputError> {
         height: section.number("height_ft")?,
         crush_pressure: section.number("crush_pressure_psf")?,
         inertia: section.number("inertia_slug_ft2")?,
+        hinge_damping: 0.0,
         minimum_angle: section.number("minimum_angle_deg")?.to_radians(),
         maximum_angle: section.number("maximum_angle_deg")?.to_radians(),
         profile: profile(section, "profile", PRESSURE)?,

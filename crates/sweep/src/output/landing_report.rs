@@ -143,11 +143,11 @@ pub fn verdict_time(landing: &Landing) -> f64 {
 
 /// What is to be told of a landing although its account closes: elements that gave back more than they took.
 pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
-    worth_a_warning(&landing.energies).map(|given| given_by_crushing(given, units))
+    worth_a_warning(&landing.energies).map(|given| given_by_contact(given, units))
 }
 
 /// The warning that crushing elements gave so much energy, ft·lb, told in these units.
-pub fn given_by_crushing(energy: f64, units: OutputUnits) -> String {
+pub fn given_by_contact(energy: f64, units: OutputUnits) -> String {
     let quantity = units.quantity("energy_ftlb");
     let (energy, unit) = (quantity.number(energy), quantity.unit());
     format!(

@@ -8,13 +8,13 @@ use crate::boundary::Boundary;
 use crate::landing_table::{self, Cell};
 use crate::sensitivity::Sensitivity;
 
-/// Energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_crushing`]), where it is more than a
+/// Energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]), where it is more than a
 /// thousandth of the kinetic energy at first contact.
 ///
 /// Less than that any vehicle has, as friction acts against the velocity of the hinge of a footpad and not against that of its face.
 pub fn worth_a_warning(energies: &Energies) -> Option<f64> {
     const SHARE: f64 = 1e-3;
-    let given = energies.given_by_crushing();
+    let given = energies.given_by_contact();
     (given > SHARE * energies.initial_kinetic).then_some(given)
 }
 
@@ -30,7 +30,7 @@ pub enum Finding {
         /// Its results in the order of [`crate::landing_table`].
         cells: Vec<Cell>,
         /// Energy that crushing elements gave to the motion, ft·lb; zero where it is not [`worth_a_warning`].
-        given_by_crushing: f64,
+        given_by_contact: f64,
     },
     /// The search for the boundary, and sensitivities of the transition.
     Sensitive {
@@ -48,7 +48,7 @@ impl Finding {
         Self::Landing {
             outcome: landing.outcome.clone(),
             cells: columns.map(|(_, cell)| cell).collect(),
-            given_by_crushing: worth_a_warning(&landing.energies).unwrap_or(0.0),
+            given_by_contact: worth_a_warning(&landing.energies).unwrap_or(0.0),
         }
     }
 
@@ -160,7 +160,7 @@ mod tests {
                 Cell::Number(-0.0),
                 Cell::Count(7),
             ],
-            given_by_crushing: 1.0 / 3.0,
+            given_by_contact: 1.0 / 3.0,
         };
         for finding in [boundary, landing] {
             let bytes = finding.encode();

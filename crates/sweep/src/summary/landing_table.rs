@@ -101,7 +101,7 @@ pub fn columns(landing: &Landing) -> Vec<Column> {
     for (leg, time) in landing.block_contact.iter().enumerate() {
         number(&format!("block_contact_{}_s", leg + 1), *time);
     }
-    let given = landing.energies.given_by_crushing();
+    let given = landing.energies.given_by_contact();
     number("given_by_contact_ftlb", Some(given));
     number("energy_closure_ftlb", Some(landing.energies.closure()));
     columns.push(column("steps", Cell::Count(landing.steps)));
@@ -198,6 +198,12 @@ pub fn why(outcome: &Outcome) -> String {
         Outcome::UnstableToppled => "its CG passed beyond the hull of its feet".to_owned(),
         Outcome::UnstableYaw => "all feet are on one side of the plane of motion".to_owned(),
         Outcome::Bottomed { leg } => format!("strut {} used up its stroke", leg + 1),
+        Outcome::BottomedPad { leg } => {
+            format!("footpad {} was crushed by its whole height", leg + 1)
+        }
+        Outcome::BottomedBlock { leg } => {
+            format!("block {} was crushed by its whole height", leg + 1)
+        }
         Outcome::TimeExpired => "it was still moving at the time limit".to_owned(),
         Outcome::Failure(reason) => reason.to_string(),
         Outcome::Sliding => {
@@ -234,6 +240,7 @@ pub(crate) mod tests {
             max_strut_force: [1.0, 2.0, 3.0].into(),
             max_stroke: [0.0; 3].into(),
             max_stroke_share: [0.0; 3].into(),
+            max_pad_crush: [0.0; 3].into(),
             final_rates: FinalRates {
                 stability_angle: None,
                 strokes: [0.0; 3].into(),

@@ -106,15 +106,15 @@ impl SweepCounts {
             }
             Finding::Landing {
                 outcome,
-                given_by_crushing,
+                given_by_contact,
                 ..
             } => {
-                if *given_by_crushing > 0.0 {
+                if *given_by_contact > 0.0 {
                     self.with_given += 1;
                     let is_most =
-                        (self.most_given).is_none_or(|(_, most)| *given_by_crushing > most);
+                        (self.most_given).is_none_or(|(_, most)| *given_by_contact > most);
                     if is_most {
-                        self.most_given = Some((point, *given_by_crushing));
+                        self.most_given = Some((point, *given_by_contact));
                     }
                 }
                 self.landings += 1;

@@ -64,8 +64,8 @@ pub fn run(
     results.remove_journals()?;
     let given = findings.iter().map(|finding| match finding {
         Finding::Landing {
-            given_by_crushing, ..
-        } => *given_by_crushing,
+            given_by_contact, ..
+        } => *given_by_contact,
         _ => 0.0,
     });
     let warned: Vec<(&String, f64)> = (names.iter().zip(given))
@@ -75,7 +75,7 @@ pub fn run(
         eprintln!(
             "touchdown: warning: in {}, most in case {most}: {}",
             summary::number(warned.len(), "case"),
-            landing_report::given_by_crushing(*given, units)
+            landing_report::given_by_contact(*given, units)
         );
     }
     if !quiet {

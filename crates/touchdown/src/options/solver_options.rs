@@ -3,14 +3,15 @@
 use clap::Args;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::rules::{
-    CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
+    ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::choice::{chosen, words};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
 use touchdown_sweep::settings_input::{
-    CRUSH_RULES, FRICTION_PROFILES, REST_RULES, RULES, STOPS, Stop, TOPPLING_RULES, stopping,
+    CONTACT_RULES, CRUSH_RULES, FRICTION_PROFILES, REST_RULES, RULES, STOPS, Stop, TOPPLING_RULES,
+    stopping,
 };
 
 use crate::touchdown_options::finite;
@@ -27,6 +28,10 @@ pub struct SolverOptions {
     /// moves into the ground; "section", whenever it goes deeper than before
     #[arg(long, value_name = "RULE", value_parser = choice(&CRUSH_RULES))]
     crush_rule: Option<CrushRule>,
+    /// Where the ground acts on footpads and blocks: at the "pivot" of a pad, by whose velocity friction is judged (as in the
+    /// program of 1966); "face", where it touches, by the velocity of that place
+    #[arg(long, value_name = "RULE", value_parser = choice(&CONTACT_RULES))]
+    contact_rule: Option<ContactRule>,
     /// When a landing counts as stable: within the "limits" of the program of 1966, made for the Surveyor; "energy", once it
     /// has stood for a while on supports over which its energy cannot tip it
     #[arg(long, value_name = "RULE", value_parser = choice(&REST_RULES))]
@@ -90,6 +95,7 @@ impl SolverOptions {
         let rules = RuleChoices {
             set: self.rules,
             crush: self.crush_rule,
+            contact: self.contact_rule,
             rest: self.rest_rule,
             toppling: self.toppling_rule,
         };

@@ -228,6 +228,8 @@ fn median(mut numbers: Vec<f64>) -> f64 {
 fn kind(outcome: &Outcome) -> (End, String) {
     match outcome {
         Outcome::Bottomed { .. } => (End::Result, "bottomed".to_owned()),
+        Outcome::BottomedPad { .. } => (End::Result, "bottomed pad".to_owned()),
+        Outcome::BottomedBlock { .. } => (End::Result, "bottomed block".to_owned()),
         Outcome::Failure(Failure::PadInclination { .. }) => (
             End::BeyondModel,
             "no law: loaded footpad inclined more than 65 deg".to_owned(),

@@ -171,7 +171,7 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
             "  warning: at {}, most at {}: {}\n",
             number(counts.with_given, "point"),
             sweep.place(most),
-            landing_report::given_by_crushing(energy, sweep.units)
+            landing_report::given_by_contact(energy, sweep.units)
         );
     }
     if let Some(probabilities) = &counts.probabilities {

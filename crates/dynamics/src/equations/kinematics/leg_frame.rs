@@ -89,6 +89,32 @@ impl<S: Real> LegFrame<S> {
         self.pad.split(&velocity)
     }
 
+    /// Velocity of a place on the footpad, so far from the centre (leg axes, ft), which link and hinge move like this (ft/s).
+    #[inline(always)]
+    pub fn pad_velocity(&self, place: &Vector3<S>, own: &Vector3<S>) -> PointVelocity<S> {
+        self.pad
+            .split(&(self.velocity + self.rate.cross(place) + own))
+    }
+
+    /// Velocity of a place relative to the CG, carried by the body.
+    #[inline(always)]
+    pub fn place_carried_round(&self, place: &Vector3<S>) -> Vector3<S> {
+        self.rate.cross(place) + self.center_velocity
+    }
+
+    /// d cos ξ/dt of the footpad, which link and hinge turn at this rate (rad/s), 1/s.
+    #[inline(always)]
+    pub fn inclination_rate(&self, pose: &LegPose<S>, turning: S) -> S {
+        pose.pad_z.dot(&self.normal_rate) - turning * pose.pad_y_normal
+    }
+
+    /// d cos ξ/dt of the block, 1/s.
+    #[inline(always)]
+    pub fn block_inclination_rate(&self) -> S {
+        let (n, w) = (&self.block.normal, &self.rate);
+        n.x * w.y - n.y * w.x
+    }
+
     /// dI/dt of the block (28), ft/s.
     #[inline(always)]
     pub fn block_interference_rate(&self, centre_inward: S) -> S {

@@ -31,8 +31,6 @@ pub struct LegGeometry<S> {
     /// Centroid offset of a pad section from the pivot, 2 d_f / 3π.
     centroid: S,
     pad_height: S,
-    /// Depth of the edge of a pad below its pivot, ft: that of the lower section's centroid as the pad turns over.
-    edge_height: S,
     block_radius: S,
     block_depth: S,
 }
@@ -49,7 +47,6 @@ per_lane!(LegGeometry {
     extended_length,
     centroid,
     pad_height,
-    edge_height,
     block_radius,
     block_depth,
 });
@@ -69,10 +66,6 @@ impl<S: Real> LegGeometry<S> {
         let (a, l) = (linkage.hardpoint_distance, linkage.lower_link_length);
         let constant = S::constant;
         let centroid = 2.0 * footpad.diameter / (3.0 * std::f64::consts::PI);
-        let edge_height = footpad.edge.as_ref().map_or(0.0, |edge| {
-            let (sine, cosine) = sincos(edge.angle);
-            centroid * sine + footpad.height * cosine
-        });
         let (sin_azimuth, cos_azimuth) = sincos(design.azimuth);
         let (sin_beta, cos_beta) = sincos(linkage.hardpoint_angle);
         Self {
@@ -87,7 +80,6 @@ impl<S: Real> LegGeometry<S> {
             extended_length: constant(design.strut.extended_length),
             centroid: constant(centroid),
             pad_height: constant(footpad.height),
-            edge_height: constant(edge_height),
             block_radius: constant(block_radius),
             block_depth: constant(hardpoint_depth + block_height),
         }
@@ -129,26 +121,41 @@ impl<S: Real> LegGeometry<S> {
         pose.pad_interference.map(|i| i * cosine - height)
     }
 
-    /// Depth of the edge of a pad below the ground, ft (negative above): it goes with the pivot, as the load acts there.
+    /// Radius of a pad, ft.
+    #[inline(always)]
+    fn pad_radius(&self) -> S {
+        // d_f/2 over the offset of a section's centroid, 2 d_f/3π.
+        self.centroid * S::constant(0.75 * std::f64::consts::PI)
+    }
+
+    /// Height of the rim of a pad below its pivot, ft.
+    #[inline(always)]
+    fn rim_height(&self) -> S {
+        self.pad_height * S::constant(0.5)
+    }
+
+    /// Depth of the edge of a pad below the ground, ft (negative above): of the lowest point of its rim, at half of its
+    /// height.
     #[inline(always)]
     pub fn edge_depth(&self, frame: &LegFrame<S>, pose: &LegPose<S>) -> S {
         let n = &frame.pad.normal;
-        frame.pad.depth + pose.pivot.reach * n.x + pose.pivot.drop * n.z + self.edge_height
+        let pivot = frame.pad.depth + pose.pivot.reach * n.x + pose.pivot.drop * n.z;
+        pivot + self.rim_height() * pose.pad_inclination + self.pad_radius() * pad_sine(pose)
     }
 
-    /// Lowest point of the rim of a pad on its edge, at half of its height, relative to the pivot, ft.
+    /// Its rate, ft/s, as the pivot goes into the ground (ft/s) and cos ξ changes (1/s).
     #[inline(always)]
-    pub fn edge(&self, pose: &LegPose<S>) -> PlaneDirection<S> {
-        // d_f/2 over the offset of a section's centroid, 2 d_f/3π.
-        let radius = self.centroid * S::constant(0.75 * std::f64::consts::PI);
-        let cosine = pose.pad_inclination;
-        let sine = (S::one() - cosine * cosine)
-            .max(S::constant(LEAST_SINE))
-            .sqrt();
-        let mut edge = PlaneDirection::zero();
-        edge.add(radius * (pose.pad_y_normal / sine), &pose.pad_y);
-        edge.add(self.pad_height * S::constant(0.5), &pose.pad_z);
-        edge
+    pub fn edge_rate(&self, pose: &LegPose<S>, pivot_inward: S, inclination_rate: S) -> S {
+        let sinking = self.pad_radius() * (pose.pad_inclination / pad_sine(pose));
+        pivot_inward + (self.rim_height() - sinking) * inclination_rate
+    }
+
+    /// Lowest point of the rim of a pad, at half of its height, relative to the pivot in leg axes, ft.
+    #[inline(always)]
+    pub fn edge(&self, frame: &LegFrame<S>, pose: &LegPose<S>) -> Vector3<S> {
+        let reach = self.pad_radius() / pad_sine(pose);
+        let upright = self.rim_height() - reach * pose.pad_inclination;
+        frame.pad.normal * reach + pose.pad_z.in_leg_axes() * upright
     }
 
     /// Lower hardpoint relative to the centre (6), ft.
@@ -343,4 +350,13 @@ impl<S: Real> LegGeometry<S> {
             (pivot_inward - lean - inner) * pose.pad_upright,
         ]
     }
+}
+
+/// sin ξ of a pad.
+#[inline(always)]
+fn pad_sine<S: Real>(pose: &LegPose<S>) -> S {
+    let cosine = pose.pad_inclination;
+    (S::one() - cosine * cosine)
+        .max(S::constant(LEAST_SINE))
+        .sqrt()
 }

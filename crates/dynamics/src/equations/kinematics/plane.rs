@@ -62,6 +62,12 @@ impl<S: Real> PlaneDirection<S> {
 }
 
 impl<S: Real> PlanePoint<S> {
+    /// The point as a vector in leg axes, ft.
+    #[inline(always)]
+    pub fn in_leg_axes(&self) -> Vector3<S> {
+        Vector3::new(self.reach, S::zero(), self.drop)
+    }
+
     /// Moment about the centre of a force at this point, leg axes, ft·lb.
     #[inline(always)]
     pub fn moment(&self, force: &Vector3<S>) -> Vector3<S> {
@@ -71,4 +77,11 @@ impl<S: Real> PlanePoint<S> {
             self.reach * force.y,
         )
     }
+}
+
+/// How an offset (leg axes) moves as the plane of the leg turns from outboard to down, per rad: its part in that plane turned a
+/// right angle.
+#[inline(always)]
+pub fn turned<S: Real>(offset: &Vector3<S>) -> Vector3<S> {
+    Vector3::new(-offset.z, S::zero(), offset.x)
 }

@@ -3,11 +3,12 @@
 use nalgebra::{Vector3, Vector6};
 
 use super::LegPieces;
+use super::face::pad_turning;
 use super::leg::LegMotion;
 use crate::friction::FrictionPiece;
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegPose, PlaneDirection, PlanePoint, PointVelocity,
-    SeenAlongLeg,
+    SeenAlongLeg, turned,
 };
 use crate::response::{Coordinates, ForceDerivative, greatest_decay};
 use crate::scalar::Real;
@@ -23,19 +24,27 @@ pub(super) struct Posture<'a, S> {
     pub(super) pieces: &'a LegPieces<S>,
 }
 
-/// A footpad's pivot or a block's crushed centre, pressed on the surface; vectors in leg axes.
-pub(super) struct Contact<'a, S> {
+/// A footpad's pivot or a block's crushed centre, pressed on the surface, or with `FACE` the place where a footpad is pressed;
+/// vectors in leg axes.
+pub(super) struct Contact<'a, S, const FACE: bool> {
     pub(super) geometry: &'a LegGeometry<S>,
     pub(super) body: &'a BodyFrame<S>,
     pub(super) ground: &'a SeenAlongLeg<S>,
     pub(super) point: &'a PlanePoint<S>,
+    /// From there to the place where the force acts, ft.
+    pub(super) offset: Vector3<S>,
     pub(super) velocity: PointVelocity<S>,
     /// Its velocity relative to the CG, ft/s.
     pub(super) carried: Vector3<S>,
-    /// Its velocity per link rate, ft.
+    /// Velocity of the point per link rate, ft.
     pub(super) swing: Vector3<S>,
-    /// Change of its velocity per link angle, ft/s.
+    /// Change of the velocity per link angle and per pad angle, ft/s.
     pub(super) bend: Vector3<S>,
+    pub(super) pad_bend: Vector3<S>,
+    /// 1 where the pad turns by itself, 0 where it is one with its link.
+    pub(super) swings: S,
+    /// How fast the pad turns in the vehicle, rad/s.
+    pub(super) turning: S,
     /// 1 where the force turns the link, else 0.
     pub(super) link_share: S,
     pub(super) friction: &'a FrictionPiece<S>,
@@ -43,7 +52,7 @@ pub(super) struct Contact<'a, S> {
     pub(super) coefficient: S,
 }
 
-impl<'a, S: Real> Contact<'a, S> {
+impl<'a, S: Real> Contact<'a, S, false> {
     /// A footpad's pivot, which swings on a circle about the hardpoint.
     #[inline(always)]
     pub(super) fn of_pad(motion: &'a LegMotion<S>, posture: &Posture<'a, S>) -> Self {
@@ -64,7 +73,11 @@ impl<'a, S: Real> Contact<'a, S> {
             velocity: frame.pivot_velocity(pose, length * leg.link_rate),
             carried: frame.carried_round(&pose.pivot) + swing * leg.link_rate,
             swing,
-            bend: frame.rate().cross(&swing) + toward_hardpoint(&swing) * leg.link_rate,
+            bend: frame.rate().cross(&swing) + turned(&swing) * leg.link_rate,
+            offset: none(),
+            pad_bend: none(),
+            swings: S::zero(),
+            turning: S::zero(),
             link_share: pieces.link.free,
             friction: &pieces.pad_friction,
             coefficient: motion.pad_friction,
@@ -82,7 +95,6 @@ impl<'a, S: Real> Contact<'a, S> {
             ..
         } = *posture;
         let point = &pose.block_center;
-        let none = Vector3::from([S::zero(); 3]);
         Self {
             geometry: &motion.geometry,
             body,
@@ -90,18 +102,98 @@ impl<'a, S: Real> Contact<'a, S> {
             point,
             velocity: frame.block_velocity(pose),
             carried: frame.carried_round(point),
-            swing: none,
-            bend: none,
+            swing: none(),
+            bend: none(),
+            offset: none(),
+            pad_bend: none(),
+            swings: S::zero(),
+            turning: S::zero(),
             link_share: S::zero(),
             friction: &pieces.block_friction,
             coefficient: motion.block_friction,
         }
     }
+}
 
-    /// From a pivot to its hardpoint, as a velocity per squared link rate, ft.
+impl<'a, S: Real> Contact<'a, S, true> {
+    /// The place where a footpad is pressed, so far from its pivot (leg axes, ft).
     #[inline(always)]
-    pub(super) fn toward_hardpoint(&self) -> Vector3<S> {
-        toward_hardpoint(&self.swing)
+    pub(super) fn of_face(
+        motion: &'a LegMotion<S>,
+        posture: &Posture<'a, S>,
+        offset: Vector3<S>,
+    ) -> Self {
+        let Posture {
+            body,
+            frame,
+            pose,
+            leg,
+            pieces,
+        } = *posture;
+        let swing = pose.link_normal.in_leg_axes() * motion.geometry.link_length();
+        let (by_hinge, turning) = (turned(&offset), pad_turning(leg, pieces));
+        let own = swing * leg.link_rate + by_hinge * turning;
+        let place = pose.pivot.in_leg_axes() + offset;
+        let pad_bend = frame.rate().cross(&by_hinge) + turned(&by_hinge) * turning;
+        Self {
+            geometry: &motion.geometry,
+            body,
+            ground: &frame.pad,
+            point: &pose.pivot,
+            velocity: frame.pad_velocity(&place, &own),
+            carried: frame.place_carried_round(&place) + own,
+            swing,
+            bend: frame.rate().cross(&swing) + turned(&swing) * leg.link_rate + pad_bend,
+            offset,
+            pad_bend,
+            swings: pieces.hinge.swings(),
+            turning,
+            link_share: pieces.link.free,
+            friction: &pieces.pad_friction,
+            coefficient: motion.pad_friction,
+        }
+    }
+
+    /// How the forces on a footpad change with the interference of the section at this crushed centroid: its normal force
+    /// (lb) at this stiffness (lb/ft), and friction as its place moves.
+    #[inline(always)]
+    pub(super) fn push_back(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        centroid: &Vector3<S>,
+        [normal, stiffness]: [S; 2],
+    ) -> Coordinates<S> {
+        let line = self.along_beside(&self.line(), centroid);
+        let mut change = self.force(&line, -stiffness, S::zero());
+        // The centre of pressure goes toward the section, which gets shorter.
+        let shorter = pose.pad_z.in_leg_axes() * -normal;
+        let moved = (centroid - self.offset) * stiffness + shorter;
+        change.add(S::one(), &self.displaced(frame, &moved, &shorter));
+        change
+    }
+}
+
+impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
+    /// How the forces change as the place of a normal force is `moved` by so much, and by so much of it relative to what carries
+    /// it (both times that force, lb·ft): the place has another velocity there, and the force another lever about the centre.
+    #[inline(always)]
+    pub(super) fn displaced(
+        &self,
+        frame: &LegFrame<S>,
+        moved: &Vector3<S>,
+        shorter: &Vector3<S>,
+    ) -> Coordinates<S> {
+        let mut change = self.turned(&self.line().cross(shorter), S::zero());
+        let faster = frame.rate().cross(moved) + turned(moved) * self.turning;
+        for Sliding { direction, rate } in self.slidings() {
+            let force = rate * faster.dot(&direction);
+            change.add(
+                S::one(),
+                &self.force(&self.along(&direction), force, S::zero()),
+            );
+        }
+        change
     }
 
     /// n + μ t̂.
@@ -139,20 +231,36 @@ impl<'a, S: Real> Contact<'a, S> {
     /// Velocity of this point in a direction per velocities; a force in that direction acts by the same numbers.
     #[inline(always)]
     pub(super) fn along(&self, direction: &Vector3<S>) -> Coordinates<S> {
-        self.moved(
-            &self.geometry.in_vehicle_axes(direction),
-            &self.point.moment(direction),
-            self.swing.dot(direction),
-        )
+        self.along_beside(direction, &self.offset)
     }
 
-    /// What a force (lb) does that acts `along` a direction, with a torque on the pad's hinge.
+    /// The same of a place at this offset from the pivot, ft.
+    #[inline(always)]
+    fn along_beside(&self, direction: &Vector3<S>, offset: &Vector3<S>) -> Coordinates<S> {
+        let translation = self.geometry.in_vehicle_axes(direction);
+        let moment = self.point.moment(direction);
+        let link = self.swing.dot(direction);
+        if !FACE {
+            return self.moved(&translation, &moment, link);
+        }
+        let by_hinge = turned(offset).dot(direction);
+        let with_link = (S::one() - self.swings) * by_hinge;
+        let mut along = self.moved(
+            &translation,
+            &(moment + offset.cross(direction)),
+            link + with_link,
+        );
+        along.pad = -(self.swings * by_hinge);
+        along
+    }
+
+    /// What a force (lb) does that acts `along` a direction; where it acts at a pivot, with a torque on the pad's hinge.
     #[inline(always)]
     pub(super) fn force(&self, along: &Coordinates<S>, force: S, on_hinge: S) -> Coordinates<S> {
         Coordinates {
             body: along.body * force,
             link: self.link_share * (along.link * force),
-            pad: on_hinge,
+            pad: if FACE { along.pad * force } else { on_hinge },
         }
     }
 
@@ -171,6 +279,20 @@ impl<'a, S: Real> Contact<'a, S> {
         );
         deeper.pad = -tilt;
         deeper
+    }
+
+    /// Depth of a place at this offset from the pivot (ft), which the footpad carries, per displacement.
+    #[inline(always)]
+    pub(super) fn lowered(&self, offset: &Vector3<S>) -> Coordinates<S> {
+        let n = &self.ground.normal;
+        let tilt = turned(offset).dot(n);
+        let mut lowered = self.moved(
+            &self.geometry.in_vehicle_axes(n),
+            &(self.point.moment(n) + offset.cross(n)),
+            self.swing.dot(n) + tilt,
+        );
+        lowered.pad = -tilt;
+        lowered
     }
 
     /// Derivatives of friction under a normal force (lb) with respect to sliding along and across. `hinge_lever` is the lever
@@ -195,30 +317,35 @@ impl<'a, S: Real> Contact<'a, S> {
         let Sliding { direction, rate } = sliding;
         let velocity = self.along(direction);
         let on_hinge = -(*rate * hinge_lever.dot(direction));
+        let mut displacement =
+            self.turned(&self.carried.cross(direction), self.bend.dot(direction));
+        if FACE {
+            displacement.pad = -self.pad_bend.dot(direction);
+        }
         ForceDerivative {
             force: self.force(&velocity, force * *rate, on_hinge),
             velocity,
-            displacement: self.turned(&self.carried.cross(direction), self.bend.dot(direction)),
+            displacement,
         }
     }
 
     /// How fast friction under a normal force (lb) lets velocities along and across decay at most, 1/s, with these
-    /// inverses of the inertias of body and link.
+    /// inverses of the inertias of body, link and pad.
     #[inline(always)]
-    pub(super) fn decays(&self, force: S, per_body: &[S; 6], per_link: S) -> [S; 2] {
+    pub(super) fn decays(&self, force: S, per_body: &[S; 6], per_leg: [S; 2]) -> [S; 2] {
         let [along, across] = self.slidings();
         [
-            self.decay(&along, force, per_body, per_link),
-            self.decay(&across, force, per_body, per_link),
+            self.decay(&along, force, per_body, per_leg),
+            self.decay(&across, force, per_body, per_leg),
         ]
     }
 
     /// The same in one direction.
     #[inline(always)]
-    fn decay(&self, sliding: &Sliding<S>, force: S, per_body: &[S; 6], per_link: S) -> S {
+    fn decay(&self, sliding: &Sliding<S>, force: S, per_body: &[S; 6], per_leg: [S; 2]) -> S {
         let velocity = self.along(&sliding.direction);
         let force = self.force(&velocity, force * sliding.rate, S::zero());
-        greatest_decay(&force, &velocity, per_body, per_link)
+        greatest_decay(&force, &velocity, per_body, per_leg)
     }
 
     /// Along and across the sliding velocity.
@@ -246,8 +373,8 @@ struct Sliding<S> {
     rate: S,
 }
 
-/// From a pivot to its hardpoint, where it swings like this per link rate, ft.
+/// No offset.
 #[inline(always)]
-fn toward_hardpoint<S: Real>(swing: &Vector3<S>) -> Vector3<S> {
-    Vector3::new(-swing.z, S::zero(), swing.x)
+fn none<S: Real>() -> Vector3<S> {
+    Vector3::from([S::zero(); 3])
 }

@@ -40,6 +40,8 @@ struct HangingLeg {
     /// The pad turns at follows·α̇ + steady, rad/s.
     follows: f64,
     steady: f64,
+    /// Share of what the rate of the link loses that the rate of the pad loses too: none where they are one.
+    shared: f64,
 }
 
 impl Motion<f64> {
@@ -64,6 +66,7 @@ impl Motion<f64> {
                     inertia: self.legs[j].link_inertia,
                     follows,
                     steady,
+                    shared: if self.acts_at_face { follows } else { 1.0 },
                 }
             }),
         }
@@ -144,7 +147,7 @@ impl FreeFlight {
                 hanging.follows * (leg.pad_rate * time - lost_turn) + hanging.steady * time;
             let rate = leg.link_rate;
             leg.link_rate -= lost;
-            leg.pad_rate -= lost;
+            leg.pad_rate -= hanging.shared * lost;
             // What the link loses of its energy goes to its stop.
             let [.., stop] = &mut leg.work;
             *stop += 0.5 * hanging.inertia * (rate * rate - leg.link_rate * leg.link_rate);

@@ -2,10 +2,12 @@
 
 use nalgebra::Vector3;
 
+use super::face::pad_turning;
 use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegGround, LegPose, PlanePoint, PointVelocity, SeenGround,
+    turned,
 };
 use crate::lanes::per_lane;
 use crate::scalar::Real;
@@ -22,10 +24,17 @@ pub(super) struct LegMotion<S> {
     inverse_link_inertia: S,
     pub(super) pad_inertia: S,
     inverse_pad_inertia: S,
+    /// 1/(I_γ + I_α) − 1/I_γ, 1/(slug·ft²): where the pad is one with its link.
+    inverse_inertia_change: S,
+    /// Damping of the pad's hinge, ft·lb·s/rad.
+    pub(super) hinge_damping: S,
     /// Half of π d_f²/8 C_f: the attitude factor of (29) and (33) is then 1 + cos²ξ.
     pad_strength: S,
     /// Half of π d_B²/4 C_B.
     block_strength: S,
+    /// These over the slope E of the elastic line and, of the block, over 2: what an element stores is p²/2E per strength.
+    pub(super) pad_leaning: S,
+    pub(super) block_leaning: S,
     pub(super) pad_friction: S,
     pub(super) block_friction: S,
 }
@@ -37,8 +46,12 @@ per_lane!(LegMotion {
     inverse_link_inertia,
     pad_inertia,
     inverse_pad_inertia,
+    inverse_inertia_change,
+    hinge_damping,
     pad_strength,
     block_strength,
+    pad_leaning,
+    block_leaning,
     pad_friction,
     block_friction,
 });
@@ -56,16 +69,25 @@ impl LegMotion<f64> {
         let design = leg.design();
         let pad = &design.footpad;
         let quarter_circle = std::f64::consts::FRAC_PI_4;
+        let pad_strength = 0.25 * quarter_circle * pad.diameter * pad.diameter * pad.crush_pressure;
+        let block_strength = design.block.as_ref().map_or(0.0, |block| {
+            0.5 * quarter_circle * block.diameter * block.diameter * block.crush_pressure
+        });
+        let link_inertia = design.linkage.inertia;
         Self {
             ground: LegGround::new(scene, index, &geometry, center, leg.extended_angle()),
             geometry,
-            link_inertia: design.linkage.inertia,
-            inverse_link_inertia: 1.0 / design.linkage.inertia,
+            link_inertia,
+            inverse_link_inertia: 1.0 / link_inertia,
             pad_inertia: pad.inertia,
             inverse_pad_inertia: 1.0 / pad.inertia,
-            pad_strength: 0.25 * quarter_circle * pad.diameter * pad.diameter * pad.crush_pressure,
-            block_strength: design.block.as_ref().map_or(0.0, |block| {
-                0.5 * quarter_circle * block.diameter * block.diameter * block.crush_pressure
+            inverse_inertia_change: 1.0 / (link_inertia + pad.inertia) - 1.0 / link_inertia,
+            hinge_damping: pad.hinge_damping,
+            pad_strength,
+            block_strength,
+            pad_leaning: pad_strength / pad.profile.first_slope(),
+            block_leaning: design.block.as_ref().map_or(0.0, |block| {
+                0.5 * block_strength / block.profile.first_slope()
             }),
             pad_friction: scene.conditions().pad_friction,
             block_friction: scene.conditions().block_friction,
@@ -85,21 +107,22 @@ pub(super) struct LegAction<S> {
 }
 
 /// What the surface does to a footpad or block, in leg axes.
-struct Touch<S> {
-    velocity: PointVelocity<S>,
+pub(super) struct Touch<S> {
+    /// Of the place where it acts.
+    pub(super) velocity: PointVelocity<S>,
     /// Normal force N, lb.
-    normal: S,
+    pub(super) normal: S,
     /// μ/S, s/ft.
-    drag: S,
+    pub(super) drag: S,
     /// n + μ t̂: against it the surface pushes with N.
-    line: Vector3<S>,
-    force: Vector3<S>,
-    moment: Vector3<S>,
+    pub(super) line: Vector3<S>,
+    pub(super) force: Vector3<S>,
+    pub(super) moment: Vector3<S>,
 }
 
 impl<S: Real> Touch<S> {
     #[inline(always)]
-    fn none() -> Self {
+    pub(super) fn none() -> Self {
         let zero = S::zero();
         Self {
             velocity: PointVelocity {
@@ -210,9 +233,15 @@ impl<S: Real> LegMotion<S> {
     /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
     /// computed of elements that are not `pressed`, and their signals mean nothing; without
     /// `FORCES` nothing but the signals means anything, and of those not the link torque; without `FULL` the leg has to stand
-    /// over the surface. The pad's turn has to be its angle (`stops`).
+    /// over the surface. The pad's turn has to be its angle (`stops`). With `FACE`, which needs `FULL`, the ground acts where it
+    /// is touched.
     #[inline(always)]
-    pub(super) fn action<const FORCES: bool, const SIGNALS: bool, const FULL: bool>(
+    pub(super) fn action<
+        const FORCES: bool,
+        const SIGNALS: bool,
+        const FULL: bool,
+        const FACE: bool,
+    >(
         &self,
         body: &BodyFrame<S>,
         leg: &LegState<S>,
@@ -234,8 +263,10 @@ impl<S: Real> LegMotion<S> {
         // Footpad: normal force (29), torque about its hinge (52).
         let cos_pad = pose.pad_inclination;
         let [outer, inner] = pose.pad_interference;
-        let (pad, pad_torque) = if !SIGNALS && !pressed.pads {
-            (Touch::none(), S::zero())
+        let (pad, pad_torque, pad_leaning_power) = if !SIGNALS && !pressed.pads {
+            (Touch::none(), S::zero(), S::zero())
+        } else if FACE {
+            self.face_touch(&frame, &pose, leg, pieces, link_length * leg.link_rate)
         } else {
             let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
             let per_pressure = self.pad_force_per_pressure(&pose);
@@ -257,29 +288,36 @@ impl<S: Real> LegMotion<S> {
                 |k: usize| (height - pose.pad_interference[k]) * along_y - centroids[k] * along_z;
             let on_face = -per_pressure * (pressure[0] * lever(0) + pressure[1] * lever(1));
             let torque = if FULL {
-                let lever = self.geometry.edge(&pose).turned().dot(&pad.line);
+                let lever = turned(&self.geometry.edge(&frame, &pose)).dot(&pad.line);
                 on_face + edge_load * lever
             } else {
                 on_face
             };
-            (pad, torque)
+            (pad, torque, S::zero())
         };
 
         // Block: normal force (33).
-        let block = if !SIGNALS && !pressed.blocks {
-            Touch::none()
+        let (block, block_leaning_power) = if !SIGNALS && !pressed.blocks {
+            (Touch::none(), S::zero())
         } else {
             let velocity = frame.block_velocity(&pose);
             let normal = self.block_normal(&frame, &pose, pieces);
             let drag =
                 self.block_friction * pieces.block_friction.per_speed(velocity.sliding_squared);
-            Touch::new(
+            let mut block = Touch::new(
                 &frame.block.normal,
                 &pose.block_center,
                 velocity,
                 normal,
                 drag,
-            )
+            );
+            if FACE {
+                let (moment, power) = self.block_leaning(&frame, &pose, pieces);
+                block.moment += moment;
+                (block, power)
+            } else {
+                (block, S::zero())
+            }
         };
 
         // Lower link (49), (68).
@@ -287,34 +325,78 @@ impl<S: Real> LegMotion<S> {
         let strut = pieces
             .strut
             .force(pose.stroke, leg.link_rate, pose.strut_lever);
-        let surface_torque = link_length * pose.link_normal.dot(&pad.force);
+        let pivot_torque = link_length * pose.link_normal.dot(&pad.force);
+        // A pad on a stop is one with its link, and damping of its hinge drags the link along.
+        let swings = pieces.hinge.swings();
+        let damping = self.hinge_damping * (swings * leg.pad_rate);
+        let surface_torque = if FACE {
+            pivot_torque - (S::one() - swings) * pad_torque - damping
+        } else {
+            pivot_torque
+        };
+        let inverse_link_inertia = if FACE {
+            self.inverse_link_inertia + (S::one() - swings) * self.inverse_inertia_change
+        } else {
+            self.inverse_link_inertia
+        };
         let link_torque = surface_torque + strut * pose.strut_lever;
         let link_acceleration = pieces
             .link
-            .acceleration(link_torque * self.inverse_link_inertia, leg.link_rate);
+            .acceleration(link_torque * inverse_link_inertia, leg.link_rate);
 
         // Footpad hinge (69).
         let unclipped = pieces.hinge.unclipped_speed(pad_angle, leg.pad_rate);
         let pad_speed = pieces.hinge.speed(unclipped);
+        let (pad_acceleration, hinge_drive) = if FACE {
+            let alone = (pad_torque - damping) * self.inverse_pad_inertia + link_acceleration;
+            let drive = pad_torque + self.pad_inertia * link_acceleration;
+            (swings * alone, drive)
+        } else {
+            (
+                pad_torque * self.inverse_pad_inertia + link_acceleration,
+                unclipped,
+            )
+        };
+        // What does not accelerate the link its stop takes, or the turning of the pad.
+        let stop_power = if FACE {
+            let bare_torque = pivot_torque + strut * pose.strut_lever;
+            (bare_torque - self.link_inertia * link_acceleration) * leg.link_rate
+                - pad_torque * pad_turning(leg, pieces)
+        } else {
+            (link_torque - self.link_inertia * link_acceleration) * leg.link_rate
+        };
 
         let derivative = LegState {
             link_angle: pieces.link.moving * leg.link_rate,
             link_rate: link_acceleration,
             pad_turn: pad_speed,
-            pad_rate: pad_torque * self.inverse_pad_inertia + link_acceleration,
+            pad_rate: pad_acceleration,
             work: [
                 -strut * strut_rate,
-                pad.normal * pad.velocity.inward,
+                if FACE {
+                    pad.normal * pad.velocity.inward + pad_leaning_power
+                } else {
+                    pad.normal * pad.velocity.inward
+                },
                 pad.normal * pad.drag * pad.velocity.sliding_squared,
-                block.normal * block.velocity.inward,
+                if FACE {
+                    block.normal * block.velocity.inward + block_leaning_power
+                } else {
+                    block.normal * block.velocity.inward
+                },
                 block.normal * block.drag * block.velocity.sliding_squared,
-                (link_torque - self.link_inertia * link_acceleration) * leg.link_rate,
+                stop_power,
             ],
         };
         // The laws take the pivot to swing with the rate state; a frozen link does not.
+        let pivot_rate = if FACE {
+            let swing = link_length * leg.link_rate;
+            frame.pivot_velocity(&pose, swing).inward
+        } else {
+            pad.velocity.inward
+        };
         let idle_swing = link_length * (leg.link_rate - derivative.link_angle);
-        let pivot_inward =
-            pad.velocity.inward - idle_swing * pose.link_normal.dot(&frame.pad.normal);
+        let pivot_inward = pivot_rate - idle_swing * pose.link_normal.dot(&frame.pad.normal);
         let rates = self.geometry.pad_interference_rates(
             &frame,
             &pose,
@@ -325,9 +407,12 @@ impl<S: Real> LegMotion<S> {
         let (outer, outer_rate) = if FULL {
             // On its edge the depth of the edge stands for the interference of the outboard section.
             let on_edge = pieces.edge.is_active;
+            let turning = derivative.link_angle - pad_speed;
+            let tilting = frame.inclination_rate(&pose, turning);
+            let edge_rate = self.geometry.edge_rate(&pose, pivot_inward, tilting);
             (
                 on_edge.where_zero(outer, self.geometry.edge_depth(&frame, &pose)),
-                on_edge.where_zero(rates[0], pivot_inward),
+                on_edge.where_zero(rates[0], edge_rate),
             )
         } else {
             (outer, rates[0])
@@ -342,7 +427,7 @@ impl<S: Real> LegMotion<S> {
             rates[1],
             frame.block_interference_rate(block.velocity.inward),
             -pose.strut_lever * derivative.link_angle,
-            pad.velocity.inward,
+            pivot_rate,
             block.velocity.inward,
             pad.velocity.sliding_squared,
             block.velocity.sliding_squared,
@@ -350,7 +435,7 @@ impl<S: Real> LegMotion<S> {
             if FORCES { surface_torque } else { S::zero() },
             pad_angle,
             leg.pad_rate,
-            unclipped,
+            hinge_drive,
             cos_pad,
             strut,
             pose.strut_lever,

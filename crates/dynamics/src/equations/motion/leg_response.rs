@@ -1,16 +1,20 @@
 //! Derivatives of the forces on a leg with respect to the motion.
 
-use nalgebra::{Matrix3, Vector4};
+use nalgebra::{Matrix3, Vector3, Vector4};
 
 use super::contact_response::{Contact, Posture};
 use super::leg::LegMotion;
 use super::pieces::Pressed;
 use super::{LegPieces, Motion, Pieces, at_angle};
-use crate::kinematics::{BodyFrame, PlaneDirection};
+use crate::kinematics::{BodyFrame, PlaneDirection, turned};
 use crate::per_leg::PerLeg;
 use crate::response::{Coordinates, ForceDerivative, LegResponse, Response};
 use crate::scalar::Real;
 use crate::state::{LegState, State};
+
+/// Share of the error of a pad's rate that counts where the ground acts at its face. Friction makes it follow body and link
+/// at once; on them and on its angle, whose errors count whole, it has hardly any influence.
+const PAD_ERROR_SHARE: f64 = 0.1;
 
 impl<S: Real> Motion<S> {
     /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
@@ -27,7 +31,12 @@ impl<S: Real> Motion<S> {
 
     /// Writes the derivatives of the forces at a state.
     #[inline(always)]
-    pub fn respond(&self, state: &State<S>, pieces: &Pieces<S>, response: &mut Response<S>) {
+    pub fn respond<const FACE: bool>(
+        &self,
+        state: &State<S>,
+        pieces: &Pieces<S>,
+        response: &mut Response<S>,
+    ) {
         let body = state.body();
         let frame = self.frame(&body);
         response.rotation = frame.rotation;
@@ -37,7 +46,7 @@ impl<S: Real> Motion<S> {
         response.inertia = self.inertia;
         for leg in 0..self.legs.len() {
             let active = pieces.leg(leg);
-            self.legs[leg].respond(
+            self.legs[leg].respond::<FACE>(
                 &frame,
                 &at_angle(active, state.leg(leg)),
                 &active.leg,
@@ -52,7 +61,7 @@ impl<S: Real> LegMotion<S> {
     /// Writes the derivatives of the forces on this leg, the pad's turn being its angle: those of what
     /// [`Self::action`] computes, but for attitude factors and for levers of the body.
     #[inline(always)]
-    pub(super) fn respond(
+    pub(super) fn respond<const FACE: bool>(
         &self,
         body: &BodyFrame<S>,
         leg: &LegState<S>,
@@ -69,6 +78,12 @@ impl<S: Real> LegMotion<S> {
         response.pad_turn = pieces.hinge.turn_changes(pad_angle);
         response.hinge_gain = pieces.hinge.gain_at(pad_angle);
         response.swings_pads = !response.hinge_gain.is_zero();
+        if FACE {
+            let swings = pieces.hinge.swings();
+            response.inertia[0] += (S::one() - swings) * self.pad_inertia;
+            self.hinge_responds(swings, pieces, response);
+            response.pad_error_share = S::constant(PAD_ERROR_SHARE);
+        }
         // Legs that hang in the air have no other forces.
         if !pressed.pads && !pressed.blocks && pieces.link.free.is_zero() {
             return;
@@ -83,10 +98,14 @@ impl<S: Real> LegMotion<S> {
             pieces,
         };
         if pressed.pads {
-            self.footpad_responds(&posture, response);
+            if FACE {
+                self.face_responds(&posture, response);
+            } else {
+                self.footpad_responds(&posture, response);
+            }
         }
         if pressed.blocks {
-            self.block_responds(&posture, response);
+            self.block_responds::<FACE>(&posture, response);
         }
         self.strut_responds(&posture, response);
     }
@@ -125,7 +144,7 @@ impl<S: Real> LegMotion<S> {
         }
         let edge_stiffness = pieces.edge.load.slope();
         if !edge_stiffness.is_zero() {
-            let deeper = contact.along(&posture.frame.pad.normal);
+            let deeper = contact.lowered(&geometry.edge(posture.frame, pose));
             press.add(edge_stiffness / per_pressure, &deeper);
         }
         let edge_load = self.edge_load(posture.frame, pose, pieces);
@@ -141,13 +160,109 @@ impl<S: Real> LegMotion<S> {
         let force = line * -force;
         response.link_torque = contact.turned(
             &contact.swing.cross(&force),
-            contact.toward_hardpoint().dot(&force),
+            turned(&contact.swing).dot(&force),
         );
+    }
+
+    /// The same where the ground acts at the face of the footpad.
+    #[inline(always)]
+    fn face_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
+        let Posture {
+            frame,
+            pose,
+            pieces,
+            ..
+        } = *posture;
+        let press = self.press(frame, pose, pieces);
+        let contact = Contact::of_face(self, posture, press.place);
+        for rubbing in contact.rub(press.normal, &PlaneDirection::zero()) {
+            response.push(&rubbing);
+        }
+        let line = contact.line();
+        let force = line * -press.normal;
+        let by_hinge = turned(&press.place);
+        // Of the torque (52), the forces being what they are: its levers turn with the pad, and the forces with the ground.
+        let mut on_hinge = contact.turned(&force.cross(&by_hinge), S::zero());
+        let per_pressure = self.pad_force_per_pressure(pose);
+        let pressures = self.pad_pressures(pose, pieces);
+        let (cosine, sine) = (pose.pad_inclination, pose.pad_y_normal);
+        let two = S::constant(2.0);
+        let upright = pose.pad_z.in_leg_axes();
+        let lean = contact.turned(&upright.cross(&frame.pad.normal), S::zero());
+        let mut leaning = S::zero();
+        for k in [0, 1] {
+            let centroid = self.geometry.section_centroid(pose, k);
+            let (pressure, slope) = (pressures[k], pieces.pad[k].slope());
+            let borne = per_pressure * pressure;
+            let deeper = contact.deeper(pose, &centroid);
+            let stored = self.pad_leaning * pressure;
+            leaning += stored * pressure;
+            let leaning_change = two * stored * slope * cosine;
+            let mut force = contact.push_back(
+                frame,
+                pose,
+                &centroid.in_leg_axes(),
+                [borne, per_pressure * slope],
+            );
+            force.add(-leaning_change, &lean);
+            response.push(&ForceDerivative {
+                force,
+                velocity: Coordinates::zero(),
+                displacement: deeper,
+            });
+            let torque = borne * pose.pad_y.dot(&line) - leaning_change * sine;
+            on_hinge.add(torque, &deeper);
+        }
+        let edge_stiffness = pieces.edge.load.slope();
+        if !edge_stiffness.is_zero() {
+            let along_line = contact.along(&line);
+            response.push(&ForceDerivative {
+                force: contact.force(&along_line, -edge_stiffness, S::zero()),
+                velocity: Coordinates::zero(),
+                displacement: contact.lowered(&press.place),
+            });
+        }
+        let turning = turned(&by_hinge).dot(&force) + leaning * (cosine * cosine - sine * sine);
+        on_hinge.pad += turning;
+        on_hinge.link -= turning;
+        let swings = contact.swings;
+        response.hinge_torque.add(swings, &on_hinge);
+        response.link_torque = contact.turned(
+            &contact.swing.cross(&force),
+            turned(&contact.swing).dot(&force),
+        );
+        // A pad that is one with its link does not turn against it.
+        on_hinge.pad = S::zero();
+        (response.link_torque).add(swings - S::one(), &on_hinge);
+    }
+
+    /// Damping of the hinge of a footpad that swings by itself.
+    #[inline(always)]
+    fn hinge_responds(&self, swings: S, pieces: &LegPieces<S>, response: &mut LegResponse<S>) {
+        if self.hinge_damping.is_zero() {
+            return;
+        }
+        let mut opening = Coordinates::zero();
+        opening.link = S::one();
+        opening.pad = S::one();
+        let damping = self.hinge_damping * swings;
+        let mut force = Coordinates::zero();
+        force.link = -(pieces.link.free * damping);
+        force.pad = -damping;
+        response.push(&ForceDerivative {
+            force,
+            velocity: opening,
+            displacement: Coordinates::zero(),
+        });
     }
 
     /// Block: normal force (33), friction (39).
     #[inline(always)]
-    fn block_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
+    fn block_responds<const FACE: bool>(
+        &self,
+        posture: &Posture<'_, S>,
+        response: &mut LegResponse<S>,
+    ) {
         let Posture {
             frame,
             pose,
@@ -164,8 +279,25 @@ impl<S: Real> LegMotion<S> {
         let mut deeper = contact.along(&frame.block.normal);
         // An interference grows by so much per depth.
         deeper.body *= frame.block.upright;
+        let mut push = contact.force(&along_line, -per_depth, S::zero());
+        if FACE {
+            // A block gets shorter, and leans on the ground.
+            let (zero, n) = (S::zero(), &frame.block.normal);
+            let shorter = Vector3::new(zero, zero, -force);
+            push.add(S::one(), &contact.displaced(frame, &shorter, &shorter));
+            let (pressure, slope) = (
+                pieces.block.at(pose.block_interference),
+                pieces.block.slope(),
+            );
+            let factor = S::one() + S::constant(3.0) * n.z * n.z;
+            let change = S::constant(2.0) * self.block_leaning * factor * pressure * slope;
+            push.add(
+                change,
+                &contact.turned(&Vector3::new(n.y, -n.x, zero), zero),
+            );
+        }
         response.push(&ForceDerivative {
-            force: contact.force(&along_line, -per_depth, S::zero()),
+            force: push,
             velocity: Coordinates::zero(),
             displacement: deeper,
         });

@@ -108,8 +108,9 @@ impl<S: Real> Eliminated<S> {
         for derivative in leg.derivatives() {
             let (velocity, displacement) = (&derivative.velocity, &derivative.displacement);
             let reach = velocity.body + displacement.body * tau;
-            let pad_reach = pad_way * displacement.pad;
-            let link_reach = velocity.link + link_way * displacement.link + pad_reach;
+            let tilt = pad_way * displacement.pad;
+            let pad_reach = velocity.pad + tilt;
+            let link_reach = velocity.link + link_way * displacement.link + tilt;
             let force = derivative.force.body * tau;
             for k in 0..6 {
                 for i in 0..6 {

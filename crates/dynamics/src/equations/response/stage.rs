@@ -98,7 +98,14 @@ impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
         error: &mut State<S>,
     ) {
         for (leg, response) in self.response.legs.iter().enumerate() {
-            after.accumulate(leg, before, h, slopes, response.hinge_gain, error);
+            after.accumulate(
+                leg,
+                before,
+                h,
+                slopes,
+                [response.hinge_gain, response.pad_error_share],
+                error,
+            );
         }
     }
 }

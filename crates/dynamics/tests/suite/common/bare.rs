@@ -10,6 +10,7 @@ use touchdown_dynamics::lanes::Lanes;
 use touchdown_dynamics::motion::{FreeFlight, LegLoads, Motion, Pieces, Signal, Signals};
 use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::response::{Factors, Response};
+use touchdown_dynamics::rules::ContactRule;
 use touchdown_dynamics::scene::{CrushRule, Scene};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
@@ -30,16 +31,28 @@ pub struct Bare {
 impl Bare {
     /// A vehicle that touches nothing.
     pub fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
-        let rule = CrushRule::PivotRate;
+        Self::by_rules(vehicle, scene, CrushRule::PivotRate, ContactRule::Pivot)
+    }
+
+    /// The same under any rules.
+    pub fn by_rules(
+        vehicle: &Vehicle,
+        scene: &Scene,
+        crush: CrushRule,
+        contact: ContactRule,
+    ) -> Self {
         let laws: Vec<LegLaws> = (vehicle.legs().iter())
-            .map(|leg| (leg).laws().clone().with_crush_rule(rule))
+            .map(|leg| {
+                let laws = leg.laws().clone().with_crush_rule(crush);
+                laws.with_contact_rule(contact)
+            })
             .collect();
         let untouched: Vec<_> = (laws.iter())
             .map(|laws| LegMode::untouched(laws).pieces(laws))
             .collect();
         let pieces = Pieces::new(&untouched);
         Self {
-            motion: Motion::new(vehicle, scene),
+            motion: Motion::new(vehicle, scene).with_contact_rule(contact),
             laws,
             pieces,
         }
@@ -52,8 +65,13 @@ impl Bare {
         for _ in 0..32 {
             let mut derivative = State::zero(3);
             let mut signals = Signals::blank(3);
-            self.motion
-                .evaluate::<true>(0.0, &state, &self.pieces, &mut derivative, &mut signals);
+            self.motion.evaluate::<true, false>(
+                0.0,
+                &state,
+                &self.pieces,
+                &mut derivative,
+                &mut signals,
+            );
             let mut changed = false;
             for (j, mode) in modes.iter_mut().enumerate() {
                 let ranges = mode.ranges(&self.laws[j]);
@@ -97,8 +115,11 @@ impl Bare {
 
     /// Writes the time derivative of a state.
     pub fn derivative(&self, state: &State<f64>, slope: &mut State<f64>) {
-        self.motion
-            .derivative::<true>(0.0, state, &self.pieces, slope);
+        if self.motion.acts_at_face() {
+            (self.motion).derivative::<true, true>(0.0, state, &self.pieces, slope);
+        } else {
+            (self.motion).derivative::<true, false>(0.0, state, &self.pieces, slope);
+        }
     }
 
     /// The equations of motion in lanes, this vehicle in each, and the coefficients in force.
@@ -126,13 +147,21 @@ impl Bare {
     /// How the forces answer at a state.
     pub fn response(&self, state: &State<f64>) -> Response<f64> {
         let mut response = self.motion.response();
-        self.motion.respond(state, &self.pieces, &mut response);
+        if self.motion.acts_at_face() {
+            (self.motion).respond::<true>(state, &self.pieces, &mut response);
+        } else {
+            (self.motion).respond::<false>(state, &self.pieces, &mut response);
+        }
         response
     }
 
     /// Rate (1/s) that no decay of a velocity exceeds at a state.
     pub fn greatest_decay(&self, state: &State<f64>) -> f64 {
-        self.motion.greatest_decay(state, &self.pieces)
+        if self.motion.acts_at_face() {
+            self.motion.greatest_decay::<true>(state, &self.pieces)
+        } else {
+            self.motion.greatest_decay::<false>(state, &self.pieces)
+        }
     }
 
     /// The flight from a state on, all legs hanging.
@@ -206,8 +235,18 @@ impl Bare {
 /// A vehicle that stands along the slope with all its feet `depth` ft deep, sliding and turning, its struts stroking
 /// and returning.
 pub fn pressed(vehicle: &Vehicle, depth: f64, sliding: f64) -> (Bare, State<f64>) {
+    pressed_by(vehicle, depth, sliding, ContactRule::Pivot)
+}
+
+/// The same under a contact rule.
+pub fn pressed_by(
+    vehicle: &Vehicle,
+    depth: f64,
+    sliding: f64,
+    rule: ContactRule,
+) -> (Bare, State<f64>) {
     let scene = level_scene(170.0, -10.0, 11.0);
-    let mut bare = Bare::new(vehicle, &scene);
+    let mut bare = Bare::by_rules(vehicle, &scene, CrushRule::PivotRate, rule);
     let first = touchdown(vehicle, &scene, &bare.motion);
     let mut state = pressed_in(first, [-0.8, 0.3, -0.1], Vector3::new(0.2, -0.3, 0.1));
     let mut body = state.body();

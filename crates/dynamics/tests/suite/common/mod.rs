@@ -74,6 +74,7 @@ pub fn surveyor_leg(azimuth_deg: f64) -> LegDesign {
             height: 0.54167,
             crush_pressure: 1578.8,
             inertia: 0.00373,
+            hinge_damping: 0.0,
             minimum_angle: 0.75f64.to_radians(),
             maximum_angle: 45f64.to_radians(),
             profile: inches(&pad_interference, &pad_pressure),

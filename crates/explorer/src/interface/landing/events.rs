@@ -28,7 +28,9 @@ pub fn of(landing: &Landing) -> Vec<Event> {
     });
     let outcome = &landing.outcome;
     let (kind, leg) = match outcome {
-        Outcome::Bottomed { leg } => ("bottomed", Some(leg + 1)),
+        Outcome::Bottomed { leg }
+        | Outcome::BottomedPad { leg }
+        | Outcome::BottomedBlock { leg } => ("bottomed", Some(leg + 1)),
         Outcome::Failure(_) => ("failure", None),
         _ => ("verdict", None),
     };

@@ -1,0 +1,126 @@
+//! What the ground does to the face of a footpad and to the end of a block ([`crate::rules::ContactRule::Face`]).
+//!
+//! Forces act where the ground is touched and are judged by the velocity of that place, and what an element stores elastically
+//! is a function of depth and inclination of which they are the derivatives: crush and friction only take energy.
+
+use nalgebra::Vector3;
+
+use super::LegPieces;
+use super::leg::{LegMotion, Touch};
+use crate::kinematics::{LegFrame, LegPose, PlaneDirection, turned};
+use crate::scalar::Real;
+use crate::state::LegState;
+
+/// Where the ground pushes a footpad, and how hard.
+pub(super) struct Press<S> {
+    /// Centre of pressure of the sections, or lowest point of the rim, relative to the pivot in leg axes, ft.
+    pub(super) place: Vector3<S>,
+    /// Normal force, lb.
+    pub(super) normal: S,
+    /// Change of what the sections store with cos ξ at the same depth, ft·lb.
+    pub(super) leaning: S,
+}
+
+impl<S: Real> LegMotion<S> {
+    /// Relative pressures on the outboard and inboard section of the footpad.
+    #[inline(always)]
+    pub(super) fn pad_pressures(&self, pose: &LegPose<S>, pieces: &LegPieces<S>) -> [S; 2] {
+        let [outer, inner] = pose.pad_interference;
+        [pieces.pad[0].at(outer), pieces.pad[1].at(inner)]
+    }
+
+    /// Where the ground pushes a footpad, and how hard. The normal forces on both sections amount to one at their centre of
+    /// pressure, which has one friction; between unloaded sections it is in the middle.
+    #[inline(always)]
+    pub(super) fn press(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        pieces: &LegPieces<S>,
+    ) -> Press<S> {
+        let (zero, one) = (S::zero(), S::one());
+        let [outer, inner] = self.pad_pressures(pose, pieces);
+        let on_face = self.pad_force_per_pressure(pose) * (outer + inner);
+        let leaning = self.pad_leaning * pose.pad_inclination * (outer * outer + inner * inner);
+        // The stages of a step may pull a little.
+        let (outer, inner) = (outer.max(zero), inner.max(zero));
+        let sum = outer + inner;
+        let share = sum.where_zero(S::constant(0.5), outer / sum);
+        let mut center = PlaneDirection::zero();
+        center.add(share, &self.geometry.section_centroid(pose, 0));
+        center.add(one - share, &self.geometry.section_centroid(pose, 1));
+        let (center, edge) = (center.in_leg_axes(), self.geometry.edge(frame, pose));
+        let on_edge = pieces.edge.is_active;
+        Press {
+            place: Vector3::new(
+                on_edge.where_zero(center.x, edge.x),
+                on_edge.where_zero(center.y, edge.y),
+                on_edge.where_zero(center.z, edge.z),
+            ),
+            normal: on_face + self.edge_load(frame, pose, pieces),
+            leaning,
+        }
+    }
+
+    /// What the ground does to a footpad whose pivot swings at l_L γ̇ (ft/s); its torque (52) on the hinge, which opens it
+    /// (ft·lb), and the power that leaning takes up (ft·lb/s).
+    #[inline(always)]
+    pub(super) fn face_touch(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+        swing: S,
+    ) -> (Touch<S>, S, S) {
+        let n = &frame.pad.normal;
+        let press = self.press(frame, pose, pieces);
+        let turning = pad_turning(leg, pieces);
+        let by_hinge = turned(&press.place);
+        let at = pose.pivot.in_leg_axes() + press.place;
+        let own = pose.link_normal.in_leg_axes() * swing + by_hinge * turning;
+        let velocity = frame.pad_velocity(&at, &own);
+        let drag = self.pad_friction * pieces.pad_friction.per_speed(velocity.sliding_squared);
+        let line = n + velocity.sliding * drag;
+        let force = line * -press.normal;
+        let lean = pose.pad_z.in_leg_axes().cross(n) * press.leaning;
+        let touch = Touch {
+            moment: at.cross(&force) - lean,
+            velocity,
+            normal: press.normal,
+            drag,
+            line,
+            force,
+        };
+        (
+            touch,
+            -(by_hinge.dot(&force) + press.leaning * pose.pad_y_normal),
+            press.leaning * frame.inclination_rate(pose, turning),
+        )
+    }
+
+    /// Moment on the body (leg axes, ft·lb) and power (ft·lb/s) of a block that leans on the ground: what it stores changes with
+    /// cos ξ_B at the same depth.
+    #[inline(always)]
+    pub(super) fn block_leaning(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        pieces: &LegPieces<S>,
+    ) -> (Vector3<S>, S) {
+        let n = &frame.block.normal;
+        let pressure = pieces.block.at(pose.block_interference);
+        let factor = S::one() + S::constant(3.0) * n.z * n.z;
+        let leaning = self.block_leaning * factor * (pressure * pressure);
+        (
+            Vector3::new(leaning * n.y, -(leaning * n.x), S::zero()),
+            leaning * frame.block_inclination_rate(),
+        )
+    }
+}
+
+/// How fast a footpad turns in the vehicle, from outboard to down, rad/s: with its link, less what its hinge opens.
+#[inline(always)]
+pub(super) fn pad_turning<S: Real>(leg: &LegState<S>, pieces: &LegPieces<S>) -> S {
+    leg.link_rate - pieces.hinge.swings() * leg.pad_rate
+}
