@@ -1,6 +1,8 @@
 //! Any valid vehicle in any valid scene: never a panic, never a number that is not one, always an
 //! outcome, an energy account that closes, and failures only where the model has no law.
 
+use std::f64::consts::PI;
+
 use crate::common::random::{crush_rule, drawn, fixed_list, wild_scene, wild_vehicle};
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -95,6 +97,10 @@ fn complaint(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> (Landing,
         .all(|x| x.is_finite())
     {
         Some(format!("not a number among {results:?}"))
+    } else if !(0.0..=PI).contains(&landing.min_stability_angle)
+        || landing.outcome == Outcome::UnstablePitch && landing.min_stability_angle != 0.0
+    {
+        Some(format!("least angle {} rad", landing.min_stability_angle))
     } else if last != landing.end_time {
         Some(format!(
             "last report at {last} s, end at {} s",
