@@ -360,7 +360,8 @@ impl StabilityMonitor {
     }
 }
 
-/// The stretch between two neighbouring limits in which a calm quantity lies.
+/// The stretch between two neighbouring limits in which a calm quantity lies. What is at a limit lies beyond it, seen from
+/// zero: a speed that is not below [`DIRECTIONLESS`] has a direction, and has to lose it before it gets the opposite one.
 fn calm_cell(calm_height: f64, index: usize, value: f64) -> Bounds {
     let limits: &[f64] = match index {
         0 | 1 => &[-CALM_SPEED, -DIRECTIONLESS, DIRECTIONLESS, CALM_SPEED],
@@ -370,7 +371,7 @@ fn calm_cell(calm_height: f64, index: usize, value: f64) -> Bounds {
     };
     let mut cell = Bounds::FREE;
     for &limit in limits {
-        if value >= limit {
+        if value > limit || value == limit && limit > 0.0 {
             cell.lower = limit;
         } else {
             cell.upper = limit;

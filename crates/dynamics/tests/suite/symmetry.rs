@@ -359,6 +359,29 @@ fn legs_in_another_order_are_the_same_lander() {
     }
 }
 
+#[test]
+fn a_speed_at_which_directions_begin_has_one() {
+    let vehicle = table_4_1();
+    for cross_slope_deg in [-90.0, 0.0, 45.0, 90.0, 180.0] {
+        let landing = |speed: f64| {
+            let scene = Scene::new(Conditions {
+                vertical_velocity: 10.0,
+                slope: 0.0,
+                ..level(cross_slope_deg, 0.0, speed)
+            });
+            land(&vehicle, &scene.unwrap(), &settings(1e-6))
+        };
+        let limit = 0.001f64;
+        let [below, at, above] = [limit.next_down(), limit, limit.next_up()].map(landing);
+        for landing in [&below, &at, &above] {
+            assert_eq!(landing.outcome, Outcome::StableSubsided);
+        }
+        let near =
+            |other: &Landing| (at.min_stability_angle - other.min_stability_angle).abs() < 1e-6;
+        assert!(near(&above), "{cross_slope_deg} deg");
+    }
+}
+
 /// The turns and mirrors about the centreline, other than none, that carry every leg to another's place.
 fn leg_symmetries() -> [Matrix3<f64>; 5] {
     let turn = |degrees: f64| {
