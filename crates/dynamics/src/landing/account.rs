@@ -73,7 +73,7 @@ impl Trajectory<'_> {
                 }),
                 final_kinetic: kinetic(&self.motion, &self.step.before),
             },
-            max_strut_force: self.peaks.force,
+            max_strut_force: (self.hidden_forces).greatest(&self.motion, &self.peaks.force),
             max_stroke: self.peaks.stroke,
             final_rates: final_rates(
                 self.monitor(),
