@@ -4,6 +4,7 @@ mod account;
 pub mod critical_feet;
 pub mod energy;
 mod events;
+mod hidden_forces;
 mod history;
 mod hull;
 mod kinks;

@@ -171,7 +171,7 @@ const LOOKS: usize = 6;
 /// suggests; `ratio` is this step's length over the previous one's. This is eight times as far as a parabola through the
 /// three values would turn.
 #[inline(always)]
-pub(super) fn stray<S: Real>(before: S, start: S, end: S, ratio: S) -> S {
+pub fn stray<S: Real>(before: S, start: S, end: S, ratio: S) -> S {
     (end - start).abs() + ratio * (start - before).abs()
 }
 

@@ -75,7 +75,7 @@ impl Trajectory<'_> {
                 }),
                 final_kinetic: kinetic(&self.motion, &self.step.before),
             },
-            max_strut_force: self.peaks.force,
+            max_strut_force: (self.hidden_forces).greatest(&self.motion, &self.peaks.force),
             max_stroke: self.peaks.stroke,
             max_stroke_share: PerLeg::from_fn(self.leg_count(), |j| {
                 self.peaks.stroke[j] / self.laws[j].bottoming_stroke()

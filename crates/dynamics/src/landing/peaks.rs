@@ -1,7 +1,9 @@
 //! The greatest force and stroke of each strut, within steps as at their ends.
 
+use super::hidden_forces::Stretch;
 use super::strut_peaks::force;
 use super::trajectory::Trajectory;
+use crate::integrator::event::stray;
 use crate::integrator::parabola::Parabola;
 use crate::per_leg::PerLeg;
 
@@ -20,6 +22,8 @@ impl Trajectory<'_> {
         };
         let length = reach * self.step.length;
         self.peaks.note([start, end], length);
+        let forces =
+            [start, end].map(|signals| PerLeg::from_fn(signals.leg_count(), |j| force(signals, j)));
         let hides_force = if self.is_middle_seen {
             self.peaks.may_be_exceeded([start, &self.middle, end])
         } else {
@@ -29,9 +33,39 @@ impl Trajectory<'_> {
             })
         };
         if hides_force {
-            let forces = [start, end]
-                .map(|signals| PerLeg::from_fn(signals.leg_count(), |j| force(signals, j)));
             self.seek_forces(forces, reach);
+        }
+        self.keep_what_may_hide(forces, reach);
+    }
+
+    /// Keeps the step up to fraction `reach` for struts that may have borne more in it than ever, with these forces at its ends.
+    #[inline(always)]
+    fn keep_what_may_hide(&mut self, [start, end]: [PerLeg<f64>; 2], reach: f64) {
+        let forces = self.peaks.force;
+        self.hidden_forces.retain_beyond(&forces);
+        for j in 0..self.leg_count() {
+            let stray = match &self.earlier {
+                _ if self.is_middle_seen => {
+                    let middle = force(&self.middle, j);
+                    (middle - start[j]).abs() + (end[j] - middle).abs()
+                }
+                Some(earlier) => {
+                    let before = force(self.signals.previous(), j);
+                    let ratio = reach * self.step.length / earlier.length;
+                    let rise = start[j] - before;
+                    if rise > 0.0 && end[j] - start[j] >= ratio * rise {
+                        // It rises ever faster.
+                        continue;
+                    }
+                    stray(before, start[j], end[j], ratio)
+                }
+                None => (end[j] - start[j]).abs(),
+            };
+            let most = start[j].max(end[j]) + stray;
+            if most > forces[j] {
+                let stretch = Stretch::of(&self.step, j, self.pieces.strut(j), reach, most);
+                self.hidden_forces.keep(stretch, &self.motion, &forces);
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 use arrayvec::ArrayVec;
 
+use super::hidden_forces::HiddenForces;
 use super::history::History;
 use super::ranges::{Guards, SignalRanges};
 use super::signal_history::SignalHistory;
@@ -87,6 +88,8 @@ pub(crate) struct Trajectory<'o> {
     pub(super) least_angle: (f64, f64),
     pub(super) least_clearance: f64,
     pub(super) peaks: StrutPeaks,
+    /// What struts may have borne beyond that within steps.
+    pub(super) hidden_forces: HiddenForces,
     pub(super) pad_contact: PerLeg<Option<f64>>,
     pub(super) block_contact: PerLeg<Option<f64>>,
     pub(super) steps: u64,
@@ -158,6 +161,7 @@ impl<'o> Trajectory<'o> {
             least_angle: (f64::INFINITY, 0.0),
             least_clearance: f64::INFINITY,
             peaks: StrutPeaks::none(legs),
+            hidden_forces: HiddenForces::none(legs),
             pad_contact: PerLeg::same(legs, None),
             block_contact: PerLeg::same(legs, None),
             steps: 0,

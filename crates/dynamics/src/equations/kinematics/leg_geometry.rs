@@ -219,6 +219,18 @@ impl<S: Real> LegGeometry<S> {
         self.extended_length - self.strut_length(sine, cosine)
     }
 
+    /// Stroke δ of the strut and its lever dl_D/dγ (12) at link angle γ, ft.
+    #[inline(always)]
+    pub fn strut(&self, link_angle: S) -> [S; 2] {
+        let (sine, cosine) = link_angle.sin_cos();
+        let length = self.strut_length(sine, cosine);
+        let cos_gb = cosine * self.cos_beta + sine * self.sin_beta;
+        [
+            self.extended_length - length,
+            self.product * cos_gb / length,
+        ]
+    }
+
     /// d²l_D/dγ², ft, of a strut at this stroke δ and lever dl_D/dγ (11), (12), ft.
     #[inline(always)]
     pub fn strut_lever_change(&self, stroke: S, lever: S) -> S {

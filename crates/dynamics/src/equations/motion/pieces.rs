@@ -4,6 +4,7 @@ use crate::lanes::{Lanes, PerLane};
 use crate::leg_pieces::LegPieces;
 use crate::per_leg::PerLeg;
 use crate::scalar::Real;
+use crate::strut::StrutPiece;
 use crate::thrust::ThrustLine;
 
 /// What presses on a leg, in any lane.
@@ -64,6 +65,12 @@ impl<S: Real> Pieces<S> {
     #[inline(always)]
     pub fn has_edges(&self) -> bool {
         !self.legs.iter().all(|leg| leg.leg.edge.is_active.is_zero())
+    }
+
+    /// Of the strut of leg `leg`.
+    #[inline(always)]
+    pub fn strut(&self, leg: usize) -> &StrutPiece<S> {
+        &self.legs[leg].leg.strut
     }
 
     /// Thrust of the engine.

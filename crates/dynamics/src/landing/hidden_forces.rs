@@ -1,0 +1,174 @@
+//! Stretches in which the force on a strut may have been greater than at their ends: they are kept until the greatest force is
+//! known to be greater than any in them, and looked into if that never is.
+
+use arrayvec::ArrayVec;
+
+use crate::integrator::parabola::Parabola;
+use crate::integrator::step::Step;
+use crate::kinematics::LegGeometry;
+use crate::motion::Motion;
+use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::state::State;
+use crate::strut::StrutPiece;
+
+/// Stretches kept at a time: of each leg, while its force rises, those of the last two or three steps.
+const MOST: usize = 4 * MOST_LEGS;
+/// Parts of a stretch that are looked at, and parabolas then fitted to find its greatest force.
+const PARTS: u32 = 8;
+const REFINEMENTS: usize = 12;
+/// Share by which a force has to be greater to be sought.
+const NOTABLE: f64 = 1e-11;
+
+/// Forces on struts between the ends of steps.
+#[derive(Debug, Clone)]
+pub(super) struct HiddenForces {
+    stretches: ArrayVec<Stretch, MOST>,
+    /// Greatest forces of stretches that were looked into before the end, lb.
+    found: PerLeg<f64>,
+}
+
+impl HiddenForces {
+    pub(super) fn none(legs: usize) -> Self {
+        Self {
+            stretches: ArrayVec::new(),
+            found: PerLeg::same(legs, 0.0),
+        }
+    }
+
+    /// Forgets stretches that hide no force greater than these of the legs, lb.
+    #[inline(always)]
+    pub(super) fn retain_beyond(&mut self, forces: &PerLeg<f64>) {
+        (self.stretches).retain(|stretch| stretch.may_exceed(forces));
+    }
+
+    /// Keeps a stretch; these are the greatest forces on the legs so far, lb.
+    #[inline(always)]
+    pub(super) fn keep(&mut self, stretch: Stretch, motion: &Motion<f64>, forces: &PerLeg<f64>) {
+        if self.stretches.is_full() {
+            self.found = self.greatest(motion, forces);
+            self.stretches.clear();
+        }
+        self.stretches.push(stretch);
+    }
+
+    /// The greatest force on each strut, lb, from the greatest at the ends of steps.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn greatest(&self, motion: &Motion<f64>, forces: &PerLeg<f64>) -> PerLeg<f64> {
+        let mut forces = PerLeg::from_fn(forces.len(), |j| forces[j].max(self.found[j]));
+        for stretch in &self.stretches {
+            if stretch.may_exceed(&forces) {
+                let force = &mut forces[stretch.leg];
+                *force = stretch.greatest(motion.geometry(stretch.leg), *force);
+            }
+        }
+        forces
+    }
+}
+
+/// A stretch from the start of a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stretch {
+    leg: usize,
+    /// Angle (rad) and rate (rad/s) of the link over the step.
+    link: [Quartic; 2],
+    strut: StrutPiece<f64>,
+    /// Fraction of the step at which it ends.
+    reach: f64,
+    /// Force that is not exceeded in it, lb.
+    most: f64,
+}
+
+/// A number over a step: Hermite's cubic, and the term of fourth degree of the method's continuous output.
+#[derive(Debug, Clone, Copy)]
+struct Quartic {
+    start: f64,
+    change: f64,
+    bump: f64,
+    /// Rates of change at both ends, times the length of the step.
+    slopes: [f64; 2],
+}
+
+impl Quartic {
+    fn at(&self, theta: f64) -> f64 {
+        let (rest, squared) = (1.0 - theta, theta * theta);
+        let [first, last] = self.slopes;
+        self.start
+            + self.change * squared * (3.0 - theta - theta)
+            + self.bump * squared * rest * rest
+            + first * theta * rest * rest
+            - last * squared * rest
+    }
+}
+
+impl Stretch {
+    /// The step up to fraction `reach`, in which the force on a strut may have been as great as `most` (lb).
+    pub(super) fn of(
+        step: &Step<f64, State<f64>>,
+        leg: usize,
+        strut: &StrutPiece<f64>,
+        reach: f64,
+        most: f64,
+    ) -> Self {
+        let before = step.before.leg(leg);
+        let slopes = (step.slopes.each_ref()).map(|slope| {
+            let slope = slope.leg(leg);
+            [slope.link_angle, slope.link_rate].map(|number| step.length * number)
+        });
+        let number = |index: usize, start: f64| {
+            let sum = |weights: &[f64]| -> f64 {
+                let terms = weights.iter().zip(&slopes);
+                terms.map(|(weight, slope)| weight * slope[index]).sum()
+            };
+            Quartic {
+                start,
+                change: sum(&step.weights.result),
+                bump: sum(&step.weights.bump),
+                slopes: [slopes[0][index], slopes[5][index]],
+            }
+        };
+        Self {
+            leg,
+            link: [number(0, before.link_angle), number(1, before.link_rate)],
+            strut: *strut,
+            reach,
+            most,
+        }
+    }
+
+    /// Whether it may hide a force greater than these of the legs, lb.
+    #[inline(always)]
+    fn may_exceed(&self, forces: &PerLeg<f64>) -> bool {
+        self.most > forces[self.leg]
+    }
+
+    /// Magnitude of the force at a fraction of the step, lb.
+    fn force(&self, geometry: &LegGeometry<f64>, theta: f64) -> f64 {
+        let [angle, rate] = self.link.map(|number| number.at(theta));
+        let [stroke, lever] = geometry.strut(angle);
+        self.strut.force(stroke, rate, lever).abs()
+    }
+
+    /// The greatest force in it, if it is greater than `least`, else that; lb.
+    fn greatest(&self, geometry: &LegGeometry<f64>, least: f64) -> f64 {
+        let point = |part: u32| {
+            let theta = self.reach * f64::from(part) / f64::from(PARTS);
+            (theta, -self.force(geometry, theta))
+        };
+        let points: [(f64, f64); PARTS as usize + 1] = std::array::from_fn(|k| point(k as u32));
+        let mut greatest = least;
+        for [a, b, c] in points.array_windows() {
+            greatest = greatest.max(-b.1);
+            let mut parabola = Parabola::through([*a, *b, *c]);
+            for _ in 0..REFINEMENTS {
+                let Some(theta) = parabola.lowest(-(1.0 + NOTABLE) * greatest) else {
+                    break;
+                };
+                let force = self.force(geometry, theta);
+                greatest = greatest.max(force);
+                parabola = parabola.about((theta, -force));
+            }
+        }
+        greatest
+    }
+}
