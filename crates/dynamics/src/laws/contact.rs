@@ -113,8 +113,20 @@ impl LegLaws {
 
     /// The same laws under another contact rule.
     pub fn with_contact_rule(self, rule: ContactRule) -> Self {
-        let stops = Stops { rule, ..self.stops };
-        Self { stops, ..self }
+        // What acts all at once makes a light pad chatter.
+        let [pad, block] = match rule {
+            ContactRule::Pivot => [
+                CrushLaw::PAD_PRESSURE_THRESHOLD,
+                CrushLaw::BLOCK_PRESSURE_THRESHOLD,
+            ],
+            ContactRule::Face => [0.0; 2],
+        };
+        Self {
+            pad: self.pad.with_pressure_threshold(pad),
+            block: self.block.with_pressure_threshold(block),
+            stops: Stops { rule, ..self.stops },
+            ..self
+        }
     }
 
     /// The same laws under another crush rule.

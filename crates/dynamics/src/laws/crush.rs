@@ -75,6 +75,14 @@ impl CrushLaw {
         Self::of_segments(profile.segments(), pressure_threshold)
     }
 
+    /// The same law with another least I − P (ft) that gives pressure.
+    pub fn with_pressure_threshold(self, pressure_threshold: f64) -> Self {
+        Self {
+            pressure_threshold,
+            ..self
+        }
+    }
+
     /// The law of an element that is not there.
     pub fn absent() -> Self {
         Self::of_segments(Vec::new(), 0.0)
@@ -340,7 +348,7 @@ impl Crush {
             Stage::Clear | Stage::Touching if !is_contact_watched => {
                 Bounds::below(self.set + law.pressure_threshold)
             }
-            Stage::Clear => Bounds::below(self.set + CONTACT_THRESHOLD),
+            Stage::Clear => Bounds::below(self.set + CONTACT_THRESHOLD.min(law.pressure_threshold)),
             Stage::Touching => Bounds::between(
                 self.set + CONTACT_THRESHOLD,
                 self.set + law.pressure_threshold,
