@@ -145,8 +145,8 @@ pub struct Landing {
     pub max_strut_force: PerLeg<f64>,
     /// Greatest stroke of each strut, ft.
     pub max_stroke: PerLeg<f64>,
-    /// Greatest set of either section of each footpad, ft: more than its height means that it was crushed to its hinge and
-    /// beyond.
+    /// Greatest interference at which either section of each footpad was crushed, ft: more than its height means that it was
+    /// crushed up to its hinge and beyond.
     pub max_pad_crush: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,

@@ -127,7 +127,7 @@ impl<'a> Flight<'a> {
             min_clearance: extremes.clearance,
             max_strut_force: extremes.strut_force,
             max_stroke: extremes.stroke,
-            max_pad_crush: evaluator.memory.map(|sets| sets.pad_crush()),
+            max_pad_crush: self.model.pad_crush(&evaluator.memory),
             final_rates: final_rates(
                 self.fresh,
                 self.model.motion(),
