@@ -270,8 +270,8 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             scene,
             settings,
         } = request;
-        let is_other =
-            vehicle.legs().len() != self.legs || settings.rules(vehicle).contact != self.contact_rule;
+        let is_other = vehicle.legs().len() != self.legs
+            || settings.rules(vehicle).contact != self.contact_rule;
         if settings.method() != Method::Located || is_other {
             return done(*key, land(vehicle, scene, settings));
         }

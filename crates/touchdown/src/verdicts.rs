@@ -11,7 +11,7 @@ use std::sync::atomic::Ordering;
 use clap::Args;
 use rayon::prelude::*;
 use touchdown_dynamics::batch::{Request, land_many};
-use touchdown_dynamics::land::land_observed;
+use touchdown_dynamics::land::{land, land_observed};
 use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::outcome::{Class, Outcome};
@@ -34,7 +34,7 @@ Examples:
 
 Landers with three to eight legs, with equal and with unequal legs, touch down on even and on rough ground, on the Moon, on Mars,
 on the Earth and on Ceres, at up to 4 m/s each way, with and without thrust, under physical rules. Each goes on for 60 s
-beyond its verdict. A verdict is contradicted
+beyond its verdict, but those that lie on their side 8 s after they were called toppled. A verdict is contradicted
   - of a landing called stable, if the vehicle ends tilted by more than 60 deg, if a strut, pad or block bottoms, or if it ends
     sliding at more than 0.1 m/s;
   - of a landing called toppled, if the vehicle ends standing.
@@ -45,6 +45,10 @@ Exit code 0 if none does, 1 if any.";
 
 /// How long landings go on beyond their verdict, s.
 const BEYOND: f64 = 60.0;
+/// The same of those called toppled, unless the vehicle does not yet lie on its side then, s.
+const BEYOND_TOPPLING: f64 = 8.0;
+/// Tilt of a vehicle that lies on its side, rad.
+const LIES: f64 = 80.0 * std::f64::consts::PI / 180.0;
 /// Time limit of a verdict, s: on Ceres a lander that bounces flies for half a minute.
 const LIMIT: f64 = 120.0;
 /// Tilt beyond which a vehicle no longer stands, rad.
@@ -108,10 +112,23 @@ impl Fate {
         let mut onward = Vec::new();
         for (draw, landing) in draws.iter().zip(&verdicts) {
             if goes_on(landing) {
-                onward.push((draw, settings(landing.end_time + BEYOND)?.beyond_verdict()));
+                let beyond = match landing.outcome.class() {
+                    Class::Unstable => BEYOND_TOPPLING,
+                    _ => BEYOND,
+                };
+                onward.push((draw, settings(landing.end_time + beyond)?.beyond_verdict()));
             }
         }
-        let mut beyond = land_all(onward.into_iter()).into_iter();
+        let mut beyond = land_all(onward.iter().copied());
+        // What lies on its side stays there; the rest goes on as long as what stands.
+        for ((draw, settings), landing) in onward.into_iter().zip(&mut beyond) {
+            if landing.outcome.class() == Class::Unstable && landing.tilt < LIES {
+                let longer = settings.with_time_limit(settings.time_limit() + BEYOND);
+                let longer = longer.map_err(Failure::running)?;
+                *landing = land(&draw.vehicle, &draw.scene, &longer);
+            }
+        }
+        let mut beyond = beyond.into_iter();
         let fates = draws.iter().zip(verdicts).map(|(draw, landing)| {
             let beyond = if goes_on(&landing) {
                 beyond.next()

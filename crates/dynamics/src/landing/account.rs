@@ -81,9 +81,7 @@ impl Trajectory<'_> {
                 self.peaks.stroke[j] / self.laws[j].bottoming_stroke()
             }),
             max_pad_crush: PerLeg::from_fn(self.leg_count(), |j| {
-                self.modes[j]
-                    .sets(&self.laws[j], signals.leg(j))
-                    .pad_crush()
+                self.modes[j].pad_crush(signals.leg(j))
             }),
             final_rates: final_rates(
                 self.monitor.clone(),

@@ -157,9 +157,10 @@ impl Stretch {
         };
         let points: [(f64, f64); PARTS as usize + 1] = std::array::from_fn(|k| point(k as u32));
         let mut greatest = least;
-        for [a, b, c] in points.array_windows() {
+        for middle in 1..points.len() - 1 {
+            let [a, b, c] = [middle - 1, middle, middle + 1].map(|k| points[k]);
             greatest = greatest.max(-b.1);
-            let mut parabola = Parabola::through([*a, *b, *c]);
+            let mut parabola = Parabola::through([a, b, c]);
             for _ in 0..REFINEMENTS {
                 let Some(theta) = parabola.lowest(-(1.0 + NOTABLE) * greatest) else {
                     break;

@@ -16,7 +16,7 @@ use crate::state::State;
 pub struct LegWork {
     /// Shock absorber.
     pub strut: f64,
-    /// Footpad, normal to the surface (crushing).
+    /// Footpad, normal to the surface (crushing); at its face under [`crate::rules::ContactRule::Face`], leaning included.
     pub pad_crush: f64,
     /// Footpad, sliding.
     pub pad_friction: f64,
@@ -24,7 +24,8 @@ pub struct LegWork {
     pub block_crush: f64,
     /// Body block, sliding.
     pub block_friction: f64,
-    /// Link motion ended by the extension stop or frozen off the surface.
+    /// Link motion ended by the extension stop or frozen off the surface; under [`crate::rules::ContactRule::Face`] also what
+    /// the turning of the pad took: its own kinetic energy, what the stops of its hinge ended, and damping of its hinge.
     pub stop: f64,
 }
 
@@ -83,7 +84,7 @@ impl Energies {
 
     /// Energy that footpads and blocks gave to the motion, those that gave more than they took, ft·lb; zero where it is rounding.
     ///
-    /// Crush and friction of a footpad count together: friction at its face tips the pad about its hinge, and the pad lifts the
+    /// Under [`crate::rules::ContactRule::Face`] it is zero. At the pivot crush and friction of a footpad count together: friction at its face tips the pad about its hinge, and the pad lifts the
     /// vehicle by what friction took from it.
     pub fn given_by_contact(&self) -> f64 {
         const LEAST_SHARE: f64 = 1e-9;
@@ -149,8 +150,8 @@ pub struct Landing {
     pub max_stroke: PerLeg<f64>,
     /// The same as a share of the stroke at which the strut bottoms.
     pub max_stroke_share: PerLeg<f64>,
-    /// Greatest set of either section of each footpad, ft: more than its height means that it was crushed to its hinge and
-    /// beyond.
+    /// Greatest interference at which either section of each footpad was crushed, ft: more than its height means that it was
+    /// crushed up to its hinge and beyond.
     pub max_pad_crush: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,

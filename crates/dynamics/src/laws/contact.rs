@@ -18,7 +18,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::parts::{LegDesign, StrutElement};
 use crate::rules::{ContactRule, CrushRule};
 use crate::signal::{LegSignals, Signal};
-use crate::strut::{GentleKinks, Stance, StrutLaw};
+use crate::strut::{GentleKinks, STOP_STROKE, Stance, StrutLaw};
 
 pub use choice::Choice;
 
@@ -52,6 +52,19 @@ pub struct LegLaws {
     rule: CrushRule,
     friction: FrictionProfile,
     heights: Heights,
+    /// What a strut pushes its link back with before its stroke counts, ft·lb: by less a pad would not stay pushed.
+    torque_on_stop: f64,
+    /// Torque of the surface that pushes a link off its extension stop, ft·lb.
+    least_push: f64,
+}
+
+/// Torque of a strut on its link where its stroke begins to count, ft·lb.
+fn torque_on_stop(design: &LegDesign) -> f64 {
+    let stiffness = match &design.strut.element {
+        StrutElement::Damper(damper) => damper.structural_stiffness,
+        StrutElement::Honeycomb(honeycomb) => honeycomb.unloading_stiffness,
+    };
+    stiffness * STOP_STROKE * design.linkage.hardpoint_distance
 }
 
 /// What elements can be crushed by until their hinge or hardpoint is on the ground, ft.
@@ -108,25 +121,35 @@ impl LegLaws {
             rule: CrushRule::default(),
             friction: FrictionProfile::default(),
             heights: Heights::of(design),
+            torque_on_stop: torque_on_stop(design),
+            least_push: 0.0,
         }
     }
 
     /// The same laws under another contact rule.
     pub fn with_contact_rule(self, rule: ContactRule) -> Self {
         // What acts all at once makes a light pad chatter.
-        let [pad, block] = match rule {
+        let [pad, block, least_push] = match rule {
             ContactRule::Pivot => [
                 CrushLaw::PAD_PRESSURE_THRESHOLD,
                 CrushLaw::BLOCK_PRESSURE_THRESHOLD,
+                0.0,
             ],
-            ContactRule::Face => [0.0; 2],
+            ContactRule::Face => [0.0, 0.0, self.torque_on_stop],
         };
         Self {
             pad: self.pad.with_pressure_threshold(pad),
             block: self.block.with_pressure_threshold(block),
             stops: Stops { rule, ..self.stops },
+            least_push,
             ..self
         }
+    }
+
+    /// Greatest interference at which a section of the pad was crushed that leaves these sets, ft: for methods that keep no more.
+    pub fn pad_crush(&self, sets: &Sets) -> f64 {
+        let [outer, inner] = sets.pad.map(|set| self.pad.deepest(set));
+        outer.max(inner)
     }
 
     /// The same laws under another crush rule.
@@ -172,14 +195,6 @@ pub struct Sets {
     pub block: f64,
     /// Cartridge of the strut.
     pub strut: f64,
-}
-
-impl Sets {
-    /// The greater one of the pad's sections, ft.
-    pub fn pad_crush(&self) -> f64 {
-        let [outer, inner] = self.pad;
-        outer.max(inner)
-    }
 }
 
 /// The discrete state of one leg.
@@ -420,6 +435,15 @@ impl LegMode {
         force < greatest
     }
 
+    /// Greatest interference at which a section of the pad was crushed up to these signals, ft.
+    pub fn pad_crush(&self, signals: &LegSignals<f64>) -> f64 {
+        let [outer, inner] = &self.pad;
+        // On the edge of a pad the first signal is the depth of that.
+        let [of_outer, of_inner] = [Signal::OuterInterference, Signal::InnerInterference]
+            .map(|signal| signals[signal as usize]);
+        outer.deepest(of_outer).max(inner.deepest(of_inner))
+    }
+
     /// Centres the coefficients of laws that only bend a little on a stroke δ (ft), where the leg is now;
     /// whether any changed.
     pub fn follow(&mut self, laws: &LegLaws, stroke: f64) -> bool {
@@ -478,7 +502,7 @@ impl LegMode {
                 self.block_sliding.bounds(laws.friction),
             ),
             self.stance.rate_bounds(&laws.strut),
-            self.stance.torque_bounds(),
+            self.stance.torque_bounds(laws.least_push),
             self.hinge.turn_bounds(laws.stops),
             self.hinge.rate_bounds(),
             self.hinge.drive_bounds(laws.stops),

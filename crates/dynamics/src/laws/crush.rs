@@ -146,6 +146,11 @@ impl CrushLaw {
             .unwrap_or((f64::INFINITY, self.segments.len() - 1))
     }
 
+    /// Greatest interference at which an element was crushed that has this plastic set, ft.
+    pub fn deepest(&self, set: f64) -> f64 {
+        if set > 0.0 { self.onset_of(set).0 } else { 0.0 }
+    }
+
     fn segment_at(&self, interference: f64) -> usize {
         let last = self.segments.len() - 1;
         self.segments
@@ -336,6 +341,15 @@ impl Crush {
     pub fn set_at(&self, law: &CrushLaw, interference: f64) -> f64 {
         match self.stage {
             Stage::Front(segment) => law.front_set(segment, interference),
+            _ => self.set,
+        }
+    }
+
+    /// Greatest interference at which the element was crushed, ft, as it is at one now.
+    pub fn deepest(&self, interference: f64) -> f64 {
+        match self.stage {
+            Stage::Front(_) => interference,
+            _ if self.set > 0.0 && self.onset.is_finite() => self.onset,
             _ => self.set,
         }
     }

@@ -13,7 +13,7 @@ pub use stance::{GentleKinks, Stance};
 /// Link rate γ̇ below which damping and seal friction fade in, rad/s.
 const SMOOTHING_RATE: f64 = 0.2;
 /// Stroke at and below which an extending leg is on its stop, ft.
-const STOP_STROKE: f64 = 1e-6;
+pub const STOP_STROKE: f64 = 1e-6;
 /// Rate that an airborne link's γ̇ runs down to, rad/s.
 const RESIDUAL_RATE: f64 = 0.001;
 

@@ -127,7 +127,7 @@ impl<'a> Flight<'a> {
             max_stroke_share: PerLeg::from_fn(state.leg_count(), |j| {
                 extremes.stroke[j] / self.model.bottoming_stroke(j)
             }),
-            max_pad_crush: evaluator.memory.map(|sets| sets.pad_crush()),
+            max_pad_crush: self.model.pad_crush(&evaluator.memory),
             final_rates: final_rates(
                 self.fresh,
                 self.model.motion(),

@@ -73,6 +73,11 @@ impl ForceModel {
         &self.motion
     }
 
+    /// Greatest interference at which a section of each pad was crushed that leaves these sets, ft.
+    pub fn pad_crush(&self, sets: &Sets) -> PerLeg<f64> {
+        PerLeg::from_fn(self.laws.len(), |j| self.laws[j].pad_crush(&sets[j]))
+    }
+
     /// Chooses the pieces at a state and evaluates; the sets grow by the laws.
     pub fn look(&self, state: &State<f64>, sets: &mut Sets) -> Look {
         let mut signals = self.motion.signals(state, &self.untouched, false);

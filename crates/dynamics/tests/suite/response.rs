@@ -1,6 +1,6 @@
 //! The response is what forces do when the motion changes a little.
 
-use crate::common::bare::{Bare, pressed, pressed_by};
+use crate::common::bare::{Bare, pressed_by};
 use crate::common::{off_center, table_4_1};
 use nalgebra::{Vector3, Vector4};
 use touchdown_dynamics::integrator::rosenbrock::StageEquations;
@@ -77,85 +77,76 @@ fn implicit_stages_solve_the_equations_of_small_motions() {
     // Stuck and sliding at either branch of friction; with blocks pressed in as well.
     let cases = [(0.06, 0.01), (0.06, 0.4), (0.06, 4.0), (0.9, 0.01)];
     let all = cases.map(|case| [(table_4_1(), case), (off_center(table_4_1()), case)]);
-    for rule in [ContactRule::Pivot, ContactRule::Face] {
-        for (vehicle, (depth, sliding)) in all.iter().flatten().cloned() {
-            let depth = if rule == ContactRule::Face && depth > 0.5 {
-                0.5
+    let rules = [ContactRule::Pivot, ContactRule::Face];
+    let all = (all.into_iter().flatten()).flat_map(|case| rules.map(|rule| (rule, case.clone())));
+    for (rule, (vehicle, (depth, sliding))) in all {
+        // No pad is crushed beyond its height where that ends a landing.
+        let depth = match rule {
+            ContactRule::Pivot => depth,
+            ContactRule::Face => f64::min(depth, 0.5),
+        };
+        let (bare, state) = pressed_by(&vehicle, depth, sliding, rule);
+        let response = bare.response(&state);
+        let mut factors = Factors::none(3);
+        let system = response.over(tau, &mut factors);
+        let rotations = 9..12;
+        let mut answers = 0;
+        for (k, r) in changes(&state.body().quaternion).iter().enumerate() {
+            let mut u = State::zero(3);
+            system.solve(r, &mut u);
+            let answered = answered(&bare, &state, &u);
+            let off = State::zero(3).advanced([1.0 / tau, -1.0, -1.0], [&u, &answered, r]);
+            let off = greatest(&off);
+            let answered = greatest(&answered);
+            // As the body turns, levers of all forces turn with it, which is left out: it is not stiff.
+            let bound = if rotations.contains(&k) {
+                2000.0
             } else {
-                depth
+                5e-3 * answered.max(1.0)
             };
-            let (bare, state) = pressed_by(&vehicle, depth, sliding, rule);
-            let response = bare.response(&state);
-            let mut factors = Factors::none(3);
-            let system = response.over(tau, &mut factors);
-            let rotations = 9..12;
-            let mut answers = 0;
-            for (k, r) in changes(&state.body().quaternion).iter().enumerate() {
-                let mut u = State::zero(3);
-                system.solve(r, &mut u);
-                let answered = answered(&bare, &state, &u);
-                let off = State::zero(3).advanced([1.0 / tau, -1.0, -1.0], [&u, &answered, r]);
-                if k == 8 || k == 14 || k == 15 || k == 9 {
-                    println!(
-                        "{rule:?} {k} {depth} {sliding} body off {:?} of {:?}\n   rate {:?} of {:?}",
-                        off.body().velocity,
-                        answered.body().velocity,
-                        off.body().rate,
-                        answered.body().rate
-                    );
-                    for j in 0..3 {
-                        println!(
-                            "    link {:e} of {:e} pad {:e} of {:e}",
-                            off.leg(j).link_rate,
-                            answered.leg(j).link_rate,
-                            off.leg(j).pad_rate,
-                            answered.leg(j).pad_rate
-                        );
-                    }
-                }
-                let off = greatest(&off);
-                let answered = greatest(&answered);
-                if rule == ContactRule::Face {
-                    continue;
-                }
-                // As the body turns, levers of all forces turn with it, which is left out: it is not stiff.
-                let bound = if rotations.contains(&k) {
-                    2000.0
-                } else {
-                    5e-3 * answered.max(1.0)
-                };
-                assert!(
-                    off < bound,
-                    "{depth} ft deep at {sliding} ft/s, change {k}: off {off:e} of {answered:e}"
-                );
-                answers += u32::from(answered > 1.0);
-            }
-            println!("{rule:?} {answers}");
+            assert!(
+                off < bound,
+                "{rule:?}, {depth} ft deep at {sliding} ft/s, change {k}: off {off:e} of {answered:e}"
+            );
+            answers += u32::from(answered > 0.1);
         }
+        // All but displacements along the surface and, where friction does not know of them, speeds of the pads.
+        let least = match rule {
+            ContactRule::Pivot => 20,
+            ContactRule::Face => 23,
+        };
+        assert!(answers >= least, "{rule:?}: {answers}");
     }
 }
 
 #[test]
 fn greatest_decay_is_the_trace_of_what_velocities_do() {
-    let (bare, state) = pressed(&table_4_1(), 0.06, 0.01);
-    let trace: f64 = changes(&state.body().quaternion)
-        .iter()
-        .enumerate()
-        .map(|(k, speed)| {
-            let slope = answered(&bare, &state, speed);
-            match k {
-                0..3 => slope.body().velocity[k],
-                3..6 => slope.body().rate[k - 3],
-                12 | 16 | 20 => slope.leg((k - 12) / 4).link_rate,
-                _ => 0.0,
-            }
-        })
-        .sum();
-    let rate = bare.greatest_decay(&state);
-    assert_eq!(rate, bare.response(&state).greatest_decay());
-    assert!(rate > 1000.0, "{rate}");
-    // Products of inertia are left out.
-    assert!((rate / -trace - 1.0).abs() < 0.03, "{rate}, not {trace}");
+    for rule in [ContactRule::Pivot, ContactRule::Face] {
+        let (bare, state) = pressed_by(&table_4_1(), 0.06, 0.01, rule);
+        let trace: f64 = changes(&state.body().quaternion)
+            .iter()
+            .enumerate()
+            .map(|(k, speed)| {
+                let slope = answered(&bare, &state, speed);
+                match k {
+                    0..3 => slope.body().velocity[k],
+                    3..6 => slope.body().rate[k - 3],
+                    12 | 16 | 20 => slope.leg((k - 12) / 4).link_rate,
+                    13 | 17 | 21 => slope.leg((k - 13) / 4).pad_rate,
+                    _ => 0.0,
+                }
+            })
+            .sum();
+        let rate = bare.greatest_decay(&state);
+        assert_eq!(rate, bare.response(&state).greatest_decay());
+        assert!(rate > 1000.0, "{rate}");
+        // Products of inertia are left out, and friction that falls with speed.
+        let allowed = match rule {
+            ContactRule::Pivot => 0.97..1.03,
+            ContactRule::Face => 1.0..1.06,
+        };
+        assert!(allowed.contains(&(rate / -trace)), "{rate}, not {trace}");
+    }
 }
 
 #[test]
@@ -163,8 +154,10 @@ fn signals_said_to_have_rates_change_at_those_rates() {
     const TIME: f64 = 1e-6;
     let cases = [(0.02, 1.0), (-0.03, 2.0)];
     let all = cases.map(|case| [(table_4_1(), case), (off_center(table_4_1()), case)]);
-    for (vehicle, (depth, sliding)) in all.into_iter().flatten() {
-        let (bare, state) = pressed(&vehicle, depth, sliding);
+    let rules = [ContactRule::Pivot, ContactRule::Face];
+    let all = (all.into_iter().flatten()).flat_map(|case| rules.map(|rule| (rule, case.clone())));
+    for (rule, (vehicle, (depth, sliding))) in all {
+        let (bare, state) = pressed_by(&vehicle, depth, sliding, rule);
         let told = bare.signals(&state);
         let mut slope = State::zero(3);
         bare.derivative(&state, &mut slope);

@@ -108,6 +108,16 @@ impl<S: Real> LegFrame<S> {
         pose.pad_z.dot(&self.normal_rate) - turning * pose.pad_y_normal
     }
 
+    /// dI/dt of the block (28), ft/s, at this interference (ft) and whatever its inclination: beyond 84 deg the cosine is held.
+    #[inline(always)]
+    pub fn held_block_interference_rate(&self, centre_inward: S, interference: S) -> S {
+        let (zero, one) = (S::zero(), S::one());
+        let upright = self.block.upright;
+        let is_held = (self.block.normal.z * upright - one).where_negative(one, zero);
+        let deepening = is_held.where_zero(zero, interference * self.block_inclination_rate());
+        (centre_inward + deepening) * upright
+    }
+
     /// d cos ξ/dt of the block, 1/s.
     #[inline(always)]
     pub fn block_inclination_rate(&self) -> S {

@@ -417,6 +417,11 @@ impl<S: Real> LegMotion<S> {
         } else {
             (outer, rates[0])
         };
+        let block_rate = if FACE {
+            frame.held_block_interference_rate(block.velocity.inward, pose.block_interference)
+        } else {
+            frame.block_interference_rate(block.velocity.inward)
+        };
         let foot = body.seen_from_center_of_gravity(&self.geometry.off_leg_plane(&pose.pivot));
         let signals = [
             outer,
@@ -425,7 +430,7 @@ impl<S: Real> LegMotion<S> {
             pose.stroke,
             outer_rate,
             rates[1],
-            frame.block_interference_rate(block.velocity.inward),
+            block_rate,
             -pose.strut_lever * derivative.link_angle,
             pivot_rate,
             block.velocity.inward,

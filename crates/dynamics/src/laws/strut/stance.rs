@@ -173,11 +173,12 @@ impl Stance {
         }
     }
 
-    /// Range of the surface's torque on the link over which the stop keeps carrying, or not.
-    pub fn torque_bounds(&self) -> Bounds {
+    /// Range of the surface's torque on the link over which the stop keeps carrying, or not. So great a torque (ft·lb) does not
+    /// yet push the link in.
+    pub fn torque_bounds(&self, least: f64) -> Bounds {
         match self {
             Self::Stopped { pushed: true } => Bounds::below(0.0).widened(TORQUE_SLACK),
-            Self::Stopped { pushed: false } => Bounds::above(0.0).widened(TORQUE_SLACK),
+            Self::Stopped { pushed: false } => Bounds::above(-least).widened(TORQUE_SLACK),
             _ => Bounds::FREE,
         }
     }
