@@ -129,7 +129,7 @@ impl<'o> Trajectory<'o> {
             settings: *settings,
             calm_height: calm_height(settings.rest_rule(), vehicle, scene),
             outer_feet: vehicle.outer_feet().clone(),
-            stiffness: Stiffness::new(settings.tolerance(), settings.contact_rule()),
+            stiffness: Stiffness::new(settings),
             event_resolution: resolution,
             energy,
             motion,
