@@ -1,15 +1,14 @@
 //! When steps are stiff.
 
-use crate::rules::ContactRule;
+use crate::rules::{ContactRule, FrictionProfile};
+use crate::scene::Settings;
 
 /// Greatest rate of decay times step length above which steps are implicit, at a tolerance of 1e-4: explicit ones
 /// would be near their limit of stability. At tighter tolerances accuracy limits steps first, and the explicit method,
 /// which has the higher order, is left to do more.
 const STIFF: f64 = 2.5;
-/// The most that it may be at any tolerance. The rate is the sum of all; where forces act at the face of a footpad, that of the
-/// pad in its hinge is nearly all of it.
+/// The most that it may be at any tolerance. The rate is the sum of all.
 const EXPLICIT_LIMIT: f64 = 6.3;
-const EXPLICIT_LIMIT_AT_FACE: f64 = STIFF;
 /// Share of the limit below which a step is far from stiff.
 const FAR: f64 = 0.5;
 /// Steps from one test to the next, unless a law changes, far from the limit and near it.
@@ -24,11 +23,13 @@ pub(super) struct Stiffness {
 }
 
 impl Stiffness {
-    pub(super) fn new(tolerance: f64, rule: ContactRule) -> Self {
-        let most = match rule {
-            ContactRule::Pivot => EXPLICIT_LIMIT,
-            ContactRule::Face => EXPLICIT_LIMIT_AT_FACE,
-        };
+    pub(super) fn new(settings: &Settings, contact: ContactRule) -> Self {
+        let tolerance = settings.tolerance();
+        // One rate is nearly all of the sum where friction sets in like a step, or slows a light pad in its hinge: explicit
+        // steps would be held at their limit of stability and never be found stiff.
+        let is_one_rate =
+            contact == ContactRule::Face || settings.friction_profile() != FrictionProfile::C;
+        let most = if is_one_rate { STIFF } else { EXPLICIT_LIMIT };
         Self {
             limit: most.min(STIFF * (1e-4 / tolerance).max(1.0).sqrt().sqrt()),
             mild_steps: 0,

@@ -130,7 +130,7 @@ impl<'o> Trajectory<'o> {
             scene: *scene,
             settings: *settings,
             monitor: StabilityMonitor::new(rules, vehicle, scene),
-            stiffness: Stiffness::new(settings.tolerance(), rules.contact),
+            stiffness: Stiffness::new(settings, rules.contact),
             event_resolution: resolution,
             energy,
             motion,

@@ -74,6 +74,13 @@ impl<S: Real> HingePiece<S> {
         self.gain
     }
 
+    /// How fast the pad turns in the vehicle under [`ContactRule::Face`], from outboard to down, rad/s: with its link, less
+    /// what its hinge opens.
+    #[inline(always)]
+    pub fn pad_turning(&self, link_rate: S, pad_rate: S) -> S {
+        link_rate - self.gain * pad_rate
+    }
+
     /// Whether a pad presses on a stop.
     #[inline(always)]
     pub fn is_pressed(&self) -> bool {

@@ -23,7 +23,7 @@ use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::motion::Signal;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::parts::PadEdge;
-use touchdown_dynamics::rules::ContactRule;
+use touchdown_dynamics::rules::{ContactRule, FrictionProfile};
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::vehicle::{Leg, Vehicle};
@@ -343,4 +343,30 @@ fn a_pad_that_turns_over_is_not_loaded_at_once() {
     settle(&mut mode, &signals);
     assert!(mode.pieces(&laws).pad[0].is_slack());
     assert_eq!(mode.sets(&laws, &signals).pad[0], 0.2);
+}
+
+/// Friction that sets in like a step sticks to feet at rates of a million per second: explicit steps, held at their limit of
+/// stability, took more than two million.
+#[test]
+fn feet_stuck_by_steep_friction_take_implicit_steps() {
+    let scene = Scene::new(Conditions {
+        vertical_velocity: 10.9,
+        slope: 7.5f64.to_radians(),
+        pad_friction: 5.0,
+        block_friction: 5.0,
+        ..level(298.6, 23.0, 3.7)
+    });
+    let scene = scene.unwrap();
+    for rule in [ContactRule::Pivot, ContactRule::Face] {
+        for profile in [FrictionProfile::A, FrictionProfile::B] {
+            let settings = settings(1e-6, rule).with_friction_profile(profile);
+            let landing = land(&table_4_1(), &scene, &settings);
+            assert_eq!(landing.outcome, Outcome::StableSubsided);
+            let evaluations = landing.evaluations;
+            assert!(
+                evaluations < 100_000,
+                "{rule:?}, {profile:?}: {evaluations}"
+            );
+        }
+    }
 }

@@ -3,7 +3,6 @@
 use nalgebra::{Vector3, Vector6};
 
 use super::LegPieces;
-use super::face::pad_turning;
 use super::leg::LegMotion;
 use crate::friction::FrictionPiece;
 use crate::kinematics::{
@@ -131,7 +130,10 @@ impl<'a, S: Real> Contact<'a, S, true> {
             pieces,
         } = *posture;
         let swing = pose.link_normal.in_leg_axes() * motion.geometry.link_length();
-        let (by_hinge, turning) = (turned(&offset), pad_turning(leg, pieces));
+        let (by_hinge, turning) = (
+            turned(&offset),
+            pieces.hinge.pad_turning(leg.link_rate, leg.pad_rate),
+        );
         let own = swing * leg.link_rate + by_hinge * turning;
         let place = pose.pivot.in_leg_axes() + offset;
         let pad_bend = frame.rate().cross(&by_hinge) + turned(&by_hinge) * turning;

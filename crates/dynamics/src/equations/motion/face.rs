@@ -75,7 +75,7 @@ impl<S: Real> LegMotion<S> {
     ) -> (Touch<S>, S, S) {
         let n = &frame.pad.normal;
         let press = self.press(frame, pose, pieces);
-        let turning = pad_turning(leg, pieces);
+        let turning = pieces.hinge.pad_turning(leg.link_rate, leg.pad_rate);
         let by_hinge = turned(&press.place);
         let at = pose.pivot.in_leg_axes() + press.place;
         let own = pose.link_normal.in_leg_axes() * swing + by_hinge * turning;
@@ -117,10 +117,4 @@ impl<S: Real> LegMotion<S> {
             leaning * frame.block_inclination_rate(),
         )
     }
-}
-
-/// How fast a footpad turns in the vehicle, from outboard to down, rad/s: with its link, less what its hinge opens.
-#[inline(always)]
-pub(super) fn pad_turning<S: Real>(leg: &LegState<S>, pieces: &LegPieces<S>) -> S {
-    leg.link_rate - pieces.hinge.swings() * leg.pad_rate
 }

@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 
-use super::face::pad_turning;
 use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
 use crate::kinematics::{
@@ -361,7 +360,7 @@ impl<S: Real> LegMotion<S> {
         let stop_power = if FACE {
             let bare_torque = pivot_torque + strut * pose.strut_lever;
             (bare_torque - self.link_inertia * link_acceleration) * leg.link_rate
-                - pad_torque * pad_turning(leg, pieces)
+                - pad_torque * pieces.hinge.pad_turning(leg.link_rate, leg.pad_rate)
         } else {
             (link_torque - self.link_inertia * link_acceleration) * leg.link_rate
         };
