@@ -169,8 +169,15 @@ impl Settings {
         self.rules
     }
 
-    /// The rules in force for a vehicle.
+    /// The rules in force for a vehicle: the methods of 1966 know those of 1966 alone, but for crushing.
     pub fn rules(&self, vehicle: &Vehicle) -> Rules {
-        self.rules.over(vehicle.rules())
+        let rules = self.rules.over(vehicle.rules());
+        match self.method {
+            Method::Located => rules,
+            _ => Rules {
+                crush: rules.crush,
+                ..Rules::REPORT
+            },
+        }
     }
 }

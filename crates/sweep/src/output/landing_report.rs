@@ -3,7 +3,9 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
+use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::assignment::Assignment;
 use crate::choice::word;
@@ -141,9 +143,33 @@ pub fn verdict_time(landing: &Landing) -> f64 {
     beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }
 
-/// What is to be told of a landing although its account closes: elements that gave back more than they took.
-pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
-    worth_a_warning(&landing.energies).map(|given| given_by_contact(given, units))
+/// What is to be told of a landing of a vehicle although its account closes: elements that gave back more than they took, and
+/// footpads that were crushed through their height.
+pub fn warning(landing: &Landing, vehicle: &Vehicle, units: OutputUnits) -> Option<String> {
+    let given = worth_a_warning(&landing.energies).map(|given| given_by_contact(given, units));
+    let crushed = crushed_through(landing, vehicle, units);
+    let told: Vec<String> = given.into_iter().chain(crushed).collect();
+    (!told.is_empty()).then(|| told.join("; "))
+}
+
+/// The warning that the ground reached beyond the hinge of a footpad, as it may under the contact rule of 1966.
+fn crushed_through(landing: &Landing, vehicle: &Vehicle, units: OutputUnits) -> Option<String> {
+    if landing.outcome.class() == Class::Bottomed {
+        return None;
+    }
+    let quantity = units.quantity("crush_ft");
+    let mut pads = vehicle.legs().iter().zip(landing.max_pad_crush.iter());
+    let (leg, (crush, height)) = (pads.by_ref())
+        .map(|(leg, crush)| (*crush, leg.design().footpad.height))
+        .enumerate()
+        .find(|(_, (crush, height))| crush > height)?;
+    let [crush, height] = [crush, height].map(|length| quantity.number(length));
+    let unit = quantity.unit();
+    Some(format!(
+        "footpad {} was crushed by {crush:.3} {unit}, which is more than its height of {height:.3} {unit}: the contact rule \
+         \"face\" ends such a landing as bottomed",
+        leg + 1
+    ))
 }
 
 /// The warning that crushing elements gave so much energy, ft·lb, told in these units.

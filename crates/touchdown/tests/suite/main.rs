@@ -25,4 +25,5 @@ mod starting_files;
 mod stress;
 mod study;
 mod surface;
+mod verdicts;
 mod work_precision;

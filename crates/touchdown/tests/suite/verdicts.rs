@@ -1,0 +1,242 @@
+//! Verdicts that nothing later contradicts, as a user sees them.
+
+#![allow(missing_docs, reason = "tests are not an interface")]
+
+use crate::common::Bench;
+
+const FOUR_LEGS: &str = include_str!("../../../../sweeps/vehicles/four-legs.toml");
+
+/// A case of a scene file: its outcome, its end (s), its tilt then (deg).
+#[derive(Debug, PartialEq)]
+struct Told {
+    outcome: String,
+    end: f64,
+    tilt: f64,
+}
+
+/// What the cases of a scene file come to, in order. Their vehicles are the Surveyor and the lander with four legs.
+fn land(scene: &str) -> Vec<Told> {
+    let bench = Bench::new();
+    bench.write("four-legs.toml", FOUR_LEGS);
+    bench.write("scene.toml", scene);
+    let done = bench.run(&["land", "scene.toml", "--out", "out", "--interval", "1"]);
+    assert!(done.code.is_some_and(|code| code < 2), "{}", done.err);
+    let table = bench.read("out/scene.csv");
+    let mut rows = table.lines().map(|row| row.split(',').collect::<Vec<_>>());
+    let heading = rows.next().unwrap();
+    let place = |name: &str| heading.iter().position(|known| *known == name).unwrap();
+    let [outcome, end, tilt] = ["outcome", "end_time_s", "tilt_deg"].map(place);
+    rows.map(|row| Told {
+        outcome: row[outcome].to_owned(),
+        end: row[end].parse().unwrap(),
+        tilt: row[tilt].parse().unwrap(),
+    })
+    .collect()
+}
+
+/// A scene of the lander with four legs, in SI.
+fn four_legs(vertical: f64, slope: f64, friction: f64, more: &str) -> String {
+    format!(
+        "vehicle = \"four-legs.toml\"\n[scene]\nvertical_velocity_mps = {vertical}\nhorizontal_velocity_mps = 0\n\
+         cross_slope_deg = 180\nslope_deg = {slope}\nfriction = {friction}\n{more}"
+    )
+}
+
+#[test]
+fn small_differences_of_feet_and_of_the_center_of_gravity_topple_nothing() {
+    let bench = Bench::new();
+    bench.write("four-legs.toml", FOUR_LEGS);
+    let height = |leg: usize| {
+        format!(
+            "\"vehicle.legs[{leg}].footpad.height_m\" = {{ distribution = \"normal\", mean = 0.1, sd = 0.002 }}\n"
+        )
+    };
+    let offset = |axis: &str| {
+        format!(
+            "vehicle.center_of_gravity_offset_{axis}_m = {{ distribution = \"normal\", mean = 0, sd = 0.005 }}\n"
+        )
+    };
+    let axes: String = ["x", "y"]
+        .map(offset)
+        .into_iter()
+        .chain((1..=4).map(height))
+        .collect();
+    bench.write(
+        "sweep.toml",
+        &format!(
+            "title = \"feet\"\njob = \"outcome\"\nvehicle = \"four-legs.toml\"\n[scene]\nvertical_velocity_mps = 2\n\
+             horizontal_velocity_mps = 0.5\ncross_slope_deg = 0\nslope_deg = 0\nfriction = 0.8\n[axes]\n{axes}\
+             [sample]\ndesign = \"monte-carlo\"\ncount = 1000\nseed = 1\n"
+        ),
+    );
+    let done = bench.run(&["sweep", "sweep.toml", "--out", "out", "--quiet"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let table = bench.read("out/sweep.csv");
+    assert_eq!(
+        table.matches("stable-subsided").count(),
+        1000,
+        "{}",
+        done.out
+    );
+}
+
+#[test]
+fn a_foot_over_a_pit_is_no_support() {
+    let pit = "roll_deg = 180\n[[scene.footing]]\nheight_m = -1.2\n[[case]]\n[[case]]\n\"footing[1].height_m\" = 0\n";
+    let told = land(&four_legs(1.0, 0.0, 0.8, pit));
+    assert_eq!(told[0].outcome, "unstable-toppled");
+    assert_eq!(told[1].outcome, "stable-subsided");
+    assert!(told[1].tilt < 1.0);
+}
+
+#[test]
+fn a_strut_that_gives_way_under_the_weight_is_not_at_rest() {
+    let weak = "gravity_mps2 = 9.81\n[[case]]\nvehicle.strut.crush_load.scale = 0.2\n[[case]]\nvehicle.strut.crush_load.scale = 1\n";
+    let told = land(&four_legs(0.0, 9.0, 1.0, weak));
+    assert!(told[0].outcome.starts_with("bottomed-leg"), "{told:?}");
+    assert_eq!(told[1].outcome, "stable-subsided");
+}
+
+#[test]
+fn rest_is_measured_over_the_ground_under_the_feet() {
+    let tilted = "[[scene.footing]]\ntilt_along_deg = 6\n".repeat(4);
+    let slope = (1..=4).map(|leg| format!("\"footing[{leg}].tilt_along_deg\" = 0\n"));
+    let cases = format!(
+        "{tilted}[[case]]\n[[case]]\nslope_deg = 6\n{}",
+        slope.collect::<String>()
+    );
+    let told = land(&four_legs(1.0, 0.0, 0.5, &cases));
+    assert!(
+        told.iter().all(|case| case.outcome == "stable-subsided"),
+        "{told:?}"
+    );
+    assert!((told[0].end - told[1].end).abs() < 0.5, "{told:?}");
+}
+
+#[test]
+fn nothing_is_at_rest_while_the_engine_lifts_it() {
+    // Five times the weight, for half a second; and an engine that never pushes is none.
+    let engine = "[scene.thrust]\ntime_s = [0, 0.5]\nforce_n = [4050, 4050]\nscale = 1\n[[case]]\nthrust.scale = 0\n";
+    let off = land(&four_legs(0.3, 0.0, 0.8, engine));
+    let none = land(&four_legs(0.3, 0.0, 0.8, "[[case]]\n"));
+    assert_eq!(off, none);
+    for rules in ["1966", "physical"] {
+        let lifted = format!(
+            "[scene.thrust]\ntime_s = [0, 0.2, 0.4]\nforce_n = [4050, 4050, 0]\n[solver]\nrules = \"{rules}\"\n[[case]]\n"
+        );
+        let told = land(&four_legs(0.3, 0.0, 0.8, &lifted));
+        assert!(told[0].end > 0.4, "{told:?}");
+    }
+}
+
+#[test]
+fn rest_that_waits_for_the_end_of_the_thrust_is_found_there() {
+    let scene = "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_fps = 6\nhorizontal_velocity_fps = 3\n\
+                 cross_slope_deg = 180\nslope_deg = 0\nfriction = 1\n[scene.thrust]\ntime_s = [0, 3]\nforce_lb = [20, 0]\n[[case]]\n";
+    let told = land(scene);
+    assert_eq!(told[0].outcome, "stable-subsided");
+    assert!((told[0].end - 3.0).abs() < 1e-6, "{told:?}");
+}
+
+#[test]
+fn a_slope_that_friction_does_not_hold_ends_as_sliding_whatever_the_speed() {
+    let told = land(&four_legs(
+        0.2,
+        12.0,
+        0.1,
+        "[[case]]\n[[case]]\nhorizontal_velocity_mps = 1\n",
+    ));
+    assert!(
+        told.iter().all(|case| case.outcome == "sliding"),
+        "{told:?}"
+    );
+    let steeper = "[solver]\nrules = \"1966\"\n[[case]]\nhorizontal_velocity_mps = 3\n[[case]]\nsolver.stop = \"time\"\nsolver.time_limit_s = 30\n";
+    let told = land(&four_legs(0.2, 20.0, 0.1, steeper));
+    assert!(
+        told.iter().all(|case| case.outcome == "sliding"),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn reports_and_records_name_the_rules_in_force() {
+    let bench = Bench::new();
+    bench.write("four-legs.toml", FOUR_LEGS);
+    let land = |vehicle: &str, more: &[&str]| {
+        let touchdown = [
+            "land",
+            "--vehicle",
+            vehicle,
+            "--vertical-velocity-mps",
+            "1",
+            "--horizontal-velocity",
+            "0",
+            "--cross-slope",
+            "0",
+            "--slope",
+            "0",
+            "--friction",
+            "1",
+        ];
+        bench.run(&[&touchdown[..], more].concat()).out
+    };
+    assert!(land("four-legs.toml", &[]).contains("physical rules\n"));
+    assert!(land("surveyor.toml", &[]).contains("1966 rules\n"));
+    let mixed = land("four-legs.toml", &["--crush-rule", "pivot-rate"]);
+    assert!(
+        mixed.contains("physical rules, crush rule pivot-rate"),
+        "{mixed}"
+    );
+    let report = land("surveyor.toml", &["--rules", "physical", "--json"]);
+    for said in [
+        "\"rules\": \"physical\"",
+        "\"toppling_rule\": \"hull\"",
+        "\"contact_rule\": \"face\"",
+    ] {
+        assert!(report.contains(said), "{said}");
+    }
+    // The methods of 1966 judge as the program of 1966 did.
+    assert!(
+        land("surveyor.toml", &["--method", "rk4", "--rules", "physical"])
+            .contains("1966 rules, crush rule section")
+    );
+}
+
+#[test]
+fn a_footpad_crushed_through_its_height_is_told_or_bottoms() {
+    let bench = Bench::new();
+    let soft = FOUR_LEGS
+        .replace(
+            "interference_mm = [0, 5, 60, 95]",
+            "interference_mm = [0, 5]",
+        )
+        .replace(
+            "relative_pressure = [0, 1, 1.5, 8]",
+            "relative_pressure = [0, 1]",
+        )
+        .replace("crush_pressure_kpa = 30", "crush_pressure_kpa = 3");
+    bench.write("soft.toml", &soft);
+    let touchdown = [
+        "land",
+        "--vehicle",
+        "soft.toml",
+        "--vertical-velocity-mps",
+        "2",
+        "--horizontal-velocity",
+        "0",
+        "--cross-slope",
+        "0",
+        "--slope",
+        "0",
+        "--friction",
+        "1",
+        "--rules",
+    ];
+    let land = |rules: &str| bench.run(&[&touchdown[..], &[rules]].concat());
+    let told = land("1966").err;
+    assert!(
+        told.contains("which is more than its height of 0.328 ft"),
+        "{told}"
+    );
+    assert!(land("physical").out.contains("bottomed-pad-"));
+}
