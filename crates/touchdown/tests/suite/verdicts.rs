@@ -208,11 +208,11 @@ fn a_footpad_crushed_through_its_height_is_told_or_bottoms() {
     let soft = FOUR_LEGS
         .replace(
             "interference_mm = [0, 5, 60, 95]",
-            "interference_mm = [0, 5]",
+            "interference_mm = [0, 5, 60]",
         )
         .replace(
             "relative_pressure = [0, 1, 1.5, 8]",
-            "relative_pressure = [0, 1]",
+            "relative_pressure = [0, 1, 1]",
         )
         .replace("crush_pressure_kpa = 30", "crush_pressure_kpa = 3");
     bench.write("soft.toml", &soft);
