@@ -236,10 +236,10 @@ pub(crate) mod tests {
             min_stability_angle: std::f64::consts::PI / 6.0,
             min_stability_time: 1.0,
             min_clearance: 0.5,
-            tilt: 0.25,
+            tilt: std::f64::consts::PI / 6.0,
             max_strut_force: [1.0, 2.0, 3.0].into(),
-            max_stroke: [0.0; 3].into(),
-            max_stroke_share: [0.0; 3].into(),
+            max_stroke: [0.25, 0.5, 0.125].into(),
+            max_stroke_share: [0.5, 1.0, 0.25].into(),
             max_pad_crush: [0.0; 3].into(),
             final_rates: FinalRates {
                 stability_angle: None,
@@ -267,15 +267,17 @@ pub(crate) mod tests {
         assert_eq!(names, super::names(3));
         assert_eq!(
             names.join(","),
-            "outcome,end_time_s,min_stability_angle_deg,min_clearance_ft,\
+            "outcome,end_time_s,min_stability_angle_deg,min_clearance_ft,tilt_deg,\
              initial_kinetic_energy_ftlb,potential_energy_change_ftlb,\
              max_strut_force_1_lb,max_strut_force_2_lb,max_strut_force_3_lb,\
+             max_stroke_1_ft,max_stroke_2_ft,max_stroke_3_ft,\
+             max_stroke_share_1,max_stroke_share_2,max_stroke_share_3,\
              pad_contact_1_s,pad_contact_2_s,pad_contact_3_s,\
              block_contact_1_s,block_contact_2_s,block_contact_3_s,\
-             energy_closure_ftlb,steps,derivative_evaluations,failure"
+             given_by_contact_ftlb,energy_closure_ftlb,steps,derivative_evaluations,failure"
         );
-        let expected = "failure,1.5,29.999999999999996,0.5,100,10,1,2,3,0,,0.25,,,,\
-                        0.5,7,70,loaded footpad 2 inclined more than 65 deg";
+        let expected = "failure,1.5,29.999999999999996,0.5,29.999999999999996,100,10,1,2,3,\
+                        0.25,0.5,0.125,0.5,1,0.25,0,,0.25,,,,0,0.5,7,70,loaded footpad 2 inclined more than 65 deg";
         let values: Vec<String> = values.iter().map(Cell::to_string).collect();
         assert_eq!(values.join(","), expected);
     }
