@@ -58,7 +58,7 @@ FLOORS = {
     ],
     "touchdown": [
         ["main"],
-        ["stress", "study", "work_precision"],
+        ["stress", "study", "verdicts", "work_precision"],
         ["explore"],
         ["landings", "surface", "sweeps"],
         ["pictures"],

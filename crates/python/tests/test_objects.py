@@ -77,7 +77,7 @@ def test_notebooks_show_short_tables(lander, scene):
 def test_objects_are_told_in_a_line(lander, scene):
     assert repr(td.land(lander, scene)) == (
         "<Landing of Surveyor, Table 4-1: stable-rockback at 2.844 s, least stability angle 10.834 deg at 2.811 s, "
-        "least clearance 0.539 ft, largest strut force 3184.479 lb>"
+        "least clearance 0.539 ft, largest strut force 3184.480 lb>"
     )
     found = td.boundary(lander, scene, search=SHORT | {"bands": "all"}, progress=False)
     assert repr(found) == "<Boundary of Surveyor, Table 4-1: V_H 11.391 ft/s to unstable, certain, 2 bands>"
