@@ -338,12 +338,15 @@ impl StabilityMonitor {
         }
         if self.guards.is_empty() {
             self.set_guard(ANGLE, angle);
-            if let Reference::Plane(_) = self.reference {
+            let is_in_plane = matches!(self.reference, Reference::Plane(_));
+            if is_in_plane || self.limits.is_some() {
                 let calm_height = self.calm_height();
                 for (index, value) in seen.calm().into_iter().enumerate() {
                     let cell = calm_cell(calm_height, index, value).widened(CALM_SLACK);
                     self.set_guard(FIRST_CALM + index, cell);
                 }
+            }
+            if is_in_plane {
                 for (leg, side) in seen.sides().into_iter().enumerate() {
                     let range = if side >= 0.0 {
                         Bounds::above(0.0)

@@ -76,7 +76,7 @@ impl Steadiness {
         let friction = conditions.pad_friction.max(conditions.block_friction);
         Self {
             fall_time: (2.0 * vehicle.standing_height() / scene.gravity(vehicle)).sqrt(),
-            slippery: (sine > friction * cosine).then_some((sine, cosine)),
+            slippery: (sine.abs() > friction * cosine).then_some((sine, cosine)),
             may_end_early: rule == RestRule::Limits,
             sliding_speed: match rule {
                 RestRule::Limits => SLIDING,
@@ -104,7 +104,8 @@ impl Steadiness {
             return Some(Outcome::StableSteady);
         }
         let (sine, cosine) = self.slippery?;
-        let downhill = sine * body.velocity.z - cosine * body.velocity.y;
+        // On a negative slope Y points downhill.
+        let downhill = (sine * body.velocity.z - cosine * body.velocity.y) * sine.signum();
         (downhill > self.sliding_speed && steady(&self.sliding) >= ENDLESS)
             .then_some(Outcome::Sliding)
     }

@@ -150,12 +150,23 @@ fn a_slope_that_friction_does_not_hold_ends_as_sliding_whatever_the_speed() {
         told.iter().all(|case| case.outcome == "sliding"),
         "{told:?}"
     );
+    let mirrored = land(&four_legs(0.2, -12.0, 0.1, "[[case]]\n"));
+    assert_eq!(mirrored[0].outcome, "sliding");
     let steeper = "[solver]\nrules = \"1966\"\n[[case]]\nhorizontal_velocity_mps = 3\n[[case]]\nsolver.stop = \"time\"\nsolver.time_limit_s = 30\n";
     let told = land(&four_legs(0.2, 20.0, 0.1, steeper));
     assert!(
         told.iter().all(|case| case.outcome == "sliding"),
         "{told:?}"
     );
+}
+
+#[test]
+fn limits_of_1966_hold_beside_the_hull_too() {
+    let scene = "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_fps = 6\nhorizontal_velocity_fps = 1\n\
+                 cross_slope_deg = 180\nslope_deg = 0\nfriction = 1\n[[case]]\n[[case]]\nsolver.toppling_rule = \"hull\"\n";
+    let told = land(scene);
+    assert_eq!(told[0].outcome, "stable-subsided");
+    assert_eq!(told[0], told[1]);
 }
 
 #[test]
