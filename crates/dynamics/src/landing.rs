@@ -8,7 +8,6 @@ mod hidden_forces;
 mod history;
 mod hull;
 mod kinks;
-mod peaks;
 mod ranges;
 mod rates;
 pub mod record;

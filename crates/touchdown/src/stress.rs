@@ -36,8 +36,8 @@ last rename, and started again with another number of threads. No kill may lose 
 the journal. The results of every completed run are compared byte for byte with those of an
 undisturbed run. If something is wrong, the folder is kept and its name printed.
 
-Wild landings: vehicles with three, four, five and six legs, a quarter of the landings each, and
-touchdowns drawn at random (sweeps/stress/wild.toml): heavy and light, stiff and soft, slippery,
+Wild landings: vehicles with three to eight legs, under the rules of 1966 and under physical rules, a
+twelfth of the landings each, and touchdowns drawn at random (sweeps/stress/wild.toml): heavy and light, stiff and soft, slippery,
 steep, spinning, tilted up to lying on the side. No landing may panic, run
 without end, give a value that is not a number, or leave its energy account open by more than four
 times the tolerance, relative to the energy involved, for every three seconds begun. At most 1 % may
@@ -48,7 +48,7 @@ The journals of the wild landings are in the output folder: run the same command
 after an interruption. stress-cases.csv then lists everything that went wrong and the extreme
 landings, with the reason in the column `note`. To compute them again, bit for bit at the same
 tolerance:
-  touchdown land --vehicle stress/stress-3-legs.toml --cases stress/stress-cases.csv \\
+  touchdown land --vehicle stress/stress-3-legs-1966.toml --cases stress/stress-cases.csv \\
     --tolerance 3e-5 --out again.csv
 
 What is printed and listed is in feet and pounds.
@@ -65,7 +65,7 @@ pub struct Options {
     /// Number of times a sweep is killed
     #[arg(long, value_name = "N", default_value_t = 200)]
     kills: u32,
-    /// Number of wild landings, at most 10^12, a quarter of them with each number of legs from 3 to 6
+    /// Number of wild landings, at most 10^12, shared out among vehicles with 3 to 8 legs under either rules
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = value_parser!(u64).range(..=MOST_LANDINGS))]
     landings: u64,
     /// Seed of the random numbers; the same seed gives the same landings

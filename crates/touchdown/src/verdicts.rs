@@ -1,17 +1,19 @@
 //! `touchdown verdicts`: whether anything that follows a verdict contradicts it.
 
 mod draw;
+mod small_changes;
 
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
+use std::time::Duration;
 
 use clap::Args;
 use rayon::prelude::*;
 use touchdown_dynamics::batch::{Request, land_many};
-use touchdown_dynamics::land::{land, land_observed};
+use touchdown_dynamics::land::land_observed;
 use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::outcome::{Class, Outcome};
@@ -19,7 +21,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::run::Observer;
 
-use draw::{Draw, ENGINES, GROUNDS, LANDERS, PLACES, Stock};
+use draw::{Draw, Stock};
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -31,22 +33,27 @@ Examples:
   touchdown verdicts                         # 20000 landings: a quarter of an hour on two cores
   touchdown verdicts --landings 500          # a short run
   touchdown verdicts --landing 1234          # one of them, in full
+  touchdown verdicts --small-changes 10000   # whether a millimetre or a gram changes an outcome
 
 Landers with three to eight legs, with equal and with unequal legs, touch down on even and on rough ground, on the Moon, on Mars,
 on the Earth and on Ceres, at up to 4 m/s each way, with and without thrust, under physical rules. Each goes on for 60 s
-beyond its verdict, but those that lie on their side 8 s after they were called toppled. A verdict is contradicted
+beyond its verdict, those called toppled until they lie on their side. A verdict is contradicted
   - of a landing called stable, if the vehicle ends tilted by more than 60 deg, if a strut, pad or block bottoms, or if it ends
     sliding at more than 0.1 m/s;
   - of a landing called toppled, if the vehicle ends standing.
 
+Small changes: a lander of that kind is landed at every quarter of a metre per second sideways until it is no longer stable; then
+at a speed drawn between 0 and two thirds of that, and again with its CG 1 mm to the side, with 1 g more, and with its first
+footpad 1 mm higher. small-changes.csv lists every landing whose outcome differs.
+
 verdicts.csv lists the verdicts by kind, verdict-exceptions.csv every landing that contradicts its own.
 
-Exit code 0 if none does, 1 if any.";
+Exit code 0 if there is no contradiction and no difference, 1 if there is any.";
 
 /// How long landings go on beyond their verdict, s.
 const BEYOND: f64 = 60.0;
-/// The same of those called toppled, unless the vehicle does not yet lie on its side then, s.
-const BEYOND_TOPPLING: f64 = 8.0;
+/// The same of those called toppled: each in turn until the vehicle lies on its side, s.
+const WAITS: [f64; 4] = [1.0, 3.0, 10.0, BEYOND];
 /// Tilt of a vehicle that lies on its side, rad.
 const LIES: f64 = 80.0 * std::f64::consts::PI / 180.0;
 /// Time limit of a verdict, s: on Ceres a lander that bounces flies for half a minute.
@@ -74,6 +81,9 @@ pub struct Options {
     /// Land this one alone and print all that it came to
     #[arg(long, value_name = "NUMBER", conflicts_with = "landings")]
     landing: Option<u64>,
+    /// Instead, land so many at up to two thirds of the speed of their first transition, and again with small changes
+    #[arg(long, value_name = "N", conflicts_with_all = ["landings", "landing"])]
+    small_changes: Option<u64>,
     /// Seed of the random numbers; the same seed gives the same landings
     #[arg(long, value_name = "N", default_value_t = 1966)]
     seed: u64,
@@ -109,46 +119,34 @@ impl Fate {
     fn of_all(draws: &[Draw]) -> Result<Vec<Self>, Failure> {
         let first = settings(LIMIT)?;
         let verdicts = land_all(draws.iter().map(|draw| (draw, first)));
-        let mut onward = Vec::new();
-        for (draw, landing) in draws.iter().zip(&verdicts) {
-            if goes_on(landing) {
-                let beyond = match landing.outcome.class() {
-                    Class::Unstable => BEYOND_TOPPLING,
-                    _ => BEYOND,
-                };
-                onward.push((draw, settings(landing.end_time + beyond)?.beyond_verdict()));
-            }
-        }
-        let mut beyond = land_all(onward.iter().copied());
-        // What lies on its side stays there; the rest goes on as long as what stands.
-        for ((draw, settings), landing) in onward.into_iter().zip(&mut beyond) {
-            if landing.outcome.class() == Class::Unstable && landing.tilt < LIES {
-                let longer = settings.with_time_limit(settings.time_limit() + BEYOND);
-                let longer = longer.map_err(Failure::running)?;
-                *landing = land(&draw.vehicle, &draw.scene, &longer);
-            }
-        }
-        let mut beyond = beyond.into_iter();
-        let fates = draws.iter().zip(verdicts).map(|(draw, landing)| {
-            let beyond = if goes_on(&landing) {
-                beyond.next()
-            } else {
-                None
+        let mut beyond: Vec<Option<Landing>> = draws.iter().map(|_| None).collect();
+        for wait in WAITS {
+            let is_due = |index: &usize| match verdicts[*index].outcome.class() {
+                Class::Stable => wait == BEYOND,
+                // What lies on its side stays there.
+                Class::Unstable => (beyond[*index].as_ref()).is_none_or(|seen| seen.tilt < LIES),
+                _ => false,
             };
-            Self::new(draw, landing, beyond)
-        });
-        fates.collect()
+            let due: Vec<usize> = (0..draws.len()).filter(is_due).collect();
+            let landings: Result<Vec<(&Draw, Settings)>, Failure> = (due.iter())
+                .map(|&index| {
+                    let settings = settings(verdicts[index].end_time + wait)?;
+                    Ok((&draws[index], settings.beyond_verdict()))
+                })
+                .collect();
+            for (index, landing) in due.into_iter().zip(land_all(landings?.into_iter())) {
+                beyond[index] = Some(landing);
+            }
+        }
+        (draws.iter().zip(verdicts).zip(beyond))
+            .map(|((draw, landing), beyond)| Self::new(draw, landing, beyond))
+            .collect()
     }
 
     fn new(draw: &Draw, landing: Landing, beyond: Option<Landing>) -> Result<Self, Failure> {
         let mut fate = Self {
             number: draw.number,
-            kinds: [
-                PLACES[draw.place].0,
-                LANDERS[draw.lander],
-                GROUNDS[draw.ground],
-                ENGINES[draw.engine],
-            ],
+            kinds: draw.kinds(),
             legs: draw.vehicle.legs().len(),
             verdict: landing.outcome,
             verdict_time: landing.end_time,
@@ -175,11 +173,6 @@ impl Fate {
             .and_then(|landing| landing.beyond.as_ref());
         end.map_or(String::new(), |beyond| beyond.end.to_string())
     }
-}
-
-/// Whether anything follows that could contradict a verdict.
-fn goes_on(landing: &Landing) -> bool {
-    matches!(landing.outcome.class(), Class::Stable | Class::Unstable)
 }
 
 /// Lands landers with as many legs side by side.
@@ -262,44 +255,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         ));
     }
     let folder = Folder::open(&options.out)?;
-    let cancel = interrupt::flag()?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(options.threads.map_or(0, NonZeroUsize::get))
-        .build()
-        .map_err(Failure::running)?;
-    let count = usize::try_from(options.landings).map_err(Failure::running)?;
-    let progress = Progress::start("landings", count, options.quiet);
-    let mut fates = Vec::new();
-    let mut from = 0;
-    while from < options.landings {
-        if cancel.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted("nothing was written".to_owned()));
-        }
-        let to = options.landings.min(from + CHUNK);
-        let numbers: Vec<u64> = (from..to).collect();
-        let chunk: Result<Vec<Vec<Fate>>, Failure> = pool.install(|| {
-            let draws = numbers
-                .par_iter()
-                .map(|number| stock.draw(options.seed, *number));
-            let mut draws: Vec<Draw> = draws.collect();
-            draws.sort_by_key(|draw| draw.vehicle.legs().len());
-            let alike = draws.chunk_by(|a, b| a.vehicle.legs().len() == b.vehicle.legs().len());
-            let groups = alike.flat_map(|group| group.chunks(GROUP));
-            (groups.collect::<Vec<_>>().into_par_iter())
-                .map(|group| {
-                    let fates = Fate::of_all(group)?;
-                    for fate in &fates {
-                        progress.landing();
-                        progress.point(fate.number as usize);
-                    }
-                    Ok(fates)
-                })
-                .collect()
-        });
-        fates.extend(chunk?.into_iter().flatten());
-        from = to;
+    if let Some(count) = options.small_changes {
+        return small_changes::run(options, &stock, &folder, count);
     }
-    let time = progress.finish();
+    let count = options.landings;
+    let (mut fates, time) = of_all_draws(options, &stock, count, Fate::of_all)?;
     fates.sort_by_key(|fate| fate.number);
     let files = [
         ("verdicts.csv".to_owned(), counts(&fates).into_bytes()),
@@ -327,6 +287,53 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             "{contradicted} verdicts are contradicted"
         )))
     }
+}
+
+/// What comes of so many random landings, in any order, a group of landers with as many legs after another; how long it took.
+fn of_all_draws<T: Send>(
+    options: &Options,
+    stock: &Stock,
+    count: u64,
+    of_group: impl Fn(&[Draw]) -> Result<Vec<T>, Failure> + Sync,
+) -> Result<(Vec<T>, Duration), Failure> {
+    let cancel = interrupt::flag()?;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(options.threads.map_or(0, NonZeroUsize::get))
+        .build()
+        .map_err(Failure::running)?;
+    let points = usize::try_from(count).map_err(Failure::running)?;
+    let progress = Progress::start("landings", points, options.quiet);
+    let mut all = Vec::new();
+    let mut from = 0;
+    while from < count {
+        if cancel.load(Ordering::Relaxed) {
+            return Err(Failure::Interrupted("nothing was written".to_owned()));
+        }
+        let to = count.min(from + CHUNK);
+        let numbers: Vec<u64> = (from..to).collect();
+        let chunk: Result<Vec<Vec<T>>, Failure> = pool.install(|| {
+            let draws = numbers
+                .par_iter()
+                .map(|number| stock.draw(options.seed, *number));
+            let mut draws: Vec<Draw> = draws.collect();
+            draws.sort_by_key(|draw| draw.vehicle.legs().len());
+            let alike = draws.chunk_by(|a, b| a.vehicle.legs().len() == b.vehicle.legs().len());
+            let groups = alike.flat_map(|group| group.chunks(GROUP));
+            (groups.collect::<Vec<_>>().into_par_iter())
+                .map(|group| {
+                    let done = of_group(group)?;
+                    for draw in group {
+                        progress.landing();
+                        progress.point(draw.number as usize);
+                    }
+                    Ok(done)
+                })
+                .collect()
+        });
+        all.extend(chunk?.into_iter().flatten());
+        from = to;
+    }
+    Ok((all, progress.finish()))
 }
 
 /// The course of a landing as lines.

@@ -57,6 +57,9 @@ impl Trajectory<'_> {
 
     pub(super) fn result(&self, outcome: Outcome) -> Landing {
         let signals = (self.motion).signals(&self.step.before, &self.pieces, false);
+        let max_pad_crush = PerLeg::from_fn(self.leg_count(), |j| {
+            self.modes[j].pad_crush(signals.leg(j))
+        });
         Landing {
             outcome,
             end_time: self.time,
@@ -80,8 +83,9 @@ impl Trajectory<'_> {
             max_stroke_share: PerLeg::from_fn(self.leg_count(), |j| {
                 self.peaks.stroke[j] / self.laws[j].bottoming_stroke()
             }),
-            max_pad_crush: PerLeg::from_fn(self.leg_count(), |j| {
-                self.modes[j].pad_crush(signals.leg(j))
+            max_pad_crush,
+            max_pad_crush_share: PerLeg::from_fn(self.leg_count(), |j| {
+                max_pad_crush[j] / self.laws[j].pad_height()
             }),
             final_rates: final_rates(
                 self.monitor.clone(),

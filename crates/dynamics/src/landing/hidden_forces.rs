@@ -35,20 +35,24 @@ impl HiddenForces {
         }
     }
 
-    /// Forgets stretches that hide no force greater than these of the legs, lb.
-    #[inline(always)]
-    pub(super) fn retain_beyond(&mut self, forces: &PerLeg<f64>) {
-        (self.stretches).retain(|stretch| stretch.may_exceed(forces));
-    }
-
     /// Keeps a stretch; these are the greatest forces on the legs so far, lb.
     #[inline(always)]
     pub(super) fn keep(&mut self, stretch: Stretch, motion: &Motion<f64>, forces: &PerLeg<f64>) {
         if self.stretches.is_full() {
+            self.make_room(motion, forces);
+        }
+        self.stretches.push(stretch);
+    }
+
+    /// Forgets stretches that hide no force greater than these of the legs, lb; looks into all if none is forgotten.
+    #[cold]
+    #[inline(never)]
+    fn make_room(&mut self, motion: &Motion<f64>, forces: &PerLeg<f64>) {
+        (self.stretches).retain(|stretch| stretch.may_exceed(forces));
+        if self.stretches.is_full() {
             self.found = self.greatest(motion, forces);
             self.stretches.clear();
         }
-        self.stretches.push(stretch);
     }
 
     /// The greatest force on each strut, lb, from the greatest at the ends of steps.

@@ -153,6 +153,8 @@ pub struct Landing {
     /// Greatest interference at which either section of each footpad was crushed, ft: more than its height means that it was
     /// crushed up to its hinge and beyond.
     pub max_pad_crush: PerLeg<f64>,
+    /// The same as a share of the height of the footpad.
+    pub max_pad_crush_share: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,
     /// First contact of each footpad, s.

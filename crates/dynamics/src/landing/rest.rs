@@ -13,7 +13,7 @@ use super::hull::{Hull, MOST_SUPPORTS};
 use super::trajectory::Trajectory;
 use crate::energy::kinetic;
 use crate::kinematics::BodyFrame;
-use crate::motion::Signal;
+use crate::motion::{LegLoads, Signal};
 use crate::products::transposed_times;
 use crate::scene::Scene;
 use crate::vehicle::Vehicle;
@@ -131,14 +131,20 @@ impl Rest {
         if support.steepness > friction && !sticks {
             return false;
         }
-        if mode.crushes_faster(support.is_foot, self.creep, signals) {
+        // What crushes under more than its share of the weight comes to rest by that.
+        if !support.is_foot {
+            return !mode.block_crushes(self.creep, signals)
+                || trajectory.loads(leg).block_normal >= load;
+        }
+        if mode.pad_crushes(self.creep, signals) && trajectory.loads(leg).pad_normal < load {
             return false;
         }
-        !support.is_foot || {
-            // The strut force that bears the load on the link (68), by virtual work.
-            let descent = foot_descent(trajectory, leg, frame);
-            mode.strut_bears(laws, load * descent / signals[Signal::StrutLever as usize])
-        }
+        // The strut force that bears the load on the link (68), by virtual work.
+        let descent = foot_descent(trajectory, leg, frame);
+        let force = load * descent / signals[Signal::StrutLever as usize];
+        let gives_way =
+            mode.strut_crushes(self.creep, signals) && signals[Signal::StrutForce as usize] < force;
+        !gives_way && mode.strut_bears(laws, force)
     }
 }
 
@@ -157,6 +163,11 @@ fn foot_descent(trajectory: &Trajectory<'_>, leg: usize, frame: &BodyFrame<f64>)
 }
 
 impl Trajectory<'_> {
+    /// Forces on a leg now.
+    fn loads(&self, leg: usize) -> LegLoads<f64> {
+        self.motion.loads(&self.step.before, &self.pieces)[leg]
+    }
+
     /// What pulls a vehicle down that comes to rest. None comes to rest while the thrust still changes or lifts it.
     fn pull_at_rest(&self) -> Option<Pull> {
         self.weight_at_rest()?;

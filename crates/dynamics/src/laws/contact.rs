@@ -167,6 +167,11 @@ impl LegLaws {
         self.strut.bottoming_stroke()
     }
 
+    /// Height of the footpad, ft.
+    pub fn pad_height(&self) -> f64 {
+        self.heights.pad
+    }
+
     /// Whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
     pub fn is_viscous(&self, speed_squared: f64) -> bool {
         Sliding::at(self.friction, speed_squared) == Sliding::Viscous
@@ -406,22 +411,24 @@ impl LegMode {
         (!laws.block.is_absent()).then(|| (set - interference).max(0.0) * inclination)
     }
 
-    /// Whether the footpad and the strut of the leg, or its block, are being crushed faster than this, ft/s.
-    pub fn crushes_faster(&self, is_foot: bool, limit: f64, signals: &LegSignals<f64>) -> bool {
-        let crushes =
-            |element: &Crush, rate: Signal| element.is_on_front() && signals[rate as usize] > limit;
-        if is_foot {
-            let outer = if self.is_on_edge {
-                &self.edge
-            } else {
-                &self.pad[0]
-            };
-            crushes(outer, Signal::OuterRate)
-                || !self.is_on_edge && crushes(&self.pad[1], Signal::InnerRate)
-                || crushes(&self.cartridge, Signal::StrokeRate)
-        } else {
-            crushes(&self.block, Signal::BlockRate)
+    /// Whether the footpad is being crushed faster than this, ft/s.
+    pub fn pad_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
+        if self.is_on_edge {
+            return crushes(&self.edge, Signal::OuterRate, limit, signals);
         }
+        let [outer, inner] = &self.pad;
+        crushes(outer, Signal::OuterRate, limit, signals)
+            || crushes(inner, Signal::InnerRate, limit, signals)
+    }
+
+    /// The same of the block.
+    pub fn block_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
+        crushes(&self.block, Signal::BlockRate, limit, signals)
+    }
+
+    /// The same of the strut's cartridge.
+    pub fn strut_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
+        crushes(&self.cartridge, Signal::StrokeRate, limit, signals)
     }
 
     /// Whether the strut comes to rest before its stop under so much force, lb.
@@ -703,4 +710,9 @@ impl LegMode {
             self.stance = Stance::extended(self.on_surface(), value(Signal::LinkRate));
         }
     }
+}
+
+/// Whether an element is being crushed faster than this, ft/s.
+fn crushes(element: &Crush, rate: Signal, limit: f64, signals: &LegSignals<f64>) -> bool {
+    element.is_on_front() && signals[rate as usize] > limit
 }

@@ -114,6 +114,7 @@ impl<'a> Flight<'a> {
             before = Some((start, taken.length));
         };
         let least = extremes.angle;
+        let max_pad_crush = self.model.pad_crush(&evaluator.memory);
         Landing {
             beyond: None,
             outcome,
@@ -127,7 +128,10 @@ impl<'a> Flight<'a> {
             max_stroke_share: PerLeg::from_fn(state.leg_count(), |j| {
                 extremes.stroke[j] / self.model.bottoming_stroke(j)
             }),
-            max_pad_crush: self.model.pad_crush(&evaluator.memory),
+            max_pad_crush,
+            max_pad_crush_share: PerLeg::from_fn(state.leg_count(), |j| {
+                max_pad_crush[j] / self.model.pad_height(j)
+            }),
             final_rates: final_rates(
                 self.fresh,
                 self.model.motion(),

@@ -107,7 +107,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
             Outcome::Failure(reason) => Some(reason.to_string()),
             _ => None,
         },
-        warning: landing_report::warning(&landing, vehicle, units),
+        warning: landing_report::warning(&landing, units),
         end_time_s: landing.end_time,
         verdict_time_s: verdict_time(&landing),
         report: report.json(),

@@ -3,13 +3,11 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
-use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::Settings;
-use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::assignment::Assignment;
 use crate::choice::word;
-use crate::findings::worth_a_warning;
+use crate::findings::ContactWarnings;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
 use crate::method_input::method_name;
@@ -145,25 +143,32 @@ pub fn verdict_time(landing: &Landing) -> f64 {
 
 /// What is to be told of a landing of a vehicle although its account closes: elements that gave back more than they took, and
 /// footpads that were crushed through their height.
-pub fn warning(landing: &Landing, vehicle: &Vehicle, units: OutputUnits) -> Option<String> {
-    let given = worth_a_warning(&landing.energies).map(|given| given_by_contact(given, units));
-    let crushed = crushed_through(landing, vehicle, units);
-    let told: Vec<String> = given.into_iter().chain(crushed).collect();
+pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
+    let ContactWarnings {
+        given,
+        is_crushed_through,
+    } = ContactWarnings::of(landing);
+    let mut told = Vec::new();
+    if given > 0.0 {
+        told.push(given_by_contact(given, units));
+    }
+    if is_crushed_through {
+        told.extend(crushed_through(landing, units));
+    }
     (!told.is_empty()).then(|| told.join("; "))
 }
 
+/// The warning that the ground reached beyond hinges of footpads.
+pub const CRUSHED_THROUGH: &str = "footpads were crushed by more than their height: the contact rule \"face\" ends such \
+     landings as bottomed";
+
 /// The warning that the ground reached beyond the hinge of a footpad, as it may under the contact rule of 1966.
-fn crushed_through(landing: &Landing, vehicle: &Vehicle, units: OutputUnits) -> Option<String> {
-    if landing.outcome.class() == Class::Bottomed {
-        return None;
-    }
+fn crushed_through(landing: &Landing, units: OutputUnits) -> Option<String> {
     let quantity = units.quantity("crush_ft");
-    let mut pads = vehicle.legs().iter().zip(landing.max_pad_crush.iter());
-    let (leg, (crush, height)) = (pads.by_ref())
-        .map(|(leg, crush)| (*crush, leg.design().footpad.height))
-        .enumerate()
-        .find(|(_, (crush, height))| crush > height)?;
-    let [crush, height] = [crush, height].map(|length| quantity.number(length));
+    let shares = landing.max_pad_crush_share.iter();
+    let (leg, share) = shares.enumerate().find(|(_, share)| **share > 1.0)?;
+    let crush = landing.max_pad_crush[leg];
+    let [crush, height] = [crush, crush / share].map(|length| quantity.number(length));
     let unit = quantity.unit();
     Some(format!(
         "footpad {} was crushed by {crush:.3} {unit}, which is more than its height of {height:.3} {unit}: the contact rule \

@@ -6,6 +6,7 @@ use touchdown_dynamics::outcome::{Class, Outcome};
 pub use crate::search_range::{Extent, Search};
 
 use crate::certainty::Certainty;
+use crate::findings::ContactWarnings;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::narrowed_scan::NarrowedScan;
 use crate::skipped::Skipped;
@@ -94,6 +95,8 @@ pub struct Boundary {
     pub landings: u64,
     /// Evaluations of the equations of motion in all of them.
     pub evaluations: u64,
+    /// What is to be told of the landings between which the changes were found.
+    pub warnings: ContactWarnings,
 }
 
 /// A change that was put to the test.
@@ -156,6 +159,9 @@ impl Boundary {
             searched_to: samples.last().map_or(0.0, |highest| highest.speed),
             landings: samples.len() as u64,
             evaluations: samples.iter().map(|sample| sample.trial.evaluations).sum(),
+            warnings: (samples.iter())
+                .map(|sample| sample.trial.warnings)
+                .fold(ContactWarnings::default(), ContactWarnings::or),
             ..Self::default()
         }
     }

@@ -6,6 +6,8 @@ use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 
+use crate::findings::ContactWarnings;
+
 /// What one landing told.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
@@ -21,6 +23,8 @@ pub struct Trial {
     pub tolerance: f64,
     /// Evaluations of the equations of motion that it took.
     pub evaluations: u64,
+    /// What is to be told of it.
+    pub warnings: ContactWarnings,
 }
 
 /// Signed margins, positive on the side of a stable landing and continuous where nothing but the
@@ -35,7 +39,8 @@ pub struct Margins {
     /// radians per free fall, rad². `None` where all feet came to one side.
     pub toppling: Option<f64>,
     /// Against bottoming: the least stroke that a strut had left, or minus the stroke that it would
-    /// have needed beyond its stop, in units of the whole stroke. `None` where it did not slow down.
+    /// have needed beyond its stop, in units of the whole stroke. `None` where it did not slow down, or where a pad or block
+    /// bottomed.
     pub bottoming: Option<f64>,
 }
 
@@ -65,6 +70,7 @@ impl Trial {
     /// What a search keeps of a landing that was computed at a tolerance.
     pub fn of(landing: Landing, scales: &Scales, tolerance: f64) -> Self {
         Self {
+            warnings: ContactWarnings::of(&landing),
             margins: Margins {
                 toppling: toppling(&landing, scales),
                 bottoming: bottoming(&landing, scales),
@@ -103,11 +109,16 @@ fn toppling(landing: &Landing, scales: &Scales) -> Option<f64> {
 }
 
 fn bottoming(landing: &Landing, scales: &Scales) -> Option<f64> {
-    if let Outcome::Bottomed { leg } = landing.outcome {
-        let rates = &landing.final_rates;
-        let (rate, braking) = (rates.strokes[leg], -rates.stroke_accelerations[leg]);
-        let beyond = rate * rate / (2.0 * braking);
-        return (braking > 0.0).then(|| -beyond / scales.strokes[leg]);
+    match landing.outcome {
+        Outcome::Bottomed { leg } => {
+            let rates = &landing.final_rates;
+            let (rate, braking) = (rates.strokes[leg], -rates.stroke_accelerations[leg]);
+            let beyond = rate * rate / (2.0 * braking);
+            return (braking > 0.0).then(|| -beyond / scales.strokes[leg]);
+        }
+        // What is left of the struts tells nothing of these.
+        Outcome::BottomedPad { .. } | Outcome::BottomedBlock { .. } => return None,
+        _ => {}
     }
     let left = landing
         .max_stroke
@@ -187,6 +198,7 @@ impl Trial {
             duration: 3.0,
             tolerance: 3e-5,
             evaluations,
+            warnings: ContactWarnings::default(),
         }
     }
 }

@@ -1,21 +1,48 @@
 //! The result of a point, and its form in a journal.
 
 use serde::{Deserialize, Serialize};
-use touchdown_dynamics::landing::{Energies, Landing};
-use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::outcome::{Class, Outcome};
 
 use crate::boundary::Boundary;
 use crate::landing_table::{self, Cell};
 use crate::sensitivity::Sensitivity;
 
-/// Energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]), where it is more than a
-/// thousandth of the kinetic energy at first contact.
-///
-/// Less than that any vehicle has, as friction acts against the velocity of the hinge of a footpad and not against that of its face.
-pub fn worth_a_warning(energies: &Energies) -> Option<f64> {
-    const SHARE: f64 = 1e-3;
-    let given = energies.given_by_contact();
-    (given > SHARE * energies.initial_kinetic).then_some(given)
+/// What is to be told of landings although their accounts close: the contact rule of 1966 allows both.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct ContactWarnings {
+    /// Most energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]); zero where it is at most a
+    /// thousandth of the kinetic energy at first contact.
+    ///
+    /// So little any vehicle gains, as friction acts against the velocity of the hinge of a footpad and not against that of its face.
+    ///
+    /// [`Energies::given_by_contact`]: touchdown_dynamics::landing::Energies::given_by_contact
+    pub given: f64,
+    /// Whether a footpad was crushed through its height, in a landing that did not end by that.
+    pub is_crushed_through: bool,
+}
+
+impl ContactWarnings {
+    /// Those of one landing.
+    pub fn of(landing: &Landing) -> Self {
+        const SHARE: f64 = 1e-3;
+        let given = landing.energies.given_by_contact();
+        let is_much = given > SHARE * landing.energies.initial_kinetic;
+        let is_bottomed = landing.outcome.class() == Class::Bottomed;
+        let is_crushed_through = landing.max_pad_crush_share.iter().any(|share| *share > 1.0);
+        Self {
+            given: if is_much { given } else { 0.0 },
+            is_crushed_through: is_crushed_through && !is_bottomed,
+        }
+    }
+
+    /// Those of landings of which one or the other has these.
+    pub fn or(self, other: Self) -> Self {
+        Self {
+            given: self.given.max(other.given),
+            is_crushed_through: self.is_crushed_through || other.is_crushed_through,
+        }
+    }
 }
 
 /// The result of a point.
@@ -29,8 +56,8 @@ pub enum Finding {
         outcome: Outcome,
         /// Its results in the order of [`crate::landing_table`].
         cells: Vec<Cell>,
-        /// Energy that crushing elements gave to the motion, ft·lb; zero where it is not [`worth_a_warning`].
-        given_by_contact: f64,
+        /// What is to be told of it.
+        warnings: ContactWarnings,
     },
     /// The search for the boundary, and sensitivities of the transition.
     Sensitive {
@@ -48,7 +75,7 @@ impl Finding {
         Self::Landing {
             outcome: landing.outcome.clone(),
             cells: columns.map(|(_, cell)| cell).collect(),
-            given_by_contact: worth_a_warning(&landing.energies).unwrap_or(0.0),
+            warnings: ContactWarnings::of(landing),
         }
     }
 
@@ -57,6 +84,14 @@ impl Finding {
         match self {
             Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => Some(boundary),
             Self::Landing { .. } => None,
+        }
+    }
+
+    /// What is to be told of its landings.
+    pub fn warnings(&self) -> ContactWarnings {
+        match self {
+            Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => boundary.warnings,
+            Self::Landing { warnings, .. } => *warnings,
         }
     }
 
@@ -114,7 +149,7 @@ mod tests {
     use crate::certainty::Certainty;
     use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
     use crate::skipped::Skipped;
-    use touchdown_dynamics::outcome::{Class, Failure};
+    use touchdown_dynamics::outcome::Failure;
 
     #[test]
     fn every_bit_survives() {
@@ -152,6 +187,7 @@ mod tests {
             tests: 9,
             landings: 1 << 40,
             evaluations: u64::MAX,
+            warnings: ContactWarnings::default(),
         });
         let landing = Finding::Landing {
             outcome: Outcome::Bottomed { leg: 1 },
@@ -160,7 +196,10 @@ mod tests {
                 Cell::Number(-0.0),
                 Cell::Count(7),
             ],
-            given_by_contact: 1.0 / 3.0,
+            warnings: ContactWarnings {
+                given: 1.0 / 3.0,
+                is_crushed_through: true,
+            },
         };
         for finding in [boundary, landing] {
             let bytes = finding.encode();

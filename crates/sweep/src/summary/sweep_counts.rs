@@ -5,7 +5,7 @@ use touchdown_dynamics::outcome::Class;
 use crate::boundary::{Boundary, Transition};
 use crate::certainty::Certainty;
 use crate::design::Design;
-use crate::findings::Finding;
+use crate::findings::{ContactWarnings, Finding};
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::probabilities::Probabilities;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
@@ -49,10 +49,12 @@ pub struct SweepCounts {
     pub with_failures: usize,
     /// See `with_failures`.
     pub with_undecided: usize,
-    /// Landings of a sweep of single landings in which crushing elements gave energy to the motion.
+    /// Points with landings in which crushing elements gave energy to the motion.
     pub with_given: usize,
     /// The most that they gave, ft·lb, and its point.
     pub most_given: Option<(usize, f64)>,
+    /// Points with landings in which a footpad was crushed through its height.
+    pub with_crushed_through: usize,
     /// Probabilities, of a sweep of single landings.
     pub probabilities: Option<Probabilities>,
     /// Transition velocities, where points are sampled.
@@ -95,6 +97,7 @@ impl SweepCounts {
     /// Adds a point; points come in order.
     pub fn add(&mut self, sweep: &Sweep, point: usize, finding: &Finding) {
         self.points += 1;
+        self.add_warnings(point, finding.warnings());
         match finding {
             Finding::Boundary(boundary) => self.add_boundary(point, boundary),
             Finding::Sensitive {
@@ -104,24 +107,22 @@ impl SweepCounts {
                 self.add_boundary(point, boundary);
                 self.add_sensitivity(sensitivity);
             }
-            Finding::Landing {
-                outcome,
-                given_by_contact,
-                ..
-            } => {
-                if *given_by_contact > 0.0 {
-                    self.with_given += 1;
-                    let is_most =
-                        (self.most_given).is_none_or(|(_, most)| *given_by_contact > most);
-                    if is_most {
-                        self.most_given = Some((point, *given_by_contact));
-                    }
-                }
+            Finding::Landing { outcome, .. } => {
                 self.landings += 1;
                 self.evaluations += finding.evaluations();
                 if let Some(probabilities) = &mut self.probabilities {
                     probabilities.add(&sweep.design.coordinates(point), outcome.class());
                 }
+            }
+        }
+    }
+
+    fn add_warnings(&mut self, point: usize, warnings: ContactWarnings) {
+        self.with_crushed_through += usize::from(warnings.is_crushed_through);
+        if warnings.given > 0.0 {
+            self.with_given += 1;
+            if (self.most_given).is_none_or(|(_, most)| warnings.given > most) {
+                self.most_given = Some((point, warnings.given));
             }
         }
     }

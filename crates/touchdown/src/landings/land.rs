@@ -241,7 +241,7 @@ fn land_once(
         true => format!("{:#}\n", report.json()),
         false => report::text(&report),
     })?;
-    if let Some(warning) = landing_report::warning(&landing, &vehicle.vehicle, units) {
+    if let Some(warning) = landing_report::warning(&landing, units) {
         eprintln!("touchdown: warning: {warning}");
     }
     match &landing.outcome {

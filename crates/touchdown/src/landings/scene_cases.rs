@@ -60,7 +60,7 @@ pub fn run(
     let written = folder.write_files(&files)?;
     print(&text(&cases, &landings, units))?;
     for (case, landing) in cases.iter().zip(&landings) {
-        if let Some(warning) = landing_report::warning(landing, &case.vehicle.vehicle, units) {
+        if let Some(warning) = landing_report::warning(landing, units) {
             eprintln!("touchdown: warning: case {}: {warning}", case.name);
         }
     }

@@ -44,9 +44,9 @@ pub fn run(bench: &Bench, sweeps: &[WildSweep]) -> Result<(), Failure> {
         let account = account(wild, &mut results)?;
         let rate = now as f64 / wall_time.max(1e-9);
         print(&format!(
-            "{count} wild landings of {} legs, seed {}, tolerance {:e}, model version {MODEL_VERSION}; {now} of them in \
+            "{count} wild landings of {}, seed {}, tolerance {:e}, model version {MODEL_VERSION}; {now} of them in \
              this run on {}, in {wall_time:.0} s: {rate:.0} landings/s\n{}",
-            wild.legs,
+            wild.title(),
             bench.options.seed,
             wild.sweep.settings.tolerance(),
             summary::number(bench.workers.threads(), "thread"),
@@ -65,7 +65,7 @@ pub fn run(bench: &Bench, sweeps: &[WildSweep]) -> Result<(), Failure> {
     }
     let verdicts = accounts.iter().filter_map(|(wild, account)| {
         let verdict = account.verdict()?;
-        Some(format!("{} legs: {verdict}", wild.legs))
+        Some(format!("{}: {verdict}", wild.title()))
     });
     match verdicts.collect::<Vec<_>>().join("; ").as_str() {
         "" => Ok(()),
@@ -103,7 +103,7 @@ fn land(bench: &Bench, wild: &WildSweep, opened: &mut Opened) -> Result<Duration
             Ok(_) => kept(bench),
             Err(error) => format!("the table of cases could not be written: {error}"),
         };
-        format!("{} legs, landings {landings:?}: {why}; {place}", wild.legs)
+        format!("{}, landings {landings:?}: {why}; {place}", wild.title())
     };
     let on_timeout = |landings: &[usize]| {
         let why = format!("not finished within {} s", LONGEST_RUN.as_secs());

@@ -156,7 +156,9 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
     let limit = sweep.settings.time_limit();
     warn(
         counts.with_undecided,
-        &format!("some landings are undecided: they still moved at time_limit_s = {limit}"),
+        &format!(
+            "some landings are undecided: they slide on, or still moved at time_limit_s = {limit}"
+        ),
     );
     warn(
         counts.with_failures,
@@ -174,11 +176,18 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
             landing_report::given_by_contact(energy, sweep.units)
         );
     }
+    if counts.with_crushed_through > 0 {
+        text += &format!(
+            "  warning: at {}: {}\n",
+            number(counts.with_crushed_through, "point"),
+            landing_report::CRUSHED_THROUGH
+        );
+    }
     if let Some(probabilities) = &counts.probabilities {
         let undecided = probabilities.overall.undecided;
         if undecided > 0 {
             text += &format!(
-                "  warning: {} undecided: still moving at time_limit_s = {limit}, counted as not stable\n",
+                "  warning: {} undecided: sliding, or still moving at time_limit_s = {limit}, counted as not stable\n",
                 number(undecided, "landing")
             );
         }

@@ -21,19 +21,21 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 /// Metres per second in a foot per second.
 const MPS: f64 = 1.0 / 0.3048;
+/// Highest speed of a touchdown either way, ft/s.
+pub const HIGHEST: f64 = 4.0 * MPS;
 /// Acceleration of gravity, ft/s²: of the Moon, of Mars, of the Earth and of Ceres.
-pub const PLACES: [(&str, f64); 4] = [
+const PLACES: [(&str, f64); 4] = [
     ("Moon", 1.62 * MPS),
     ("Mars", 3.71 * MPS),
     ("Earth", 9.81 * MPS),
     ("Ceres", 0.28 * MPS),
 ];
 /// Kinds of landers.
-pub const LANDERS: [&str; 3] = ["shipped", "Surveyor with 3 to 8 legs", "wild"];
+const LANDERS: [&str; 3] = ["shipped", "Surveyor with 3 to 8 legs", "wild"];
 /// Kinds of ground.
-pub const GROUNDS: [&str; 3] = ["even", "rough", "pits and rocks"];
+const GROUNDS: [&str; 3] = ["even", "rough", "pits and rocks"];
 /// Kinds of engines.
-pub const ENGINES: [&str; 3] = ["off", "dies away", "stays on"];
+const ENGINES: [&str; 3] = ["off", "dies away", "stays on"];
 
 /// What random landers are made of.
 pub struct Stock {
@@ -47,10 +49,31 @@ pub struct Draw {
     pub vehicle: Arc<Vehicle>,
     pub scene: Scene,
     /// Places in the lists of kinds.
-    pub place: usize,
-    pub lander: usize,
-    pub ground: usize,
-    pub engine: usize,
+    place: usize,
+    lander: usize,
+    ground: usize,
+    engine: usize,
+}
+
+impl Draw {
+    /// The same touchdown of another vehicle at another horizontal speed, ft/s.
+    pub fn at_speed(&self, speed: f64, vehicle: Arc<Vehicle>) -> Result<Self, Invalid> {
+        Ok(Self {
+            vehicle,
+            scene: self.scene.with_horizontal_velocity(speed)?,
+            ..*self
+        })
+    }
+
+    /// Kinds of place, lander, ground and engine.
+    pub fn kinds(&self) -> [&'static str; 4] {
+        [
+            PLACES[self.place].0,
+            LANDERS[self.lander],
+            GROUNDS[self.ground],
+            ENGINES[self.engine],
+        ]
+    }
 }
 
 impl Stock {
@@ -94,8 +117,8 @@ impl Stock {
         };
         let gravity = PLACES[place].1;
         let scene = Scene::new(Conditions {
-            vertical_velocity: random.between(0.0, 4.0 * MPS),
-            horizontal_velocity: random.between(0.0, 4.0 * MPS),
+            vertical_velocity: random.between(0.0, HIGHEST),
+            horizontal_velocity: random.between(0.0, HIGHEST),
             cross_slope: random.between(0.0, TAU),
             attitude: Attitude::from_tip(Tip {
                 tip: random.between(0.0, 15f64.to_radians()),
@@ -132,7 +155,7 @@ impl Stock {
         };
         let legs: Vec<Leg> = (0..legs).map(leg).collect::<Result<_, _>>()?;
         let height = self.surveyor.center_of_gravity_height();
-        like(&self.surveyor, height, legs)
+        like(&self.surveyor, self.surveyor.mass(), height, legs)
     }
 
     /// A lander whose legs differ in place, strength and length, with its CG off the centreline.
@@ -165,15 +188,15 @@ impl Stock {
             .collect();
         let standing = model.standing_height();
         let height = model.center_of_gravity_height() + standing * random.between(-0.15, 0.3);
-        let vehicle = like(model, height, legs?)?;
+        let vehicle = like(model, model.mass(), height, legs?)?;
         let reach = 0.2 * standing;
         let offset = [0.0; 2].map(|_: f64| random.between(-reach, reach));
         vehicle.with_center_of_gravity_offset(offset)
     }
 }
 
-/// A vehicle of the mass and inertia of another under physical rules.
-fn like(model: &Vehicle, height: f64, legs: Vec<Leg>) -> Result<Vehicle, Invalid> {
+/// A vehicle of the inertia of another, with this mass (slug), height of the CG (ft) and legs, under physical rules.
+pub fn like(model: &Vehicle, mass: f64, height: f64, legs: Vec<Leg>) -> Result<Vehicle, Invalid> {
     let j = model.inertia();
     let inertia = Inertia {
         xx: j[(0, 0)],
@@ -183,7 +206,7 @@ fn like(model: &Vehicle, height: f64, legs: Vec<Leg>) -> Result<Vehicle, Invalid
         xz: -j[(0, 2)],
         yz: -j[(1, 2)],
     };
-    Vehicle::new(model.mass(), model.gravity(), height, inertia, legs)
+    Vehicle::new(mass, model.gravity(), height, inertia, legs)
 }
 
 /// Ground of its own under each leg, but where it is even.

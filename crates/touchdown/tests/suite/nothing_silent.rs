@@ -374,6 +374,17 @@ fn elements_that_give_back_more_than_they_took_are_told() {
     let warning = "warning: at 1 point, most at vehicle.footpad.crush_pressure_psf = 100000: \
                    crushing footpads or blocks added ";
     assert!(done.out.contains(warning), "{}", done.out);
+
+    // And in a search, of the landings that it computes.
+    let searches = SWEEP.replace(
+        "roll_deg = { from = -10, to = 10, step = 10 }",
+        "vehicle.footpad.crush_pressure_psf = [1578.8, 1e5]",
+    );
+    let search = "[search]\nfrom_fps = 5\nto_fps = 6\nscan_step_fps = 1\ntolerance_fps = 0.1\nbands = \"first\"\n";
+    let searches = searches.split("[search]").next().unwrap().to_owned() + search;
+    bench.write("sweep.toml", &searches);
+    let done = bench.run(&["sweep", "sweep.toml"]);
+    assert!(done.out.contains(warning), "{}", done.out);
 }
 
 #[test]

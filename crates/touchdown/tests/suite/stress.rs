@@ -45,21 +45,27 @@ fn kills_and_wild_landings_are_told_and_land_again_as_they_did() {
         assert!(done.out.contains(fragment), "{fragment}: {}", done.out);
     }
     // Fewer of the last, as 58 cannot be shared out evenly.
-    for (legs, share) in [(3, 15), (4, 15), (5, 14), (6, 14)] {
-        let line = format!("{share} wild landings of {legs} legs, seed 1966, tolerance 3e-5");
+    let vehicles = (3..=8).flat_map(|legs| ["1966", "physical"].map(|rules| (legs, rules)));
+    let vehicles: Vec<(usize, &str)> = vehicles.collect();
+    for (legs, rules) in &vehicles {
+        let share = if *legs == 8 { 4 } else { 5 };
+        let line = format!(
+            "{share} wild landings of {legs} legs under {rules} rules, seed 1966, tolerance 3e-5"
+        );
         assert!(done.out.contains(&line), "{line}: {}", done.out);
     }
     // Neither the journals nor the folder of the kills stay.
     let left = bench.list("stress");
-    let vehicles = (3..=6).map(|legs| format!("stress-{legs}-legs.toml"));
-    let expected: Vec<String> = vehicles.chain(["stress-cases.csv".to_owned()]).collect();
+    let names = (vehicles.iter()).map(|(legs, rules)| format!("stress-{legs}-legs-{rules}.toml"));
+    let expected: Vec<String> = names.chain(["stress-cases.csv".to_owned()]).collect();
     assert_eq!(left, expected);
     let kept = rows(&bench.read("stress/stress-cases.csv"));
-    for legs in 3..=6 {
-        let own = (kept.iter()).filter(|case| case["case"].starts_with(&format!("{legs}-legs-")));
+    for (legs, rules) in &vehicles {
+        let name = format!("{legs}-legs-{rules}-");
+        let own = kept.iter().filter(|case| case["case"].starts_with(&name));
         assert!(own.count() >= 2, "{}", done.out);
     }
-    let [vehicle, cases] = ["stress/stress-3-legs.toml", "stress/stress-cases.csv"];
+    let [vehicle, cases] = ["stress/stress-3-legs-1966.toml", "stress/stress-cases.csv"];
     for (kept, landed) in kept
         .iter()
         .zip(land_again(&bench, vehicle, cases, TOLERANCE))

@@ -250,4 +250,24 @@ fn a_footpad_crushed_through_its_height_is_told_or_bottoms() {
         "{told}"
     );
     assert!(land("physical").out.contains("bottomed-pad-"));
+    let sweep = |rules: &str| {
+        let text = format!(
+            "title = \"Soft\"\nvehicle = \"soft.toml\"\nunits = \"SI\"\n[scene]\nvertical_velocity_mps = 2\n\
+             cross_slope_deg = 0\nslope_deg = 0\nfriction = 1\n[axes]\nroll_deg = [0, 45]\n\
+             [search]\nfrom_mps = 0\nto_mps = 2\nscan_step_mps = 1\ntolerance_mps = 0.01\nbands = \"first\"\n\
+             [solver]\nrules = \"{rules}\"\n"
+        );
+        bench.write("soft-sweep.toml", &text);
+        let done = bench.run(&["sweep", "soft-sweep.toml"]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        done.out
+    };
+    let warning = "warning: at 2 points: footpads were crushed by more than their height";
+    assert!(sweep("1966").contains(warning), "{}", sweep("1966"));
+    let physical = sweep("physical");
+    assert!(
+        physical.contains("first transition to: 2 bottomed")
+            && !physical.contains("warning: at 2 points: footpads"),
+        "{physical}"
+    );
 }
