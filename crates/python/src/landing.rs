@@ -92,7 +92,7 @@ fn scene_for(
     scene: &Scene,
     solver: &Solver,
 ) -> Result<touchdown_dynamics::scene::Scene, Failure> {
-    guarded(|| scene.0.scene_for(&vehicle.vehicle, &solver.0.method()))
+    guarded(|| scene.0.scene_for(&vehicle.vehicle, &solver.0))
 }
 
 /// Results of a landing in the units of the program, by name.

@@ -110,7 +110,7 @@ impl Leg {
         positive("footpad.height_ft", footpad.height)?;
         positive("footpad.crush_pressure_psf", footpad.crush_pressure)?;
         positive("footpad.inertia_slug_ft2", footpad.inertia)?;
-        non_negative("footpad.hinge_damping", footpad.hinge_damping)?;
+        non_negative("footpad.hinge_damping_ftlb_s", footpad.hinge_damping)?;
         crush_profile("footpad.profile", &footpad.profile)?;
         if let Some(edge) = &footpad.edge {
             require(

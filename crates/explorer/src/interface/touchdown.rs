@@ -100,9 +100,10 @@ impl<'n> Touchdown<'n> {
     /// # Errors
     /// Names the first condition that is missing or not allowed.
     pub fn scene(&self) -> Result<Scene, Complaint> {
-        let method = self.settings.method();
-        (self.conditions.scene_for(&self.vehicle.vehicle, &method))
-            .map_err(|fault| self.complain(&fault))
+        (self
+            .conditions
+            .scene_for(&self.vehicle.vehicle, &self.settings))
+        .map_err(|fault| self.complain(&fault))
     }
 
     /// Entries of the table `[solver]`.

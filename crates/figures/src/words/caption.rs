@@ -64,9 +64,7 @@ impl Caption {
                     .and_then(|value| in_words(name, value, input)),
             );
         }
-        if input["solver"]["crush_rule"] == "section" {
-            parts.push("section crush rule".to_owned());
-        }
+        parts.extend(text(&input["solver"]["rules_in_full"]));
         let searched_to = input["search"][format!("to{}", speed_unit.ending())].as_f64();
         if searched_to.is_none() && input["search"].is_object() {
             return Err(FigureError::Table(format!(
@@ -173,7 +171,7 @@ mod tests {
         "vehicle": {"name": "Surveyor"}, "search": {"to_fps": 25},
         "scene": {"vertical_velocity_fps": 14.0, "friction": 1.0, "block_friction": 1.0,
                   "pitch_deg": 0.0, "nominal_roll_deg": -10.0},
-        "solver": {"crush_rule": "section"}}}"#;
+        "solver": {"rules_in_full": "1966 rules, crush rule section"}}}"#;
 
     #[test]
     fn conditions_are_told_in_words_where_they_say_something() {
@@ -181,7 +179,7 @@ mod tests {
         assert_eq!(
             caption.conditions,
             "Surveyor · vertical velocity 14 ft/s · friction 1 · nominal roll \u{2212}10 deg · \
-             section crush rule"
+             1966 rules, crush rule section"
         );
         assert_eq!(caption.statement.as_deref(), Some("1966: none"));
         assert_eq!(caption.searched_to, Some(25.0));

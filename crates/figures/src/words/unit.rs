@@ -1,13 +1,14 @@
 //! Units, which the names of columns and parameters end with.
 
 /// Units by the endings of names: those of 1966, then those of SI.
-const UNITS: [(&str, &str); 32] = [
+const UNITS: [(&str, &str); 34] = [
     ("_slug_ft2", "slug ft²"),
     ("_lb_per_ft", "lb/ft"),
     ("_per_ft", "1/ft"),
     ("_fps2", "ft/s²"),
     ("_fps", "ft/s"),
     ("_ftlb", "ft lb"),
+    ("_ftlb_s", "ft lb s"),
     ("_ft", "ft"),
     ("_in", "in"),
     ("_deg", "deg"),
@@ -30,6 +31,7 @@ const UNITS: [(&str, &str); 32] = [
     ("_kpa", "kPa"),
     ("_mps", "m/s"),
     ("_j", "J"),
+    ("_nm_s", "N m s"),
     ("_mps2", "m/s²"),
     ("_per_m", "1/m"),
     ("_rad", "rad"),

@@ -33,7 +33,7 @@ const fn si(ending: &'static str, words: &'static str, factor: f64) -> SiUnit {
 
 /// One foot is 0.3048 m, one inch 0.0254 m and one pound-force 4.4482216152605 N. The other factors are made of these; the
 /// slug is 1 lb s2/ft.
-pub(crate) const UNITS: [Unit; 15] = [
+pub(crate) const UNITS: [Unit; 16] = [
     unit_of("_slug", "slug", &[si("_kg", "kg", 14.593902937206364)]),
     unit_of(
         "_slug_ft2",
@@ -87,6 +87,11 @@ pub(crate) const UNITS: [Unit; 15] = [
         &[si("_damping_n_s2_per_m2", "N s2/m2", 47.880258980335846)],
     ),
     unit_of("_ftlb", "ft lb", &[si("_j", "J", 1.3558179483314003)]),
+    unit_of(
+        "_ftlb_s",
+        "ft lb s",
+        &[si("_nm_s", "N m s", 1.3558179483314003)],
+    ),
     unit_of("_s", "s", &[]),
 ];
 

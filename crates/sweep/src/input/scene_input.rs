@@ -11,7 +11,8 @@ use thiserror::Error;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
-use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::rules::ContactRule;
+use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 use touchdown_dynamics::thrust::MOST_KNOTS;
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -210,21 +211,32 @@ impl NamedConditions {
         }
     }
 
-    /// The scene that these conditions describe for a vehicle, to be computed by a method.
+    /// The scene that these conditions describe for a vehicle, to be computed with these settings.
     ///
     /// # Errors
-    /// As [`NamedConditions::scene`], and when there is ground under a leg that the vehicle does not have, or when the method
-    /// does not know thrust or the edges of footpads.
-    pub fn scene_for(&self, vehicle: &Vehicle, method: &Method) -> Result<Scene, SceneFault> {
-        if !self.thrust_knots().is_empty() && *method != Method::Located {
+    /// As [`NamedConditions::scene`], and when there is ground under a leg that the vehicle does not have, when the method
+    /// does not know thrust or the edges of footpads, or the contact rule damping of their hinges.
+    pub fn scene_for(&self, vehicle: &Vehicle, settings: &Settings) -> Result<Scene, SceneFault> {
+        let is_located = settings.method() == Method::Located;
+        if !self.thrust_knots().is_empty() && !is_located {
             return Err(SceneFault {
                 name: THRUST_NAMES[0],
                 value: self.get(THRUST_NAMES[0]).or(Some(1.0)),
                 allowed: "no thrust: only the method \"located\" knows it".to_owned(),
             });
         }
-        let edge = (vehicle.legs().iter()).find_map(|leg| leg.design().footpad.edge);
-        if let Some(edge) = edge.filter(|_| *method != Method::Located) {
+        let footpads = || vehicle.legs().iter().map(|leg| &leg.design().footpad);
+        if settings.rules(vehicle).contact == ContactRule::Pivot
+            && let Some(damped) = footpads().find(|footpad| footpad.hinge_damping > 0.0)
+        {
+            return Err(SceneFault {
+                name: "vehicle.footpad.hinge_damping_ftlb_s",
+                value: Some(damped.hinge_damping),
+                allowed: "no damping: only the contact rule \"face\" knows it".to_owned(),
+            });
+        }
+        let edge = footpads().find_map(|footpad| footpad.edge);
+        if let Some(edge) = edge.filter(|_| !is_located) {
             return Err(SceneFault {
                 name: "vehicle.footpad.edge_load_lb",
                 value: Some(edge.load),

@@ -95,10 +95,11 @@ pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 5] {
     [("rules", set), crush, contact, rest, toppling]
 }
 
-/// The rules in force, as a report or a record names them.
+/// The rules in force, as a report or a record names them: by their keys, and in words.
 pub fn rules_in_record(rules: Rules) -> Map<String, Value> {
     let keys = rules_by_key(rules).into_iter();
     keys.map(|(key, word)| (key.to_owned(), json!(word)))
+        .chain([("rules_in_full".to_owned(), json!(rules_in_words(rules)))])
         .collect()
 }
 

@@ -65,11 +65,12 @@ const DAMPER: [&str; 8] = [
     "damping_profile",
 ];
 const HONEYCOMB: [&str; 2] = ["unloading_stiffness_lb_per_ft", "crush_load"];
-pub(crate) const FOOTPAD: [&str; 9] = [
+pub(crate) const FOOTPAD: [&str; 10] = [
     "diameter_ft",
     "height_ft",
     "crush_pressure_psf",
     "inertia_slug_ft2",
+    "hinge_damping_ftlb_s",
     "minimum_angle_deg",
     "maximum_angle_deg",
     "profile",
@@ -345,7 +346,7 @@ fn footpad(section: &Section) -> Result<Footpad, InputError> {
         height: section.number("height_ft")?,
         crush_pressure: section.number("crush_pressure_psf")?,
         inertia: section.number("inertia_slug_ft2")?,
-        hinge_damping: 0.0,
+        hinge_damping: (section.optional_number("hinge_damping_ftlb_s")?).unwrap_or(0.0),
         minimum_angle: section.number("minimum_angle_deg")?.to_radians(),
         maximum_angle: section.number("maximum_angle_deg")?.to_radians(),
         profile: profile(section, "profile", PRESSURE)?,

@@ -213,7 +213,7 @@ fn case(
     let vehicle = vehicles.with(file.as_deref(), &values(&columns.vehicle, row)?)?;
     let settings = columns.settings(settings, row)?;
     Ok(CaseRow {
-        scene: columns.scene(row, &vehicle, &settings.method())?,
+        scene: columns.scene(row, &vehicle, &settings)?,
         vehicle,
         settings,
     })

@@ -136,7 +136,7 @@ impl Sweep {
         let vehicle = self.vehicle_at(axes, coordinates)?;
         Ok(Case {
             scene: conditions
-                .scene_for(&vehicle, &settings.method())
+                .scene_for(&vehicle, &settings)
                 .map_err(CaseFault::Scene)?,
             vehicle,
             job,

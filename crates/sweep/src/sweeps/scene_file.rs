@@ -289,9 +289,7 @@ impl<'l> Stack<'l> {
         let settings = Section::root(&self.document, &SCENE_FILE)
             .and_then(|root| settings_input::settings_of_landing(&root));
         let settings = settings.map_err(blame(Home::Sweep))?;
-        let touchdown = self
-            .conditions
-            .scene_for(&vehicle.vehicle, &settings.method());
+        let touchdown = self.conditions.scene_for(&vehicle.vehicle, &settings);
         let touchdown = touchdown.map_err(|fault| match changes {
             Some(changes) => changes.blame_condition(&fault),
             None => locate_condition(&fault, scene, &[]),

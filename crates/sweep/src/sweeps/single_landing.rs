@@ -1,6 +1,5 @@
 //! The touchdown and the settings of a landing alone, each from a document of its own.
 
-use touchdown_dynamics::method::Method;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -50,17 +49,19 @@ impl Touchdown {
         &self.conditions
     }
 
-    /// The scene for a vehicle and a method.
+    /// The scene for a vehicle and settings.
     ///
     /// # Errors
-    /// Names a condition that is missing, or one that the vehicle or the method does not know.
-    pub fn scene_for(&self, vehicle: &Vehicle, method: &Method) -> Result<Scene, InputError> {
+    /// Names a condition that is missing, or one that the vehicle or the settings do not know.
+    pub fn scene_for(&self, vehicle: &Vehicle, settings: &Settings) -> Result<Scene, InputError> {
         let complain =
             |fault: SceneFault| match Section::root(&self.document, &scene_input::scene_keys()) {
                 Ok(scene) => locate_condition(&fault, &scene, &[]),
                 Err(error) => error,
             };
-        self.conditions.scene_for(vehicle, method).map_err(complain)
+        self.conditions
+            .scene_for(vehicle, settings)
+            .map_err(complain)
     }
 }
 

@@ -201,12 +201,9 @@ fn land_once(
     units: OutputUnits,
 ) -> Result<(), Failure> {
     let conditions = options.touchdown.with(&options.set)?;
-    let scene = options.touchdown.scene(
-        &conditions,
-        &options.set,
-        &vehicle.vehicle,
-        &settings.method(),
-    )?;
+    let scene = options
+        .touchdown
+        .scene(&conditions, &options.set, &vehicle.vehicle, settings)?;
     // No observations are needed without a history.
     let interval = match options.history {
         Some(_) => interval(options.interval, settings.time_limit())?,

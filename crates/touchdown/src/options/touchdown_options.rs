@@ -1,9 +1,8 @@
 //! Touchdown conditions on the command line.
 
 use clap::Args;
-use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
-use touchdown_dynamics::scene::Scene;
+use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::input_error::InputError;
@@ -122,15 +121,15 @@ impl TouchdownOptions {
         Ok(conditions)
     }
 
-    /// The scene of the conditions for a vehicle and a method, with complaints in the words of the command line.
+    /// The scene of the conditions for a vehicle and settings, with complaints in the words of the command line.
     pub fn scene(
         &self,
         conditions: &NamedConditions,
         set: &[Assignment],
         vehicle: &Vehicle,
-        method: &Method,
+        settings: &Settings,
     ) -> Result<Scene, InputError> {
-        conditions.scene_for(vehicle, method).map_err(
+        conditions.scene_for(vehicle, settings).map_err(
             |SceneFault {
                  name,
                  value,

@@ -161,6 +161,38 @@ fn a_slope_that_friction_does_not_hold_ends_as_sliding_whatever_the_speed() {
 }
 
 #[test]
+fn damping_of_hinges_acts_at_the_face_and_is_refused_at_the_pivot() {
+    let cases = "[[case]]\n[[case]]\nvehicle.footpad.hinge_damping_ftlb_s = 2\n\
+                 [[case]]\nvehicle.footpad.hinge_damping_nm_s = 2.7116358966628\n";
+    let told = land(&four_legs(0.5, 3.0, 0.8, cases));
+    let [free, damped, in_si] = &told[..] else {
+        panic!("three landings")
+    };
+    assert!((damped.end - in_si.end).abs() < 1e-9, "{told:?}");
+    assert!((free.end - damped.end).abs() > 1e-6, "{told:?}");
+    let bench = Bench::new();
+    bench.write("four-legs.toml", FOUR_LEGS);
+    bench.write(
+        "scene.toml",
+        &four_legs(
+            0.5,
+            3.0,
+            0.8,
+            &cases.replacen(
+                "[[case]]",
+                "[solver]\ncontact_rule = \"pivot\"\n[[case]]",
+                1,
+            ),
+        ),
+    );
+    let done = bench.run(&["land", "scene.toml", "--out", "out"]);
+    done.refused(&[
+        "vehicle.footpad.hinge_damping_ftlb_s = 2",
+        "no damping: only the contact rule \"face\" knows it",
+    ]);
+}
+
+#[test]
 fn limits_of_1966_hold_beside_the_hull_too() {
     let scene = "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_fps = 6\nhorizontal_velocity_fps = 1\n\
                  cross_slope_deg = 180\nslope_deg = 0\nfriction = 1\n[[case]]\n[[case]]\nsolver.toppling_rule = \"hull\"\n";

@@ -99,12 +99,12 @@ impl Columns {
         }
     }
 
-    /// The scene of a row, for a vehicle and a method.
+    /// The scene of a row, for a vehicle and settings.
     pub(super) fn scene(
         &self,
         row: Row,
         vehicle: &Vehicle,
-        method: &Method,
+        settings: &Settings,
     ) -> Result<Scene, InputError> {
         let mut conditions = NamedConditions::default();
         let given = values(&self.scene, row)?;
@@ -116,7 +116,7 @@ impl Columns {
                 conditions.set(parameter.program_name(), *number);
             }
         }
-        conditions.scene_for(vehicle, method).map_err(|fault| {
+        conditions.scene_for(vehicle, settings).map_err(|fault| {
             let said = |one: &&Given| one.parameter.program_name() == fault.name;
             match (fault.value, given.iter().find(said)) {
                 (
