@@ -61,6 +61,10 @@ impl<'d> Section<'d> {
     ) -> Result<Option<Section<'d>>, InputError> {
         let mut layers = Vec::new();
         for found in self.all(key) {
+            // What has a word in its place further down has nothing there to be completed from.
+            if !layers.is_empty() && found.text().is_ok() {
+                break;
+            }
             layers.push(found.layer()?);
         }
         if layers.is_empty() {

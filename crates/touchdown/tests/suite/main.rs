@@ -9,6 +9,7 @@ mod document_examples;
 mod dry_runs;
 mod explore;
 mod full_disk;
+mod golden;
 mod interruptions;
 mod legs;
 mod maps;
