@@ -13,6 +13,8 @@ trap 'rm -rf "$wheels"' EXIT
 "$python" -m pip install --quiet --requirement ../../scripts/tests/requirements.txt
 "$python" -m maturin build --release --quiet --out "$wheels"
 wheel=("$wheels"/touchdown-*.whl)
+# One of the same version counts as installed.
+"$python" -m pip uninstall --quiet --yes touchdown
 "$python" -m pip install --quiet "${wheel[0]}[plot]"
 "$python" -m pytest --quiet --numprocesses 2 --nbmake --pyargs touchdown tests examples
 "$python" -m mypy

@@ -72,8 +72,10 @@ pub fn by_sweep(paths: &[PathBuf], access: Access) -> Result<Vec<Shards>, MergeE
         let (one, shards) = &mut sweeps[index];
         let mut differences = shards.header.differences(&header);
         let (mine, others) = (shards.header.shard(), header.shard());
-        if mine.count() != others.count() || numbers[index].contains(&others.number()) {
+        if mine.count() != others.count() {
             differences.push(format!("shard: {mine} here, {others} there"));
+        } else if numbers[index].contains(&others.number()) {
+            differences.push(format!("shard {others} is there twice"));
         }
         if !differences.is_empty() {
             return Err(MergeError::Strangers {

@@ -243,8 +243,99 @@ mod tests {
         }
     }
 
+    /// Ranks of numbers, from −1 to 1.
+    fn ranks(numbers: &[f64]) -> Vec<f64> {
+        let mut order: Vec<usize> = (0..numbers.len()).collect();
+        order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
+        let mut ranks = vec![0.0; numbers.len()];
+        for (rank, index) in order.into_iter().enumerate() {
+            ranks[index] = 2.0 * (rank as f64 + 0.5) / numbers.len() as f64 - 1.0;
+        }
+        ranks
+    }
+
+    /// Spearman's rank correlation, in its standard deviations where there is none.
+    fn correlation(one: &[f64], other: &[f64]) -> f64 {
+        let (one, other) = (ranks(one), ranks(other));
+        let products = one.iter().zip(&other).map(|(a, b)| a * b);
+        3.0 * products.sum::<f64>() / (one.len() as f64).sqrt()
+    }
+
+    fn axis(points: &[Vec<f64>], number: usize) -> Vec<f64> {
+        points.iter().map(|point| point[number]).collect()
+    }
+
     #[test]
-    fn every_stratum_of_a_latin_hypercube_holds_one_point() {
+    fn axes_are_independent_of_one_another_and_points_of_those_before() {
+        for design in SampleDesign::ALL {
+            let axes = (0..6).map(uniform).collect();
+            let sample = Sample::new(axes, design, 2000, 11);
+            let points: Vec<Vec<f64>> = (0..2000).map(|index| sample.coordinates(index)).collect();
+            for first in 0..6 {
+                let one = axis(&points, first);
+                for second in 0..first {
+                    let chance = correlation(&one, &axis(&points, second));
+                    assert!(
+                        chance.abs() < 4.0,
+                        "{design:?}, {first} and {second}: {chance}"
+                    );
+                }
+                if design != SampleDesign::Sobol {
+                    let chance = correlation(&one[1..], &one[..1999]);
+                    assert!(chance.abs() < 4.0, "{design:?}, {first}: {chance}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_random_bits_are_used_twice() {
+        // Halves of the bits of numbers: by chance one list in fifteen has a pair that are alike.
+        let half = (1u64 << 26) as f64;
+        let mut halves: Vec<u64> = Vec::new();
+        for number in 0..3 {
+            for index in 0..500 {
+                let high = random(9, number, index) * half;
+                halves.extend([high as u64, (high.fract() * half) as u64]);
+            }
+        }
+        let all = halves.len();
+        halves.sort_unstable();
+        halves.dedup();
+        assert!(
+            all - halves.len() <= 1,
+            "{} of {all} twice",
+            all - halves.len()
+        );
+    }
+
+    #[test]
+    fn marginals_are_uniform_by_kolmogorov_and_smirnov() {
+        for design in SampleDesign::ALL {
+            let points = sample(design, 2000, 13);
+            for number in 0..2 {
+                let mut values = axis(&points, number);
+                values.sort_by(f64::total_cmp);
+                let off = |(index, value): (usize, &f64)| {
+                    let share = index as f64 / 2000.0;
+                    (value - share)
+                        .abs()
+                        .max((value - share - 1.0 / 2000.0).abs())
+                };
+                let greatest = values.iter().enumerate().map(off).fold(0.0, f64::max);
+                // Exceeded by one sample in a thousand; strata and sequences are far more even.
+                let most = match design {
+                    SampleDesign::MonteCarlo => 1.95 / 2000f64.sqrt(),
+                    SampleDesign::LatinHypercube => 1.0 / 2000.0,
+                    SampleDesign::Sobol => 0.005,
+                };
+                assert!(greatest <= most, "{design:?}, {number}: {greatest}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_stratum_of_a_latin_hypercube_holds_one_point_of_each_axis() {
         let points = sample(SampleDesign::LatinHypercube, 100, 1);
         for axis in [0, 1] {
             let mut strata: Vec<usize> =

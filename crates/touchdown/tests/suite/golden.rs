@@ -236,6 +236,16 @@ fn shards_of_the_corpus_are_merged_into_the_whole() {
         ]);
         assert_eq!(done.code, Some(0), "{}", done.err);
     }
+    let journals = bench.list("out");
+    let second = journals
+        .iter()
+        .find(|name| name.contains("2-of-3"))
+        .unwrap();
+    let copy = bench.path("out/copy.journal");
+    fs::copy(bench.path("out").join(second), &copy).unwrap();
+    (bench.run(&["merge", "out", "--quiet"]))
+        .refused(&["copy.journal", "shard 2/3 is there twice"]);
+    fs::remove_file(copy).unwrap();
     let done = bench.run(&["merge", "out", "--quiet"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
     let expected = results(&golden().join("expected/first-us"));
