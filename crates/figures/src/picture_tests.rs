@@ -88,3 +88,38 @@ fn what_cannot_be_drawn_and_useless_choices_are_refused() {
         "{said}"
     );
 }
+
+#[test]
+fn each_kind_of_transition_has_its_mark_region_and_word_at_its_place() {
+    let row = |roll: u32, kind: &str, speed: u32| {
+        format!("{roll},{kind},{speed},{speed},{speed},9,100,certain,,,3e-5\n")
+    };
+    let table = "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,landings,\
+                 derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,solver_tolerance\n"
+        .to_owned()
+        + &row(0, "unstable", 12)
+        + &row(10, "bottomed", 14)
+        + &row(20, "failure", 16)
+        + &row(30, "undecided", 18)
+        + "40,none,,20,,9,100,above,,,\n";
+    let svg = &pictures(&table).unwrap()[0].svg;
+    // Rolls of 0 to 40 deg are at 94.95 to 853.05, speeds of 8 to 20 ft/s at 454 to 34.
+    for mark in [
+        "<circle cx=\"94.95\" cy=\"314\" r=\"4\" fill=\"#005AA0\"/>",
+        "<rect x=\"280.48\" y=\"240\" width=\"8\" height=\"8\" fill=\"#D55E00\"/>",
+        "<polyline points=\"470,178 478,170\" fill=\"none\" stroke=\"#96286E\"",
+        "<circle cx=\"663.52\" cy=\"104\" r=\"4\" fill=\"none\" stroke=\"#696969\"",
+        "<polygon points=\"853.05,29 848.05,38 858.05,38\" fill=\"#FFFFFF\" stroke=\"#008264\"",
+        // Above each transition, up to half of the way to the next.
+        "<path d=\"M95 314L189.7 314L189.7 34L95 34Z\" fill=\"#CEDFF0\"/>",
+        "284.5 244L379.2 244L379.2 34L284.5 34Z\" fill=\"#F8D6BA\"/>",
+        "L568.8 34L474 34Z\" fill=\"#F0E0EC\"/>",
+        "fill=\"#E2E2DA\"/>",
+        "fill=\"#D55E00\" text-anchor=\"middle\">strut bottoms<",
+        "fill=\"#96286E\" text-anchor=\"middle\">not computed<",
+        "fill=\"#696969\" text-anchor=\"middle\">undecided<",
+        "fill=\"#008264\" text-anchor=\"middle\">stable<",
+    ] {
+        assert!(svg.contains(mark), "{mark}: {svg}");
+    }
+}

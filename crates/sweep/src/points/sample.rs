@@ -290,22 +290,23 @@ mod tests {
 
     #[test]
     fn no_random_bits_are_used_twice() {
-        // Halves of the bits of numbers: by chance one list in fifteen has a pair that are alike.
-        let half = (1u64 << 26) as f64;
-        let mut halves: Vec<u64> = Vec::new();
+        // What numbers have of the two words of 32 bits that each is made of: the first 21 bits of both.
+        let mut words: Vec<u64> = Vec::new();
         for number in 0..3 {
             for index in 0..500 {
-                let high = random(9, number, index) * half;
-                halves.extend([high as u64, (high.fract() * half) as u64]);
+                let drawn = random(9, number, index);
+                let second = (drawn * 32f64.exp2()).fract();
+                words.extend([drawn, second].map(|word| (word * 21f64.exp2()) as u64));
             }
         }
-        let all = halves.len();
-        halves.sort_unstable();
-        halves.dedup();
+        let all = words.len();
+        words.sort_unstable();
+        words.dedup();
+        // By chance two pairs are alike.
         assert!(
-            all - halves.len() <= 1,
+            all - words.len() <= 8,
             "{} of {all} twice",
-            all - halves.len()
+            all - words.len()
         );
     }
 
