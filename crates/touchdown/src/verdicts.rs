@@ -48,6 +48,8 @@ footpad 1 mm higher. small-changes.csv lists every landing whose outcome differs
 
 verdicts.csv lists the verdicts by kind, verdict-exceptions.csv every landing that contradicts its own.
 
+Ctrl-C ends the run after the thousand landings under way; the tables are of those that are finished.
+
 Exit code 0 if there is no contradiction and no difference, 1 if there is any.";
 
 /// How long landings go on beyond their verdict, s.
@@ -258,8 +260,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(count) = options.small_changes {
         return small_changes::run(options, &stock, &folder, count);
     }
-    let count = options.landings;
-    let (mut fates, time) = of_all_draws(options, &stock, count, Fate::of_all)?;
+    let landed = of_all_draws(options, &stock, options.landings, Fate::of_all)?;
+    let (count, time) = (landed.count, landed.time);
+    let mut fates = landed.all;
     fates.sort_by_key(|fate| fate.number);
     let files = [
         ("verdicts.csv".to_owned(), counts(&fates).into_bytes()),
@@ -280,7 +283,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         summary(&fates),
         crate::summary::written(&written),
     ))?;
-    if contradicted == 0 {
+    if landed.is_interrupted {
+        Err(Failure::Interrupted(format!(
+            "{count} landings were finished"
+        )))
+    } else if contradicted == 0 {
         Ok(())
     } else {
         Err(Failure::running(format!(
@@ -289,13 +296,23 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// What comes of so many random landings, in any order, a group of landers with as many legs after another; how long it took.
+/// What came of random landings.
+struct Landed<T> {
+    /// In any order.
+    all: Vec<T>,
+    /// Their number.
+    count: u64,
+    is_interrupted: bool,
+    time: Duration,
+}
+
+/// Lands so many random landers, a group with as many legs after another, or those up to an interruption.
 fn of_all_draws<T: Send>(
     options: &Options,
     stock: &Stock,
     count: u64,
     of_group: impl Fn(&[Draw]) -> Result<Vec<T>, Failure> + Sync,
-) -> Result<(Vec<T>, Duration), Failure> {
+) -> Result<Landed<T>, Failure> {
     let cancel = interrupt::flag()?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads.map_or(0, NonZeroUsize::get))
@@ -305,10 +322,7 @@ fn of_all_draws<T: Send>(
     let progress = Progress::start("landings", points, options.quiet);
     let mut all = Vec::new();
     let mut from = 0;
-    while from < count {
-        if cancel.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted("nothing was written".to_owned()));
-        }
+    while from < count && !cancel.load(Ordering::Relaxed) {
         let to = count.min(from + CHUNK);
         let numbers: Vec<u64> = (from..to).collect();
         let chunk: Result<Vec<Vec<T>>, Failure> = pool.install(|| {
@@ -333,7 +347,12 @@ fn of_all_draws<T: Send>(
         all.extend(chunk?.into_iter().flatten());
         from = to;
     }
-    Ok((all, progress.finish()))
+    Ok(Landed {
+        all,
+        count: from,
+        is_interrupted: from < count,
+        time: progress.finish(),
+    })
 }
 
 /// The course of a landing as lines.

@@ -57,8 +57,8 @@ impl Trajectory<'_> {
 
     pub(super) fn result(&self, outcome: Outcome) -> Landing {
         let signals = (self.motion).signals(&self.step.before, &self.pieces, false);
-        let max_pad_crush = PerLeg::from_fn(self.leg_count(), |j| {
-            self.modes[j].pad_crush(signals.leg(j))
+        let pad_crush = PerLeg::from_fn(self.leg_count(), |j| {
+            self.modes[j].pad_crush(&self.laws[j], signals.leg(j))
         });
         Landing {
             outcome,
@@ -83,10 +83,8 @@ impl Trajectory<'_> {
             max_stroke_share: PerLeg::from_fn(self.leg_count(), |j| {
                 self.peaks.stroke[j] / self.laws[j].bottoming_stroke()
             }),
-            max_pad_crush,
-            max_pad_crush_share: PerLeg::from_fn(self.leg_count(), |j| {
-                max_pad_crush[j] / self.laws[j].pad_height()
-            }),
+            max_pad_crush: pad_crush.map(|[crush, _]| crush),
+            max_pad_crush_share: pad_crush.map(|[crush, height]| crush / height),
             final_rates: final_rates(
                 self.monitor.clone(),
                 &self.motion,

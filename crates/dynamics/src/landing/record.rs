@@ -150,10 +150,10 @@ pub struct Landing {
     pub max_stroke: PerLeg<f64>,
     /// The same as a share of the stroke at which the strut bottoms.
     pub max_stroke_share: PerLeg<f64>,
-    /// Greatest interference at which either section of each footpad was crushed, ft: more than its height means that it was
-    /// crushed up to its hinge and beyond.
+    /// Greatest interference at which either section of each footpad was crushed, ft; of one on its edge that of the edge, if
+    /// that is the greater share.
     pub max_pad_crush: PerLeg<f64>,
-    /// The same as a share of the height of the footpad.
+    /// The same as a share of what there is up to its hinge: more than 1 means that it was crushed beyond.
     pub max_pad_crush_share: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,

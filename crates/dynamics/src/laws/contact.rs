@@ -442,13 +442,28 @@ impl LegMode {
         force < greatest
     }
 
-    /// Greatest interference at which a section of the pad was crushed up to these signals, ft.
-    pub fn pad_crush(&self, signals: &LegSignals<f64>) -> f64 {
-        let [outer, inner] = &self.pad;
-        // On the edge of a pad the first signal is the depth of that.
-        let [of_outer, of_inner] = [Signal::OuterInterference, Signal::InnerInterference]
+    /// Greatest interference at which the pad was crushed up to these signals, ft, and that at which its hinge is on the
+    /// ground: of its sections or, where it is on its edge and that has less left, of its edge.
+    pub fn pad_crush(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 2] {
+        let [outer, inner] = [Signal::OuterInterference, Signal::InnerInterference]
             .map(|signal| signals[signal as usize]);
-        outer.deepest(of_outer).max(inner.deepest(of_inner))
+        let Heights { pad, edge, .. } = laws.heights;
+        let deepest = |depths: [f64; 2]| {
+            let sections = self.pad.iter().zip(depths);
+            let crushes = sections.map(|(section, depth)| section.deepest(depth));
+            crushes.fold(0.0, f64::max)
+        };
+        if !self.is_on_edge {
+            return [deepest([outer, inner]), pad];
+        }
+        // The first signal is the depth of the edge; the sections are as they were.
+        let sections = deepest(self.pad.map(|section| section.set()));
+        let on_edge = self.edge.deepest(outer);
+        if on_edge * pad > sections * edge {
+            [on_edge, edge]
+        } else {
+            [sections, pad]
+        }
     }
 
     /// Centres the coefficients of laws that only bend a little on a stroke δ (ft), where the leg is now;

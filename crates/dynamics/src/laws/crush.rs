@@ -345,6 +345,11 @@ impl Crush {
         }
     }
 
+    /// Plastic set P, ft, as of the last time off the front.
+    pub fn set(&self) -> f64 {
+        self.set
+    }
+
     /// Greatest interference at which the element was crushed, ft, as it is at one now.
     pub fn deepest(&self, interference: f64) -> f64 {
         match self.stage {

@@ -21,7 +21,7 @@ const MOST_PANELS: usize = 20;
 const DRAWN: [(&str, &str); 3] = [
     ("not stable", "not_stable"),
     ("toppled", "topple"),
-    ("bottomed a strut", "bottom"),
+    ("bottomed", "bottom"),
 ];
 /// Distance between the bars of one bin, pixels.
 const BESIDE: f64 = 5.0;

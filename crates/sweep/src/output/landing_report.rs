@@ -159,7 +159,7 @@ pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
 }
 
 /// The warning that the ground reached beyond hinges of footpads.
-pub const CRUSHED_THROUGH: &str = "footpads were crushed by more than their height: the contact rule \"face\" ends such \
+pub const CRUSHED_THROUGH: &str = "footpads were crushed beyond their hinges: the contact rule \"face\" ends such \
      landings as bottomed";
 
 /// The warning that the ground reached beyond the hinge of a footpad, as it may under the contact rule of 1966.
@@ -171,7 +171,7 @@ fn crushed_through(landing: &Landing, units: OutputUnits) -> Option<String> {
     let [crush, height] = [crush, crush / share].map(|length| quantity.number(length));
     let unit = quantity.unit();
     Some(format!(
-        "footpad {} was crushed by {crush:.3} {unit}, which is more than its height of {height:.3} {unit}: the contact rule \
+        "footpad {} was crushed by {crush:.3} {unit}, which is more than the {height:.3} {unit} up to its hinge: the contact rule \
          \"face\" ends such a landing as bottomed",
         leg + 1
     ))

@@ -275,7 +275,7 @@ fn outcomes(count: Count, asked: usize) -> String {
         "  {}{early}\n{}{}{}{}{}",
         number(count.landings, "landing"),
         share("toppled", count.toppled),
-        share("bottomed a strut", count.bottomed),
+        share("bottomed", count.bottomed),
         share("undecided", count.undecided),
         share("not computed", count.failed),
         share("not stable (all of these)", count.landings - count.stable()),

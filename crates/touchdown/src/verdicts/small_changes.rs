@@ -61,9 +61,9 @@ pub(super) fn run(
     folder: &Folder,
     count: u64,
 ) -> Result<(), Failure> {
-    let (sums, time) = of_all_draws(options, stock, count, |draws| Ok(vec![changed(draws)?]))?;
+    let landed = of_all_draws(options, stock, count, |draws| Ok(vec![changed(draws)?]))?;
     let mut sum = Sum::default();
-    for part in sums {
+    for part in landed.all {
         sum.landings += part.landings;
         sum.never_stable += part.never_stable;
         sum.differences.extend(part.differences);
@@ -86,12 +86,16 @@ pub(super) fn run(
         "{} landings, seed {}, model version {MODEL_VERSION}, {:.0} s; {} landers more are stable at no speed\n{}  {}",
         sum.landings,
         options.seed,
-        time.as_secs_f64(),
+        landed.time.as_secs_f64(),
         sum.never_stable,
         lines.collect::<String>(),
         crate::summary::written(&written),
     ))?;
     match sum.differences.len() {
+        _ if landed.is_interrupted => Err(Failure::Interrupted(format!(
+            "{} landers were tried",
+            landed.count
+        ))),
         0 => Ok(()),
         count => Err(Failure::running(format!("{count} outcomes differ"))),
     }

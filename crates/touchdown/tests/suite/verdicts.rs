@@ -278,7 +278,7 @@ fn a_footpad_crushed_through_its_height_is_told_or_bottoms() {
     let land = |rules: &str| bench.run(&[&touchdown[..], &[rules]].concat());
     let told = land("1966").err;
     assert!(
-        told.contains("which is more than its height of 0.328 ft"),
+        told.contains("which is more than the 0.328 ft up to its hinge"),
         "{told}"
     );
     assert!(land("physical").out.contains("bottomed-pad-"));
@@ -294,7 +294,7 @@ fn a_footpad_crushed_through_its_height_is_told_or_bottoms() {
         assert_eq!(done.code, Some(0), "{}", done.err);
         done.out
     };
-    let warning = "warning: at 2 points: footpads were crushed by more than their height";
+    let warning = "warning: at 2 points: footpads were crushed beyond their hinges";
     assert!(sweep("1966").contains(warning), "{}", sweep("1966"));
     let physical = sweep("physical");
     assert!(
