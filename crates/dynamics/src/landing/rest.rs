@@ -7,14 +7,13 @@
 
 use arrayvec::ArrayVec;
 use libm::sqrt;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector2, Vector3};
 
 use super::hull::{Hull, MOST_SUPPORTS};
 use super::trajectory::Trajectory;
 use crate::energy::kinetic;
 use crate::kinematics::BodyFrame;
 use crate::motion::{LegLoads, Signal};
-use crate::products::transposed_times;
 use crate::scene::Scene;
 use crate::vehicle::Vehicle;
 
@@ -45,8 +44,8 @@ struct Support {
     place: Vector3<f64>,
     /// How far it has to fall to its ground, ft.
     fall: f64,
-    /// Tangent of the angle between its ground and a level one.
-    steepness: f64,
+    /// How its ground rises in plan: its length is the tangent of the angle between the ground and a level one.
+    gradient: Vector2<f64>,
 }
 
 /// What pulls the vehicle down: its weight or, with an engine that stays on, weight and thrust together.
@@ -95,6 +94,7 @@ impl Rest {
             return false;
         }
         let frame = motion.frame(&state.body());
+        let speed = (pull.axes * state.body().velocity).xy().norm();
         let mut supports = trajectory.supports(&frame, &pull);
         supports.sort_by(|a, b| a.fall.total_cmp(&b.fall));
         let places: ArrayVec<Vector3<f64>, MOST_SUPPORTS> =
@@ -104,11 +104,25 @@ impl Rest {
             let fall = supports[count - 1].fall;
             hull.has_center()
                 && SHARE * hull.least_rise() - fall >= lift
+                && self.stops_by_friction(&supports[..count], speed, pull.force / motion.mass())
                 && (supports[..count].iter().enumerate()).all(|(index, support)| {
                     let load = pull.force * hull.greatest_share(index);
                     self.bears(trajectory, support, load, &frame)
                 })
         })
+    }
+
+    /// Whether friction under supports that bear the same load each stops the CG, which moves so fast in plan (ft/s), within the
+    /// time of a free fall; so much pulls it down for its mass (ft/s²).
+    fn stops_by_friction(&self, supports: &[Support], speed: f64, pull: f64) -> bool {
+        let downhill: Vector2<f64> = supports.iter().map(|support| support.gradient).sum();
+        let friction = supports.iter().map(|support| self.friction_under(support));
+        let left = friction.sum::<f64>() - downhill.norm();
+        speed * supports.len() as f64 <= left * pull * self.needed / WHILE
+    }
+
+    fn friction_under(&self, support: &Support) -> f64 {
+        self.friction[usize::from(!support.is_foot)]
     }
 
     /// Whether a support neither gives way under so much load (lb) at most nor slides off its ground.
@@ -122,13 +136,13 @@ impl Rest {
         let leg = support.leg;
         let (mode, laws) = (&trajectory.modes[leg], &trajectory.laws[leg]);
         let signals = trajectory.signals.start().leg(leg);
-        let [friction, sliding] = if support.is_foot {
-            [self.friction[0], signals[Signal::PadSliding as usize]]
+        let sliding = if support.is_foot {
+            Signal::PadSliding
         } else {
-            [self.friction[1], signals[Signal::BlockSliding as usize]]
+            Signal::BlockSliding
         };
-        let sticks = support.fall > 0.0 || laws.is_viscous(sliding);
-        if support.steepness > friction && !sticks {
+        let sticks = support.fall > 0.0 || laws.is_viscous(signals[sliding as usize]);
+        if support.gradient.norm() > self.friction_under(support) && !sticks {
             return false;
         }
         // What crushes under more than its share of the weight comes to rest by that.
@@ -204,7 +218,6 @@ impl Trajectory<'_> {
     /// All feet and blocks.
     fn supports(&self, frame: &BodyFrame<f64>, pull: &Pull) -> ArrayVec<Support, MOST_SUPPORTS> {
         let mut supports = ArrayVec::new();
-        let down = transposed_times(&frame.rotation, &pull.axes.row(2).transpose());
         for leg in 0..self.leg_count() {
             let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
             let signals = self.signals.start().leg(leg);
@@ -221,7 +234,8 @@ impl Trajectory<'_> {
                 .into_iter()
                 .zip(grounds.iter().zip(places).zip(gaps))
             {
-                let facing = ground.normal.dot(&down);
+                let normal = pull.axes * (frame.rotation * ground.normal);
+                let facing = normal.z;
                 let Some(gap) = gap.filter(|_| facing > 0.0) else {
                     continue;
                 };
@@ -230,7 +244,7 @@ impl Trajectory<'_> {
                     is_foot,
                     place: pull.axes * (place - pull.beside),
                     fall: gap / facing,
-                    steepness: sqrt((1.0 / (facing * facing) - 1.0).max(0.0)),
+                    gradient: normal.xy() / facing,
                 });
             }
         }

@@ -155,7 +155,10 @@ fn differences(expected: &str, found: &str) -> Vec<String> {
             }
         }
     }
-    let name = |column: usize| expected[0].get(column).copied().unwrap_or("line");
+    let name = |column: usize| match expected[0].get(column) {
+        Some(&"{") | None => "line",
+        Some(name) => name,
+    };
     let lines = columns.iter().map(|(column, (rows, greatest, [was, is]))| {
         format!(
             "{}: {rows} of {} rows, by {greatest:.1e} at most: {was} became {is}",

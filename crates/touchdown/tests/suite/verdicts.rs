@@ -152,6 +152,13 @@ fn a_slope_that_friction_does_not_hold_ends_as_sliding_whatever_the_speed() {
     );
     let mirrored = land(&four_legs(0.2, -12.0, 0.1, "[[case]]\n"));
     assert_eq!(mirrored[0].outcome, "sliding");
+    // Nor is it at rest where blocks would hold it that do not touch.
+    let with_blocks = "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_mps = 2\nhorizontal_velocity_mps = 0.5\ncross_slope_deg = 180\n\
+                       slope_deg = -12\nfriction = 0.2\nblock_friction = 1\n[solver]\nrules = \"physical\"\ntime_limit_s = 5\n[[case]]\n\
+                       [[case]]\nfriction = 0.5\n";
+    let told = land(with_blocks);
+    assert_eq!(told[0].outcome, "time-expired");
+    assert_eq!(told[1].outcome, "stable-subsided");
     let steeper = "[solver]\nrules = \"1966\"\n[[case]]\nhorizontal_velocity_mps = 3\n[[case]]\nsolver.stop = \"time\"\nsolver.time_limit_s = 30\n";
     let told = land(&four_legs(0.2, 20.0, 0.1, steeper));
     assert!(
