@@ -4,7 +4,7 @@
 #     scripts/mutants.sh CRATE MINUTES        a random sample of the faults in a crate, for so long
 #     scripts/mutants.sh --in-diff REVISION   every fault in what has changed since a revision
 #
-# CRATE is dynamics, sweep, figures, explorer or touchdown. Each fault is built and tested by itself in a copy of the
+# CRATE is dynamics, sweep, figures or explorer. Each fault is built and tested by itself in a copy of the
 # tree, which takes minutes; a test that hangs counts as noticing after five. target/mutants.out has the lists: missed.txt is
 # what nobody noticed. The tests are those of the crate and of the program, with its corpus.
 set -euo pipefail

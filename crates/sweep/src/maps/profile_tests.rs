@@ -88,7 +88,11 @@ fn transitions_are_known_within_the_error_and_edges_within_their_width() {
         let [low, high] = [bands(pair[0]), bands(pair[1])];
         let halfway = bands(0.5 * (pair[0] + pair[1])).off_halfway(&low, &high);
         let is_edge = low.leap(&high) > RULES.jump && pair[1] - pair[0] < 0.4;
-        assert!(halfway < RULES.error || is_edge, "{pair:?}: {halfway}");
+        // What is known in the middle is within the error, and a parabola is four times as close to its halves.
+        assert!(
+            halfway < 0.3 * RULES.error || is_edge,
+            "{pair:?}: {halfway}"
+        );
     }
     let edges: Vec<_> = profile_edges::all(&rounds).collect();
     let expected = [

@@ -297,21 +297,53 @@ mod tests {
         assert_eq!(landings, 200);
     }
 
+    /// The ends of the bin in which a value is counted.
+    fn bin_of(bins: &Bins, value: f64) -> [String; 2] {
+        let mut probabilities = Probabilities {
+            overall: Count::default(),
+            axes: vec![bins.clone()],
+        };
+        probabilities.add(&[value], Class::Unstable);
+        let counts = probabilities.axes[0].counts.iter();
+        let hit: Vec<usize> = (counts.enumerate())
+            .filter(|(_, count)| count.toppled == 1)
+            .map(|(bin, _)| bin)
+            .collect();
+        assert_eq!(hit.len(), 1, "{value}");
+        bins.ends[hit[0]].clone()
+    }
+
     #[test]
     fn every_value_falls_in_the_bin_that_names_it() {
+        let written = |value: f64| value.to_string();
         let few = Levels::list(vec![3.0, 1.0, 2.0]).unwrap();
-        let bins = Bins::of_levels(&few, |value| value.to_string());
-        assert_eq!(bins.ends[1], ["2", "2"]);
-        assert_eq!(bins.edges, [2.0, 3.0]);
+        let bins = Bins::of_levels(&few, written);
+        for value in [1.0, 2.0, 3.0] {
+            assert_eq!(bin_of(&bins, value), [written(value), written(value)]);
+        }
         let many = Levels::range(0.0, 100.0, 1.0).unwrap();
-        let bins = Bins::of_levels(&many, |value| value.to_string());
-        assert_eq!(
-            (bins.ends.len(), &bins.ends[9]),
-            (10, &["90".into(), "100".into()])
-        );
+        let tenths = Bins::of_levels(&many, written);
         let normal = Distribution::normal(0.0, 1.0, None).unwrap();
-        let bins = Bins::of_distribution(&normal, |value| value.to_string());
-        assert_eq!(bins.ends[0][0], "");
-        assert_eq!(bins.edges[4], 0.0);
+        let normal = Bins::of_distribution(&normal, written);
+        let column = Distribution::Column(vec![3.0, -2.0, 8.0].into());
+        let column = Bins::of_distribution(&column, written);
+        for (bins, values) in [
+            (&tenths, vec![0.0, 9.5, 10.0, 55.0, 99.0, 100.0]),
+            (&normal, vec![-9.0, -1.0, 0.0, 0.3, 9.0]),
+            (&column, vec![-2.0, 0.1, 3.0, 8.0]),
+        ] {
+            assert_eq!(bins.ends.len(), 10);
+            for value in values {
+                let [from, to] = bin_of(bins, value).map(|end| end.parse::<f64>().ok());
+                let is_last = bins.ends.last().unwrap()[1].parse().ok() == to;
+                assert!(from.is_none_or(|from| from <= value), "{value}: {from:?}");
+                assert!(
+                    to.is_none_or(|to| value < to || is_last && value <= to),
+                    "{value}: {to:?}"
+                );
+            }
+        }
+        assert_eq!(tenths.ends[9], ["90", "100"]);
+        assert_eq!((normal.ends[0][0].as_str(), normal.edges[4]), ("", 0.0));
     }
 }
