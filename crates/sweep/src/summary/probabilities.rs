@@ -325,7 +325,7 @@ mod tests {
         let tenths = Bins::of_levels(&many, written);
         let normal = Distribution::normal(0.0, 1.0, None).unwrap();
         let normal = Bins::of_distribution(&normal, written);
-        let column = Distribution::Column(vec![3.0, -2.0, 8.0].into());
+        let column = Distribution::Column(vec![3.0, -2.0, 8.0]);
         let column = Bins::of_distribution(&column, written);
         for (bins, values) in [
             (&tenths, vec![0.0, 9.5, 10.0, 55.0, 99.0, 100.0]),
