@@ -18,7 +18,7 @@ use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::file_writer::{Folder, WriteError};
 use touchdown_sweep::run::Observer;
 
 use draw::{Draw, Stock};
@@ -48,7 +48,7 @@ footpad 1 mm higher. small-changes.csv lists every landing whose outcome differs
 
 verdicts.csv lists the verdicts by kind, verdict-exceptions.csv every landing that contradicts its own.
 
-Ctrl-C ends the run after the thousand landings under way; the tables are of those that are finished.
+The tables are written anew every thousand landings, so that Ctrl-C loses no more.
 
 Exit code 0 if there is no contradiction and no difference, 1 if there is any.";
 
@@ -220,11 +220,11 @@ fn contradiction(verdict: &Outcome, landing: &Landing, drift: f64) -> Option<&'s
     let end = &landing.beyond.as_ref()?.end;
     let has_fallen = landing.tilt > FALLEN;
     match verdict.class() {
-        Class::Stable if has_fallen => Some("stable, then fallen"),
-        Class::Stable if end.class() == Class::Bottomed => Some("stable, then bottomed"),
-        Class::Stable if drift > DRIFT => Some("stable, then sliding"),
+        Class::Stable if has_fallen => Some("stable then fallen"),
+        Class::Stable if end.class() == Class::Bottomed => Some("stable then bottomed"),
+        Class::Stable if drift > DRIFT => Some("stable then sliding"),
         Class::Unstable if !has_fallen && drift < DRIFT && *end == Outcome::TimeExpired => {
-            Some("toppled, then standing")
+            Some("toppled then standing")
         }
         _ => None,
     }
@@ -260,18 +260,17 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(count) = options.small_changes {
         return small_changes::run(options, &stock, &folder, count);
     }
-    let landed = of_all_draws(options, &stock, options.landings, Fate::of_all)?;
-    let (count, time) = (landed.count, landed.time);
+    let tables = |fates: &[Fate]| {
+        let counted = ("verdicts.csv".to_owned(), counts(fates).into_bytes());
+        let listed = exceptions(fates).into_bytes();
+        [counted, ("verdict-exceptions.csv".to_owned(), listed)]
+    };
+    let keep = |fates: &[Fate]| folder.write_files(&tables(fates)).map(|_| ());
+    let landed = of_all_draws(options, &stock, options.landings, Fate::of_all, keep)?;
+    let (count, time) = (options.landings, landed.time);
     let mut fates = landed.all;
     fates.sort_by_key(|fate| fate.number);
-    let files = [
-        ("verdicts.csv".to_owned(), counts(&fates).into_bytes()),
-        (
-            "verdict-exceptions.csv".to_owned(),
-            exceptions(&fates).into_bytes(),
-        ),
-    ];
-    let written = folder.write_files(&files)?;
+    let written = folder.write_files(&tables(&fates))?;
     let contradicted = fates
         .iter()
         .filter(|fate| fate.contradiction.is_some())
@@ -283,11 +282,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         summary(&fates),
         crate::summary::written(&written),
     ))?;
-    if landed.is_interrupted {
-        Err(Failure::Interrupted(format!(
-            "{count} landings were finished"
-        )))
-    } else if contradicted == 0 {
+    if contradicted == 0 {
         Ok(())
     } else {
         Err(Failure::running(format!(
@@ -300,18 +295,16 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 struct Landed<T> {
     /// In any order.
     all: Vec<T>,
-    /// Their number.
-    count: u64,
-    is_interrupted: bool,
     time: Duration,
 }
 
-/// Lands so many random landers, a group with as many legs after another, or those up to an interruption.
+/// Lands so many random landers, a group with as many legs after another; every thousand what is finished is given to `keep`.
 fn of_all_draws<T: Send>(
     options: &Options,
     stock: &Stock,
     count: u64,
     of_group: impl Fn(&[Draw]) -> Result<Vec<T>, Failure> + Sync,
+    keep: impl Fn(&[T]) -> Result<(), WriteError>,
 ) -> Result<Landed<T>, Failure> {
     let cancel = interrupt::flag()?;
     let pool = rayon::ThreadPoolBuilder::new()
@@ -322,7 +315,11 @@ fn of_all_draws<T: Send>(
     let progress = Progress::start("landings", points, options.quiet);
     let mut all = Vec::new();
     let mut from = 0;
-    while from < count && !cancel.load(Ordering::Relaxed) {
+    while from < count {
+        if cancel.load(Ordering::Relaxed) {
+            let kept = format!("the first {from} landings are in the tables");
+            return Err(Failure::Interrupted(kept));
+        }
         let to = count.min(from + CHUNK);
         let numbers: Vec<u64> = (from..to).collect();
         let chunk: Result<Vec<Vec<T>>, Failure> = pool.install(|| {
@@ -345,12 +342,11 @@ fn of_all_draws<T: Send>(
                 .collect()
         });
         all.extend(chunk?.into_iter().flatten());
+        keep(&all)?;
         from = to;
     }
     Ok(Landed {
         all,
-        count: from,
-        is_interrupted: from < count,
         time: progress.finish(),
     })
 }

@@ -61,7 +61,19 @@ pub(super) fn run(
     folder: &Folder,
     count: u64,
 ) -> Result<(), Failure> {
-    let landed = of_all_draws(options, stock, count, |draws| Ok(vec![changed(draws)?]))?;
+    let name = "small-changes.csv";
+    let keep = |sums: &[Sum]| {
+        let all: Vec<&Difference> = sums.iter().flat_map(|sum| &sum.differences).collect();
+        let file = (name.to_owned(), table(&all).into_bytes());
+        folder.write_files(&[file]).map(|_| ())
+    };
+    let landed = of_all_draws(
+        options,
+        stock,
+        count,
+        |draws| Ok(vec![changed(draws)?]),
+        keep,
+    )?;
     let mut sum = Sum::default();
     for part in landed.all {
         sum.landings += part.landings;
@@ -70,10 +82,8 @@ pub(super) fn run(
     }
     sum.differences
         .sort_by_key(|difference| (difference.number, difference.change));
-    let files = [(
-        "small-changes.csv".to_owned(),
-        table(&sum.differences).into_bytes(),
-    )];
+    let all: Vec<&Difference> = sum.differences.iter().collect();
+    let files = [(name.to_owned(), table(&all).into_bytes())];
     let written = folder.write_files(&files)?;
     let mut by_change: BTreeMap<&str, usize> = CHANGES.map(|change| (change, 0)).into();
     for difference in &sum.differences {
@@ -92,10 +102,6 @@ pub(super) fn run(
         crate::summary::written(&written),
     ))?;
     match sum.differences.len() {
-        _ if landed.is_interrupted => Err(Failure::Interrupted(format!(
-            "{} landers were tried",
-            landed.count
-        ))),
         0 => Ok(()),
         count => Err(Failure::running(format!("{count} outcomes differ"))),
     }
@@ -213,7 +219,7 @@ fn parting(draws: [&Draw; 2]) -> Result<f64, Failure> {
 }
 
 /// Landings whose outcomes differ as a table.
-fn table(differences: &[Difference]) -> String {
+fn table(differences: &[&Difference]) -> String {
     let rows = differences.iter().map(|difference| {
         let [without, with] = &difference.outcomes;
         format!(
