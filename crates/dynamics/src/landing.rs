@@ -8,6 +8,7 @@ mod hidden_forces;
 mod history;
 mod hull;
 mod kinks;
+mod peaks;
 mod ranges;
 mod rates;
 pub mod record;

@@ -56,8 +56,8 @@ pub use output::{
 pub use points::{assignment, design, distribution, grid, levels, parameter, refined_grid, sample};
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
 pub use search::{
-    bands, boundary, certainty, first_transition, hidden, hidden_band_checks, lattice, refine,
-    scan, search_range, skipped, trial,
+    bands, boundary, certainty, contact_warnings, first_transition, hidden, hidden_band_checks,
+    lattice, refine, scan, search_range, skipped, trial,
 };
 use search::{join_all, narrowed_scan};
 pub use summary::{findings, landing_table, probabilities, sweep_counts, transition_statistics};

@@ -3,6 +3,7 @@
 pub mod bands;
 pub mod boundary;
 pub mod certainty;
+pub mod contact_warnings;
 pub mod first_transition;
 pub mod hidden;
 pub mod hidden_band_checks;

@@ -7,7 +7,7 @@ use touchdown_dynamics::scene::Settings;
 
 use crate::assignment::Assignment;
 use crate::choice::word;
-use crate::findings::ContactWarnings;
+use crate::contact_warnings::ContactWarnings;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
 use crate::method_input::method_name;

@@ -6,7 +6,7 @@ use touchdown_dynamics::outcome::{Class, Outcome};
 pub use crate::search_range::{Extent, Search};
 
 use crate::certainty::Certainty;
-use crate::findings::ContactWarnings;
+use crate::contact_warnings::ContactWarnings;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::narrowed_scan::NarrowedScan;
 use crate::skipped::Skipped;

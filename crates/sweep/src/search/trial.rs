@@ -6,7 +6,7 @@ use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::findings::ContactWarnings;
+use crate::contact_warnings::ContactWarnings;
 
 /// What one landing told.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,8 +4,9 @@ use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Boundary, Transition};
 use crate::certainty::Certainty;
+use crate::contact_warnings::ContactWarnings;
 use crate::design::Design;
-use crate::findings::{ContactWarnings, Finding};
+use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::probabilities::Probabilities;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::cases::{self, CaseTable};
-use touchdown_sweep::findings::{ContactWarnings, Finding};
+use touchdown_sweep::contact_warnings::ContactWarnings;
+use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::{InOrder, Journal};
 use touchdown_sweep::landing_report;
 use touchdown_sweep::output_units::OutputUnits;

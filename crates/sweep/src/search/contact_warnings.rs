@@ -1,0 +1,42 @@
+//! What the contact rule of 1966 allows and no material does.
+
+use serde::{Deserialize, Serialize};
+use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::outcome::Class;
+
+/// What is to be told of landings although their accounts close: the contact rule of 1966 allows both.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct ContactWarnings {
+    /// Most energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]); zero where it is at most a
+    /// thousandth of the kinetic energy at first contact.
+    ///
+    /// So little any vehicle gains, as friction acts against the velocity of the hinge of a footpad and not against that of its face.
+    ///
+    /// [`Energies::given_by_contact`]: touchdown_dynamics::landing::Energies::given_by_contact
+    pub given: f64,
+    /// Whether a footpad was crushed through its height, in a landing that did not end by that.
+    pub is_crushed_through: bool,
+}
+
+impl ContactWarnings {
+    /// Those of one landing.
+    pub fn of(landing: &Landing) -> Self {
+        const SHARE: f64 = 1e-3;
+        let given = landing.energies.given_by_contact();
+        let is_much = given > SHARE * landing.energies.initial_kinetic;
+        let is_bottomed = landing.outcome.class() == Class::Bottomed;
+        let is_crushed_through = landing.max_pad_crush_share.iter().any(|share| *share > 1.0);
+        Self {
+            given: if is_much { given } else { 0.0 },
+            is_crushed_through: is_crushed_through && !is_bottomed,
+        }
+    }
+
+    /// Those of landings of which one or the other has these.
+    pub fn or(self, other: Self) -> Self {
+        Self {
+            given: self.given.max(other.given),
+            is_crushed_through: self.is_crushed_through || other.is_crushed_through,
+        }
+    }
+}
