@@ -225,14 +225,23 @@ impl Motion<f64> {
     pub fn loads(&self, state: &State<f64>, pieces: &Pieces<f64>) -> PerLeg<LegLoads<f64>> {
         let frame = self.frame(&state.body());
         PerLeg::from_fn(self.leg_count(), |leg| {
-            if self.acts_at_face {
-                self.action::<true, true, true, true>(leg, &frame, state, pieces)
-                    .loads
-            } else {
-                self.action::<true, true, true, false>(leg, &frame, state, pieces)
-                    .loads
-            }
+            self.leg_loads(leg, &frame, state, pieces)
         })
+    }
+
+    /// Loads of a leg, in the frame of the body at that state.
+    pub fn leg_loads(
+        &self,
+        leg: usize,
+        frame: &BodyFrame<f64>,
+        state: &State<f64>,
+        pieces: &Pieces<f64>,
+    ) -> LegLoads<f64> {
+        if self.acts_at_face {
+            (self.action::<true, true, true, true>(leg, frame, state, pieces)).loads
+        } else {
+            (self.action::<true, true, true, false>(leg, frame, state, pieces)).loads
+        }
     }
 }
 

@@ -153,7 +153,7 @@ pub struct Landing {
     /// Greatest interference at which either section of each footpad was crushed, ft; of one on its edge that of the edge, if
     /// that is the greater share.
     pub max_pad_crush: PerLeg<f64>,
-    /// The same as a share of what there is up to its hinge: more than 1 means that it was crushed beyond.
+    /// That crush as a share of what there is up to the hinge: more than 1 means beyond it.
     pub max_pad_crush_share: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,

@@ -27,8 +27,8 @@ const CREEP: f64 = 1e-3;
 /// Since when a vehicle has stood on supports that hold it.
 #[derive(Debug, Clone)]
 pub(super) struct Rest {
-    /// For how long it must have, s.
-    needed: f64,
+    /// Time of a free fall of the CG from its height on extended legs, s.
+    free_fall: f64,
     /// Speed above which an element that crushes gives way, ft/s.
     creep: f64,
     /// Nominal friction under footpads and under blocks.
@@ -44,7 +44,7 @@ struct Support {
     place: Vector3<f64>,
     /// How far it has to fall to its ground, ft.
     fall: f64,
-    /// How its ground rises in plan: its length is the tangent of the angle between the ground and a level one.
+    /// Gradient of its ground in plan; its length is the tangent of the ground's slope.
     gradient: Vector2<f64>,
 }
 
@@ -64,7 +64,7 @@ impl Rest {
         let (height, gravity) = (vehicle.standing_height(), scene.gravity(vehicle));
         let conditions = scene.conditions();
         Self {
-            needed: WHILE * sqrt(2.0 * height / gravity),
+            free_fall: sqrt(2.0 * height / gravity),
             creep: CREEP * sqrt(2.0 * height * gravity),
             friction: [conditions.pad_friction, conditions.block_friction],
             since: None,
@@ -77,7 +77,8 @@ impl Rest {
     pub(super) fn note(&mut self, trajectory: &Trajectory<'_>) -> bool {
         let time = trajectory.time;
         self.since = self.holds(trajectory).then(|| self.since.unwrap_or(time));
-        self.since.is_some_and(|since| time - since >= self.needed)
+        self.since
+            .is_some_and(|since| time - since >= WHILE * self.free_fall)
     }
 
     /// Whether supports hold the vehicle now.
@@ -112,13 +113,13 @@ impl Rest {
         })
     }
 
-    /// Whether friction under supports that bear the same load each stops the CG, which moves so fast in plan (ft/s), within the
-    /// time of a free fall; so much pulls it down for its mass (ft/s²).
-    fn stops_by_friction(&self, supports: &[Support], speed: f64, pull: f64) -> bool {
+    /// Whether friction stops a CG that moves in plan at `speed` (ft/s) within a free fall, under supports that bear the same load
+    /// each. The pull divided by the mass is `acceleration` (ft/s²).
+    fn stops_by_friction(&self, supports: &[Support], speed: f64, acceleration: f64) -> bool {
         let downhill: Vector2<f64> = supports.iter().map(|support| support.gradient).sum();
         let friction = supports.iter().map(|support| self.friction_under(support));
         let left = friction.sum::<f64>() - downhill.norm();
-        speed * supports.len() as f64 <= left * pull * self.needed / WHILE
+        speed * supports.len() as f64 <= left * acceleration * self.free_fall
     }
 
     fn friction_under(&self, support: &Support) -> f64 {
@@ -148,9 +149,9 @@ impl Rest {
         // What crushes under more than its share of the weight comes to rest by that.
         if !support.is_foot {
             return !mode.block_crushes(self.creep, signals)
-                || trajectory.loads(leg).block_normal >= load;
+                || trajectory.loads(leg, frame).block_normal >= load;
         }
-        if mode.pad_crushes(self.creep, signals) && trajectory.loads(leg).pad_normal < load {
+        if mode.pad_crushes(self.creep, signals) && trajectory.loads(leg, frame).pad_normal < load {
             return false;
         }
         // The strut force that bears the load on the link (68), by virtual work.
@@ -178,8 +179,8 @@ fn foot_descent(trajectory: &Trajectory<'_>, leg: usize, frame: &BodyFrame<f64>)
 
 impl Trajectory<'_> {
     /// Forces on a leg now.
-    fn loads(&self, leg: usize) -> LegLoads<f64> {
-        self.motion.loads(&self.step.before, &self.pieces)[leg]
+    fn loads(&self, leg: usize, frame: &BodyFrame<f64>) -> LegLoads<f64> {
+        (self.motion).leg_loads(leg, frame, &self.step.before, &self.pieces)
     }
 
     /// What pulls a vehicle down that comes to rest. None comes to rest while the thrust still changes or lifts it.

@@ -5,191 +5,28 @@
 //! which they hold; when a signal leaves its range, [`LegMode::cross`] puts the next piece in
 //! place.
 
+mod bearing;
 mod choice;
+mod leg_laws;
 
 use crate::crush::{Crush, CrushLaw, PressureLine};
-use libm::{cos, sincos};
-
-use crate::friction::{FrictionProfile, Sliding};
-use crate::hinge::{Hinge, Stops};
+use crate::friction::Sliding;
+use crate::hinge::Hinge;
 use crate::integrator::event::{Bounds, Exit};
 use crate::leg_pieces::{EdgePiece, LegPieces};
 use crate::outcome::{Failure, Outcome};
-use crate::parts::{LegDesign, StrutElement};
 use crate::rules::{ContactRule, CrushRule};
 use crate::signal::{LegSignals, Signal};
-use crate::strut::{GentleKinks, STOP_STROKE, Stance, StrutLaw};
+use crate::strut::{GentleKinks, Stance};
 
 pub use choice::Choice;
-
-/// cos 65 deg: a loaded pad inclined further has no law in the model.
-const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
+pub use leg_laws::LegLaws;
 
 /// Cosine below which the inclination of a pad is held in its interference.
 const LEAST_INCLINATION: f64 = 0.1;
 
 /// Slack of the guard on the cosine of a pad that has an edge.
 const INCLINATION_SLACK: f64 = 1e-12;
-
-/// Distance from its resting place on a stop at which a pad counts as arrived, rad: at least this,
-/// and at least this share of the tolerance.
-const PAD_ARRIVAL: f64 = 1e-12;
-const PAD_ARRIVAL_SHARE: f64 = 0.01;
-
-/// The laws of one leg. A clone shares its tables.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LegLaws {
-    pad: CrushLaw,
-    block: CrushLaw,
-    strut: StrutLaw,
-    /// Of the strut: absent in a shock absorber.
-    cartridge: CrushLaw,
-    stops: Stops,
-    /// Of the footpad on its edge: absent where such a landing ends.
-    edge: CrushLaw,
-    /// cos ξ below which a footpad is on its edge, or has no law.
-    least_inclination: f64,
-    rule: CrushRule,
-    friction: FrictionProfile,
-    heights: Heights,
-    /// What a strut pushes its link back with before its stroke counts, ft·lb: by less a pad would not stay pushed.
-    torque_on_stop: f64,
-    /// Torque of the surface that pushes a link off its extension stop, ft·lb.
-    least_push: f64,
-}
-
-/// Torque of a strut on its link where its stroke begins to count, ft·lb.
-fn torque_on_stop(design: &LegDesign) -> f64 {
-    let stiffness = match &design.strut.element {
-        StrutElement::Damper(damper) => damper.structural_stiffness,
-        StrutElement::Honeycomb(honeycomb) => honeycomb.unloading_stiffness,
-    };
-    stiffness * STOP_STROKE * design.linkage.hardpoint_distance
-}
-
-/// What elements can be crushed by until their hinge or hardpoint is on the ground, ft.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Heights {
-    pad: f64,
-    edge: f64,
-    block: f64,
-}
-
-impl Heights {
-    fn of(design: &LegDesign) -> Self {
-        let footpad = &design.footpad;
-        // Its hardpoint is the end of a block only where it hangs below it.
-        let block = (design.block.as_ref()).filter(|block| block.height > 0.0);
-        Self {
-            pad: footpad.height,
-            edge: footpad.edge.as_ref().map_or(f64::INFINITY, |edge| {
-                let (sine, cosine) = sincos(edge.angle);
-                0.5 * (footpad.diameter * sine + footpad.height * cosine)
-            }),
-            block: block.map_or(f64::INFINITY, |block| block.height),
-        }
-    }
-}
-
-impl LegLaws {
-    /// The laws of a leg that is designed like this, under the default rule.
-    pub fn of(design: &LegDesign) -> Self {
-        Self {
-            pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
-            block: design
-                .block
-                .as_ref()
-                .map_or_else(CrushLaw::absent, |block| {
-                    CrushLaw::new(&block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD)
-                }),
-            strut: StrutLaw::new(&design.strut),
-            cartridge: match &design.strut.element {
-                StrutElement::Damper(_) => CrushLaw::absent(),
-                StrutElement::Honeycomb(honeycomb) => CrushLaw::of_cartridge(honeycomb),
-            },
-            stops: Stops {
-                inner: design.footpad.minimum_angle,
-                outer: design.footpad.maximum_angle,
-                arrival: PAD_ARRIVAL,
-                rule: ContactRule::default(),
-            },
-            edge: (design.footpad.edge.as_ref()).map_or_else(CrushLaw::absent, |edge| {
-                CrushLaw::of_edge(edge, &design.footpad.profile)
-            }),
-            least_inclination: (design.footpad.edge.as_ref())
-                .map_or(LEAST_PAD_INCLINATION, |edge| cos(edge.angle)),
-            rule: CrushRule::default(),
-            friction: FrictionProfile::default(),
-            heights: Heights::of(design),
-            torque_on_stop: torque_on_stop(design),
-            least_push: 0.0,
-        }
-    }
-
-    /// The same laws under another contact rule.
-    pub fn with_contact_rule(self, rule: ContactRule) -> Self {
-        // What acts all at once makes a light pad chatter.
-        let [pad, block, least_push] = match rule {
-            ContactRule::Pivot => [
-                CrushLaw::PAD_PRESSURE_THRESHOLD,
-                CrushLaw::BLOCK_PRESSURE_THRESHOLD,
-                0.0,
-            ],
-            ContactRule::Face => [0.0, 0.0, self.torque_on_stop],
-        };
-        Self {
-            pad: self.pad.with_pressure_threshold(pad),
-            block: self.block.with_pressure_threshold(block),
-            stops: Stops { rule, ..self.stops },
-            least_push,
-            ..self
-        }
-    }
-
-    /// Greatest interference at which a section of the pad was crushed that leaves these sets, ft: for methods that keep no more.
-    pub fn pad_crush(&self, sets: &Sets) -> f64 {
-        let [outer, inner] = sets.pad.map(|set| self.pad.deepest(set));
-        outer.max(inner)
-    }
-
-    /// The same laws under another crush rule.
-    pub fn with_crush_rule(self, rule: CrushRule) -> Self {
-        Self { rule, ..self }
-    }
-
-    /// The same laws with another friction profile.
-    pub fn with_friction(self, friction: FrictionProfile) -> Self {
-        Self { friction, ..self }
-    }
-
-    /// Stroke at which the strut bottoms, ft.
-    pub fn bottoming_stroke(&self) -> f64 {
-        self.strut.bottoming_stroke()
-    }
-
-    /// Height of the footpad, ft.
-    pub fn pad_height(&self) -> f64 {
-        self.heights.pad
-    }
-
-    /// Whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
-    pub fn is_viscous(&self, speed_squared: f64) -> bool {
-        Sliding::at(self.friction, speed_squared) == Sliding::Viscous
-    }
-
-    /// The same laws with their changes no more exact than landings at this tolerance need.
-    pub fn within(self, tolerance: f64) -> Self {
-        let arrival = PAD_ARRIVAL.max(PAD_ARRIVAL_SHARE * tolerance);
-        Self {
-            stops: Stops {
-                arrival,
-                ..self.stops
-            },
-            strut: self.strut.within(tolerance),
-            ..self
-        }
-    }
-}
 
 /// Plastic sets of the elements of a leg, ft.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -380,89 +217,6 @@ impl LegMode {
             ],
             block: (self.block).set_at(&laws.block, value(Signal::BlockInterference)),
             strut: (self.cartridge).set_at(&laws.cartridge, value(Signal::Stroke)),
-        }
-    }
-
-    /// How far the footpad is over its ground, along the ground's normal, ft.
-    pub fn pad_gap(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> f64 {
-        let (outer, law) = self.outer(laws);
-        let gap = |element: &Crush, law: &CrushLaw, signal: Signal| {
-            let interference = signals[signal as usize];
-            element.set_at(law, interference) - interference
-        };
-        let outer = gap(outer, law, Signal::OuterInterference);
-        if self.is_on_edge {
-            return outer.max(0.0);
-        }
-        let inner = gap(&self.pad[1], &laws.pad, Signal::InnerInterference);
-        let inclination = signals[Signal::PadInclination as usize].max(LEAST_INCLINATION);
-        outer.min(inner).max(0.0) * inclination
-    }
-
-    /// The same of the block, if there is one, at the cosine of its inclination.
-    pub fn block_gap(
-        &self,
-        laws: &LegLaws,
-        signals: &LegSignals<f64>,
-        inclination: f64,
-    ) -> Option<f64> {
-        let interference = signals[Signal::BlockInterference as usize];
-        let set = self.block.set_at(&laws.block, interference);
-        (!laws.block.is_absent()).then(|| (set - interference).max(0.0) * inclination)
-    }
-
-    /// Whether the footpad is being crushed faster than this, ft/s.
-    pub fn pad_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
-        if self.is_on_edge {
-            return crushes(&self.edge, Signal::OuterRate, limit, signals);
-        }
-        let [outer, inner] = &self.pad;
-        crushes(outer, Signal::OuterRate, limit, signals)
-            || crushes(inner, Signal::InnerRate, limit, signals)
-    }
-
-    /// The same of the block.
-    pub fn block_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
-        crushes(&self.block, Signal::BlockRate, limit, signals)
-    }
-
-    /// The same of the strut's cartridge.
-    pub fn strut_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
-        crushes(&self.cartridge, Signal::StrokeRate, limit, signals)
-    }
-
-    /// Whether the strut comes to rest before its stop under so much force, lb.
-    pub fn strut_bears(&self, laws: &LegLaws, force: f64) -> bool {
-        let stop = laws.bottoming_stroke();
-        let greatest = if laws.cartridge.is_absent() {
-            laws.strut.static_force(stop)
-        } else {
-            self.cartridge.greatest_front(&laws.cartridge, stop)
-        };
-        force < greatest
-    }
-
-    /// Greatest interference at which the pad was crushed up to these signals, ft, and that at which its hinge is on the
-    /// ground: of its sections or, where it is on its edge and that has less left, of its edge.
-    pub fn pad_crush(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 2] {
-        let [outer, inner] = [Signal::OuterInterference, Signal::InnerInterference]
-            .map(|signal| signals[signal as usize]);
-        let Heights { pad, edge, .. } = laws.heights;
-        let deepest = |depths: [f64; 2]| {
-            let sections = self.pad.iter().zip(depths);
-            let crushes = sections.map(|(section, depth)| section.deepest(depth));
-            crushes.fold(0.0, f64::max)
-        };
-        if !self.is_on_edge {
-            return [deepest([outer, inner]), pad];
-        }
-        // The first signal is the depth of the edge; the sections are as they were.
-        let sections = deepest(self.pad.map(|section| section.set()));
-        let on_edge = self.edge.deepest(outer);
-        if on_edge * pad > sections * edge {
-            [on_edge, edge]
-        } else {
-            [sections, pad]
         }
     }
 
@@ -725,9 +479,4 @@ impl LegMode {
             self.stance = Stance::extended(self.on_surface(), value(Signal::LinkRate));
         }
     }
-}
-
-/// Whether an element is being crushed faster than this, ft/s.
-fn crushes(element: &Crush, rate: Signal, limit: f64, signals: &LegSignals<f64>) -> bool {
-    element.is_on_front() && signals[rate as usize] > limit
 }

@@ -114,7 +114,7 @@ impl<'a> Flight<'a> {
             before = Some((start, taken.length));
         };
         let least = extremes.angle;
-        let max_pad_crush = self.model.pad_crush(&evaluator.memory);
+        let pad_crush = self.model.pad_crush(&evaluator.memory);
         Landing {
             beyond: None,
             outcome,
@@ -128,10 +128,8 @@ impl<'a> Flight<'a> {
             max_stroke_share: PerLeg::from_fn(state.leg_count(), |j| {
                 extremes.stroke[j] / self.model.bottoming_stroke(j)
             }),
-            max_pad_crush,
-            max_pad_crush_share: PerLeg::from_fn(state.leg_count(), |j| {
-                max_pad_crush[j] / self.model.pad_height(j)
-            }),
+            max_pad_crush: pad_crush.map(|[crush, _]| crush),
+            max_pad_crush_share: pad_crush.map(|[crush, height]| crush / height),
             final_rates: final_rates(
                 self.fresh,
                 self.model.motion(),

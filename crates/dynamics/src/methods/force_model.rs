@@ -73,13 +73,9 @@ impl ForceModel {
         &self.motion
     }
 
-    /// Height of the footpad of leg `leg`, ft.
-    pub fn pad_height(&self, leg: usize) -> f64 {
-        self.laws[leg].pad_height()
-    }
-
-    /// Greatest interference at which a section of each pad was crushed that leaves these sets, ft.
-    pub fn pad_crush(&self, sets: &Sets) -> PerLeg<f64> {
+    /// Greatest interference at which a section of each pad was crushed that leaves these sets, ft, and that at which its hinge
+    /// is on the ground.
+    pub fn pad_crush(&self, sets: &Sets) -> PerLeg<[f64; 2]> {
         PerLeg::from_fn(self.laws.len(), |j| self.laws[j].pad_crush(&sets[j]))
     }
 

@@ -6,12 +6,9 @@ use crate::common::{
     OFFSET, PRINCIPAL, even_inertia, level, ring, sample_deck, settings, surveyor, surveyor_leg,
     table_4_1,
 };
-use std::f64::consts::FRAC_PI_2;
-
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
-use touchdown_dynamics::ground::{Ground, LegFooting, Patch};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::record::{Instant, Landing};
@@ -238,80 +235,6 @@ fn a_quarter_of_a_turn_permutes_four_legs() {
 #[test]
 fn a_sixth_of_a_turn_permutes_six_legs() {
     turns_permute_legs(6);
-}
-
-/// On level ground nothing has a direction but what stands on it. A quarter of a turn from Y (uphill) to X makes of a patch tilted
-/// along the slope one that is tilted across it, and of one tilted across one that is tilted along it the other way.
-#[test]
-fn a_quarter_of_a_turn_of_everything_on_level_ground_is_the_same_landing() {
-    let tilted = |tilt_along, tilt_across, height| Patch {
-        height,
-        tilt_along,
-        tilt_across,
-    };
-    let footing = |turned: bool| {
-        let patch = |along: f64, across: f64, height| match turned {
-            false => tilted(along, across, height),
-            true => tilted(-across, along, height),
-        };
-        let legs = [
-            (patch(0.11, 0.0, 0.1), patch(0.0, 0.07, 0.2)),
-            (patch(0.0, -0.13, -0.1), patch(-0.05, 0.0, 0.1)),
-            (patch(-0.06, 0.0, 0.0), patch(0.0, 0.0, 0.15)),
-        ];
-        Ground::new(&legs.map(|(pad, block)| LegFooting { pad, block })).unwrap()
-    };
-    for rules in [Rules::REPORT, Rules::PHYSICAL] {
-        let vehicle = off_by(table_4_1(), OFFSET).with_rules(rules);
-        for (vertical, horizontal, direction) in
-            [(9.0, 5.0, 20f64), (14.0, 3.0, -140.0), (6.0, 8.0, 95.0)]
-        {
-            let landed = [false, true].map(|turned| {
-                let turn = if turned { FRAC_PI_2 } else { 0.0 };
-                let conditions = Conditions {
-                    vertical_velocity: vertical,
-                    horizontal_velocity: horizontal,
-                    cross_slope: direction.to_radians() - turn,
-                    slope: 0.0,
-                    pad_friction: 0.7,
-                    block_friction: 0.4,
-                    attitude: Attitude::from_euler(Euler {
-                        pitch: 0.0,
-                        yaw: 0.0,
-                        roll: 0.2 - turn,
-                    }),
-                    angular_velocity: [0.0, 0.0, 0.3],
-                    ground: footing(turned),
-                    ..level(0.0, 0.0, 0.0)
-                };
-                let settings = settings(1e-9).with_time_limit(0.5).unwrap();
-                land(&vehicle, &Scene::new(conditions).unwrap(), &settings)
-            });
-            let told = landed.map(|landing| {
-                let forces = landing.max_strut_force;
-                let friction = landing
-                    .energies
-                    .legs
-                    .map(|leg| leg.pad_friction + leg.block_friction);
-                [
-                    [
-                        landing.end_time,
-                        landing.min_stability_angle,
-                        landing.min_clearance,
-                    ],
-                    [forces[0], forces[1], forces[2]].map(|force| 1e-3 * force),
-                    [friction[0], friction[1], friction[2]].map(|work| 1e-2 * work),
-                ]
-            });
-            let [one, other] = told.map(|numbers| numbers.as_flattened().to_vec());
-            for (one, other) in one.iter().zip(&other) {
-                assert!(
-                    (one - other).abs() < 1e-7,
-                    "{rules:?}, {direction}: {told:?}"
-                );
-            }
-        }
-    }
 }
 
 #[test]

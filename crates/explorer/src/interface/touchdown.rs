@@ -100,10 +100,8 @@ impl<'n> Touchdown<'n> {
     /// # Errors
     /// Names the first condition that is missing or not allowed.
     pub fn scene(&self) -> Result<Scene, Complaint> {
-        (self
-            .conditions
-            .scene_for(&self.vehicle.vehicle, &self.settings))
-        .map_err(|fault| self.complain(&fault))
+        let (vehicle, settings) = (&self.vehicle.vehicle, &self.settings);
+        (self.conditions.scene_for(vehicle, settings)).map_err(|fault| self.complain(&fault))
     }
 
     /// Entries of the table `[solver]`.

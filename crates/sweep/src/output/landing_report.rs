@@ -141,8 +141,8 @@ pub fn verdict_time(landing: &Landing) -> f64 {
     beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }
 
-/// What is to be told of a landing of a vehicle although its account closes: elements that gave back more than they took, and
-/// footpads that were crushed through their height.
+/// The warnings of a landing whose account closes: elements that gave back more than they took, and footpads that were crushed
+/// beyond their hinges.
 pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
     let ContactWarnings {
         given,

@@ -95,7 +95,7 @@ pub struct Boundary {
     pub landings: u64,
     /// Evaluations of the equations of motion in all of them.
     pub evaluations: u64,
-    /// What is to be told of the landings between which the changes were found.
+    /// Warnings of the landings between which the changes were found.
     pub warnings: ContactWarnings,
 }
 
@@ -161,7 +161,7 @@ impl Boundary {
             evaluations: samples.iter().map(|sample| sample.trial.evaluations).sum(),
             warnings: (samples.iter())
                 .map(|sample| sample.trial.warnings)
-                .fold(ContactWarnings::default(), ContactWarnings::or),
+                .fold(ContactWarnings::default(), ContactWarnings::and),
             ..Self::default()
         }
     }

@@ -1,25 +1,25 @@
-//! What the contact rule of 1966 allows and no material does.
+//! Warnings of what the contact rule of 1966 allows and no material does.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Class;
 
-/// What is to be told of landings although their accounts close: the contact rule of 1966 allows both.
+/// Warnings of contact in landings whose accounts of energy close.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactWarnings {
-    /// Most energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]); zero where it is at most a
+    /// Greatest energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]); zero where it is at most a
     /// thousandth of the kinetic energy at first contact.
     ///
     /// So little any vehicle gains, as friction acts against the velocity of the hinge of a footpad and not against that of its face.
     ///
     /// [`Energies::given_by_contact`]: touchdown_dynamics::landing::Energies::given_by_contact
     pub given: f64,
-    /// Whether a footpad was crushed through its height, in a landing that did not end by that.
+    /// Whether a footpad was crushed beyond its hinge in a landing that did not end as bottomed.
     pub is_crushed_through: bool,
 }
 
 impl ContactWarnings {
-    /// Those of one landing.
+    /// Warnings of one landing.
     pub fn of(landing: &Landing) -> Self {
         const SHARE: f64 = 1e-3;
         let given = landing.energies.given_by_contact();
@@ -32,8 +32,8 @@ impl ContactWarnings {
         }
     }
 
-    /// Those of landings of which one or the other has these.
-    pub fn or(self, other: Self) -> Self {
+    /// Warnings of both.
+    pub fn and(self, other: Self) -> Self {
         Self {
             given: self.given.max(other.given),
             is_crushed_through: self.is_crushed_through || other.is_crushed_through,

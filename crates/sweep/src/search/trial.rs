@@ -23,7 +23,7 @@ pub struct Trial {
     pub tolerance: f64,
     /// Evaluations of the equations of motion that it took.
     pub evaluations: u64,
-    /// What is to be told of it.
+    /// Its warnings of contact.
     pub warnings: ContactWarnings,
 }
 

@@ -20,7 +20,7 @@ pub enum Finding {
         outcome: Outcome,
         /// Its results in the order of [`crate::landing_table`].
         cells: Vec<Cell>,
-        /// What is to be told of it.
+        /// Its warnings of contact.
         warnings: ContactWarnings,
     },
     /// The search for the boundary, and sensitivities of the transition.
@@ -51,7 +51,7 @@ impl Finding {
         }
     }
 
-    /// What is to be told of its landings.
+    /// Warnings of contact in its landings.
     pub fn warnings(&self) -> ContactWarnings {
         match self {
             Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => boundary.warnings,

@@ -54,7 +54,7 @@ pub struct SweepCounts {
     pub with_given: usize,
     /// The most that they gave, ft·lb, and its point.
     pub most_given: Option<(usize, f64)>,
-    /// Points with landings in which a footpad was crushed through its height.
+    /// Points with landings in which a footpad was crushed beyond its hinge.
     pub with_crushed_through: usize,
     /// Probabilities, of a sweep of single landings.
     pub probabilities: Option<Probabilities>,

@@ -88,7 +88,7 @@ fn findings(table: &CaseTable, results: &mut InOrder) -> Result<Vec<Finding>, Fa
     (0..table.len()).map(finding).collect()
 }
 
-/// Tells what is to be told of the landings although they have results.
+/// Prints the warnings of contact in the landings.
 fn warn(names: &[String], findings: &[Finding], units: OutputUnits) {
     let told = |is_told: fn(&ContactWarnings) -> bool| {
         let all = names.iter().zip(findings.iter().map(Finding::warnings));

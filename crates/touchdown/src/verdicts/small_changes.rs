@@ -25,6 +25,8 @@ const SHARE: f64 = 2.0 / 3.0;
 const LENGTH: f64 = 1e-3 / 0.3048;
 const MASS: f64 = 1e-3 / 14.593_902_937_206_364;
 const CHANGES: [&str; 3] = ["CG 1 mm aside", "1 g more", "first footpad 1 mm higher"];
+/// A landing and those with each change.
+const ALIKE: usize = 1 + CHANGES.len();
 
 /// Motions have parted once their CGs are so far apart, ft, and that is looked for at such intervals, s.
 const PARTED: f64 = 10.0 * LENGTH;
@@ -129,26 +131,23 @@ fn changed(draws: &[Draw]) -> Result<Sum, Failure> {
     sum.landings = found.len() as u64;
     let settings = settings(LIMIT)?;
     let outcomes = land_all(landings.iter().map(|draw| (draw, settings)));
-    for ((draw, transition, speed), (landings, outcomes)) in found.iter().zip(
-        landings
-            .chunks(1 + CHANGES.len())
-            .zip(outcomes.chunks(1 + CHANGES.len())),
-    ) {
-        for (change, (other, outcome)) in
-            (CHANGES.iter()).zip(landings.iter().zip(outcomes).skip(1))
-        {
-            if outcome.outcome.class() != outcomes[0].outcome.class() {
-                sum.differences.push(Difference {
-                    number: draw.number,
-                    kinds: draw.kinds(),
-                    legs: draw.vehicle.legs().len(),
-                    transition: *transition,
-                    speed: *speed,
-                    change,
-                    outcomes: [&outcomes[0], outcome].map(|landing| landing.outcome.clone()),
-                    parting: parting([&landings[0], other])?,
-                });
+    let alike = landings.chunks(ALIKE).zip(outcomes.chunks(ALIKE));
+    for ((draw, transition, speed), (landings, outcomes)) in found.into_iter().zip(alike) {
+        for (index, change) in (1..).zip(CHANGES) {
+            let both = [0, index].map(|landing| outcomes[landing].outcome.clone());
+            if both[0].class() == both[1].class() {
+                continue;
             }
+            sum.differences.push(Difference {
+                number: draw.number,
+                kinds: draw.kinds(),
+                legs: draw.vehicle.legs().len(),
+                transition,
+                speed,
+                change,
+                outcomes: both,
+                parting: parting([&landings[0], &landings[index]])?,
+            });
         }
     }
     Ok(sum)
@@ -185,7 +184,7 @@ fn transitions(draws: &[Draw]) -> Result<Vec<f64>, Failure> {
 }
 
 /// A vehicle without and with each of the changes.
-fn variants(vehicle: &Arc<Vehicle>) -> Result<[Arc<Vehicle>; 1 + CHANGES.len()], Invalid> {
+fn variants(vehicle: &Arc<Vehicle>) -> Result<[Arc<Vehicle>; ALIKE], Invalid> {
     let (mass, height) = (vehicle.mass(), vehicle.center_of_gravity_height());
     let [x, y] = vehicle.center_of_gravity_offset();
     let legs = vehicle.legs().to_vec();
@@ -204,7 +203,7 @@ fn variants(vehicle: &Arc<Vehicle>) -> Result<[Arc<Vehicle>; 1 + CHANGES.len()],
     ])
 }
 
-/// Where two landings part.
+/// When two motions part, s; the earlier end of those that do not.
 fn parting(draws: [&Draw; 2]) -> Result<f64, Failure> {
     let settings = settings(LIMIT)?;
     let [a, b] = draws.map(|draw| {

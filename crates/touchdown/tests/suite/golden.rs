@@ -252,7 +252,9 @@ fn shards_of_the_corpus_are_merged_into_the_whole() {
     let done = bench.run(&["merge", "out", "--quiet"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
     let expected = results(&golden().join("expected/first-us"));
-    for (file, found) in results(&bench.path("out")) {
+    let found = results(&bench.path("out"));
+    assert!(expected.keys().eq(found.keys()), "{:?}", found.keys());
+    for (file, found) in found {
         let lines = differences(&expected[&file], &found);
         assert!(lines.is_empty(), "{file}: {lines:?}");
     }

@@ -39,6 +39,7 @@ fn kills_and_wild_landings_are_told_and_land_again_as_they_did() {
         "2 of 2 kills",
         "nothing lost, no difference",
         "%  unstable-pitch",
+        "%  unstable-toppled",
         "of the energy involved",
         "every value is a number, every energy account closes",
     ] {

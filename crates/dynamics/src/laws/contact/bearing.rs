@@ -1,0 +1,96 @@
+//! What a leg stands on: gaps to the ground, elements that give way, and how far a footpad is crushed.
+
+use super::leg_laws::Heights;
+use super::{LEAST_INCLINATION, LegLaws, LegMode};
+use crate::crush::{Crush, CrushLaw};
+use crate::signal::{LegSignals, Signal};
+
+impl LegMode {
+    /// How far the footpad is over its ground, along the ground's normal, ft.
+    pub fn pad_gap(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> f64 {
+        let (outer, law) = self.outer(laws);
+        let gap = |element: &Crush, law: &CrushLaw, signal: Signal| {
+            let interference = signals[signal as usize];
+            element.set_at(law, interference) - interference
+        };
+        let outer = gap(outer, law, Signal::OuterInterference);
+        if self.is_on_edge {
+            return outer.max(0.0);
+        }
+        let inner = gap(&self.pad[1], &laws.pad, Signal::InnerInterference);
+        let inclination = signals[Signal::PadInclination as usize].max(LEAST_INCLINATION);
+        outer.min(inner).max(0.0) * inclination
+    }
+
+    /// The same of the block, if there is one, at the cosine of its inclination.
+    pub fn block_gap(
+        &self,
+        laws: &LegLaws,
+        signals: &LegSignals<f64>,
+        inclination: f64,
+    ) -> Option<f64> {
+        let interference = signals[Signal::BlockInterference as usize];
+        let set = self.block.set_at(&laws.block, interference);
+        (!laws.block.is_absent()).then(|| (set - interference).max(0.0) * inclination)
+    }
+
+    /// Whether the footpad is crushed faster than `limit`, ft/s.
+    pub fn pad_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
+        if self.is_on_edge {
+            return crushes(&self.edge, Signal::OuterRate, limit, signals);
+        }
+        let [outer, inner] = &self.pad;
+        crushes(outer, Signal::OuterRate, limit, signals)
+            || crushes(inner, Signal::InnerRate, limit, signals)
+    }
+
+    /// Whether the block is crushed faster than `limit`, ft/s.
+    pub fn block_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
+        crushes(&self.block, Signal::BlockRate, limit, signals)
+    }
+
+    /// Whether the strut's cartridge is crushed faster than `limit`, ft/s.
+    pub fn strut_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
+        crushes(&self.cartridge, Signal::StrokeRate, limit, signals)
+    }
+
+    /// Whether the strut comes to rest before its stop under so much force, lb.
+    pub fn strut_bears(&self, laws: &LegLaws, force: f64) -> bool {
+        let stop = laws.bottoming_stroke();
+        let greatest = if laws.cartridge.is_absent() {
+            laws.strut.static_force(stop)
+        } else {
+            self.cartridge.greatest_front(&laws.cartridge, stop)
+        };
+        force < greatest
+    }
+
+    /// Greatest interference at which the pad was crushed up to these signals, ft, and that at which its hinge is on the
+    /// ground: of its sections or, where it is on its edge and that has less left, of its edge.
+    pub fn pad_crush(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 2] {
+        let [outer, inner] = [Signal::OuterInterference, Signal::InnerInterference]
+            .map(|signal| signals[signal as usize]);
+        let Heights { pad, edge, .. } = laws.heights;
+        let deepest = |depths: [f64; 2]| {
+            let sections = self.pad.iter().zip(depths);
+            let crushes = sections.map(|(section, depth)| section.deepest(depth));
+            crushes.fold(0.0, f64::max)
+        };
+        if !self.is_on_edge {
+            return [deepest([outer, inner]), pad];
+        }
+        // The first signal is the depth of the edge; the sections are as they were.
+        let sections = deepest(self.pad.map(|section| section.set()));
+        let on_edge = self.edge.deepest(outer);
+        if on_edge * pad > sections * edge {
+            [on_edge, edge]
+        } else {
+            [sections, pad]
+        }
+    }
+}
+
+/// Whether an element is crushed faster than `limit`, ft/s.
+fn crushes(element: &Crush, rate: Signal, limit: f64, signals: &LegSignals<f64>) -> bool {
+    element.is_on_front() && signals[rate as usize] > limit
+}

@@ -1,0 +1,170 @@
+//! The laws of one leg, from its design.
+
+use libm::{cos, sincos};
+
+use super::Sets;
+use crate::crush::CrushLaw;
+use crate::friction::{FrictionProfile, Sliding};
+use crate::hinge::Stops;
+use crate::parts::{LegDesign, StrutElement};
+use crate::rules::{ContactRule, CrushRule};
+use crate::strut::{STOP_STROKE, StrutLaw};
+
+/// cos 65 deg: a loaded pad inclined further has no law in the model.
+const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
+
+/// Distance from its resting place on a stop at which a pad counts as arrived, rad: at least this,
+/// and at least this share of the tolerance.
+const PAD_ARRIVAL: f64 = 1e-12;
+const PAD_ARRIVAL_SHARE: f64 = 0.01;
+
+/// The laws of one leg. A clone shares its tables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LegLaws {
+    pub(super) pad: CrushLaw,
+    pub(super) block: CrushLaw,
+    pub(super) strut: StrutLaw,
+    /// Of the strut: absent in a shock absorber.
+    pub(super) cartridge: CrushLaw,
+    pub(super) stops: Stops,
+    /// Of the footpad on its edge: absent where such a landing ends.
+    pub(super) edge: CrushLaw,
+    /// cos ξ below which a footpad is on its edge, or has no law.
+    pub(super) least_inclination: f64,
+    pub(super) rule: CrushRule,
+    pub(super) friction: FrictionProfile,
+    pub(super) heights: Heights,
+    /// What a strut pushes its link back with before its stroke counts, ft·lb: by less a pad would not stay pushed.
+    pub(super) torque_on_stop: f64,
+    /// Torque of the surface that pushes a link off its extension stop, ft·lb.
+    pub(super) least_push: f64,
+}
+
+/// Torque of a strut on its link where its stroke begins to count, ft·lb.
+fn torque_on_stop(design: &LegDesign) -> f64 {
+    let stiffness = match &design.strut.element {
+        StrutElement::Damper(damper) => damper.structural_stiffness,
+        StrutElement::Honeycomb(honeycomb) => honeycomb.unloading_stiffness,
+    };
+    stiffness * STOP_STROKE * design.linkage.hardpoint_distance
+}
+
+/// What elements can be crushed by until their hinge or hardpoint is on the ground, ft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Heights {
+    pub(super) pad: f64,
+    pub(super) edge: f64,
+    pub(super) block: f64,
+}
+
+impl Heights {
+    fn of(design: &LegDesign) -> Self {
+        let footpad = &design.footpad;
+        // Its hardpoint is the end of a block only where it hangs below it.
+        let block = (design.block.as_ref()).filter(|block| block.height > 0.0);
+        Self {
+            pad: footpad.height,
+            edge: footpad.edge.as_ref().map_or(f64::INFINITY, |edge| {
+                let (sine, cosine) = sincos(edge.angle);
+                0.5 * (footpad.diameter * sine + footpad.height * cosine)
+            }),
+            block: block.map_or(f64::INFINITY, |block| block.height),
+        }
+    }
+}
+
+impl LegLaws {
+    /// The laws of a leg that is designed like this, under the default rule.
+    pub fn of(design: &LegDesign) -> Self {
+        Self {
+            pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
+            block: design
+                .block
+                .as_ref()
+                .map_or_else(CrushLaw::absent, |block| {
+                    CrushLaw::new(&block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD)
+                }),
+            strut: StrutLaw::new(&design.strut),
+            cartridge: match &design.strut.element {
+                StrutElement::Damper(_) => CrushLaw::absent(),
+                StrutElement::Honeycomb(honeycomb) => CrushLaw::of_cartridge(honeycomb),
+            },
+            stops: Stops {
+                inner: design.footpad.minimum_angle,
+                outer: design.footpad.maximum_angle,
+                arrival: PAD_ARRIVAL,
+                rule: ContactRule::default(),
+            },
+            edge: (design.footpad.edge.as_ref()).map_or_else(CrushLaw::absent, |edge| {
+                CrushLaw::of_edge(edge, &design.footpad.profile)
+            }),
+            least_inclination: (design.footpad.edge.as_ref())
+                .map_or(LEAST_PAD_INCLINATION, |edge| cos(edge.angle)),
+            rule: CrushRule::default(),
+            friction: FrictionProfile::default(),
+            heights: Heights::of(design),
+            torque_on_stop: torque_on_stop(design),
+            least_push: 0.0,
+        }
+    }
+
+    /// The same laws under another contact rule.
+    pub fn with_contact_rule(self, rule: ContactRule) -> Self {
+        // What acts all at once makes a light pad chatter.
+        let [pad, block, least_push] = match rule {
+            ContactRule::Pivot => [
+                CrushLaw::PAD_PRESSURE_THRESHOLD,
+                CrushLaw::BLOCK_PRESSURE_THRESHOLD,
+                0.0,
+            ],
+            ContactRule::Face => [0.0, 0.0, self.torque_on_stop],
+        };
+        Self {
+            pad: self.pad.with_pressure_threshold(pad),
+            block: self.block.with_pressure_threshold(block),
+            stops: Stops { rule, ..self.stops },
+            least_push,
+            ..self
+        }
+    }
+
+    /// Greatest interference at which a section of the pad was crushed that leaves these sets, ft, and that at which its hinge is
+    /// on the ground: for methods that keep no more.
+    pub fn pad_crush(&self, sets: &Sets) -> [f64; 2] {
+        let [outer, inner] = sets.pad.map(|set| self.pad.deepest(set));
+        [outer.max(inner), self.heights.pad]
+    }
+
+    /// The same laws under another crush rule.
+    pub fn with_crush_rule(self, rule: CrushRule) -> Self {
+        Self { rule, ..self }
+    }
+
+    /// The same laws with another friction profile.
+    pub fn with_friction(self, friction: FrictionProfile) -> Self {
+        Self { friction, ..self }
+    }
+
+    /// Stroke at which the strut bottoms, ft.
+    pub fn bottoming_stroke(&self) -> f64 {
+        self.strut.bottoming_stroke()
+    }
+
+    /// Whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
+    pub fn is_viscous(&self, speed_squared: f64) -> bool {
+        Sliding::at(self.friction, speed_squared) == Sliding::Viscous
+    }
+
+    /// The same laws with their changes no more exact than landings at this tolerance need.
+    pub fn within(self, tolerance: f64) -> Self {
+        let arrival = PAD_ARRIVAL.max(PAD_ARRIVAL_SHARE * tolerance);
+        Self {
+            stops: Stops {
+                arrival,
+                ..self.stops
+            },
+            strut: self.strut.within(tolerance),
+            ..self
+        }
+    }
+}
