@@ -19,16 +19,22 @@ use crate::vehicle::Vehicle;
 
 /// Share of the energy that toppling takes up to which there is too little.
 const SHARE: f64 = 0.5;
-/// How long the vehicle stands, in free falls of the CG from its height on extended legs.
-const WHILE: f64 = 0.4;
+/// How long the vehicle stands until it is at rest, or its CG is beyond its feet until it has toppled, in free falls of the CG
+/// from its height on extended legs.
+pub(super) const WHILE: f64 = 0.4;
 /// Crushing faster than this gives way, as a share of the speed of that free fall.
 const CREEP: f64 = 1e-3;
+
+/// Time of a fall from a height (ft) at so much acceleration (ft/s²), s.
+pub(super) fn free_fall(height: f64, acceleration: f64) -> f64 {
+    sqrt(2.0 * height / acceleration)
+}
 
 /// Since when a vehicle has stood on supports that hold it.
 #[derive(Debug, Clone)]
 pub(super) struct Rest {
-    /// Time of a free fall of the CG from its height on extended legs, s.
-    free_fall: f64,
+    /// Height of the CG on extended legs, ft.
+    height: f64,
     /// Speed above which an element that crushes gives way, ft/s.
     creep: f64,
     /// Nominal friction under footpads and under blocks.
@@ -64,7 +70,7 @@ impl Rest {
         let (height, gravity) = (vehicle.standing_height(), scene.gravity(vehicle));
         let conditions = scene.conditions();
         Self {
-            free_fall: sqrt(2.0 * height / gravity),
+            height,
             creep: CREEP * sqrt(2.0 * height * gravity),
             friction: [conditions.pad_friction, conditions.block_friction],
             since: None,
@@ -75,18 +81,19 @@ impl Rest {
     #[cold]
     #[inline(never)]
     pub(super) fn note(&mut self, trajectory: &Trajectory<'_>) -> bool {
-        let time = trajectory.time;
-        self.since = self.holds(trajectory).then(|| self.since.unwrap_or(time));
-        self.since
-            .is_some_and(|since| time - since >= WHILE * self.free_fall)
+        let held = (trajectory.pull_at_rest()).filter(|pull| self.holds(trajectory, pull));
+        let Some(pull) = held else {
+            self.since = None;
+            return false;
+        };
+        let since = *self.since.get_or_insert(trajectory.time);
+        let acceleration = pull.force / trajectory.motion.mass();
+        trajectory.time - since >= WHILE * free_fall(self.height, acceleration)
     }
 
     /// Whether supports hold the vehicle now.
-    fn holds(&self, trajectory: &Trajectory<'_>) -> bool {
+    fn holds(&self, trajectory: &Trajectory<'_>, pull: &Pull) -> bool {
         let (motion, state) = (&trajectory.motion, &trajectory.step.before);
-        let Some(pull) = trajectory.pull_at_rest() else {
-            return false;
-        };
         // Height to which the energy of motion would lift the CG.
         let lift = kinetic(motion, state) / pull.force;
         let reach = |leg| foot(trajectory, leg).norm();
@@ -96,7 +103,7 @@ impl Rest {
         }
         let frame = motion.frame(&state.body());
         let speed = (pull.axes * state.body().velocity).xy().norm();
-        let mut supports = trajectory.supports(&frame, &pull);
+        let mut supports = trajectory.supports(&frame, pull);
         supports.sort_by(|a, b| a.fall.total_cmp(&b.fall));
         let places: ArrayVec<Vector3<f64>, MOST_SUPPORTS> =
             supports.iter().map(|support| support.place).collect();
@@ -119,7 +126,7 @@ impl Rest {
         let downhill: Vector2<f64> = supports.iter().map(|support| support.gradient).sum();
         let friction = supports.iter().map(|support| self.friction_under(support));
         let left = friction.sum::<f64>() - downhill.norm();
-        speed * supports.len() as f64 <= left * acceleration * self.free_fall
+        speed * supports.len() as f64 <= left * acceleration * free_fall(self.height, acceleration)
     }
 
     fn friction_under(&self, support: &Support) -> f64 {

@@ -79,7 +79,7 @@ impl<'o> Simulation<'o> {
         let rules = settings.rules(vehicle);
         Self {
             trajectory,
-            stability: StabilityTrack::new(monitor, vehicle.legs().len()),
+            stability: StabilityTrack::new(monitor, vehicle, scene),
             steadiness: Steadiness::new(vehicle, scene, rules.rest),
             rest: (rules.rest == RestRule::Energy).then(|| Rest::new(vehicle, scene)),
             control: StepControl::new(FIRST_STEP),
@@ -465,17 +465,23 @@ impl<'o> Simulation<'o> {
         })
     }
 
-    /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict.
+    /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict. One that ends while
+    /// it topples has toppled.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
-        let Some((verdict, time)) = &self.noted else {
+        let toppled = || Some((Outcome::UnstableToppled, self.stability.topples_since()?));
+        let noted = self.noted.clone().or_else(toppled);
+        let Some((verdict, time)) = noted else {
             return self.trajectory.result(outcome);
         };
+        if !self.trajectory.settings.goes_on() {
+            return self.trajectory.result(verdict);
+        }
         Landing {
             beyond: Some(Beyond {
-                verdict_time: *time,
+                verdict_time: time,
                 end: outcome,
             }),
-            ..self.trajectory.result(verdict.clone())
+            ..self.trajectory.result(verdict)
         }
     }
 }

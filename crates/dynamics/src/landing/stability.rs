@@ -55,11 +55,8 @@ fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
 enum Reference {
     /// The line through the critical feet, in a plane.
     Plane(Plane),
-    /// The hull of all feet. Toppled is who leaves it: one that touches down beyond it may still come back.
-    Hull {
-        /// Whether the CG was within.
-        is_within: bool,
-    },
+    /// The hull of all feet.
+    Hull,
 }
 
 /// The plane in which toppling is judged.
@@ -142,7 +139,7 @@ pub enum Verdict {
     Yaw,
     /// σ ≤ 0.
     Pitch,
-    /// The CG has left the hull of the feet.
+    /// The CG has left the hull of the feet for good.
     Toppled,
     /// Rocked up and came back.
     Rockback,
@@ -227,7 +224,7 @@ impl StabilityMonitor {
             ring: vehicle.ring().clone(),
             reference: match rules.toppling {
                 TopplingRule::CriticalFeet => Reference::Plane(Plane::Motion),
-                TopplingRule::Hull => Reference::Hull { is_within: false },
+                TopplingRule::Hull => Reference::Hull,
             },
             feet: CriticalFeet {
                 negative: 0,
@@ -243,7 +240,7 @@ impl StabilityMonitor {
     pub fn critical_feet(&self, footing: &Footing) -> [usize; 2] {
         match self.reference {
             Reference::Plane(_) => [self.feet.negative, self.feet.positive],
-            Reference::Hull { .. } => Hull::of(&footing.feet).critical_supports(),
+            Reference::Hull => Hull::of(&footing.feet).critical_supports(),
         }
     }
 
@@ -309,7 +306,7 @@ impl StabilityMonitor {
                 let [from, to] = [self.feet.negative, self.feet.positive].map(|foot| &feet[foot]);
                 plane.angle(from, to, vx, vy)
             }
-            Reference::Hull { .. } => Hull::of(feet).stability_angle(),
+            Reference::Hull => Hull::of(feet).stability_angle(),
         };
         let (v, rate) = (&body.velocity, &body.rate);
         let calm = [v.x, v.y, v.z, rate.x, rate.y, rate.z, -depth];
@@ -326,16 +323,13 @@ impl StabilityMonitor {
         } else {
             f64::INFINITY
         };
-        let mut angle = Bounds {
-            lower: 0.0,
+        let angle = Bounds {
+            lower: match self.reference {
+                Reference::Plane(_) => 0.0,
+                Reference::Hull => f64::NEG_INFINITY,
+            },
             upper: highest + ANGLE_SLACK,
         };
-        if let Reference::Hull { is_within } = &mut self.reference {
-            *is_within = seen.angle > 0.0;
-            if !*is_within {
-                angle.lower = f64::NEG_INFINITY;
-            }
-        }
         if self.guards.is_empty() {
             self.set_guard(ANGLE, angle);
             let is_in_plane = matches!(self.reference, Reference::Plane(_));
@@ -405,12 +399,10 @@ impl StabilityMonitor {
         before / (before - after)
     }
 
-    /// Whether the CG is beyond the hull of the feet and has moved outward between two observations.
+    /// Whether the CG is beyond the hull of the feet.
     #[inline(always)]
-    pub fn moves_away(&self, [before, after]: [&Observation; 2]) -> bool {
-        self.reference == Reference::Hull { is_within: false }
-            && after.angle <= 0.0
-            && after.angle < before.angle
+    pub fn is_beyond_hull(&self, seen: &Observation) -> bool {
+        self.reference == Reference::Hull && seen.angle <= 0.0
     }
 
     /// The ranges last chosen.
@@ -424,12 +416,8 @@ impl StabilityMonitor {
         let calm = [vx, vy, vz].iter().all(|v| v.abs() <= CALM_SPEED)
             && [wx, wy, wz].iter().all(|w| w.abs() <= CALM_RATE)
             && height <= self.calm_height();
-        match self.reference {
-            Reference::Hull { is_within: true } if seen.angle <= 0.0 => {
-                return Some(Verdict::Toppled);
-            }
-            Reference::Plane(_) if seen.angle <= 0.0 => return Some(Verdict::Pitch),
-            _ => {}
+        if matches!(self.reference, Reference::Plane(_)) && seen.angle <= 0.0 {
+            return Some(Verdict::Pitch);
         }
         if self.limits.is_some()
             && least_angle < ROCKED_UP

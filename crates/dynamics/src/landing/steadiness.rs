@@ -4,6 +4,7 @@
 //! The rules are measured, not proven (`docs/notes/early-end.md` has the evidence): a stability angle well above zero
 //! that has kept within a few degrees for a while has never been seen to fall to zero.
 
+use super::rest::free_fall;
 use crate::outcome::Outcome;
 use crate::rules::RestRule;
 use crate::scene::Scene;
@@ -75,7 +76,7 @@ impl Steadiness {
         let (sine, cosine) = libm::sincos(conditions.slope);
         let friction = conditions.pad_friction.max(conditions.block_friction);
         Self {
-            fall_time: (2.0 * vehicle.standing_height() / scene.gravity(vehicle)).sqrt(),
+            fall_time: free_fall(vehicle.standing_height(), scene.gravity(vehicle)),
             slippery: (sine.abs() > friction * cosine).then_some((sine, cosine)),
             may_end_early: rule == RestRule::Limits,
             sliding_speed: match rule {

@@ -2,13 +2,16 @@
 
 use pulp::NullaryFnOnce;
 
+use super::rest::{WHILE, free_fall};
 use super::trajectory::Trajectory;
 use super::within::Between;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
 use crate::motion::Footing;
 use crate::registers::Registers;
+use crate::scene::Scene;
 use crate::stability::{Observation, StabilityMonitor, Verdict};
+use crate::vehicle::Vehicle;
 
 /// Parabolas fitted to find a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
@@ -21,15 +24,30 @@ pub(super) struct StabilityTrack {
     /// The observation at the start of the previous step, and how long ago that was, s. It survives changes of laws: feet and
     /// velocities do not jump.
     before: Option<(Observation, f64)>,
+    /// For how long the CG has to be beyond the hull of the feet until the vehicle has toppled, s.
+    while_beyond: f64,
+    beyond: Option<Beyond>,
+}
+
+/// A CG beyond the hull of the feet. Feet that still move out, or a strut that pushes, may bring it back.
+#[derive(Debug, Clone, Copy)]
+struct Beyond {
+    /// Since when, s.
+    since: f64,
+    /// Least σ since then, rad.
+    lowest: f64,
 }
 
 impl StabilityTrack {
-    /// A monitor that has yet to observe the touchdown of a vehicle with so many legs.
-    pub(super) fn new(monitor: StabilityMonitor, legs: usize) -> Self {
+    /// A monitor that has yet to observe the touchdown of a vehicle in a scene.
+    pub(super) fn new(monitor: StabilityMonitor, vehicle: &Vehicle, scene: &Scene) -> Self {
+        let gravity = scene.gravity(vehicle);
         Self {
             monitor,
-            seen: Observation::none(legs),
+            seen: Observation::none(vehicle.legs().len()),
             before: None,
+            while_beyond: WHILE * free_fall(vehicle.standing_height(), gravity),
+            beyond: None,
         }
     }
 
@@ -50,10 +68,37 @@ impl StabilityTrack {
             trajectory.least_angle = (0.0, 0.0);
             return Err(verdict);
         }
+        self.note_beyond(trajectory.time);
         match self.monitor.verdict(&self.seen, trajectory.least_angle.0) {
             Some(verdict) => Err(verdict),
             None => Ok(()),
         }
+    }
+
+    /// Takes note of whether the CG is beyond the hull of the feet: whether it has left it for good.
+    #[inline(always)]
+    fn note_beyond(&mut self, time: f64) -> bool {
+        if !self.monitor.is_beyond_hull(&self.seen) {
+            self.beyond = None;
+            return false;
+        }
+        let Beyond { since, lowest } = self.beyond.unwrap_or(Beyond {
+            since: time,
+            lowest: f64::INFINITY,
+        });
+        let angle = self.seen.angle;
+        self.beyond = Some(Beyond {
+            since,
+            lowest: lowest.min(angle),
+        });
+        time - since >= self.while_beyond && angle < lowest
+    }
+
+    /// Since when the CG has been beyond the hull of the feet, s, while it is farther beyond than ever.
+    pub(super) fn topples_since(&self) -> Option<f64> {
+        self.beyond
+            .filter(|beyond| self.seen.angle <= beyond.lowest)
+            .map(|beyond| beyond.since)
     }
 
     /// Takes note that the thrust is on another line: the verdict that was waiting for it.
@@ -104,10 +149,6 @@ impl Trajectory<'_> {
                 end_theta = reach.min(theta + part);
                 end = self.observe(&stability.monitor, end_theta, event);
             }
-            if (stability.monitor).moves_away([&stability.seen, &end]) {
-                self.note_observation(&end, self.time_at(end_theta));
-                return Some((end_theta, Verdict::Toppled));
-            }
             let length = (end_theta - theta) * self.step.length;
             let is_plain = self.is_plain(stability, &end, length);
             if is_plain && stability.keeps(&end, length) {
@@ -123,6 +164,9 @@ impl Trajectory<'_> {
                     Ok(reached) => theta = reached,
                     Err(found) => return Some(found),
                 }
+            }
+            if stability.note_beyond(self.time_at(theta)) {
+                return Some((theta, Verdict::Toppled));
             }
         }
         None
