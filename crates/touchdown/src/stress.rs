@@ -88,8 +88,9 @@ pub struct Options {
 /// Runs `stress`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     // Input that cannot be used is refused before anything is written or killed.
-    let wild = wild_sweep::sweeps(options.landings, options.seed, settings(options)?)?;
+    let settings = settings(options)?;
     let folder = Folder::open(&options.out)?;
+    let wild = wild_sweep::sweeps(options.landings, options.seed, settings)?;
     let workers = Workers::start(options.threads)?;
     let cancel = interrupt::flag()?;
     let bench = Bench {

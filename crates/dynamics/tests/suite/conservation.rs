@@ -119,9 +119,9 @@ fn stiff_pads_lift_the_vehicle_by_what_friction_took() {
 const GAP: f64 = 1e-5;
 
 #[test]
-fn the_energy_account_of_a_thousand_landings_closes() {
+fn the_energy_account_of_landings_closes() {
     let strategy = (usual_conditions(), crush_rule(), proptest::bool::ANY);
-    let gaps: Vec<_> = fixed_list(&strategy, 1000)
+    let gaps: Vec<_> = fixed_list(&strategy, 400)
         .into_par_iter()
         .enumerate()
         .filter_map(|(number, (conditions, rule, first))| {
@@ -142,7 +142,7 @@ fn the_energy_account_of_a_thousand_landings_closes() {
             landed.then_some((account.closure().abs(), conditions))
         })
         .collect();
-    assert!(gaps.len() > 950, "only {} landed", gaps.len());
+    assert!(gaps.len() > 380, "only {} landed", gaps.len());
     let worst = gaps.iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
     println!("gap at most {:.2e} ft·lb", worst.0);
     assert!(worst.0 < GAP, "{worst:?}");

@@ -394,3 +394,42 @@ fn spread(places: &[Known]) -> f64 {
         .zip(greatest)
         .map_or(0.0, |(least, greatest)| greatest - least)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two surfaces meet at a step, one higher than the other; both are planes but for a bump.
+    #[test]
+    fn the_error_of_a_cell_is_the_greater_one_of_those_beside_its_edge() {
+        let rules = MapRules {
+            error: 0.05,
+            jump: 0.3,
+            budget: None,
+            grid_steps: 16,
+        };
+        let cell = Cell {
+            low: [0, 0],
+            size: [64, 64],
+        };
+        let leaf_of = |bumps: [f64; 2]| {
+            let height = |[i, j]: Place| {
+                let is_on_edge = i == 0 || i == 64 || j == 0 || j == 64;
+                let side = usize::from(i > 40);
+                let bump = if is_on_edge { 0.0 } else { bumps[side] };
+                let speed = Some(10.0 + 0.01 * j as f64 + side as f64 + bump);
+                Some(Height { speed, bands: 0 })
+            };
+            let refined = refined(cell, &rules, &height);
+            assert_eq!(refined.leaves.len(), 1, "{refined:?}");
+            assert!(refined.leaves[0].check.is_some());
+            refined.leaves[0].error.unwrap()
+        };
+        // Planes through the step's places, some of which share the bump, take off a part of it.
+        for bumps in [[0.04, 0.0], [0.0, 0.04]] {
+            let error = leaf_of(bumps);
+            assert!((0.02..0.04).contains(&error), "{bumps:?}: {error}");
+        }
+        assert!(leaf_of([0.0; 2]) < 1e-12);
+    }
+}

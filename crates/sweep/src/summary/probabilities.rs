@@ -264,6 +264,7 @@ impl Bins {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use statrs::distribution::{Binomial, Discrete};
 
     #[test]
     fn intervals_are_those_of_the_books() {
@@ -282,19 +283,49 @@ mod tests {
         assert_eq!(wilson(0, 0), [0.0, 1.0]);
     }
 
+    /// In how many of all samples the interval holds the probability, exactly: Wilson's intervals do so in 95 % on average over
+    /// probabilities.
     #[test]
-    fn enough_is_asked_for_every_hundred_landings() {
-        let mut count = Count::default();
-        let mut landings = 0;
-        while !count.is_enough(0.1) {
-            count.add(if landings % 10 == 0 {
-                Class::Unstable
-            } else {
-                Class::Stable
-            });
-            landings += 1;
+    fn intervals_hold_the_probability_in_95_of_100_samples() {
+        for trials in [50, 400] {
+            let coverage = |probability: f64| -> f64 {
+                let drawn = Binomial::new(probability, trials).unwrap();
+                (0..=trials)
+                    .filter(|hits| {
+                        let [low, high] = wilson(*hits, trials);
+                        low <= probability && probability <= high
+                    })
+                    .map(|hits| drawn.pmf(hits))
+                    .sum()
+            };
+            let coverages: Vec<f64> = (1..100).map(|k| coverage(0.01 * f64::from(k))).collect();
+            let mean = coverages.iter().sum::<f64>() / coverages.len() as f64;
+            assert!((0.945..0.96).contains(&mean), "{trials}: {mean}");
+            let is_close = |coverage: &&f64| (0.93..0.97).contains(*coverage);
+            let close = coverages.iter().filter(is_close).count();
+            assert!(close > 80, "{trials}: {close} of 99");
         }
-        assert_eq!(landings, 200);
+    }
+
+    #[test]
+    fn enough_is_asked_for_every_hundred_landings_of_toppling_and_of_bottoming() {
+        let landed = |class: Class| {
+            let mut count = Count::default();
+            let mut landings = 0;
+            while !count.is_enough(0.1) {
+                count.add(if landings % 10 == 0 {
+                    class
+                } else {
+                    Class::Stable
+                });
+                landings += 1;
+            }
+            landings
+        };
+        // Without a hit the interval is narrow enough after the first hundred.
+        assert_eq!(landed(Class::Stable), 100);
+        assert_eq!(landed(Class::Unstable), 200);
+        assert_eq!(landed(Class::Bottomed), 200);
     }
 
     /// The ends of the bin in which a value is counted.
