@@ -56,7 +56,7 @@ What is printed and listed is in feet and pounds.
 Exit code 0 if all checks pass, 1 if not.";
 
 /// Points that a sweep can have.
-const MOST_LANDINGS: u64 = 1_000_000_000_000;
+const MOST_LANDINGS: u64 = 10_000_000;
 
 /// Options of `stress`.
 #[derive(Debug, Args)]
@@ -65,7 +65,7 @@ pub struct Options {
     /// Number of times a sweep is killed
     #[arg(long, value_name = "N", default_value_t = 200)]
     kills: u32,
-    /// Number of wild landings, at most 10^12, shared out among vehicles with 3 to 8 legs under either rules
+    /// Number of wild landings, at most 10^7, shared out among vehicles with 3 to 8 legs under either rules
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = value_parser!(u64).range(..=MOST_LANDINGS))]
     landings: u64,
     /// Seed of the random numbers; the same seed gives the same landings

@@ -6,10 +6,11 @@ use touchdown_dynamics::rules::{
     ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
 use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::choice::{choice, chosen_by, word, words};
 use crate::input_error::InputError;
-use crate::method_input;
+use crate::method_input::{self, method_name};
 use crate::section::{LocatedValue, Section};
 
 /// Keys of `[solver]`.
@@ -95,8 +96,27 @@ pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 5] {
     [("rules", set), crush, contact, rest, toppling]
 }
 
-/// The rules in force, as a report or a record names them: by their keys, and in words.
-pub fn rules_in_record(rules: Rules) -> Map<String, Value> {
+/// How landings of a vehicle are computed, as a report or a record tells it.
+pub fn solver_in_record(settings: &Settings, vehicle: &Vehicle) -> Value {
+    let mut solver = json!({
+        "tolerance": settings.tolerance(),
+        "time_limit_s": settings.time_limit(),
+        "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
+        "method": method_name(&settings.method()),
+        // All its numbers, to the last digit.
+        "method_in_full": format!("{:?}", settings.method()),
+    });
+    for (key, word) in rules_in_record(settings.rules(vehicle)) {
+        solver[key] = word;
+    }
+    if settings.goes_on() {
+        solver["stop"] = json!("time");
+    }
+    solver
+}
+
+/// The rules in force: by their keys, and in words.
+fn rules_in_record(rules: Rules) -> Map<String, Value> {
     let keys = rules_by_key(rules).into_iter();
     keys.map(|(key, word)| (key.to_owned(), json!(word)))
         .chain([("rules_in_full".to_owned(), json!(rules_in_words(rules)))])

@@ -21,6 +21,7 @@ use crate::header::Header;
 use crate::input_error::{InputError, Place};
 use crate::library::Library;
 use crate::resolved_input;
+use crate::settings_input::solver_in_record;
 use crate::vehicle_file::{self, VehicleFile};
 
 /// Columns that every table of cases must have.
@@ -145,7 +146,7 @@ impl CaseTable {
             "table_of_cases": cells.fingerprint(),
             "vehicle_files": files,
             "vehicle": resolved_input::vehicle(&vehicle.document),
-            "solver": resolved_input::solver(settings, &vehicle.vehicle),
+            "solver": solver_in_record(settings, &vehicle.vehicle),
         });
         Ok(Self {
             cells,

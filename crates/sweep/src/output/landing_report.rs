@@ -6,15 +6,13 @@ use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 use touchdown_dynamics::scene::Settings;
 
 use crate::assignment::Assignment;
-use crate::choice::word;
 use crate::contact_warnings::ContactWarnings;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
-use crate::method_input::method_name;
 use crate::output_units::OutputUnits;
 use crate::results;
 use crate::scene_input::NamedConditions;
-use crate::settings_input::{FRICTION_PROFILES, rules_in_record};
+use crate::settings_input::solver_in_record;
 use crate::vehicle_file::VehicleFile;
 
 /// What is told of a landing.
@@ -83,12 +81,7 @@ impl LandingReport<'_> {
                 .map(|one| (one.parameter().name().to_owned(), json!(one.text())))
                 .collect::<Map<String, Value>>(),
             "scene": scene,
-            "solver": {
-                "tolerance": settings.tolerance(),
-                "time_limit_s": settings.time_limit(),
-                "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
-                "method": method_name(&settings.method()),
-            },
+            "solver": solver_in_record(settings, &vehicle.vehicle),
             "result": result,
             "why": why(&landing.outcome),
             "min_stability_time_s": landing.min_stability_time,
@@ -97,9 +90,6 @@ impl LandingReport<'_> {
             (end.name()): end.number(landing.energies.final_kinetic),
             "integration": integration(self.integration, landing.leg_count()),
         });
-        for (key, word) in rules_in_record(settings.rules(&vehicle.vehicle)) {
-            report["solver"][key] = word;
-        }
         if let Some(beyond) = &landing.beyond {
             report["verdict_time_s"] = json!(beyond.verdict_time);
             report["went_on_to"] = json!(beyond.end.to_string());

@@ -164,9 +164,16 @@ impl Distribution {
                 from,
                 to,
             } => {
-                let [low, high] = [from, to].map(|end| standard().cdf((end - mean) / deviation));
-                let share = low + u * (high - low);
-                rounded(mean + deviation * standard_quantile(share)).clamp(from, to)
+                let [low, high] = [from, to].map(|end| (end - mean) / deviation);
+                // In the upper tail shares next to 1 would run together: they are counted from above there.
+                let z = if low > 0.0 {
+                    let [above, beyond] = [low, high].map(|end| standard().cdf(-end));
+                    -standard_quantile(above - u * (above - beyond))
+                } else {
+                    let [below, within] = [low, high].map(|end| standard().cdf(end));
+                    standard_quantile(below + u * (within - below))
+                };
+                rounded(mean + deviation * z).clamp(from, to)
             }
             Self::Lognormal { mean, deviation } => {
                 let ratio = deviation / mean;
@@ -257,6 +264,17 @@ mod tests {
         let tail = Distribution::normal(0.0, 1.0, Some([3.0, 4.0])).unwrap();
         for u in [1e-16, 0.5, 1.0 - 1e-16] {
             assert!((3.0..=4.0).contains(&tail.quantile(u)));
+        }
+        // Each of many strata has a value of its own, on either side.
+        for [from, to] in [[5.99, 6.01], [-6.01, -5.99]] {
+            let far = Distribution::normal(0.0, 1.0, Some([from, to])).unwrap();
+            let strata: Vec<f64> = (0..1000)
+                .map(|k| far.quantile((f64::from(k) + 0.5) * 1e-3))
+                .collect();
+            assert!(strata.windows(2).all(|pair| pair[0] < pair[1]));
+            // Within it the density falls by a factor of e to the 0.12.
+            let middle = strata[500].abs();
+            assert!((5.999..6.0).contains(&middle), "{middle}");
         }
         let column = Distribution::Column(vec![5.0, 3.0, 4.0]);
         let drawn = [0.1, 0.4, 0.9, 1.0].map(|u| column.quantile(u));

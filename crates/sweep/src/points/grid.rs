@@ -13,13 +13,16 @@ pub struct Grid {
     count: usize,
 }
 
+/// Most points of a sweep: those that are done take a bit each.
+pub const MOST_POINTS: usize = 1_000_000_000;
+
 /// Why axes span no grid.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GridFault {
     /// There are no axes.
     Empty,
-    /// More points than can be counted.
-    Uncountable,
+    /// More points than [`MOST_POINTS`].
+    TooMany,
     /// Two axes, by their indices, move together but have different numbers of values.
     Uneven([usize; 2]),
 }
@@ -49,7 +52,8 @@ impl Grid {
             .try_fold(1usize, |count, together| {
                 count.checked_mul(axes[together[0]].count())
             })
-            .ok_or(GridFault::Uncountable)?;
+            .filter(|count| *count <= MOST_POINTS)
+            .ok_or(GridFault::TooMany)?;
         if axes.is_empty() {
             return Err(GridFault::Empty);
         }
@@ -172,11 +176,13 @@ mod tests {
     }
 
     #[test]
-    fn empty_and_uncountable_grids_are_faults() {
+    fn empty_and_endless_grids_are_faults() {
         assert_eq!(Grid::new(vec![]), Err(GridFault::Empty));
         let wide = (Levels::range(0.0, 9e6, 1.0).unwrap(), None);
-        let wide = vec![wide.clone(), wide.clone(), wide];
-        assert_eq!(Grid::new(wide), Err(GridFault::Uncountable));
+        let wide = |count: usize| Grid::new(vec![wide.clone(); count]);
+        assert!(wide(1).is_ok());
+        assert_eq!(wide(2), Err(GridFault::TooMany));
+        assert_eq!(wide(3), Err(GridFault::TooMany));
     }
 
     #[test]

@@ -8,6 +8,7 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::distribution::{Distribution, standard_quantile};
+use crate::grid::MOST_POINTS;
 use crate::levels::rounded;
 
 /// How the points of a sample are drawn.
@@ -37,8 +38,7 @@ impl SampleDesign {
     /// Most points that it has.
     pub fn most_points(self) -> usize {
         match self {
-            // Or as many as the machine can count.
-            Self::MonteCarlo => usize::try_from(1_000_000_000_000_u64).unwrap_or(usize::MAX),
+            Self::MonteCarlo => MOST_POINTS,
             // Its strata are shuffled in memory.
             Self::LatinHypercube => 1_000_000,
             // The sequence has no more.

@@ -49,8 +49,8 @@ pub(crate) const DISTRIBUTIONS: [(&str, &[&str]); 5] = [
 ];
 const AXIS: &str = "a table such as { from = …, to = … }, { mean = …, sd = … }, { distribution = …, … } or \
                     { file = …, column = … }";
-/// Greatest seed that TOML and JSON keep exactly.
-const GREATEST_SEED: f64 = 9_007_199_254_740_992.0;
+/// Greatest seed that is read exactly: a greater one may have been rounded to this plus one.
+const GREATEST_SEED: f64 = 9_007_199_254_740_991.0;
 
 /// The content of `[sample]`.
 #[derive(Debug)]
@@ -264,7 +264,18 @@ fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, I
     let place = Place::file(path);
     let name = column.text()?;
     let (heading, rows) = csv_rows::read(&place, text)?;
-    let Some(index) = heading.iter().position(|known| known == name) else {
+    let mut found = heading
+        .iter()
+        .enumerate()
+        .filter(|(_, known)| *known == name);
+    let (index, again) = (found.next(), found.next());
+    if again.is_some() {
+        let path = path.display();
+        return Err(column.complain_that(&format!(
+            "expected a column that {path} has once: it has several of that name"
+        )));
+    }
+    let Some((index, _)) = index else {
         let known: Vec<&str> = heading.iter().collect();
         return Err(column.complain(&format!(
             "a column of {}: {}",

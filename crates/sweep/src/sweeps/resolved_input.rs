@@ -1,19 +1,16 @@
 //! All of a sweep's input with defaults filled in, as a tree of names and values.
 
 use serde_json::{Map, Value, json};
-use touchdown_dynamics::scene::Settings;
-use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::choice::word;
 use crate::design::Design;
 use crate::distribution::Distribution;
 use crate::document::{Document, Entry, Value as Read};
 use crate::levels::Levels;
-use crate::method_input::method_name;
 use crate::parameter::Parameter;
 use crate::sample::SampledAxis;
 use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS};
-use crate::settings_input::{FRICTION_PROFILES, rules_in_record};
+use crate::settings_input::solver_in_record;
 use crate::spelling::{Conversion, conversion};
 use crate::sweep_file::{Job, Sweep};
 use crate::vehicle_file;
@@ -47,7 +44,7 @@ impl Sweep {
             "scene": scene,
             "axes": self.axes_resolved(),
             "axes_that_move_together": self.together(),
-            "solver": solver(&self.settings, &self.vehicle.vehicle),
+            "solver": solver_in_record(&self.settings, &self.vehicle.vehicle),
         });
         match self.job {
             Job::Boundary(search) => {
@@ -186,25 +183,6 @@ fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
             json!({"from": from, "to": to, "count": count, "spacing": "log"})
         }
     }
-}
-
-/// How landings of a vehicle are computed.
-pub(crate) fn solver(settings: &Settings, vehicle: &Vehicle) -> Value {
-    let mut solver = json!({
-        "tolerance": settings.tolerance(),
-        "time_limit_s": settings.time_limit(),
-        "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
-        "method": method_name(&settings.method()),
-        // All its numbers, to the last digit.
-        "method_in_full": format!("{:?}", settings.method()),
-    });
-    for (key, word) in rules_in_record(settings.rules(vehicle)) {
-        solver[key] = word;
-    }
-    if settings.goes_on() {
-        solver["stop"] = json!("time");
-    }
-    solver
 }
 
 /// A vehicle file as a tree, in the units of the program.

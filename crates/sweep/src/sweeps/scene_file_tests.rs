@@ -214,7 +214,7 @@ fn gravity_thrust_and_stop_are_of_the_scene() {
     // Journals tell the two apart.
     let solver = [0, 1].map(|case| {
         let case = &cases[case];
-        crate::resolved_input::solver(&case.settings, &case.vehicle.vehicle)
+        crate::settings_input::solver_in_record(&case.settings, &case.vehicle.vehicle)
     });
     assert_eq!(
         (&solver[0]["stop"], solver[1].get("stop")),

@@ -11,7 +11,7 @@ pub use crate::sweep::{Job, Sweep};
 use crate::case::CaseFault;
 use crate::design::Design;
 use crate::document::Document;
-use crate::grid::{Grid, GridFault};
+use crate::grid::{Grid, GridFault, MOST_POINTS};
 use crate::input_error::{InputError, short};
 use crate::library::Library;
 use crate::output_units::OutputUnits;
@@ -232,10 +232,10 @@ fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
              values in one zip group",
             entries[first].parameter.name()
         )),
-        GridFault::Empty | GridFault::Uncountable => match root.optional("axes") {
-            Some(found) => {
-                found.complain_that("the grid has more points than can be counted: expected fewer")
-            }
+        GridFault::Empty | GridFault::TooMany => match root.optional("axes") {
+            Some(found) => found.complain_that(&format!(
+                "the grid has too many points: expected at most {MOST_POINTS}"
+            )),
             None => root.missing("axes", "a table [axes]"),
         },
     })

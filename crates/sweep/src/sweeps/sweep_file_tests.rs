@@ -220,6 +220,9 @@ fn wrong_samples_are_complained_about() {
         ("design = \"sobol\"\ncount = 70000\nseed = 1", speed, "from 1 to 65536"),
         ("design = \"sobol\"\ncount = 2.5\nseed = 1", speed, "a whole number"),
         ("design = \"sobol\"\ncount = 2", speed, "sample.seed is missing"),
+        ("design = \"monte-carlo\"\ncount = 10000000000\nseed = 1", speed, "from 1 to 1000000000"),
+        // A seed that TOML reads as 2^53, which it is not.
+        ("design = \"sobol\"\ncount = 2\nseed = 9007199254740993", speed, "a whole number from 0 to 9007199254740991"),
         (good, "horizontal_velocity_fps = [1, 2]", "a table such as"),
         (good, "horizontal_velocity_fps = { mean = 1, sd = 0 }", "sd = 0: expected a number > 0"),
         (good, "horizontal_velocity_fps = { mean = 1, to = 0 }", "from is missing"),
@@ -260,6 +263,9 @@ fn columns_of_one_file_stay_together() {
         rows[drawn[1] as usize - 1] += 1;
     }
     assert_eq!(rows, [10; 3]);
+    write("flown.csv", "v, mu, v\n1, 0.1, 2\n");
+    let said = Sweep::read(&folder.path().join("s.toml")).unwrap_err();
+    assert!(said.to_string().contains("several of that name"), "{said}");
     write("flown.csv", "v, mu\n1, x\n");
     let said = Sweep::read(&folder.path().join("s.toml"))
         .unwrap_err()

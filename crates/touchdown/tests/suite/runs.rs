@@ -226,6 +226,24 @@ fn a_landing_is_told_as_json() {
 }
 
 #[test]
+fn json_tells_all_numbers_of_the_method() {
+    let bench = Bench::new();
+    let told = |more: &[&str]| {
+        let method = ["--json", "--method", "report"];
+        let done = bench.run(&[&BASELINE[..], &method, more].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let report: serde_json::Value = serde_json::from_str(&done.out).unwrap();
+        report["solver"]["method_in_full"]
+            .as_str()
+            .unwrap()
+            .to_owned()
+    };
+    let plain = told(&[]);
+    assert_ne!(told(&["--error-scale", "2"]), plain);
+    assert_ne!(told(&["--first-interval", "0.001"]), plain);
+}
+
+#[test]
 fn the_usage_of_land_shows_what_may_be_given_together() {
     let done = Bench::new().run(&["land"]);
     done.refused(&["touchdown land <SCENE.toml> --out <DIR>"]);

@@ -81,7 +81,10 @@ pub fn of(name: &str) -> Allowed {
         | "strut.compression_damping"
         | "strut.rebound_damping"
         | "strut.rebound_growth_per_ft" => Allowed::within(0.0, 1e9, "0 ≤ value ≤ 1e9"),
-        key if key.starts_with("thrust.") => Allowed::within(-1e9, 1e9, "-1e9 ≤ value ≤ 1e9"),
+        "thrust.scale" => Allowed::within(0.0, 1e9, "0 ≤ value ≤ 1e9"),
+        "thrust.offset_x_ft" | "thrust.offset_y_ft" => {
+            Allowed::within(-1000.0, 1000.0, "-1000 ≤ value ≤ 1000")
+        }
         key if key.ends_with("_deg") || key.ends_with("_dps") => {
             Allowed::within(-36_000.0, 36_000.0, "-36000 ≤ value ≤ 36000")
         }

@@ -78,14 +78,18 @@ impl NamedConditions {
         let scaled = self.thrust_knots().iter().map(|[t, f]| [*t, factor * f]);
         let knots: Vec<[f64; 2]> = scaled.collect();
         Thrust::new(&knots, offset).map_err(|invalid| {
-            let name = THRUST_NAMES
-                .into_iter()
-                .find(|name| *name == invalid.quantity);
-            let name = name.unwrap_or(scale);
-            SceneFault {
-                name,
-                value: self.get(name).or(Some(invalid.value)),
-                allowed: format!("{} (the forces times the scale)", invalid.allowed),
+            let offset = [x, y].into_iter().find(|name| *name == invalid.quantity);
+            match offset {
+                Some(name) => SceneFault {
+                    name,
+                    value: Some(invalid.value),
+                    allowed: invalid.allowed,
+                },
+                None => SceneFault {
+                    name: scale,
+                    value: self.get(scale).or(Some(invalid.value)),
+                    allowed: format!("{} (the forces times the scale)", invalid.allowed),
+                },
             }
         })
     }
