@@ -5,6 +5,7 @@ pub mod distribution_chart;
 pub mod history_chart;
 pub mod history_page;
 pub mod line_chart;
+pub mod outcome_chart;
 pub mod probability_chart;
 pub mod shading;
 pub mod tornado_chart;

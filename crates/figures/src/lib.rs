@@ -11,7 +11,9 @@ mod tables;
 mod words;
 
 pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, work_precision};
-use charts::{distribution_chart, history_page, probability_chart, shading, tornado_words};
+use charts::{
+    distribution_chart, history_page, outcome_chart, probability_chart, shading, tornado_words,
+};
 use maps::{colour_bar, isolines, view_point};
 pub use maps::{
     contour_map, leading_feet, levels, map_legend, map_view, perspective, refined_map, surface,

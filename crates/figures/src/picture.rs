@@ -12,6 +12,7 @@ use crate::history_table::{self, HistoryTable};
 use crate::levels::Levels;
 use crate::map_table::{self, MapTable};
 use crate::map_view::View;
+use crate::outcome_chart;
 use crate::perspective;
 use crate::probability_chart;
 use crate::refined_map;
@@ -74,7 +75,7 @@ impl Choices {
 
 /// Draws all pictures of a table: for the transitions of a sweep over one axis a profile, over two axes
 /// a contour map and a perspective, over more the same of the lowest transitions over the others; for
-/// histories a chart, for sensitivities a tornado chart.
+/// histories a chart, for sensitivities a tornado chart, for landings over two axes how each ended.
 ///
 /// # Errors
 /// When a table is not one that the program writes, a record is not JSON, a table has no picture, or
@@ -107,6 +108,10 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
     if distribution_chart::is_one(table) {
         choices.check("a distribution", false, false)?;
         return distribution_chart::draw(table, &caption).map(only);
+    }
+    if outcome_chart::is_one(table) {
+        choices.check("landings", false, false)?;
+        return outcome_chart::draw(table, &caption).map(only);
     }
     choices.check("a sweep", true, false)?;
     if map_table::is_one(table) {

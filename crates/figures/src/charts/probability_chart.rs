@@ -111,20 +111,19 @@ fn bin(row: &Row, columns: &[[usize; 3]]) -> Result<Bin, FigureError> {
 }
 
 impl Panel {
-    /// Where the bins lie along the axis: in the middle of their ends, or one after the other where ends are words.
+    /// Where the bins lie along the axis: in the middle of their ends.
     fn places(&self) -> Vec<f64> {
         let number = |end: &String| end.parse::<f64>().ok();
         let middles = self.bins.iter().map(|bin| {
             let [from, to] = &bin.ends;
             match (number(from), number(to)) {
-                (Some(from), Some(to)) => Some(0.5 * (from + to)),
-                (Some(end), None) => Some(self.beyond(end, 1.0)),
-                (None, Some(end)) => Some(self.beyond(end, -1.0)),
-                (None, None) => None,
+                (Some(from), Some(to)) => 0.5 * (from + to),
+                (Some(end), None) => self.beyond(end, 1.0),
+                (None, Some(end)) => self.beyond(end, -1.0),
+                (None, None) => 0.0,
             }
         });
-        let middles: Option<Vec<f64>> = middles.collect();
-        middles.unwrap_or_else(|| (0..self.bins.len()).map(|index| index as f64).collect())
+        middles.collect()
     }
 
     /// The middle of a bin that is open beyond `end`: as far from it as that of the bin beside it.
@@ -138,7 +137,7 @@ impl Panel {
         end + side * 0.5 * width
     }
 
-    /// The axis of the bins: words where their ends are words, else round numbers.
+    /// The axis of the bins.
     fn scale(&self, places: &[f64]) -> Scale {
         let least = places.iter().copied().fold(f64::INFINITY, f64::min);
         let most = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -147,14 +146,8 @@ impl Panel {
             false => 0.5,
         };
         let ends = (least - margin, most + margin);
-        let is_word = |end: &str| !end.is_empty() && end.parse::<f64>().is_err();
         let values = ticks::of_condition(&self.axis, ends.0, ends.1, 11);
-        let mut scale = Scale::new(axis_title(&self.axis), ends, values);
-        if self.bins.iter().any(|bin| is_word(&bin.ends[0])) {
-            let words = self.bins.iter().map(|bin| bin.ends[0].clone());
-            scale.ticks = places.iter().copied().zip(words).collect();
-        }
-        scale
+        Scale::new(axis_title(&self.axis), ends, values)
     }
 
     fn draw(&self, canvas: &mut Canvas, part: Area) {
@@ -208,8 +201,8 @@ mod tests {
         friction,,0.5,10,0.1,0,0.2,0,0,0.1,0.1,0,0.2\n\
         friction,0.5,0.7,10,0.2,0.1,0.3,0,0,0.1,0.2,0.1,0.3\n\
         friction,0.7,,0,,0,1,,0,1,,0,1\n\
-        solver.crush_rule,pivot-rate,pivot-rate,20,0.1,0,0.2,0,0,0.1,0.1,0,0.2\n\
-        solver.crush_rule,section,section,10,0.2,0.1,0.3,0,0,0.1,0.2,0.1,0.3\n";
+        slope_deg,-1,1,20,0.1,0,0.2,0,0,0.1,0.1,0,0.2\n\
+        slope_deg,1,3,10,0.2,0.1,0.3,0,0,0.1,0.2,0.1,0.3\n";
 
     #[test]
     fn every_axis_has_a_panel_with_a_mark_for_each_bin_that_holds_landings() {
@@ -217,12 +210,12 @@ mod tests {
         let svg = draw(TABLE, &Caption::default()).unwrap();
         // Two bins of either axis and a legend, three marks each.
         assert_eq!(svg.matches("<circle").count(), 15);
-        for text in ["Friction coefficient", "section", "95 % interval"] {
+        for text in ["Friction coefficient", "Slope", "95 % interval"] {
             assert!(svg.contains(text), "{text}");
         }
         let panels = panels(TABLE).unwrap();
         assert_eq!(panels[0].places(), [0.4, 0.6]);
-        assert_eq!(panels[1].places(), [0.0, 1.0]);
+        assert_eq!(panels[1].places(), [0.0, 2.0]);
         assert!(draw(&TABLE.replace("0.3", "x"), &Caption::default()).is_err());
         let empty: String = TABLE
             .lines()

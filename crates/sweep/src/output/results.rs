@@ -165,25 +165,31 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
     record
 }
 
-/// Landings by how they ended, where that is asked.
+/// Landings by how they ended, where that is asked, with intervals of their probabilities where they are a sample.
 fn outcomes(counts: &SweepCounts) -> Value {
-    let Some(known) = &counts.probabilities else {
+    let Some(count) = counts.outcomes else {
         return Value::Null;
     };
-    let count = known.overall;
-    json!({
+    let mut outcomes = json!({
         "landings": count.landings,
         "toppled": count.toppled,
         "bottomed": count.bottomed,
         "undecided": count.undecided,
         "failed": count.failed,
         "stable": count.stable(),
-        "topple_probability_95": wilson(count.toppled, count.landings),
-        "bottom_probability_95": wilson(count.bottomed, count.landings),
-        "undecided_probability_95": wilson(count.undecided, count.landings),
-        "failure_probability_95": wilson(count.failed, count.landings),
-        "not_stable_probability_95": wilson(count.landings - count.stable(), count.landings),
-    })
+    });
+    if counts.probabilities.is_some() {
+        for (name, hits) in [
+            ("topple", count.toppled),
+            ("bottom", count.bottomed),
+            ("undecided", count.undecided),
+            ("failure", count.failed),
+            ("not_stable", count.landings - count.stable()),
+        ] {
+            outcomes[format!("{name}_probability_95")] = json!(wilson(hits, count.landings));
+        }
+    }
+    outcomes
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub struct Tables {
     pub points: Draft,
     /// Bands, where all were searched.
     pub bands: Option<Draft>,
-    /// Probabilities of outcomes, of a sweep of single landings.
+    /// Probabilities of outcomes, of a sample of single landings.
     pub probabilities: Option<Draft>,
     /// Quantiles and distribution of the transition velocity, of a sample.
     pub quantiles: Option<Draft>,
@@ -134,7 +134,9 @@ impl Tables {
             }
             Ok(Some(table))
         };
-        let probabilities = counts.probabilities.as_ref().map(|known| known.rows(sweep));
+        let overall = counts.outcomes.unwrap_or_default();
+        let probabilities = counts.probabilities.as_ref();
+        let probabilities = probabilities.map(|known| known.rows(sweep, &overall));
         let probabilities = whole("-probabilities", &probabilities::COLUMNS, probabilities)?;
         let quantiles = counts
             .transitions

@@ -1,21 +1,18 @@
-//! Probabilities of how landings end, from a sample of them.
+//! How landings end: their numbers, and probabilities where they are a sample.
 //!
 //! Intervals are Wilson's score intervals at 95 %. They hold for independent landings; those of a
 //! Latin hypercube or a Sobol sequence are at least as certain.
 
 use touchdown_dynamics::outcome::Class;
 
-use crate::design::Design;
 use crate::distribution::Distribution;
-use crate::levels::Levels;
+use crate::sample::Sample;
 use crate::sweep_file::Sweep;
 
 /// Normal quantile of 97.5 %.
 const Z: f64 = 1.959_963_984_540_054;
 /// Bins of an axis with many values.
 const BINS: usize = 10;
-/// Most values of an axis with a bin for each.
-const MOST_VALUES: usize = 20;
 /// Landings between two checks whether the intervals are narrow enough.
 const PACE: u64 = 100;
 
@@ -137,11 +134,9 @@ pub fn wilson(hits: u64, trials: u64) -> [f64; 2] {
     [low, high]
 }
 
-/// Landings counted over all, and over bins of each axis.
+/// Landings of a sample counted over bins of each axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Probabilities {
-    /// All landings.
-    pub overall: Count,
     axes: Vec<Bins>,
 }
 
@@ -156,41 +151,34 @@ struct Bins {
 }
 
 impl Probabilities {
-    /// Empty counts for the bins of a sweep.
-    pub fn none(sweep: &Sweep) -> Self {
-        let bins = |(index, axis): (usize, &crate::parameter::Parameter)| {
-            let written = |value: f64| axis.written(value);
-            match &sweep.design {
-                Design::Grid(grid) => Bins::of_levels(&grid.axes()[index], written),
-                Design::Map(map) => Bins::of_levels(&map.first_level().axes()[index], written),
-                Design::Sample(sample) => {
-                    Bins::of_distribution(&sample.axes()[index].marginal(), written)
-                }
-            }
-        };
+    /// Empty counts for the bins of a sample.
+    pub fn none(sweep: &Sweep, sample: &Sample) -> Self {
+        let axes = sweep.axes.iter().zip(sample.axes());
         Self {
-            overall: Count::default(),
-            axes: sweep.axes.iter().enumerate().map(bins).collect(),
+            axes: axes
+                .map(|(axis, sampled)| {
+                    Bins::of_distribution(&sampled.marginal(), |value| axis.written(value))
+                })
+                .collect(),
         }
     }
 
     /// Adds a landing at coordinates, one for each axis.
     pub fn add(&mut self, coordinates: &[f64], class: Class) {
-        self.overall.add(class);
         for (bins, value) in self.axes.iter_mut().zip(coordinates) {
             let bin = bins.edges.partition_point(|edge| edge <= value);
             bins.counts[bin].add(class);
         }
     }
 
-    /// The rows of a table of them: all landings, then bin by bin of every axis.
-    pub fn rows(&self, sweep: &Sweep) -> Vec<Vec<String>> {
+    /// The rows of a table of them: all landings, counted before, then bin by bin of every axis.
+    pub fn rows(&self, sweep: &Sweep, overall: &Count) -> Vec<Vec<String>> {
         let row = |axis: &str, [from, to]: &[String; 2], count: &Count| {
             let place = [axis.to_owned(), from.clone(), to.clone()];
             place.into_iter().chain(count.cells()).collect()
         };
         let everywhere = [String::new(), String::new()];
-        let mut rows = vec![row("all", &everywhere, &self.overall)];
+        let mut rows = vec![row("all", &everywhere, overall)];
         for (axis, bins) in sweep.axes.iter().zip(&self.axes) {
             let axis = sweep.units.quantity(axis.name());
             for (ends, count) in bins.ends.iter().zip(&bins.counts) {
@@ -203,20 +191,6 @@ impl Probabilities {
 }
 
 impl Bins {
-    fn of_levels(levels: &Levels, written: impl Fn(f64) -> String) -> Self {
-        let count = levels.count();
-        if count <= MOST_VALUES {
-            let mut values: Vec<f64> = levels.values().collect();
-            values.sort_by(f64::total_cmp);
-            values.dedup();
-            let ends = values.iter().map(|v| [written(*v), written(*v)]).collect();
-            let edges = values.split_first().map_or(&[][..], |(_, rest)| rest);
-            return Self::with(ends, edges.to_vec());
-        }
-        let (first, last) = (levels.value(0), levels.value(count - 1));
-        Self::between(first.min(last), first.max(last), written)
-    }
-
     fn of_distribution(distribution: &Distribution, written: impl Fn(f64) -> String) -> Self {
         if let Distribution::Column(values) = distribution {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -331,7 +305,6 @@ mod tests {
     /// The ends of the bin in which a value is counted.
     fn bin_of(bins: &Bins, value: f64) -> [String; 2] {
         let mut probabilities = Probabilities {
-            overall: Count::default(),
             axes: vec![bins.clone()],
         };
         probabilities.add(&[value], Class::Unstable);
@@ -347,13 +320,8 @@ mod tests {
     #[test]
     fn every_value_falls_in_the_bin_that_names_it() {
         let written = |value: f64| value.to_string();
-        let few = Levels::list(vec![3.0, 1.0, 2.0]).unwrap();
-        let bins = Bins::of_levels(&few, written);
-        for value in [1.0, 2.0, 3.0] {
-            assert_eq!(bin_of(&bins, value), [written(value), written(value)]);
-        }
-        let many = Levels::range(0.0, 100.0, 1.0).unwrap();
-        let tenths = Bins::of_levels(&many, written);
+        let even = Distribution::uniform(0.0, 100.0, false).unwrap();
+        let tenths = Bins::of_distribution(&even, written);
         let normal = Distribution::normal(0.0, 1.0, None).unwrap();
         let normal = Bins::of_distribution(&normal, written);
         let column = Distribution::Column(vec![3.0, -2.0, 8.0]);

@@ -8,7 +8,7 @@ use crate::contact_warnings::ContactWarnings;
 use crate::design::Design;
 use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
-use crate::probabilities::Probabilities;
+use crate::probabilities::{Count, Probabilities};
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::skipped::Skipped;
 use crate::sweep_file::{Job, Sweep};
@@ -56,7 +56,9 @@ pub struct SweepCounts {
     pub most_given: Option<(usize, f64)>,
     /// Points with landings in which a footpad was crushed beyond its hinge.
     pub with_crushed_through: usize,
-    /// Probabilities, of a sweep of single landings.
+    /// How landings ended, of a sweep of single landings.
+    pub outcomes: Option<Count>,
+    /// The same over bins of the axes, where the landings are a sample.
     pub probabilities: Option<Probabilities>,
     /// Transition velocities, where points are sampled.
     pub transitions: Option<TransitionStatistics>,
@@ -75,9 +77,10 @@ const KINDS: [Option<Class>; 5] = [
 impl SweepCounts {
     /// No points yet of a sweep.
     pub fn of(sweep: &Sweep) -> Self {
-        let probabilities = match sweep.job {
-            Job::Boundary(_) => None,
-            Job::Outcome { .. } => Some(Probabilities::none(sweep)),
+        let is_of_landings = matches!(sweep.job, Job::Outcome { .. });
+        let probabilities = match &sweep.design {
+            Design::Sample(sample) if is_of_landings => Some(Probabilities::none(sweep, sample)),
+            _ => None,
         };
         // Open ends can be sorted only where all points are searched over the same range.
         let varies = (sweep.axes.iter())
@@ -89,6 +92,7 @@ impl SweepCounts {
             _ => None,
         };
         Self {
+            outcomes: is_of_landings.then(Count::default),
             probabilities,
             transitions,
             ..Self::default()
@@ -111,6 +115,9 @@ impl SweepCounts {
             Finding::Landing { outcome, .. } => {
                 self.landings += 1;
                 self.evaluations += finding.evaluations();
+                if let Some(outcomes) = &mut self.outcomes {
+                    outcomes.add(outcome.class());
+                }
                 if let Some(probabilities) = &mut self.probabilities {
                     probabilities.add(&sweep.design.coordinates(point), outcome.class());
                 }
@@ -130,13 +137,13 @@ impl SweepCounts {
 
     /// Whether the points so far are enough, so that the rest is left out.
     pub fn is_enough(&self, sweep: &Sweep) -> bool {
-        match (sweep.job, &self.probabilities) {
+        match (sweep.job, &self.outcomes) {
             (
                 Job::Outcome {
                     enough: Some(width),
                 },
                 Some(known),
-            ) => known.overall.is_enough(width),
+            ) => known.is_enough(width),
             _ => false,
         }
     }

@@ -11,7 +11,7 @@ use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::result_files::{self, NamedFiles};
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::sweep_file::{Job, Sweep};
+use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tables::Tables;
 
 use crate::failure::Failure;
@@ -104,9 +104,7 @@ fn pictures(
     folder: &Folder,
 ) -> Result<(NamedFiles, Option<String>), Failure> {
     // Samples have a picture of their distribution.
-    let is_drawn =
-        matches!(sweep.job, Job::Boundary(_)) && !matches!(sweep.design, Design::Sample(_));
-    if !is_drawn {
+    if matches!(sweep.design, Design::Sample(_)) {
         return Ok((Vec::new(), None));
     }
     let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));

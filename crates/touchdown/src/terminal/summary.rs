@@ -54,13 +54,16 @@ pub fn sweep(
     remark: Option<&str>,
 ) -> String {
     let mut text = format!("{}\n", sweep.title);
-    match &counts.probabilities {
+    match counts.outcomes {
         None => {
             let kinds = counted(&counts.kinds());
             let points = number(counts.points, "point");
             text += &format!("  {points}, first transition to: {kinds}\n");
         }
-        Some(probabilities) => text += &outcomes(probabilities.overall, sweep.design.count()),
+        Some(count) => {
+            let is_sample = counts.probabilities.is_some();
+            text += &outcomes(count, sweep.design.count(), is_sample);
+        }
     }
     if let Some((point, transition)) = &counts.lowest {
         text += &lowest(transition, &sweep.place(*point), sweep.units);
@@ -183,14 +186,12 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
             landing_report::CRUSHED_THROUGH
         );
     }
-    if let Some(probabilities) = &counts.probabilities {
-        let undecided = probabilities.overall.undecided;
-        if undecided > 0 {
-            text += &format!(
-                "  warning: {} undecided: sliding, or still moving at time_limit_s = {limit}, counted as not stable\n",
-                number(undecided, "landing")
-            );
-        }
+    let undecided = counts.outcomes.map_or(0, |count| count.undecided);
+    if undecided > 0 {
+        text += &format!(
+            "  warning: {} undecided: sliding, or still moving at time_limit_s = {limit}, counted as not stable\n",
+            number(undecided, "landing")
+        );
     }
     text
 }
@@ -260,9 +261,12 @@ fn skipped(skipped: &Skipped) -> String {
     }
 }
 
-/// How landings ended, with intervals at 95 %.
-fn outcomes(count: Count, asked: usize) -> String {
+/// How landings ended, of a sample with intervals at 95 %.
+fn outcomes(count: Count, asked: usize, is_sample: bool) -> String {
     let share = |name: &str, hits: u64| {
+        if !is_sample {
+            return format!("  {name} {hits}\n");
+        }
         let [low, high] = wilson(hits, count.landings).map(|share| 100.0 * share);
         let percent = 100.0 * hits as f64 / count.landings.max(1) as f64;
         format!("  {name} {hits}: {percent:.2} % (95 % interval {low:.2} to {high:.2} %)\n")

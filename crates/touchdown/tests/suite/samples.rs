@@ -220,23 +220,29 @@ fn sampled_transitions_have_quantiles_and_a_distribution() {
     );
 }
 
-/// The rules of crushing are words, and so are the ends of their bins.
+/// The landings of a grid are counted, and drawn over its two axes: they tell of no probability.
 #[test]
-fn probabilities_over_words_are_tabulated_and_drawn() {
+fn landings_of_a_grid_are_counted_and_drawn() {
     let bench = Bench::new();
     let grid = SAMPLE.split("[axes]").next().unwrap().to_owned()
-        + "friction = 1\n[axes]\nhorizontal_velocity_fps = [8, 14]\n\
-           solver.crush_rule = [\"pivot-rate\", \"section\"]\n[solver]\ntolerance = 1e-4\n";
+        + "[axes]\nfriction = [0.6, 1]\nhorizontal_velocity_fps = { from = 4, to = 20, step = 4 }\n\
+           [solver]\ntolerance = 1e-4\n";
     bench.write("sweep.toml", &grid);
-    let done = bench.run(&["sweep", "sweep.toml", "--format", "parquet"]);
+    let done = bench.run(&["sweep", "sweep.toml"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
-    let table = bench.read("results/sweep-probabilities.csv");
-    assert!(
-        table.contains("solver.crush_rule,section,section,2,1,0.5"),
-        "{table}"
-    );
-    let picture = bench.read("results/sweep-probabilities.svg");
-    assert!(picture.contains("pivot-rate") && picture.contains("Horizontal velocity"));
+    assert!(!done.out.contains('%'), "{}", done.out);
+    assert!(!bench.path("results/sweep-probabilities.csv").exists());
+    let toppled = bench.read("results/sweep.csv").matches("unstable").count();
+    assert!(toppled > 0, "{}", done.out);
+    let told = format!("toppled {toppled}\n");
+    assert!(done.out.contains(&told), "{}", done.out);
+    let record: serde_json::Value =
+        serde_json::from_str(&bench.read("results/sweep.json")).unwrap();
+    let outcomes = &record["counts"]["outcomes"];
+    assert_eq!(outcomes["toppled"], toppled);
+    assert!(outcomes["topple_probability_95"].is_null());
+    let picture = bench.read("results/sweep.svg");
+    assert!(picture.contains("topples") && picture.contains("Friction coefficient"));
 }
 
 #[test]
