@@ -65,6 +65,12 @@ impl Caption {
             );
         }
         parts.extend(text(&input["solver"]["rules_in_full"]));
+        let cells = |name: &str| record["counts"][name].as_u64().unwrap_or(0);
+        let coarse = cells("map_cells_coarser_than_asked");
+        if coarse > 0 {
+            let all = cells("map_cells");
+            parts.push(format!("{coarse} of {all} cells coarser than asked"));
+        }
         let searched_to = input["search"][format!("to{}", speed_unit.ending())].as_f64();
         if searched_to.is_none() && input["search"].is_object() {
             return Err(FigureError::Table(format!(

@@ -27,6 +27,17 @@ pub struct Rounds<'m> {
     cells: Vec<FirstLevelCell>,
 }
 
+/// How many cells of a map are coarser than was asked for: where its budget or its smallest cells ended the refinement.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct CoarseCells {
+    /// All cells.
+    pub cells: usize,
+    /// Those whose estimated error is greater than the one that was sought.
+    pub coarse: usize,
+    /// The greatest estimated error, ft/s.
+    pub worst: f64,
+}
+
 /// A first-level cell and what became of it.
 #[derive(Debug)]
 struct FirstLevelCell {
@@ -174,6 +185,19 @@ impl<'m> Rounds<'m> {
     /// The map whose points these are.
     pub fn map(&self) -> &'m RefinedGrid {
         self.map
+    }
+
+    /// How many cells are coarser than was asked for; none where no error was.
+    pub fn coarse_cells(&self) -> CoarseCells {
+        let sought = self.map.rules.error;
+        let mut found = CoarseCells::default();
+        for (_, leaf) in self.leaves().filter(|_| sought > 0.0) {
+            let error = leaf.error.unwrap_or(0.0);
+            found.cells += 1;
+            found.coarse += usize::from(error > sought);
+            found.worst = found.worst.max(error);
+        }
+        found
     }
 
     pub(crate) fn height(&self, map: usize, place: Place) -> Option<Height> {

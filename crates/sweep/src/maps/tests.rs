@@ -185,6 +185,30 @@ fn a_budget_ends_the_refinement_and_goes_where_errors_are() {
 }
 
 #[test]
+fn cells_coarser_than_asked_are_counted() {
+    let error = 0.002;
+    let coarse = |budget| {
+        let rules = MapRules {
+            error,
+            budget,
+            ..RULES
+        };
+        let grid = grid(rules);
+        let mut rounds = Rounds::new(&grid, Shard::WHOLE);
+        refine(&mut rounds, dome);
+        rounds.coarse_cells()
+    };
+    // All middles are known: corners are higher on average by (0.003 - 0.002) · 5².
+    let ended = coarse(Some(410));
+    assert_eq!([ended.cells, ended.coarse], [16; 2]);
+    assert!((ended.worst - 0.025).abs() < 1e-9, "{ended:?}");
+    let whole = coarse(None);
+    assert_eq!(whole.coarse, 0);
+    assert!(whole.worst <= error && whole.worst > 0.0, "{whole:?}");
+    assert!(whole.cells > 16);
+}
+
+#[test]
 fn a_larger_budget_shows_no_worse_edge() {
     let wrong = |budget| {
         let grid = grid(MapRules {

@@ -156,6 +156,8 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
             "bands": counts.bands,
             "looks_for_hidden_bands": counts.checks.all().checks,
             "hidden_bands_found": counts.checks.all().finds,
+            "map_cells": counts.coarse_cells.cells,
+            "map_cells_coarser_than_asked": counts.coarse_cells.coarse,
             "outcomes": outcomes(counts),
         },
     });

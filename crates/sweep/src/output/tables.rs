@@ -157,6 +157,9 @@ impl Tables {
             parquet.extend(more);
             Ok(Some(csv))
         };
+        if let Some((rounds, _)) = &rounds {
+            counts.coarse_cells = rounds.coarse_cells();
+        }
         let mut of_map = Vec::new();
         let of_rounds = rounds.iter();
         for written in of_rounds.flat_map(|(rounds, _)| map_tables::all(sweep, rounds)) {

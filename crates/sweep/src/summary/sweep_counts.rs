@@ -9,6 +9,7 @@ use crate::design::Design;
 use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::probabilities::{Count, Probabilities};
+use crate::rounds::CoarseCells;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::skipped::Skipped;
 use crate::sweep_file::{Job, Sweep};
@@ -56,6 +57,8 @@ pub struct SweepCounts {
     pub most_given: Option<(usize, f64)>,
     /// Points with landings in which a footpad was crushed beyond its hinge.
     pub with_crushed_through: usize,
+    /// Cells of a map.
+    pub coarse_cells: CoarseCells,
     /// How landings ended, of a sweep of single landings.
     pub outcomes: Option<Count>,
     /// The same over bins of the axes, where the landings are a sample.

@@ -171,6 +171,19 @@ fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
         counts.disputed,
         "the first transition is disputed: small changes of the input move it by more than its bracket",
     );
+    let map = counts.coarse_cells;
+    if map.coarse > 0 {
+        let quantity = sweep.units.quantity("speed_fps");
+        let sought = sweep.map().map_or(0.0, |map| map.rules.error);
+        text += &format!(
+            "  warning: {} of {} of the map are coarser than asked: estimated errors up to {:.2}, not {}, {}\n",
+            map.coarse,
+            number(map.cells, "cell"),
+            quantity.number(map.worst),
+            quantity.number(sought),
+            quantity.unit(),
+        );
+    }
     if let Some((most, energy)) = counts.most_given {
         text += &format!(
             "  warning: at {}, most at {}: {}\n",

@@ -239,3 +239,22 @@ fn bad_maps_are_refused() {
     let done = bench.run(&["sweep", "map.toml", "--out", "out", "--shard", "1/2"]);
     done.refused(&["map.toml", "map.budget_landings", "--shard"]);
 }
+
+#[test]
+fn a_map_that_is_coarser_than_asked_says_so() {
+    let told = |error: &str| {
+        let text = map().replace("error_fps = 0.3", error);
+        let bench = bench_of(&text);
+        let done = run(&bench, &["sweep", "map.toml"]);
+        let record = bench.read("results/map.json");
+        let record: serde_json::Value = serde_json::from_str(&record).unwrap();
+        let coarse = record["counts"]["map_cells_coarser_than_asked"].as_u64();
+        let picture = bench.read("results/map-contours.svg");
+        let is_told = done.out.contains("coarser than asked");
+        assert_eq!(picture.contains("coarser"), is_told);
+        assert_eq!(coarse.unwrap() > 0, is_told, "{}", done.out);
+        is_told
+    };
+    assert!(told("error_fps = 0.001\nbudget_landings = 400"));
+    assert!(!told("error_fps = 3"));
+}
