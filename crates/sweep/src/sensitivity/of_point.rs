@@ -79,6 +79,7 @@ pub(crate) async fn of_point<Stop>(
         Some(speed) => {
             let followed = FollowedTransition {
                 speed,
+                landed: counted(case, speed, at).await?,
                 to: transition.to,
                 width,
                 resolution: width + transition.tolerance * speed,
@@ -106,6 +107,8 @@ pub(crate) async fn of_point<Stop>(
 struct FollowedTransition {
     /// Where it is, ft/s.
     speed: f64,
+    /// What the landing there came to.
+    landed: Trial,
     /// What begins there.
     to: Class,
     /// Width of brackets, ft/s.
@@ -140,6 +143,15 @@ impl FollowedTransition {
             step: Some(step),
             dependence,
         };
+        if self
+            .is_alike(sweep, point, parameter, [value - step, value + step], land)
+            .await?
+        {
+            return Ok(with_step(Dependence::Smooth {
+                derivative: 0.0,
+                error: 0.0,
+            }));
+        }
         let mut speeds = [self.speed; 5];
         let mut within = EXPECTED * reach;
         // Each transition is expected on the straight line through two that have been computed.
@@ -170,6 +182,28 @@ impl FollowedTransition {
             within = 0.25 * (speeds[3] - speeds[2]).abs();
         }
         Ok(with_step(difference::judged(speeds, step, self.resolution)))
+    }
+}
+
+impl FollowedTransition {
+    /// Whether the landing comes to the same, to the last bit, at both values of a parameter.
+    async fn is_alike<Stop>(
+        &self,
+        sweep: &Sweep,
+        point: usize,
+        parameter: &Parameter,
+        values: [f64; 2],
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<bool, Stop> {
+        for value in values {
+            let Ok(case) = sweep.case_with(point, parameter, value) else {
+                return Ok(false);
+            };
+            if land(&case, self.speed, self.at).await? != self.landed {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 }
 
