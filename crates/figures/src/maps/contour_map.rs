@@ -47,6 +47,7 @@ pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) 
     if map_legend::has_leading_feet(surface, caption) {
         map.draw_leading_feet(&mut canvas);
     }
+    map.draw_lone_points(&mut canvas, levels);
     map.draw_marks(&mut canvas);
     colour_bar::draw(&mut canvas, right, surface, levels, caption.speed_unit);
     canvas.into_svg()
@@ -124,6 +125,13 @@ impl Map<'_> {
     fn draw_leading_feet(&self, canvas: &mut Canvas) {
         for line in leading_feet::lines(&self.surface.slow, &self.surface.fast) {
             canvas.curve(&self.places(line), map_legend::bisector());
+        }
+    }
+
+    fn draw_lone_points(&self, canvas: &mut Canvas, levels: &Levels) {
+        for (place, speed) in self.surface.lone() {
+            let mark = Mark::Lone(levels.colour(speed));
+            draw_mark(canvas, mark, self.place(place), palette::MARK);
         }
     }
 

@@ -1,5 +1,5 @@
 use super::*;
-use crate::surface::tests::example;
+use crate::surface::tests::{example, grid};
 
 fn map() -> String {
     let surface = example();
@@ -45,4 +45,32 @@ fn the_valley_is_marked_where_the_table_has_it() {
     let [first, last] = [discs[1], discs[3]];
     assert!(number(first, "cx=\"") > number(last, "cx=\"") + 300.0);
     assert!(number(first, "cy=\"") < number(last, "cy=\"") - 300.0);
+}
+
+#[test]
+fn every_point_with_a_transition_is_seen_and_every_mark_explained() {
+    let drawn = |surface: &Surface| {
+        let levels = Levels::of(surface);
+        draw(surface, &View::of(surface), &levels, &Caption::default())
+    };
+    // Transitions in the last of three rows, a jump among them.
+    let row = grid(3, |row, column| {
+        let speeds = [11.0, 11.1, 13.0];
+        (row == 2).then_some(speeds[column])
+    });
+    let svg = drawn(&row);
+    // The three points and the legend's mark.
+    let discs = |svg: &str| {
+        let is_lone =
+            |line: &&str| line.starts_with("<circle") && line.contains("stroke=\"#262626\"");
+        svg.lines().filter(is_lone).count()
+    };
+    assert_eq!(discs(&svg), 4);
+    assert!(svg.contains("of a point beside gaps"));
+    assert_eq!(svg.contains("#BE1E64"), svg.contains("jumps by more than"));
+    // A whole surface has no such points, and one without transitions no lowest one.
+    let whole = grid(3, |row, column| Some(11.0 + 0.1 * (row + column) as f64));
+    assert_eq!(discs(&drawn(&whole)), 0);
+    let none = grid(3, |_, _| None);
+    assert!(!drawn(&none).contains("lowest"));
 }

@@ -6,19 +6,23 @@ use crate::legend::{Entry, Mark};
 use crate::number;
 use crate::palette;
 use crate::parameter_words::parameter_words;
-use crate::style::Style;
+use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
 
 /// The legend of a contour map: an entry for every mark that the map has.
 pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let slow = parameter_words(&surface.axes[0]);
-    let mut entries = vec![(Mark::Lowest, format!("lowest V_H at each {slow}"))];
+    let mut entries = Vec::new();
+    if !surface.lowest_in_rows().is_empty() {
+        entries.push((Mark::Lowest, format!("lowest V_H at each {slow}")));
+    }
     if has_leading_feet(surface, caption) {
         entries.push((Mark::Line(bisector()), BISECTOR_WORDS.to_owned()));
     }
-    let has_jump = surface.cells().any(|(_, cell)| cell == Cell::Jump);
-    if has_jump {
+    if !surface.jump_edges().is_empty() {
         entries.push((Mark::Jump, jump_words(surface, caption)));
+    }
+    if surface.cells().any(|(_, cell)| cell == Cell::Jump) {
         let jump_cells = Mark::Area(Style::fill(palette::JUMP_CELL));
         entries.push((jump_cells, "not interpolated across a jump".to_owned()));
     }
@@ -64,6 +68,10 @@ fn jump_words(surface: &Surface, caption: &Caption) -> String {
 /// Marks of single points.
 fn of_points(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
+    if !surface.lone().is_empty() {
+        let words = "V_H of a point beside gaps, by its colour";
+        entries.push((Mark::Lone(WHITE), words.to_owned()));
+    }
     if surface.gaps().next().is_some() {
         entries.push((Mark::NoTransition, caption.without_transition()));
     }

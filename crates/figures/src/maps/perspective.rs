@@ -84,6 +84,11 @@ fn draw_cells(canvas: &mut Canvas, surface: &Surface, levels: &Levels, point: &V
         let ends = [a, b].map(|([slow, fast], height)| point.pixel(slow, fast, height));
         canvas.curve(&ends, map_legend::jump());
     }
+    for (place, height) in surface.lone() {
+        let mark = Mark::Lone(levels.colour(height));
+        let at = point.pixel(place[0], place[1], height);
+        draw_mark(canvas, mark, at, palette::SMALL_MARK);
+    }
     for (place, mark) in &surface.doubtful {
         let row = s.partition_point(|slow| *slow < place[0]);
         let column = f.partition_point(|fast| *fast < place[1]);

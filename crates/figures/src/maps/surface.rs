@@ -1,5 +1,7 @@
 //! The first transition over a grid of two conditions, with its gaps and jumps.
 
+use std::collections::HashSet;
+
 use crate::boundary_table::{BoundaryTable, Kind, Transition};
 use crate::legend::Mark;
 use crate::ticks::round_step;
@@ -168,6 +170,25 @@ impl Surface {
         self.speeds.iter().flatten().flatten().copied()
     }
 
+    /// Points with a transition beside which no cell is whole, and how high they are: no surface shows them.
+    pub fn lone(&self) -> Vec<([f64; 2], f64)> {
+        let whole: HashSet<[usize; 2]> = (self.cells())
+            .filter(|(_, cell)| matches!(cell, Cell::Whole(_)))
+            .flat_map(|([row, column], _)| {
+                [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[down, right]| [row + down, column + right])
+            })
+            .collect();
+        let rows = self.speeds.iter().enumerate();
+        let points = rows.flat_map(|(row, speeds)| {
+            let columns = speeds.iter().enumerate();
+            columns.filter_map(move |(column, speed)| Some(([row, column], (*speed)?)))
+        });
+        points
+            .filter(|(point, _)| !whole.contains(point))
+            .map(|([row, column], speed)| ([self.slow[row], self.fast[column]], speed))
+            .collect()
+    }
+
     /// Places of the points without a transition.
     pub fn gaps(&self) -> impl Iterator<Item = [f64; 2]> {
         let rows = self.slow.iter().zip(&self.speeds);
@@ -226,7 +247,8 @@ fn jump(speeds: &[Vec<Option<f64>>]) -> f64 {
     let fence = quartile(3) + FENCE * (quartile(3) - quartile(1));
     let heights = || speeds.iter().flatten().flatten().copied();
     let range = heights().fold(0.0, f64::max) - heights().fold(f64::INFINITY, f64::min);
-    round_step(fence.max(LEAST_JUMP * range))
+    // Differences that are all but equal are no jumps.
+    round_step(1.01 * fence.max(LEAST_JUMP * range))
 }
 
 #[cfg(test)]

@@ -24,6 +24,8 @@ pub enum Mark {
     Ring(Colour),
     /// A disc of this colour.
     Disc(Colour),
+    /// A point beside which there is no surface: a disc of the colour of its level, with an outline.
+    Lone(Colour),
     /// An interval: a thin vertical bar.
     Interval,
     /// A line of this style.
@@ -77,6 +79,10 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
         }
         Mark::Ring(colour) => canvas.circle((x, y), side - 1.0, Style::stroke(colour, 1.5)),
         Mark::Disc(colour) => canvas.circle((x, y), side - 1.0, Style::fill(colour)),
+        Mark::Lone(colour) => {
+            let style = Style::fill(colour).outlined(palette::TEXT, 1.0);
+            canvas.circle((x, y), side, style);
+        }
         Mark::Interval => {
             let ends = [(x, y - side - 2.0), (x, y + side + 2.0)];
             canvas.curve(&ends, Style::stroke(palette::TEXT, 1.0));
