@@ -11,6 +11,16 @@ from touchdown import _engine
 Document = Mapping[str, Any]
 
 
+class NeverChanges:
+    """What has a method `replace` and no attributes that can be set."""
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if not name.startswith("_"):
+            kind = type(self).__name__.lower()
+            raise AttributeError(f"{name} cannot be set: a {kind} never changes; {kind}.replace(...) makes another one")
+        super().__setattr__(name, value)
+
+
 @cache
 def _default_solver() -> _engine.Solver:
     return _engine.Solver("")

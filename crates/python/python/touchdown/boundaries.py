@@ -22,7 +22,7 @@ HORIZONTAL = "horizontal_velocity_fps"
 _AXIS = "cross_slope_deg"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, repr=False)
 class Band(InBothUnits):
     """A range of horizontal velocities whose landings end alike.
 
@@ -64,7 +64,7 @@ class Band(InBothUnits):
         return f"<Band from {start} to {end}: {self.kind}>"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, repr=False)
 class Boundary(InBothUnits):
     """Where landings cease to be stable as the horizontal velocity grows.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -54,7 +55,7 @@ _SHOWN = [
 ]
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, repr=False)
 class Landing(InBothUnits):
     """How one landing went.
 
@@ -107,7 +108,7 @@ class Landing(InBothUnits):
     scene : Scene
         How it touched down.
     solver : mapping
-        Settings that are not the defaults.
+        Settings that were given, read only.
     units : {"US", "SI"}
         Units that it is told in, and that its tables have unless asked for others.
     """
@@ -145,8 +146,13 @@ class Landing(InBothUnits):
     went_on_to: str | None
     vehicle: Vehicle
     scene: Scene
-    solver: Mapping[str, Any] = field(hash=False)
+    _solver: Mapping[str, Any] = field(hash=False)
     units: str = field(default=US, compare=False)
+
+    @property
+    def solver(self) -> Mapping[str, Any]:
+        """Settings that were given, read only."""
+        return MappingProxyType(self._solver)
 
     @property
     def is_stable(self) -> bool:
@@ -168,7 +174,7 @@ class Landing(InBothUnits):
         DataFrame
             Indexed by ``t_s``, the time after first contact; columns as those of ``touchdown land --history``.
         """
-        engine = solver_of(self.solver or None)
+        engine = solver_of(self._solver or None)
         columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, dt, units or self.units)
         arrays = {name: np.frombuffer(values) for name, values in columns}
         return pd.DataFrame(arrays, copy=False).set_index("t_s")
@@ -240,4 +246,4 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
     """
     units = checked(units)
     results = _engine.land(vehicle._engine, scene._engine, solver_of(solver))
-    return Landing(**results, vehicle=vehicle, scene=scene, solver=dict(solver or {}), units=units)
+    return Landing(**results, vehicle=vehicle, scene=scene, _solver=dict(solver or {}), units=units)

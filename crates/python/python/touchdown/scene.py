@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import tomllib
 from collections.abc import Mapping
+from copy import deepcopy
 from functools import cached_property
 from typing import Any
 
 from touchdown import _engine
-from touchdown._documents import merged, same_quantity
+from touchdown._documents import NeverChanges, merged, same_quantity
 from touchdown._html import table
 
 # Giving one form of the attitude replaces the other.
@@ -17,7 +18,7 @@ _EULER = {"pitch_deg", "yaw_deg", "roll_deg"}
 _TIP = {"tip_deg", "tip_azimuth_deg", "nominal_roll_deg"}
 
 
-class Scene:
+class Scene(NeverChanges):
     """Conditions of a touchdown at first contact.
 
     A scene never changes; `replace` makes another one. Conditions may be left out as long as nothing needs them: a boundary needs no
@@ -71,7 +72,7 @@ class Scene:
 
     def to_dict(self) -> dict[str, Any]:
         """The conditions as a dictionary, under the keys and in the units that they were given in."""
-        return dict(self._given)
+        return deepcopy(self._given)
 
     def replace(self, conditions: Mapping[str, Any] | None = None, /, **named: Any) -> Scene:
         """The same scene with other conditions.
@@ -99,7 +100,7 @@ class Scene:
 
     def __getattr__(self, name: str) -> Any:
         if not name.startswith("_") and name in self._given:
-            return self._given[name]
+            return deepcopy(self._given[name])
         raise AttributeError(f"the scene has no {name}: it has {', '.join(self._given)}" if not name.startswith("_") else name)
 
     def __dir__(self) -> list[str]:

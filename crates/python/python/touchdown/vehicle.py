@@ -11,10 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from touchdown import _engine
+from touchdown._documents import NeverChanges
 from touchdown._html import table
 
 
-class Vehicle:
+class Vehicle(NeverChanges):
     """A lander: mass properties and three to eight legs.
 
     A vehicle never changes; `replace` makes another one. Two vehicles are equal when all their numbers are, in whatever units
