@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyTuple};
+use pyo3::types::PyTuple;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
 use touchdown_sweep::file_writer::Folder;
@@ -17,23 +17,25 @@ use touchdown_sweep::landing_table::{self, Cell};
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::{OutputUnits, Quantity};
 use touchdown_sweep::run::{Observer, Workers};
+use touchdown_sweep::scene_input::NamedConditions;
 
 use crate::columns::Column;
-use crate::documents::{Solver, Vehicle, output_units};
+use crate::documents::{Scene, Solver, Vehicle, output_units};
 use crate::errors::Failure;
 use crate::interruptible::{self, Work};
 
 /// Columns of results by name, as Python takes them.
 type PyColumns<'py> = Vec<(String, Bound<'py, PyTuple>)>;
 
-/// Lands every row of a table of columns, each an array of numbers, a list of texts, or the number of all rows. With `out` results go to this file too, as the
-/// command line writes it, and to a journal beside it until then.
+/// Lands every row of a table of columns, each an array of numbers or a list of texts; the scene has the conditions of rows that say
+/// nothing else. With `out` results go to this file too, as the command line writes it, and to a journal beside it until then.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "Python gives them by name")]
 pub fn land_many<'py>(
     py: Python<'py>,
     vehicle: &Vehicle,
     columns: Vec<(String, Bound<'py, PyAny>)>,
+    scene: Option<&Scene>,
     solver: &Solver,
     units: &str,
     out: Option<PathBuf>,
@@ -44,11 +46,15 @@ pub fn land_many<'py>(
     let units = output_units(units)?;
     let (names, values): (Vec<String>, Vec<_>) = columns.into_iter().unzip();
     let values = values.iter().map(Values::of);
-    let cells = ColumnsOfCases(values.collect::<PyResult<_>>()?);
+    let cells = ColumnsOfCases {
+        names: names.clone(),
+        columns: values.collect::<PyResult<_>>()?,
+    };
     let (file, settings) = (vehicle.file.clone(), solver.0);
+    let shared = scene.map_or_else(NamedConditions::default, |scene| *scene.0.conditions());
     let (found, warnings) = interruptible::run(py, watch, move |work| {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let table = CaseTable::of_cells(&names, Box::new(cells), &file, &settings)?;
+        let table = CaseTable::of_cells(&names, Box::new(cells), &shared, &file, &settings)?;
         let workers = Workers::start(threads)?;
         work.more(table.len());
         let results = Results::new(&table, units);
@@ -135,15 +141,10 @@ const END_OF_CELL: u8 = 0xff;
 enum Values {
     Numbers(Vec<f64>),
     Texts(Vec<Option<String>>),
-    /// The same number in all rows.
-    Same(f64),
 }
 
 impl Values {
     fn of(column: &Bound<PyAny>) -> PyResult<Self> {
-        if let Ok(number) = column.cast::<PyFloat>() {
-            return Ok(Self::Same(number.value()));
-        }
         match PyBuffer::<f64>::get(column) {
             Ok(numbers) => numbers.to_vec(column.py()).map(Self::Numbers),
             Err(_) => column.extract().map(Self::Texts),
@@ -153,22 +154,23 @@ impl Values {
 
 /// Columns as a table of cases.
 #[derive(Debug)]
-struct ColumnsOfCases(Vec<Values>);
+struct ColumnsOfCases {
+    names: Vec<String>,
+    columns: Vec<Values>,
+}
 
 impl CaseCells for ColumnsOfCases {
     fn len(&self) -> usize {
         let length = |column: &Values| match column {
-            Values::Numbers(numbers) => Some(numbers.len()),
-            Values::Texts(texts) => Some(texts.len()),
-            Values::Same(_) => None,
+            Values::Numbers(numbers) => numbers.len(),
+            Values::Texts(texts) => texts.len(),
         };
-        self.0.iter().find_map(length).unwrap_or(0)
+        self.columns.first().map_or(0, length)
     }
 
     fn cell(&self, row: usize, column: usize) -> CaseCell<'_> {
-        match &self.0[column] {
+        match &self.columns[column] {
             Values::Numbers(numbers) => CaseCell::Number(numbers[row]),
-            Values::Same(number) => CaseCell::Number(*number),
             Values::Texts(texts) => match texts[row].as_deref() {
                 None | Some("") => CaseCell::Empty,
                 Some(text) => CaseCell::Text(text),
@@ -181,7 +183,7 @@ impl CaseCells for ColumnsOfCases {
     }
 
     fn fingerprint(&self) -> String {
-        let prints = self.0.iter().map(|column| match column {
+        let print = |column: &Values| match column {
             Values::Numbers(numbers) => {
                 fingerprint_of_bytes(numbers.iter().flat_map(|number| number.to_le_bytes()))
             }
@@ -189,8 +191,9 @@ impl CaseCells for ColumnsOfCases {
                 let cells = texts.iter().map(|text| text.as_deref().unwrap_or_default());
                 fingerprint_of_bytes(cells.flat_map(|cell| cell.bytes().chain([END_OF_CELL])))
             }
-            Values::Same(number) => number.to_string(),
-        });
+        };
+        let columns = self.names.iter().zip(&self.columns);
+        let prints = columns.map(|(name, column)| format!("{name} {}", print(column)));
         prints.collect::<Vec<_>>().join(" ")
     }
 }

@@ -132,6 +132,49 @@ def test_gaps_leave_numbers_to_defaults(lander, scene):
     assert landed.end_time_s.nunique() == 3
 
 
+MASKED = np.ma.array([20.0, 5.0], mask=[False, True])
+
+
+@pytest.mark.parametrize(
+    "gaps",
+    [[20, None], [20, pd.NA], pd.array([20, pd.NA], dtype="Float64"), MASKED, list(MASKED), np.array([20, None]), pd.Series(["20", None])],
+    ids=lambda gaps: type(gaps).__name__,
+)
+def test_gaps_leave_numbers_to_the_scene(gaps, lander, scene):
+    rolled = scene.replace(roll_deg=10)
+    landed = td.land_many(lander, {"roll_deg": gaps}, scene=rolled, progress=False)
+    assert landed.end_time_s[0] == td.land(lander, scene.replace(roll_deg=20)).end_time_s
+    assert landed.end_time_s[1] == td.land(lander, rolled).end_time_s
+
+
+def test_gaps_leave_numbers_to_the_scene_in_any_unit(lander, scene):
+    on_mars = scene.replace(gravity="mars")
+    table = {"gravity_mps2": [None, 1.62], "horizontal_velocity_mps": [3.0, None], "vertical_velocity_fps": [None, 14.5]}
+    landed = td.land_many(lander, table, scene=on_mars, progress=False)
+    first, second = on_mars.replace(horizontal_velocity_mps=3.0), scene.replace(gravity_mps2=1.62, vertical_velocity_fps=14.5)
+    assert landed.end_time_s.tolist() == [td.land(lander, first).end_time_s, td.land(lander, second).end_time_s]
+    by_solver = td.land_many(lander, {"solver.tolerance": [1e-8, None]}, scene=scene, solver={"tolerance": 1e-7}, progress=False)
+    expected = [td.land(lander, scene, {"tolerance": tolerance}).end_time_s for tolerance in (1e-8, 1e-7)]
+    assert by_solver.end_time_s.tolist() == expected
+
+
+def test_gaps_of_what_nothing_gives_are_refused_with_their_rows(lander, scene):
+    slow = {name: value for name, value in scene.to_dict().items() if name != "horizontal_velocity_fps"}
+    for gaps in ([11, None], np.ma.array([11, 12], mask=[False, True])):
+        error = complaint(lambda gaps=gaps: td.land_many(lander, {"horizontal_velocity_fps": gaps}, scene=td.Scene(**slow), progress=False))
+        assert str(error).startswith("row 1: horizontal_velocity_fps is missing: expected the horizontal velocity")
+
+
+def test_nan_among_numbers_is_no_gap(lander, scene):
+    nan = float("nan")
+    for numbers in ([20, nan], np.array([20, nan]), pd.Series([20, None]), [20, nan, None], np.array([20, nan], dtype=object)):
+        error = complaint(lambda numbers=numbers: td.land_many(lander, {"roll_deg": numbers}, scene=scene, progress=False))
+        assert str(error).startswith("row 1: roll_deg = NaN: expected a finite number; a gap is None or pandas.NA")
+    rules = {"solver.crush_rule": ["section", nan]}
+    landed = td.land_many(lander, rules, scene=scene, progress=False)
+    assert landed.end_time_s[1] == td.land(lander, scene).end_time_s
+
+
 @pytest.mark.parametrize(
     ("axes", "options", "said"),
     [

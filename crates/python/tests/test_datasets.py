@@ -139,8 +139,9 @@ def test_a_scene_gives_what_the_table_does_not(lander, scene):
         alone = td.land(lander, rough.replace(footing=[{"height_m": height}, {"height_m": 0.1}], roll_deg=10 * row))
         assert landed.end_time_s[row] == alone.end_time_s
     thrust = scene.replace(thrust={"time_s": [0, 1], "force_lb": [100, 0]})
-    with pytest.raises(td.InputError, match="thrust = .*: expected conditions that are numbers"):
-        td.land_many(lander, {"roll_deg": [0.0]}, scene=thrust, progress=False)
+    landed = td.land_many(lander, {"thrust.scale": [None, 2.0]}, scene=thrust, progress=False)
+    for row, scale in enumerate([1.0, 2.0]):
+        assert landed.end_time_s[row] == td.land(lander, thrust.replace(thrust=thrust.thrust | {"scale": scale})).end_time_s
 
 
 def test_polars_tables(lander, scene):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ def columns_of(table: Any) -> dict[str, Any]:
     if isinstance(table, pd.DataFrame) or isinstance(table, Mapping):
         named = {name: table[name] for name in table}
     elif hasattr(table, "get_columns"):
-        named = {column.name: column.to_list() if column.null_count() else column.to_numpy() for column in table.get_columns()}
+        named = {column.name: column for column in table.get_columns()}
     else:
         raise InputError(f"the table is a {type(table).__name__}: expected {_TABLES}", allowed=_TABLES)
     columns = {}
@@ -42,34 +42,57 @@ def _column(name: str, values: Any) -> Any:
         allowed = "one dimension"
         raise InputError(f"column {name} has {array.ndim} dimensions: expected {allowed}", name, str(array.shape), allowed)
     if array.dtype.kind in "iuf":
-        return np.ascontiguousarray(array, dtype=np.float64)
+        numbers = np.ascontiguousarray(array, dtype=np.float64)
+        if np.isnan(numbers).any():
+            raise _no_number(name, int(np.isnan(numbers).argmax()))
+        return numbers
     if array.dtype.kind in "OUT":
-        return [_cell(name, row, value) for row, value in enumerate(array.tolist())]
+        cells = array.tolist()
+        has_words = any(isinstance(cell, str) for cell in cells)
+        return [_cell(name, row, cell, has_words) for row, cell in enumerate(cells)]
     allowed = "numbers or words"
     raise InputError(f"column {name} is of type {array.dtype}: expected {allowed}", name, str(array.dtype), allowed)
 
 
 def _array(values: Any) -> Any:
-    """A column as an array, of objects where it has gaps that are no numbers."""
+    """A column as an array, of objects where it has gaps or words."""
+    if isinstance(values, np.ma.MaskedArray):
+        return np.array(values.tolist(), dtype=object) if values.mask.any() else values.data
     dtype: Any = getattr(values, "dtype", object)
     if pd.api.types.is_extension_array_dtype(dtype):
         values = pd.Series(values)
         return values.to_numpy(dtype=object, na_value=None) if values.hasnans else values.to_numpy()
-    try:
+    if callable(getattr(values, "null_count", None)):
+        # A Series of polars.
+        return np.array(values.to_list(), dtype=object) if values.null_count() else values.to_numpy()
+    if isinstance(values, str) or not isinstance(values, Sequence):
         return np.asarray(values)
+    values = [None if value is np.ma.masked else value for value in values]
+    try:
+        array = np.asarray(values)
     except ValueError:
         return np.fromiter(values, dtype=object)
+    # NumPy writes NaN among words as one.
+    return np.asarray(values, dtype=object) if array.dtype.kind == "U" else array
 
 
-def _cell(name: str, row: int, value: Any) -> str | None:
-    if value is None or value is pd.NA:
+def _cell(name: str, row: int, value: Any, has_words: bool) -> str | None:
+    """What a cell says as text. NaN is how pandas marks a gap among words."""
+    if value is None or value is pd.NA or (has_words and value != value):
         return None
     if isinstance(value, str):
         return value
     if isinstance(value, (int, float, np.number)) and not isinstance(value, bool):
+        if value != value:
+            raise _no_number(name, row)
         return repr(float(value))
     allowed = "a number or a word"
     raise InputError(f"row {row}: {name} = {value!r}: expected {allowed}", name, repr(value), allowed)
+
+
+def _no_number(name: str, row: int) -> InputError:
+    allowed = "a finite number; a gap is None or pandas.NA, which astype(\"Float64\") makes of NaN"
+    return InputError(f"row {row}: {name} = NaN: expected {allowed}", name, "NaN", allowed)
 
 
 def index_of(table: Any) -> pd.Index[Any] | None:

@@ -43,6 +43,7 @@ def history(vehicle: Vehicle, scene: Scene, solver: Solver, interval: float, uni
 def land_many(
     vehicle: Vehicle,
     columns: Sequence[tuple[str, Any]],
+    scene: Scene | None,
     solver: Solver,
     units: str,
     out: str | PathLike[str] | None,

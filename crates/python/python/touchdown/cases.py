@@ -9,8 +9,7 @@ import pandas as pd
 
 from touchdown import _engine
 from touchdown._columns import columns_of, index_of, series
-from touchdown._documents import Document, same_quantity, solver_of
-from touchdown.errors import InputError
+from touchdown._documents import Document, solver_of
 from touchdown.progress import Watch, warn, watching
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
@@ -35,11 +34,11 @@ def land_many(
     vehicle : Vehicle
         What lands; columns such as ``vehicle.strut.preload_lb`` replace its numbers.
     table : DataFrame or mapping of arrays
-        Columns as those of a table of cases (``touchdown land --cases``): keys of the scene, ``vehicle.…`` and ``solver.…``. Numbers
-        stay as they are, a None or ``pandas.NA`` leaves a number to the default or the vehicle; NaN is refused.
-        Tables of polars are taken as well.
+        Columns as those of a table of cases (``touchdown land --cases``): keys of the scene, ``vehicle.…`` and ``solver.…``. A gap
+        (None, ``pandas.NA``, a masked element, a null of polars) leaves a number to `scene`, the vehicle, `solver` or the default.
+        NaN among numbers is refused. Tables of polars are taken as well.
     scene : Scene, optional
-        Conditions that are the same for all rows and no columns of the table.
+        Conditions of all rows that the table does not give.
     solver : mapping, optional
         How landings are computed, as in `land`, with the same tolerance, 1e-6, unless given.
     units : {"US", "SI"}
@@ -73,30 +72,12 @@ def land_many(
     >>> list(landed.outcome)
     ['stable-rockback', 'unstable-pitch']
     """
-    columns = columns_of(table)
-    if scene is not None:
-        columns |= _same_in_all_rows(scene, set(columns))
+    columns = list(columns_of(table).items())
+    conditions = scene._engine if scene is not None else None
     with watching(progress, "landings") as watch:
         found, told = _engine.land_many(
-            vehicle._engine, list(columns.items()), solver_of(solver), units, out, overwrite, threads, watch
+            vehicle._engine, columns, conditions, solver_of(solver), units, out, overwrite, threads, watch
         )
     warn(told)
     results = {name: series(*column) for name, column in found}
     return pd.DataFrame(results, index=index_of(table), copy=False)
-
-
-def _same_in_all_rows(scene: Scene, columns: set[str]) -> dict[str, float]:
-    """Conditions that are no columns, under the names that columns have."""
-    numbers: dict[str, float] = {}
-    for name, value in scene.without(columns).items():
-        match value:
-            case int() | float():
-                numbers[name] = float(value)
-            case str() if name == "gravity":
-                numbers["gravity_fps2"] = dict(scene._engine.resolved())["gravity_fps2"]
-            case list() if name == "footing":
-                for leg, footing in enumerate(value, 1):
-                    numbers |= {f"footing[{leg}].{key}": float(number) for key, number in footing.items()}
-            case _:
-                raise InputError.of_value(name, value, "conditions that are numbers, where there are many landings")
-    return {name: numbers[name] for name in numbers if same_quantity(name) not in {same_quantity(column) for column in columns}}
