@@ -1,5 +1,6 @@
 //! Many landings, from columns to columns.
 
+use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -8,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
+use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::fingerprint::fingerprint_of_bytes;
@@ -18,6 +20,7 @@ use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::{OutputUnits, Quantity};
 use touchdown_sweep::run::{Observer, Workers};
 use touchdown_sweep::scene_input::NamedConditions;
+use touchdown_sweep::warnings;
 
 use crate::columns::Column;
 use crate::documents::{Scene, Solver, Vehicle, output_units};
@@ -42,7 +45,7 @@ pub fn land_many<'py>(
     overwrite: bool,
     threads: Option<NonZeroUsize>,
     watch: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(PyColumns<'py>, Vec<String>)> {
+) -> PyResult<(PyColumns<'py>, [Vec<String>; 2])> {
     let units = output_units(units)?;
     let (names, values): (Vec<String>, Vec<_>) = columns.into_iter().unzip();
     let values = values.iter().map(Values::of);
@@ -52,7 +55,7 @@ pub fn land_many<'py>(
     };
     let (file, settings) = (vehicle.file.clone(), solver.0);
     let shared = scene.map_or_else(NamedConditions::default, |scene| *scene.0.conditions());
-    let (found, warnings) = interruptible::run(py, watch, move |work| {
+    let (found, of_journal) = interruptible::run(py, watch, move |work| {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let table = CaseTable::of_cells(&names, Box::new(cells), &shared, &file, &settings)?;
         let workers = Workers::start(threads)?;
@@ -70,13 +73,14 @@ pub fn land_many<'py>(
             }
         }
     })?;
+    let of_landings = found.warnings();
     let columns = found.columns.into_iter();
     let mut columns: PyColumns = columns
         .map(|(quantity, column)| Ok((quantity.name().to_owned(), column.into_python(py)?)))
         .collect::<PyResult<_>>()?;
     let classes = found.classes.into_python(py)?;
     columns.insert(1, ("outcome_class".to_owned(), classes));
-    Ok((columns, warnings))
+    Ok((columns, [of_journal, of_landings]))
 }
 
 /// Results of all rows.
@@ -92,6 +96,7 @@ fn landed(
             let columns = landing_table::columns(&landing).into_iter();
             let cells = columns.map(|(_, cell)| cell).collect();
             results.set(row, &landing.outcome, cells);
+            results.warn(row, ContactWarnings::of(&landing));
         }
         Ok(())
     })?;
@@ -110,7 +115,7 @@ fn landed_into(
     let name = out.file_name().unwrap_or_default().to_string_lossy();
     let journal = folder.path(&format!("{name}.journal"));
     let mut opened = Journal::open(&journal, &table.header(env!("CARGO_PKG_VERSION")))?;
-    let warnings = std::mem::take(&mut opened.warnings);
+    let of_journal = std::mem::take(&mut opened.warnings);
     work.skip(opened.done.len());
     workers.case_table(table, &mut opened, work, &work.cancel)?;
 
@@ -121,8 +126,14 @@ fn landed_into(
         let bytes = found.result(row)?;
         let finding = bytes.as_deref().and_then(Finding::decode);
         let finding = finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
-        if let Finding::Landing { outcome, cells, .. } = &finding {
+        if let Finding::Landing {
+            outcome,
+            cells,
+            warnings,
+        } = &finding
+        {
             results.set(row, outcome, cells.clone());
+            results.warn(row, *warnings);
         }
         rows.push((table.name(row), finding));
     }
@@ -130,7 +141,7 @@ fn landed_into(
     let written = cases::table(named, results.units).map_err(Failure::engine)?;
     folder.write_files(&[(name.into_owned(), written)])?;
     found.remove_journals()?;
-    Ok((results, warnings))
+    Ok((results, of_journal))
 }
 
 /// A byte that no text contains.
@@ -204,6 +215,8 @@ struct Results {
     columns: Vec<(Quantity, Column)>,
     /// Classes of the outcomes, which tables of the command line have not.
     classes: Column,
+    /// Of the rows that have any.
+    warnings: BTreeMap<usize, ContactWarnings>,
     legs: usize,
     units: OutputUnits,
 }
@@ -223,9 +236,24 @@ impl Results {
         Self {
             columns: landing_table::names(legs).iter().map(column).collect(),
             classes: Column::no_words(rows),
+            warnings: BTreeMap::new(),
             legs,
             units,
         }
+    }
+
+    /// Keeps the warnings of a row, if it has any.
+    fn warn(&mut self, row: usize, warnings: ContactWarnings) {
+        if warnings != ContactWarnings::default() {
+            self.warnings.insert(row, warnings);
+        }
+    }
+
+    /// The warnings of all rows, in words.
+    fn warnings(&self) -> Vec<String> {
+        let rows = self.warnings.iter();
+        let rows = rows.map(|(row, warnings)| (format!("row {row}"), *warnings));
+        warnings::of_cases(rows, self.units)
     }
 
     /// Sets the results of a row.

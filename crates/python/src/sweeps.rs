@@ -17,6 +17,7 @@ use touchdown_sweep::result_files::{self, NamedFiles};
 use touchdown_sweep::run::{Observer, Workers};
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file;
+use touchdown_sweep::warnings;
 
 use crate::documents::{Vehicle, output_units};
 use crate::errors::{Failure, guarded};
@@ -82,8 +83,8 @@ impl Sweep {
         self.0.stem()
     }
 
-    /// Runs the sweep into a folder, as the command line does, with a journal beside the results: the files of the results, and
-    /// what is to be said of the journal.
+    /// Runs the sweep into a folder, as the command line does, with a journal beside the results: warnings of the journal, and of the
+    /// results.
     fn run(
         &self,
         py: Python,
@@ -92,7 +93,7 @@ impl Sweep {
         overwrite: bool,
         threads: Option<NonZeroUsize>,
         watch: Option<&Bound<PyAny>>,
-    ) -> PyResult<(Vec<PathBuf>, Vec<String>)> {
+    ) -> PyResult<[Vec<String>; 2]> {
         let sweep = self.0.clone();
         interruptible::run(py, watch, move |work| {
             let folder = Folder::open(&out)?;
@@ -109,13 +110,13 @@ fn run(
     is_parquet: bool,
     threads: Option<NonZeroUsize>,
     work: &Work,
-) -> Result<(Vec<PathBuf>, Vec<String>), Failure> {
+) -> Result<[Vec<String>; 2], Failure> {
     let workers = Workers::start(threads)?;
     let version = env!("CARGO_PKG_VERSION");
     let header = Header::new(sweep, version, Shard::WHOLE).map_err(Failure::engine)?;
     let path = folder.path(&journal_files::name(&sweep.stem(), Shard::WHOLE));
     let mut opened = Journal::open(&path, &header)?;
-    let warnings = std::mem::take(&mut opened.warnings);
+    let of_journal = std::mem::take(&mut opened.warnings);
     // How many points a map has is found out round by round.
     let known_before = sweep.map().is_none().then(|| sweep.design.count());
     work.more(known_before.unwrap_or(0));
@@ -127,7 +128,7 @@ fn run(
     let draw = |_: &_, _: &str| Ok::<_, Failure>(NamedFiles::new());
     let written = workers
         .lend(|| result_files::write(sweep, &mut results, folder, version, is_parquet, draw));
-    let (_, files) = written?;
+    let (counts, _) = written?;
     results.remove_journals()?;
-    Ok((files, warnings))
+    Ok([of_journal, warnings::of_sweep(sweep, &counts)])
 }

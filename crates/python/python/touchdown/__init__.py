@@ -17,7 +17,7 @@ from typing import Any
 from touchdown import vehicles
 from touchdown.boundaries import Band, Boundary, boundary
 from touchdown.cases import land_many
-from touchdown.errors import EngineError, InputError
+from touchdown.errors import EngineError, InputError, LandingWarning
 from touchdown.landing import Landing, land
 from touchdown.reading import read
 from touchdown.scene import Scene
@@ -30,6 +30,7 @@ __all__ = [
     "EngineError",
     "InputError",
     "Landing",
+    "LandingWarning",
     "Scene",
     "Vehicle",
     "boundary",

@@ -11,6 +11,7 @@ from touchdown import _engine
 from touchdown._documents import Document, merged, same_quantity
 from touchdown._html import bands_picture
 from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
+from touchdown._warnings import warn_of_landings
 from touchdown.progress import Watch, watching
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
@@ -190,6 +191,11 @@ def boundary(
     -------
     Boundary
 
+    Warns
+    -----
+    LandingWarning
+        Of landings that are less than they seem.
+
     Examples
     --------
     >>> import touchdown as td
@@ -199,9 +205,10 @@ def boundary(
     11.400 ft/s, certain
     """
     units = checked(units)
-    engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver)), vehicle._engine, {})
+    engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver) | {"units": units}), vehicle._engine, {})
     with watching(progress, "points") as watch:
-        found = _engine.boundary(engine, threads, watch)
+        found, warnings = _engine.boundary(engine, threads, watch)
+    warn_of_landings(warnings)
     bands = tuple(Band(**band, units=units) for band in found.pop("bands"))
     return Boundary(**found, bands=bands, vehicle=vehicle, scene=scene, units=units)
 

@@ -10,7 +10,8 @@ import pandas as pd
 from touchdown import _engine
 from touchdown._columns import columns_of, index_of, series
 from touchdown._documents import Document, solver_of
-from touchdown.progress import Watch, warn, watching
+from touchdown._warnings import warn_of_journal, warn_of_landings
+from touchdown.progress import Watch, watching
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
 
@@ -64,6 +65,11 @@ def land_many(
     InputError
         Names row (counted from 0), column and value of the first thing wrong, before anything is landed.
 
+    Warns
+    -----
+    LandingWarning
+        When footpads or blocks gave energy to the motion, or footpads were crushed beyond their hinges.
+
     Examples
     --------
     >>> import touchdown as td
@@ -75,9 +81,10 @@ def land_many(
     columns = list(columns_of(table).items())
     conditions = scene._engine if scene is not None else None
     with watching(progress, "landings") as watch:
-        found, told = _engine.land_many(
+        found, (of_journal, of_landings) = _engine.land_many(
             vehicle._engine, columns, conditions, solver_of(solver), units, out, overwrite, threads, watch
         )
-    warn(told)
+    warn_of_journal(of_journal)
+    warn_of_landings(of_landings)
     results = {name: series(*column) for name, column in found}
     return pd.DataFrame(results, index=index_of(table), copy=False)

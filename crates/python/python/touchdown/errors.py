@@ -1,4 +1,4 @@
-"""What goes wrong, as exceptions."""
+"""What goes wrong, as exceptions and warnings."""
 
 from __future__ import annotations
 
@@ -39,3 +39,11 @@ class InputError(ValueError):
 
 class EngineError(RuntimeError):
     """A fault of the engine itself."""
+
+
+class LandingWarning(UserWarning):
+    """Landings that are less than they seem, in the words of the command line.
+
+    Footpads or blocks gave energy to the motion, footpads were crushed beyond their hinges, landings are undecided or could not be
+    computed, transitions are disputed or lie at or below the lowest speed searched. A call warns once of all its landings.
+    """

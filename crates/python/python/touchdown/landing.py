@@ -14,6 +14,7 @@ from touchdown import _engine
 from touchdown._documents import Document, solver_of
 from touchdown._html import table
 from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
+from touchdown._warnings import warn_of_landings
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle
 
@@ -236,6 +237,11 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
     InputError
         When a condition is missing, or not allowed for the vehicle or the method.
 
+    Warns
+    -----
+    LandingWarning
+        When footpads or blocks gave energy to the motion, or footpads were crushed beyond their hinges.
+
     Examples
     --------
     >>> import touchdown as td
@@ -245,5 +251,6 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
     'stable-rockback'
     """
     units = checked(units)
-    results = _engine.land(vehicle._engine, scene._engine, solver_of(solver))
+    results, warning = _engine.land(vehicle._engine, scene._engine, solver_of(solver), units)
+    warn_of_landings([warning] if warning else [])
     return Landing(**results, vehicle=vehicle, scene=scene, _solver=dict(solver or {}), units=units)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
@@ -42,9 +42,3 @@ def watching(progress: bool | Watch | None, unit: str) -> Iterator[Watch | None]
             yield watch
     else:
         yield progress
-
-
-def warn(told: Iterable[str]) -> None:
-    """What the engine has to say of a journal, on behalf of the function that called."""
-    for warning in told:
-        warnings.warn(warning, RuntimeWarning, stacklevel=3)

@@ -15,8 +15,9 @@ import xarray as xr
 
 from touchdown import _engine
 from touchdown._documents import Document, merged
+from touchdown._warnings import warn_of_journal, warn_of_landings
 from touchdown.boundaries import HORIZONTAL, SEARCH
-from touchdown.progress import Watch, warn, watching
+from touchdown.progress import Watch, watching
 from touchdown.reading import read
 from touchdown.scene import Scene
 from touchdown.vehicle import Vehicle, written
@@ -344,8 +345,9 @@ def _run(
     progress: bool | Watch | None,
 ) -> None:
     with watching(progress, "points") as watch:
-        _, told = engine.run(folder, parquet, overwrite, threads, watch)
-    warn(told)
+        of_journal, of_landings = engine.run(folder, parquet, overwrite, threads, watch)
+    warn_of_journal(of_journal)
+    warn_of_landings(of_landings)
 
 
 def _results(folder: Path, engine: _engine.Sweep) -> xr.Dataset:
