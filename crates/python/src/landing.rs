@@ -60,8 +60,9 @@ pub fn history<'py>(
 ) -> PyResult<Vec<(String, Bound<'py, PyByteArray>)>> {
     let (units, settings) = (output_units(units)?, solver.0);
     let least = settings.time_limit() / LONGEST_HISTORY;
-    if !(interval >= least && interval > 0.0) {
-        let allowed = format!("at least {least:e} s, a ten-millionth of the time limit");
+    if !(interval >= least && interval > 0.0 && interval.is_finite()) {
+        let allowed =
+            format!("a finite number of at least {least:e} s, a ten-millionth of the time limit");
         return Err(Failure::from(InputError::value("dt", interval, &allowed)).into());
     }
     let touchdown = scene_for(vehicle, scene, solver)?;

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pickle
+from importlib.metadata import version
 
-import numpy as np
 import numpy as np
 import pytest
 
@@ -154,3 +154,9 @@ def test_boundaries_come_in_si(lander, scene):
     assert pickle.loads(pickle.dumps(told)).units == "SI"
     with pytest.raises(td.InputError, match="US"):
         known.to_frame("metric")
+
+
+def test_the_package_shows_what_is_public():
+    assert td.__version__ == version("touchdown")
+    assert {"land", "plot", "vehicles", "__version__"} <= set(dir(td))
+    assert not {"Any", "import_module", "errors", "landing"} & set(dir(td))

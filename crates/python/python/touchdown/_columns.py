@@ -16,6 +16,9 @@ _TABLES = "a DataFrame, or a mapping of names to columns of equal length"
 def columns_of(table: Any) -> dict[str, Any]:
     """The columns of a table: arrays of numbers, lists of texts."""
     if isinstance(table, pd.DataFrame) or isinstance(table, Mapping):
+        if isinstance(table, pd.DataFrame) and not table.columns.is_unique:
+            twice = str(table.columns[table.columns.duplicated()][0])
+            raise InputError(f"column {twice} is there twice: expected once", twice, allowed="once")
         named = {name: table[name] for name in table}
     elif hasattr(table, "get_columns"):
         named = {column.name: column for column in table.get_columns()}
@@ -38,6 +41,8 @@ def columns_of(table: Any) -> dict[str, Any]:
 def _column(name: str, values: Any) -> Any:
     """A column as an array of numbers, or as a list of texts where it has words or gaps."""
     array = _array(values)
+    if array.ndim == 0:
+        raise InputError.of_value(f"column {name}", values, "a list or an array")
     if array.ndim != 1:
         allowed = "one dimension"
         raise InputError(f"column {name} has {array.ndim} dimensions: expected {allowed}", name, str(array.shape), allowed)

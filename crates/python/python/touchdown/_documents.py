@@ -38,9 +38,8 @@ def same_quantity(name: str) -> str:
     return _engine.program_name(name) or name
 
 
-def merged(defaults: Document, given: Document | None, prefix: str = "") -> dict[str, Any]:
+def merged(defaults: Document, given: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     """Values given, and the defaults of quantities that are not."""
-    given = dict(given or {})
     said = {same_quantity(prefix + name) for name in given}
     kept = {name: value for name, value in defaults.items() if same_quantity(prefix + name) not in said}
-    return kept | given
+    return kept | dict(given)

@@ -5,6 +5,8 @@ from typing import Any
 
 from touchdown.progress import Watch
 
+VERSION: str
+
 class Vehicle:
     name: str
     legs: int

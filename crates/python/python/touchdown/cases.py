@@ -8,12 +8,15 @@ from typing import Any
 import pandas as pd
 
 from touchdown import _engine
+from touchdown._arguments import a_flag, a_path, thread_count
 from touchdown._columns import columns_of, index_of, series
 from touchdown._documents import Document, solver_of
+from touchdown._units import checked
 from touchdown._warnings import warn_of_journal, warn_of_landings
 from touchdown.progress import Watch, watching
 from touchdown.scene import Scene
-from touchdown.vehicle import Vehicle
+from touchdown.scene import checked as checked_scene
+from touchdown.vehicle import Vehicle, engine_of
 
 
 def land_many(
@@ -79,10 +82,12 @@ def land_many(
     ['stable-rockback', 'unstable-pitch']
     """
     columns = list(columns_of(table).items())
-    conditions = scene._engine if scene is not None else None
+    conditions = None if scene is None else checked_scene(scene)._engine
+    file = None if out is None else a_path("out", out)
+    options = (checked(units), file, a_flag("overwrite", overwrite), thread_count(threads))
     with watching(progress, "landings") as watch:
         found, (of_journal, of_landings) = _engine.land_many(
-            vehicle._engine, columns, conditions, solver_of(solver), units, out, overwrite, threads, watch
+            engine_of(vehicle), columns, conditions, solver_of(solver), *options, watch
         )
     warn_of_journal(of_journal)
     warn_of_landings(of_landings)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+# Of a value that is told, characters; of a longer one the type is told.
+_LONGEST = 80
+
 
 class InputError(ValueError):
     """Input that cannot be used, in the words of the command line.
@@ -31,7 +34,10 @@ class InputError(ValueError):
     @classmethod
     def of_value(cls, key: str, value: object, allowed: str) -> InputError:
         """The complaint that a value is not what is allowed."""
-        return cls(f"{key} = {value!r}: expected {allowed}", key, repr(value), allowed)
+        said = repr(value)
+        if "\n" in said or len(said) > _LONGEST:
+            said = f"a {type(value).__name__}"
+        return cls(f"{key} = {said}: expected {allowed}", key, said, allowed)
 
     def __str__(self) -> str:
         return str(self.args[0])

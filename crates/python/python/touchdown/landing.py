@@ -11,12 +11,14 @@ import numpy as np
 import pandas as pd
 
 from touchdown import _engine
+from touchdown._arguments import number, settings
 from touchdown._documents import Document, solver_of
 from touchdown._html import table
 from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
 from touchdown._warnings import warn_of_landings
 from touchdown.scene import Scene
-from touchdown.vehicle import Vehicle
+from touchdown.scene import checked as checked_scene
+from touchdown.vehicle import Vehicle, engine_of
 
 # Results of each leg: what stands before and after its number in tables.
 _OF_LEGS = {
@@ -176,7 +178,8 @@ class Landing(InBothUnits):
             Indexed by ``t_s``, the time after first contact; columns as those of ``touchdown land --history``.
         """
         engine = solver_of(self._solver or None)
-        columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, dt, units or self.units)
+        seconds = number("dt", dt, "a number of seconds")
+        columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, seconds, self._units_or_own(units))
         arrays = {name: np.frombuffer(values) for name, values in columns}
         return pd.DataFrame(arrays, copy=False).set_index("t_s")
 
@@ -196,7 +199,7 @@ class Landing(InBothUnits):
                 row |= {f"{before}_{leg}{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
             else:
                 row[name] = np.nan if value is None else value
-        return pd.Series(in_units(row, units or self.units), dtype=object)
+        return pd.Series(in_units(row, self._units_or_own(units)), dtype=object)
 
     def __repr__(self) -> str:
         numbers = [
@@ -251,6 +254,6 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
     'stable-rockback'
     """
     units = checked(units)
-    results, warning = _engine.land(vehicle._engine, scene._engine, solver_of(solver), units)
+    results, warning = _engine.land(engine_of(vehicle), checked_scene(scene)._engine, solver_of(solver), units)
     warn_of_landings([warning] if warning else [])
-    return Landing(**results, vehicle=vehicle, scene=scene, _solver=dict(solver or {}), units=units)
+    return Landing(**results, vehicle=vehicle, scene=scene, _solver=settings("solver", solver), units=units)

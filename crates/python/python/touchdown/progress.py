@@ -9,6 +9,8 @@ from typing import Protocol
 
 from tqdm import TqdmWarning
 
+from touchdown.errors import InputError
+
 with warnings.catch_warnings():
     # Without ipywidgets there is no bar in a notebook, which is no fault of whoever imports this.
     warnings.simplefilter("ignore", TqdmWarning)
@@ -40,5 +42,7 @@ def watching(progress: bool | Watch | None, unit: str) -> Iterator[Watch | None]
                 bar.update(done - bar.n)
 
             yield watch
-    else:
+    elif callable(progress):
         yield progress
+    else:
+        raise InputError.of_value("progress", progress, "True, False, None or a callable")

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from touchdown import _engine
+from touchdown._arguments import an_instance, settings
 from touchdown._documents import NeverChanges, merged, same_quantity
 from touchdown._html import table
 
@@ -85,7 +86,7 @@ class Scene(NeverChanges):
         **named
             The same as keywords.
         """
-        new = dict(conditions or {}) | named
+        new = settings("conditions", conditions) | named
         names = {same_quantity(name) for name in new}
         replaced = (_TIP if names & _EULER else set()) | (_EULER if names & _TIP else set())
         if "gravity" in new or "gravity_fps2" in names:
@@ -124,6 +125,12 @@ class Scene(NeverChanges):
 
     def _repr_html_(self) -> str:
         return table("Scene", self._given.items())
+
+
+def checked(scene: Any) -> Scene:
+    """This scene, if it is one."""
+    known: Scene = an_instance("scene", scene, Scene, "a Scene")
+    return known
 
 
 def _restored(text: str) -> Scene:
