@@ -101,8 +101,18 @@ def _no_number(name: str, row: int) -> InputError:
 
 
 def index_of(table: Any) -> pd.Index[Any] | None:
-    """The index that a table has, if it has one."""
-    return table.index if isinstance(table, pd.DataFrame) else None
+    """The index that a table has, or all Series in it."""
+    if isinstance(table, pd.DataFrame):
+        return table.index
+    if not isinstance(table, Mapping):
+        return None
+    indexes = {name: column.index for name, column in table.items() if isinstance(column, pd.Series)}
+    first = next(iter(indexes), "")
+    for name, index in indexes.items():
+        if not index.equals(indexes[first]):
+            allowed = f"that of column {first}; columns are taken by position"
+            raise InputError(f"column {name} has another index: expected {allowed}", name, allowed=allowed)
+    return indexes.get(first)
 
 
 def series(values: bytearray, kind: str, words: list[str] | None) -> Any:

@@ -37,7 +37,7 @@ def land_many(
     ----------
     vehicle : Vehicle
         What lands; columns such as ``vehicle.strut.preload_lb`` replace its numbers.
-    table : DataFrame or mapping of arrays
+    table : DataFrame or mapping of arrays, lists or Series
         Columns as those of a table of cases (``touchdown land --cases``): keys of the scene, ``vehicle.…`` and ``solver.…``. A gap
         (None, ``pandas.NA``, a masked element, a null of polars) leaves a number to `scene`, the vehicle, `solver` or the default.
         NaN among numbers is refused. Tables of polars are taken as well.
@@ -59,7 +59,7 @@ def land_many(
     Returns
     -------
     DataFrame
-        A row for each row of the table, with its index; columns as those of ``touchdown land --cases``, and after `outcome` its class,
+        A row for each row of the table, with its index, or that of all Series in it; columns as those of ``touchdown land --cases``, and after `outcome` its class,
         `outcome_class`: ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"undecided"`` or ``"failure"``. `outcome`, `outcome_class` and
         `failure` are categorical.
 
@@ -81,7 +81,7 @@ def land_many(
     >>> list(landed.outcome)
     ['stable-rockback', 'unstable-pitch']
     """
-    columns = list(columns_of(table).items())
+    columns, index = list(columns_of(table).items()), index_of(table)
     conditions = None if scene is None else checked_scene(scene)._engine
     file = None if out is None else a_path("out", out)
     options = (checked(units), file, a_flag("overwrite", overwrite), thread_count(threads))
@@ -92,4 +92,4 @@ def land_many(
     warn_of_journal(of_journal)
     warn_of_landings(of_landings)
     results = {name: series(*column) for name, column in found}
-    return pd.DataFrame(results, index=index_of(table), copy=False)
+    return pd.DataFrame(results, index=index, copy=False)

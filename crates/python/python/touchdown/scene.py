@@ -95,9 +95,18 @@ class Scene(NeverChanges):
         return Scene(**merged(kept, new))
 
     def without(self, names: set[str]) -> dict[str, Any]:
-        """The conditions without some, whatever units either are in."""
+        """The conditions without some, those of thrust and footing included, whatever units either are in."""
         left_out = {same_quantity(name) for name in names}
-        return {name: value for name, value in self._given.items() if same_quantity(name) not in left_out}
+
+        def kept(values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+            return {name: value for name, value in values.items() if same_quantity(prefix + name) not in left_out}
+
+        conditions = kept(self._given)
+        if "thrust" in conditions:
+            conditions["thrust"] = kept(conditions["thrust"], "thrust.")
+        if "footing" in conditions:
+            conditions["footing"] = [kept(one, f"footing[{leg}].") for leg, one in enumerate(conditions["footing"], 1)]
+        return conditions
 
     def __getattr__(self, name: str) -> Any:
         if not name.startswith("_") and name in self._given:
