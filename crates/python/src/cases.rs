@@ -1,6 +1,7 @@
 //! Many landings, from columns to columns.
 
 use std::collections::BTreeMap;
+use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -24,7 +25,7 @@ use touchdown_sweep::warnings;
 
 use crate::columns::Column;
 use crate::documents::{Scene, Solver, Vehicle, output_units};
-use crate::errors::Failure;
+use crate::errors::{Failure, in_the_way};
 use crate::interruptible::{self, Work};
 
 /// Columns of results by name, as Python takes them.
@@ -68,7 +69,13 @@ pub fn land_many<'py>(
                     inputs: &[],
                     overwrite,
                 };
-                guard.check(&out, cases::is_table)?;
+                guard.check(&out, cases::is_table).map_err(in_the_way)?;
+                if !overwrite && out.exists() {
+                    let there = fs::read_to_string(&out)
+                        .map_err(|error| InputError::unreadable(&out, error))?;
+                    let found = landed_again(&out, &there, &table, &workers, work, results)?;
+                    return Ok((found, Vec::new()));
+                }
                 landed_into(&out, &table, &workers, work, results)
             }
         }
@@ -121,27 +128,45 @@ fn landed_into(
 
     let records = opened.journal.into_records()?;
     let mut found = InOrder::new(vec![records], table.len(), &folder.path("."))?;
-    let mut rows = Vec::with_capacity(table.len());
+    let mut findings = Vec::with_capacity(table.len());
     for row in 0..table.len() {
         let bytes = found.result(row)?;
-        let finding = bytes.as_deref().and_then(Finding::decode);
-        let finding = finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
-        if let Finding::Landing {
-            outcome,
-            cells,
-            warnings,
-        } = &finding
-        {
-            results.set(row, outcome, cells.clone());
-            results.warn(row, *warnings);
-        }
-        rows.push((table.name(row), finding));
+        findings.push(bytes.as_deref().and_then(Finding::decode));
     }
-    let named = rows.iter().map(|(name, finding)| (name.as_str(), finding));
-    let written = cases::table(named, results.units).map_err(Failure::engine)?;
+    let written = results.set_all(table, findings)?;
     folder.write_files(&[(name.into_owned(), written)])?;
     found.remove_journals()?;
     Ok((results, of_journal))
+}
+
+/// Results of all rows, which are to be those of a file that is there. It tells nothing of its input, so that they are computed anew.
+fn landed_again(
+    out: &Path,
+    there: &str,
+    table: &CaseTable,
+    workers: &Workers,
+    work: &Work,
+    mut results: Results,
+) -> Result<Results, Failure> {
+    let refuse = || {
+        let complaint = "holds other results: expected another file, or overwrite=True";
+        Failure::from(InputError::in_file(out, complaint))
+    };
+    if there.lines().count() != 1 + table.len() {
+        return Err(refuse());
+    }
+    let mut findings = vec![None; table.len()];
+    let rows = 0..table.len();
+    workers.each_case(table, rows, work, &work.cancel, |landed| {
+        if let Some((row, landing)) = landed {
+            findings[row] = Some(Finding::of(&landing));
+        }
+        Ok(())
+    })?;
+    if results.set_all(table, findings)? != there.as_bytes() {
+        return Err(refuse());
+    }
+    Ok(results)
 }
 
 /// A byte that no text contains.
@@ -254,6 +279,31 @@ impl Results {
         let rows = self.warnings.iter();
         let rows = rows.map(|(row, warnings)| (format!("row {row}"), *warnings));
         warnings::of_cases(rows, self.units)
+    }
+
+    /// Sets the results of all rows, and gives the table of them as the command line writes it.
+    fn set_all(
+        &mut self,
+        table: &CaseTable,
+        findings: Vec<Option<Finding>>,
+    ) -> Result<Vec<u8>, Failure> {
+        let mut rows = Vec::with_capacity(findings.len());
+        for (row, finding) in findings.into_iter().enumerate() {
+            let finding =
+                finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
+            if let Finding::Landing {
+                outcome,
+                cells,
+                warnings,
+            } = &finding
+            {
+                self.set(row, outcome, cells.clone());
+                self.warn(row, *warnings);
+            }
+            rows.push((table.name(row), finding));
+        }
+        let named = rows.iter().map(|(name, finding)| (name.as_str(), finding));
+        cases::table(named, self.units).map_err(Failure::engine)
     }
 
     /// Sets the results of a row.

@@ -50,7 +50,7 @@ def land_many(
     out : path, optional
         CSV file for the results too. What is finished is in a journal beside it at once: after an interruption the same call goes on.
     overwrite : bool
-        Whether to replace a file that is no earlier result.
+        Whether to replace a file with other results. Without, it is refused when all rows are landed and differ from it.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.
     progress : bool or callable, optional

@@ -279,7 +279,7 @@ def run(
     parquet : bool
         Whether to write tables as Parquet too.
     overwrite : bool
-        Whether to replace files that are no earlier results of a sweep.
+        Whether to replace results of other input, and files that are no results. Results of the same input are given back.
     threads, progress
         As in `land_many`.
 
@@ -314,7 +314,7 @@ class Run:
     parquet : bool
         Whether to write tables as Parquet too.
     overwrite : bool
-        Whether to replace files that are no earlier results of a sweep.
+        Whether to replace results of other input, and files that are no results. Results of the same input are given back.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.
     progress : bool or callable, optional
