@@ -172,7 +172,8 @@ def test_nan_among_numbers_is_no_gap(lander, scene):
     for numbers in ([20, nan], np.array([20, nan]), pd.Series([20, None]), [20, nan, None], np.array([20, nan], dtype=object)):
         error = complaint(lambda numbers=numbers: td.land_many(lander, {"roll_deg": numbers}, scene=scene, progress=False))
         assert str(error).startswith("row 1: roll_deg = NaN: expected a finite number; a gap is None or pandas.NA")
-    rules = {"solver.crush_rule": ["section", nan]}
+    # Among words it is.
+    rules = {"solver.crush_rule": ["section", nan], "note": [nan, nan], "case": ["a", nan], "vehicle": pd.Series([nan, nan])}
     landed = td.land_many(lander, rules, scene=scene, progress=False)
     assert landed.end_time_s[1] == td.land(lander, scene).end_time_s
 
@@ -248,6 +249,8 @@ MAPPED = {"roll_deg": [0, 20]}
         (lambda lander, scene: td.sensitivity(lander, scene, "friction"), "parameters = 'friction': expected a list of names"),
         (lambda lander, scene: td.map(lander, scene, MAPPED, [5], error_fps=1), "edge_width = [5]: expected a dictionary"),
         (lambda lander, scene: td.sample(lander, scene, MAPPED, 5, 1, covariance=3), "covariance = 3: expected a list of dictionaries"),
+        (lambda lander, scene: td.sample(lander, scene, MAPPED, 5, 1, covariance=np.eye(2)), "covariance = a ndarray: expected a list"),
+        (lambda lander, scene: td.sweep(lander, scene, MAPPED, sensitivity=np.array(["fiction", "roll_deg"])), "sensitivity.parameters"),
         (lambda lander, scene: td.land_many(lander, FAST, scene=scene, threads=0), "threads = 0: expected a whole number from 1 on"),
         (lambda lander, scene: td.land_many(lander, FAST, scene=scene, out=3), "out = 3: expected a path"),
         (lambda lander, scene: scene.replace({3: 4}), "key of conditions = 3: expected a text"),

@@ -10,6 +10,8 @@ import pandas as pd
 
 from touchdown.errors import InputError
 
+# Columns that are no numbers even where all that stands in them is.
+_OF_WORDS = ("case", "vehicle", "note")
 _TABLES = "a DataFrame, or a mapping of names to columns of equal length"
 
 
@@ -46,14 +48,17 @@ def _column(name: str, values: Any) -> Any:
     if array.ndim != 1:
         allowed = "one dimension"
         raise InputError(f"column {name} has {array.ndim} dimensions: expected {allowed}", name, str(array.shape), allowed)
+    is_of_words = name in _OF_WORDS
     if array.dtype.kind in "iuf":
         numbers = np.ascontiguousarray(array, dtype=np.float64)
-        if np.isnan(numbers).any():
-            raise _no_number(name, int(np.isnan(numbers).argmax()))
-        return numbers
-    if array.dtype.kind in "OUT":
+        gaps = np.isnan(numbers)
+        if not gaps.any():
+            return numbers
+        if not is_of_words:
+            raise _no_number(name, int(gaps.argmax()))
+    if array.dtype.kind in "OUTf":
         cells = array.tolist()
-        has_words = any(isinstance(cell, str) for cell in cells)
+        has_words = is_of_words or any(isinstance(cell, str) for cell in cells)
         return [_cell(name, row, cell, has_words) for row, cell in enumerate(cells)]
     allowed = "numbers or words"
     raise InputError(f"column {name} is of type {array.dtype}: expected {allowed}", name, str(array.dtype), allowed)

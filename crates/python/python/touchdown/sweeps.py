@@ -82,8 +82,8 @@ def sweep(
     """
     run = Run(**options)
     asked: dict[str, Any] = {"job": job, "solver": solver, "search": _search(search, job)}
-    if sensitivity:
-        asked["sensitivity"] = {"parameters": names("sensitivity", sensitivity)}
+    if parameters := names("sensitivity", sensitivity):
+        asked["sensitivity"] = {"parameters": parameters}
     return run.of(vehicle, scene, axes, asked)
 
 
@@ -200,9 +200,8 @@ def sample(
     rules: dict[str, Any] = {"design": design, "count": count, "seed": seed}
     if stop_at_interval_width is not None:
         rules["stop_at_interval_width"] = stop_at_interval_width
-    if covariance:
-        allowed = "a list of dictionaries"
-        blocks = an_instance("covariance", covariance, Sequence, allowed)
+    allowed = "a list of dictionaries"
+    if blocks := list(an_instance("covariance", covariance, Sequence, allowed)):
         rules["covariance"] = [an_instance("covariance", block, Mapping, allowed) for block in blocks]
     asked = {"job": job, "sample": rules, "solver": solver, "search": _search(search, job)}
     return Run(**options).of(vehicle, scene, axes, asked)
