@@ -9,33 +9,41 @@ use touchdown_sweep::certainty::Certainty;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::results::transition_name;
 use touchdown_sweep::run::{Observer, Workers};
+use touchdown_sweep::sweep_counts::SweepCounts;
+use touchdown_sweep::warnings;
 
 use crate::errors::Failure;
 use crate::interruptible;
 use crate::sweeps::Sweep;
 
-/// Searches the boundary at the first point of a sweep.
+/// Searches the boundary at the first point of a sweep: what is found, and warnings of it.
 #[pyfunction]
 pub fn boundary<'py>(
     py: Python<'py>,
     sweep: &Sweep,
     threads: Option<NonZeroUsize>,
     watch: Option<&Bound<'py, PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
     let sweep = sweep.0.clone();
-    let found = interruptible::run(py, watch, move |work| {
+    let (found, told) = interruptible::run(py, watch, move |work| {
         let workers = Workers::start(threads)?;
         work.more(1);
         let mut found = None;
         workers.each_point(&sweep, &[0], 1, work, &work.cancel, |_, finding| {
             found = Some(finding);
         })?;
+        let mut counts = SweepCounts::of(&sweep);
+        if let Some(finding) = &found {
+            counts.add(&sweep, 0, finding);
+        }
         match found {
-            Some(Finding::Boundary(boundary)) => Ok(boundary),
+            Some(Finding::Boundary(boundary)) => {
+                Ok((boundary, warnings::of_sweep(&sweep, &counts)))
+            }
             _ => Err(Failure::Engine("the search gave no boundary".to_owned())),
         }
     })?;
-    results(py, &found)
+    Ok((results(py, &found)?, told))
 }
 
 fn results<'py>(py: Python<'py>, found: &Boundary) -> PyResult<Bound<'py, PyDict>> {

@@ -1,13 +1,16 @@
 //! Many landings, from columns to columns.
 
+use std::collections::BTreeMap;
+use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyTuple};
+use pyo3::types::PyTuple;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
+use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::fingerprint::fingerprint_of_bytes;
@@ -17,38 +20,45 @@ use touchdown_sweep::landing_table::{self, Cell};
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::{OutputUnits, Quantity};
 use touchdown_sweep::run::{Observer, Workers};
+use touchdown_sweep::scene_input::NamedConditions;
+use touchdown_sweep::warnings;
 
 use crate::columns::Column;
-use crate::documents::{Solver, Vehicle, output_units};
-use crate::errors::Failure;
+use crate::documents::{Scene, Solver, Vehicle, output_units};
+use crate::errors::{Failure, in_the_way};
 use crate::interruptible::{self, Work};
 
 /// Columns of results by name, as Python takes them.
 type PyColumns<'py> = Vec<(String, Bound<'py, PyTuple>)>;
 
-/// Lands every row of a table of columns, each an array of numbers, a list of texts, or the number of all rows. With `out` results go to this file too, as the
-/// command line writes it, and to a journal beside it until then.
+/// Lands every row of a table of columns, each an array of numbers or a list of texts; the scene has the conditions of rows that say
+/// nothing else. With `out` results go to this file too, as the command line writes it, and to a journal beside it until then.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "Python gives them by name")]
 pub fn land_many<'py>(
     py: Python<'py>,
     vehicle: &Vehicle,
     columns: Vec<(String, Bound<'py, PyAny>)>,
+    scene: Option<&Scene>,
     solver: &Solver,
     units: &str,
     out: Option<PathBuf>,
     overwrite: bool,
     threads: Option<NonZeroUsize>,
     watch: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(PyColumns<'py>, Vec<String>)> {
+) -> PyResult<(PyColumns<'py>, [Vec<String>; 2])> {
     let units = output_units(units)?;
     let (names, values): (Vec<String>, Vec<_>) = columns.into_iter().unzip();
     let values = values.iter().map(Values::of);
-    let cells = ColumnsOfCases(values.collect::<PyResult<_>>()?);
+    let cells = ColumnsOfCases {
+        names: names.clone(),
+        columns: values.collect::<PyResult<_>>()?,
+    };
     let (file, settings) = (vehicle.file.clone(), solver.0);
-    let (found, warnings) = interruptible::run(py, watch, move |work| {
+    let shared = scene.map_or_else(NamedConditions::default, |scene| *scene.0.conditions());
+    let (found, of_journal) = interruptible::run(py, watch, move |work| {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let table = CaseTable::of_cells(&names, Box::new(cells), &file, &settings)?;
+        let table = CaseTable::of_cells(&names, Box::new(cells), &shared, &file, &settings)?;
         let workers = Workers::start(threads)?;
         work.more(table.len());
         let results = Results::new(&table, units);
@@ -59,18 +69,25 @@ pub fn land_many<'py>(
                     inputs: &[],
                     overwrite,
                 };
-                guard.check(&out, cases::is_table)?;
+                guard.check(&out, cases::is_table).map_err(in_the_way)?;
+                if !overwrite && out.exists() {
+                    let there = fs::read_to_string(&out)
+                        .map_err(|error| InputError::unreadable(&out, error))?;
+                    let found = landed_again(&out, &there, &table, &workers, work, results)?;
+                    return Ok((found, Vec::new()));
+                }
                 landed_into(&out, &table, &workers, work, results)
             }
         }
     })?;
+    let of_landings = found.warnings();
     let columns = found.columns.into_iter();
     let mut columns: PyColumns = columns
         .map(|(quantity, column)| Ok((quantity.name().to_owned(), column.into_python(py)?)))
         .collect::<PyResult<_>>()?;
     let classes = found.classes.into_python(py)?;
     columns.insert(1, ("outcome_class".to_owned(), classes));
-    Ok((columns, warnings))
+    Ok((columns, [of_journal, of_landings]))
 }
 
 /// Results of all rows.
@@ -86,6 +103,7 @@ fn landed(
             let columns = landing_table::columns(&landing).into_iter();
             let cells = columns.map(|(_, cell)| cell).collect();
             results.set(row, &landing.outcome, cells);
+            results.warn(row, ContactWarnings::of(&landing));
         }
         Ok(())
     })?;
@@ -104,27 +122,51 @@ fn landed_into(
     let name = out.file_name().unwrap_or_default().to_string_lossy();
     let journal = folder.path(&format!("{name}.journal"));
     let mut opened = Journal::open(&journal, &table.header(env!("CARGO_PKG_VERSION")))?;
-    let warnings = std::mem::take(&mut opened.warnings);
+    let of_journal = std::mem::take(&mut opened.warnings);
     work.skip(opened.done.len());
     workers.case_table(table, &mut opened, work, &work.cancel)?;
 
     let records = opened.journal.into_records()?;
     let mut found = InOrder::new(vec![records], table.len(), &folder.path("."))?;
-    let mut rows = Vec::with_capacity(table.len());
+    let mut findings = Vec::with_capacity(table.len());
     for row in 0..table.len() {
         let bytes = found.result(row)?;
-        let finding = bytes.as_deref().and_then(Finding::decode);
-        let finding = finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
-        if let Finding::Landing { outcome, cells, .. } = &finding {
-            results.set(row, outcome, cells.clone());
-        }
-        rows.push((table.name(row), finding));
+        findings.push(bytes.as_deref().and_then(Finding::decode));
     }
-    let named = rows.iter().map(|(name, finding)| (name.as_str(), finding));
-    let written = cases::table(named, results.units).map_err(Failure::engine)?;
+    let written = results.set_all(table, findings)?;
     folder.write_files(&[(name.into_owned(), written)])?;
     found.remove_journals()?;
-    Ok((results, warnings))
+    Ok((results, of_journal))
+}
+
+/// Results of all rows, which are to be those of a file that is there. It tells nothing of its input, so that they are computed anew.
+fn landed_again(
+    out: &Path,
+    there: &str,
+    table: &CaseTable,
+    workers: &Workers,
+    work: &Work,
+    mut results: Results,
+) -> Result<Results, Failure> {
+    let refuse = || {
+        let complaint = "holds other results: expected another file, or overwrite=True";
+        Failure::from(InputError::in_file(out, complaint))
+    };
+    if there.lines().count() != 1 + table.len() {
+        return Err(refuse());
+    }
+    let mut findings = vec![None; table.len()];
+    let rows = 0..table.len();
+    workers.each_case(table, rows, work, &work.cancel, |landed| {
+        if let Some((row, landing)) = landed {
+            findings[row] = Some(Finding::of(&landing));
+        }
+        Ok(())
+    })?;
+    if results.set_all(table, findings)? != there.as_bytes() {
+        return Err(refuse());
+    }
+    Ok(results)
 }
 
 /// A byte that no text contains.
@@ -135,15 +177,10 @@ const END_OF_CELL: u8 = 0xff;
 enum Values {
     Numbers(Vec<f64>),
     Texts(Vec<Option<String>>),
-    /// The same number in all rows.
-    Same(f64),
 }
 
 impl Values {
     fn of(column: &Bound<PyAny>) -> PyResult<Self> {
-        if let Ok(number) = column.cast::<PyFloat>() {
-            return Ok(Self::Same(number.value()));
-        }
         match PyBuffer::<f64>::get(column) {
             Ok(numbers) => numbers.to_vec(column.py()).map(Self::Numbers),
             Err(_) => column.extract().map(Self::Texts),
@@ -153,22 +190,23 @@ impl Values {
 
 /// Columns as a table of cases.
 #[derive(Debug)]
-struct ColumnsOfCases(Vec<Values>);
+struct ColumnsOfCases {
+    names: Vec<String>,
+    columns: Vec<Values>,
+}
 
 impl CaseCells for ColumnsOfCases {
     fn len(&self) -> usize {
         let length = |column: &Values| match column {
-            Values::Numbers(numbers) => Some(numbers.len()),
-            Values::Texts(texts) => Some(texts.len()),
-            Values::Same(_) => None,
+            Values::Numbers(numbers) => numbers.len(),
+            Values::Texts(texts) => texts.len(),
         };
-        self.0.iter().find_map(length).unwrap_or(0)
+        self.columns.first().map_or(0, length)
     }
 
     fn cell(&self, row: usize, column: usize) -> CaseCell<'_> {
-        match &self.0[column] {
+        match &self.columns[column] {
             Values::Numbers(numbers) => CaseCell::Number(numbers[row]),
-            Values::Same(number) => CaseCell::Number(*number),
             Values::Texts(texts) => match texts[row].as_deref() {
                 None | Some("") => CaseCell::Empty,
                 Some(text) => CaseCell::Text(text),
@@ -181,7 +219,7 @@ impl CaseCells for ColumnsOfCases {
     }
 
     fn fingerprint(&self) -> String {
-        let prints = self.0.iter().map(|column| match column {
+        let print = |column: &Values| match column {
             Values::Numbers(numbers) => {
                 fingerprint_of_bytes(numbers.iter().flat_map(|number| number.to_le_bytes()))
             }
@@ -189,8 +227,9 @@ impl CaseCells for ColumnsOfCases {
                 let cells = texts.iter().map(|text| text.as_deref().unwrap_or_default());
                 fingerprint_of_bytes(cells.flat_map(|cell| cell.bytes().chain([END_OF_CELL])))
             }
-            Values::Same(number) => number.to_string(),
-        });
+        };
+        let columns = self.names.iter().zip(&self.columns);
+        let prints = columns.map(|(name, column)| format!("{name} {}", print(column)));
         prints.collect::<Vec<_>>().join(" ")
     }
 }
@@ -201,6 +240,8 @@ struct Results {
     columns: Vec<(Quantity, Column)>,
     /// Classes of the outcomes, which tables of the command line have not.
     classes: Column,
+    /// Of the rows that have any.
+    warnings: BTreeMap<usize, ContactWarnings>,
     legs: usize,
     units: OutputUnits,
 }
@@ -220,9 +261,49 @@ impl Results {
         Self {
             columns: landing_table::names(legs).iter().map(column).collect(),
             classes: Column::no_words(rows),
+            warnings: BTreeMap::new(),
             legs,
             units,
         }
+    }
+
+    /// Keeps the warnings of a row, if it has any.
+    fn warn(&mut self, row: usize, warnings: ContactWarnings) {
+        if warnings != ContactWarnings::default() {
+            self.warnings.insert(row, warnings);
+        }
+    }
+
+    /// The warnings of all rows, in words.
+    fn warnings(&self) -> Vec<String> {
+        let rows = self.warnings.iter();
+        let rows = rows.map(|(row, warnings)| (format!("row {row}"), *warnings));
+        warnings::of_cases(rows, self.units)
+    }
+
+    /// Sets the results of all rows, and gives the table of them as the command line writes it.
+    fn set_all(
+        &mut self,
+        table: &CaseTable,
+        findings: Vec<Option<Finding>>,
+    ) -> Result<Vec<u8>, Failure> {
+        let mut rows = Vec::with_capacity(findings.len());
+        for (row, finding) in findings.into_iter().enumerate() {
+            let finding =
+                finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
+            if let Finding::Landing {
+                outcome,
+                cells,
+                warnings,
+            } = &finding
+            {
+                self.set(row, outcome, cells.clone());
+                self.warn(row, *warnings);
+            }
+            rows.push((table.name(row), finding));
+        }
+        let named = rows.iter().map(|(name, finding)| (name.as_str(), finding));
+        cases::table(named, self.units).map_err(Failure::engine)
     }
 
     /// Sets the results of a row.

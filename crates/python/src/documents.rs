@@ -42,6 +42,8 @@ const OWN_VEHICLES: [(&str, &str); 4] = [
 ];
 /// What a value of a dictionary may be.
 const VALUES: &str = "a number, a text, a list or a dictionary";
+/// Longest value that a complaint tells, bytes; of a longer one it tells the type.
+const LONGEST_TOLD: usize = 80;
 /// Most dictionaries and lists within each other: more than any input has, and fewer than the stack holds. One may contain
 /// itself.
 const DEEPEST: usize = 32;
@@ -202,7 +204,10 @@ fn node(value: &Bound<PyAny>, path: &str, depth: usize) -> PyResult<Node> {
         return Err(Failure::from(InputError::other(complaint)).into());
     }
     let refuse = || -> PyResult<Node> {
-        let said = value.repr()?.to_string();
+        let mut said = value.repr()?.to_string();
+        if said.contains('\n') || said.len() > LONGEST_TOLD {
+            said = format!("a {}", value.get_type().name()?);
+        }
         Err(Failure::from(InputError::value(path, said, VALUES)).into())
     };
     let read = if value.is_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>() {

@@ -40,6 +40,16 @@ impl Failure {
     }
 }
 
+/// The complaint about a file that may not be written, with the option as Python has it.
+pub fn in_the_way(error: InputError) -> InputError {
+    match error.to_string() {
+        said if said.contains("--overwrite") => {
+            InputError::other(said.replace("--overwrite", "overwrite=True"))
+        }
+        _ => error,
+    }
+}
+
 /// Does work whose panic is a failure.
 pub fn guarded<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<T, Failure>
 where

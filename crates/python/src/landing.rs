@@ -8,6 +8,7 @@ use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_sweep::history::columns;
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::landing_report::warning;
 use touchdown_sweep::landing_table::why;
 
 use crate::columns::array;
@@ -18,14 +19,16 @@ use crate::interruptible;
 /// Most instants in a history, as on the command line.
 const LONGEST_HISTORY: f64 = 1e7;
 
-/// Computes a landing: its results by name.
+/// Computes a landing: its results by name, and what they are to be warned of, in these units.
 #[pyfunction]
 pub fn land<'py>(
     py: Python<'py>,
     vehicle: &Vehicle,
     scene: &Scene,
     solver: &Solver,
-) -> PyResult<Bound<'py, PyDict>> {
+    units: &str,
+) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
+    let units = output_units(units)?;
     let touchdown = scene_for(vehicle, scene, solver)?;
     let settings = solver.0;
     let landed = match settings.method() {
@@ -41,7 +44,8 @@ pub fn land<'py>(
             })
         }
     };
-    results(py, &landed?)
+    let landed = landed?;
+    Ok((results(py, &landed)?, warning(&landed, units)))
 }
 
 /// Computes a landing: columns of its history, every `interval` seconds, by name.
@@ -56,8 +60,9 @@ pub fn history<'py>(
 ) -> PyResult<Vec<(String, Bound<'py, PyByteArray>)>> {
     let (units, settings) = (output_units(units)?, solver.0);
     let least = settings.time_limit() / LONGEST_HISTORY;
-    if !(interval >= least && interval > 0.0) {
-        let allowed = format!("at least {least:e} s, a ten-millionth of the time limit");
+    if !(interval >= least && interval > 0.0 && interval.is_finite()) {
+        let allowed =
+            format!("a finite number of at least {least:e} s, a ten-millionth of the time limit");
         return Err(Failure::from(InputError::value("dt", interval, &allowed)).into());
     }
     let touchdown = scene_for(vehicle, scene, solver)?;

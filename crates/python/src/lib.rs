@@ -19,6 +19,8 @@ mod sweeps;
 #[pyo3::pymodule]
 mod _engine {
     #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
     use crate::boundary::boundary;
     #[pymodule_export]
     use crate::cases::land_many;

@@ -1,10 +1,12 @@
 //! Whole sweeps, from a document or a file to the files of their results.
 
 use std::collections::HashMap;
+use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
+use serde_json::Value;
 use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::header::Header;
@@ -14,13 +16,18 @@ use touchdown_sweep::journal_files;
 use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::result_files::{self, NamedFiles};
+use touchdown_sweep::results;
 use touchdown_sweep::run::{Observer, Workers};
 use touchdown_sweep::shard::Shard;
+use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file;
+use touchdown_sweep::warnings;
 
 use crate::documents::{Vehicle, output_units};
-use crate::errors::{Failure, guarded};
+use crate::errors::{Failure, guarded, in_the_way};
 use crate::interruptible::{self, Work};
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A sweep that is ready to run.
 #[pyclass(frozen, module = "touchdown._engine")]
@@ -82,8 +89,8 @@ impl Sweep {
         self.0.stem()
     }
 
-    /// Runs the sweep into a folder, as the command line does, with a journal beside the results: the files of the results, and
-    /// what is to be said of the journal.
+    /// Runs the sweep into a folder, as the command line does, with a journal beside the results: warnings of the journal, and of the
+    /// results. Results of the same input that are there already stay; those of another are refused, unless to be overwritten.
     fn run(
         &self,
         py: Python,
@@ -92,14 +99,57 @@ impl Sweep {
         overwrite: bool,
         threads: Option<NonZeroUsize>,
         watch: Option<&Bound<PyAny>>,
-    ) -> PyResult<(Vec<PathBuf>, Vec<String>)> {
+    ) -> PyResult<[Vec<String>; 2]> {
         let sweep = self.0.clone();
         interruptible::run(py, watch, move |work| {
             let folder = Folder::open(&out)?;
-            result_files::check_places(&sweep, &folder, overwrite)?;
+            result_files::check_places(&sweep, &folder, overwrite).map_err(in_the_way)?;
+            if !overwrite && is_there(&sweep, &folder, is_parquet)? {
+                return Ok([Vec::new(), Vec::new()]);
+            }
             run(&sweep, &folder, &out, is_parquet, threads, work)
         })
     }
+}
+
+/// Whether results of this input are there already.
+///
+/// # Errors
+/// When those of another are.
+fn is_there(
+    sweep: &sweep_file::Sweep,
+    folder: &Folder,
+    is_parquet: bool,
+) -> Result<bool, InputError> {
+    let [table, record, parquet] =
+        ["csv", "json", "parquet"].map(|form| folder.path(&format!("{}.{form}", sweep.stem())));
+    // It is written last.
+    if !table.exists() {
+        return Ok(false);
+    }
+    let own = results::record(sweep, &SweepCounts::of(sweep), VERSION).to_string();
+    let there = fs::read_to_string(record).unwrap_or_default();
+    if input_of(&own) != input_of(&there) {
+        let complaint =
+            "holds results of other input: expected another folder or name, or overwrite=True";
+        return Err(InputError::in_file(&table, complaint));
+    }
+    Ok(!is_parquet || parquet.exists())
+}
+
+/// What a record says of everything but the results and the names of files.
+fn input_of(record: &str) -> Value {
+    let mut record: Value = serde_json::from_str(record).unwrap_or_default();
+    for (part, key) in [
+        ("", "counts"),
+        ("/input", "sweep_file"),
+        ("/input", "vehicle_file"),
+    ] {
+        if let Some(Value::Object(fields)) = record.pointer_mut(part) {
+            fields.remove(key);
+        }
+    }
+    record
 }
 
 fn run(
@@ -109,13 +159,12 @@ fn run(
     is_parquet: bool,
     threads: Option<NonZeroUsize>,
     work: &Work,
-) -> Result<(Vec<PathBuf>, Vec<String>), Failure> {
+) -> Result<[Vec<String>; 2], Failure> {
     let workers = Workers::start(threads)?;
-    let version = env!("CARGO_PKG_VERSION");
-    let header = Header::new(sweep, version, Shard::WHOLE).map_err(Failure::engine)?;
+    let header = Header::new(sweep, VERSION, Shard::WHOLE).map_err(Failure::engine)?;
     let path = folder.path(&journal_files::name(&sweep.stem(), Shard::WHOLE));
     let mut opened = Journal::open(&path, &header)?;
-    let warnings = std::mem::take(&mut opened.warnings);
+    let of_journal = std::mem::take(&mut opened.warnings);
     // How many points a map has is found out round by round.
     let known_before = sweep.map().is_none().then(|| sweep.design.count());
     work.more(known_before.unwrap_or(0));
@@ -123,11 +172,11 @@ fn run(
     workers.sweep(sweep, Shard::WHOLE, &mut opened, work, &work.cancel)?;
 
     let records = opened.journal.into_records()?;
-    let mut results = InOrder::new(vec![records], sweep.design.count(), out)?;
+    let mut found = InOrder::new(vec![records], sweep.design.count(), out)?;
     let draw = |_: &_, _: &str| Ok::<_, Failure>(NamedFiles::new());
-    let written = workers
-        .lend(|| result_files::write(sweep, &mut results, folder, version, is_parquet, draw));
-    let (_, files) = written?;
-    results.remove_journals()?;
-    Ok((files, warnings))
+    let written =
+        workers.lend(|| result_files::write(sweep, &mut found, folder, VERSION, is_parquet, draw));
+    let (counts, _) = written?;
+    found.remove_journals()?;
+    Ok([of_journal, warnings::of_sweep(sweep, &counts)])
 }

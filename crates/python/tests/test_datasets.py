@@ -73,6 +73,9 @@ def test_samples_have_points_and_probabilities(lander, scene, tmp_path):
     toppled = found.outcome.str.startswith("unstable").sum()
     assert everything.bin_axis == "all" and everything.bin_toppled == toppled
     searched = td.sample(lander, scene, {"friction": {"from": 0.8, "to": 1}}, 10, 1, job="boundary", search=SHORT, progress=False)
+    assert searched.first_transition.dims == ("point",) and searched.friction.dims == ("point",)
+    single = td.sample(lander, scene, axes, 1, 1966, progress=False)
+    assert single.outcome.dims == ("point",)
     assert {"quantile_share", "interval_share"} <= set(searched.data_vars)
 
 
@@ -126,10 +129,31 @@ def test_tables_come_as_numpy_pandas_or_polars_make_them(lander, scene):
     frame = pd.DataFrame({"horizontal_velocity_fps": numbers}, index=pd.Index(["a", "b", "c"], name="run"))
     expected = td.land_many(lander, frame, scene=scene, progress=False)
     assert expected.index.equals(frame.index)
-    for table in [{"horizontal_velocity_fps": numbers}, {"horizontal_velocity_fps": [10, 11, 12]}, {"horizontal_velocity_fps": frame.iloc[:, 0]}]:
+    for table in [{"horizontal_velocity_fps": numbers}, {"horizontal_velocity_fps": [10, 11, 12]}]:
         pd.testing.assert_frame_equal(td.land_many(lander, table, scene=scene, progress=False), expected.reset_index(drop=True))
     strided = {"horizontal_velocity_fps": np.repeat(numbers, 2)[::2]}
     pd.testing.assert_frame_equal(td.land_many(lander, strided, scene=scene, progress=False), expected.reset_index(drop=True))
+
+
+def test_series_keep_their_index(lander, scene):
+    speeds = pd.Series([10.0, 11.0], index=pd.Index(["a", "b"], name="run"))
+    landed = td.land_many(lander, {"roll_deg": [0, 5], "horizontal_velocity_fps": speeds, "pitch_deg": 0 * speeds}, scene=scene, progress=False)
+    assert landed.index.equals(speeds.index) and landed.index.name == "run"
+    others = {"horizontal_velocity_fps": speeds, "roll_deg": pd.Series([0.0, 5.0], index=["b", "a"])}
+    with pytest.raises(td.InputError, match="column roll_deg has another index: expected that of column horizontal_velocity_fps"):
+        td.land_many(lander, others, scene=scene, progress=False)
+
+
+def test_axes_win_over_thrust_and_footing_of_the_scene(lander, scene):
+    def swept(given: td.Scene, name: str) -> list[float]:
+        return td.sweep(lander, given, {name: [0.1, 0.2]}, job="outcome", progress=False).end_time.values.tolist()
+
+    thrust = {"time_s": [0, 1], "force_lb": [100, 0], "offset_x_ft": 0.5}
+    pushed = scene.replace(thrust=thrust | {"scale": 2})
+    assert swept(pushed, "thrust.scale") == swept(scene.replace(thrust=thrust), "thrust.scale")
+    rough = scene.replace(footing=[{"height_ft": 0.5}, {"height_m": 0.1}])
+    assert swept(rough, "footing[1].height_m") == swept(scene.replace(footing=[{}, {"height_m": 0.1}]), "footing[1].height_m")
+    assert swept(rough, "footing[2].height_ft") == swept(scene.replace(footing=[{"height_ft": 0.5}]), "footing[2].height_ft")
 
 
 def test_a_scene_gives_what_the_table_does_not(lander, scene):
@@ -139,8 +163,9 @@ def test_a_scene_gives_what_the_table_does_not(lander, scene):
         alone = td.land(lander, rough.replace(footing=[{"height_m": height}, {"height_m": 0.1}], roll_deg=10 * row))
         assert landed.end_time_s[row] == alone.end_time_s
     thrust = scene.replace(thrust={"time_s": [0, 1], "force_lb": [100, 0]})
-    with pytest.raises(td.InputError, match="thrust = .*: expected conditions that are numbers"):
-        td.land_many(lander, {"roll_deg": [0.0]}, scene=thrust, progress=False)
+    landed = td.land_many(lander, {"thrust.scale": [None, 2.0]}, scene=thrust, progress=False)
+    for row, scale in enumerate([1.0, 2.0]):
+        assert landed.end_time_s[row] == td.land(lander, thrust.replace(thrust=thrust.thrust | {"scale": scale})).end_time_s
 
 
 def test_polars_tables(lander, scene):

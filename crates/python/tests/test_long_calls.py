@@ -158,9 +158,69 @@ def test_a_journal_of_other_input_is_refused(lander, scene, tmp_path):
 
 def test_files_that_are_no_results_stay(lander, scene, tmp_path):
     (tmp_path / "sweep.csv").write_text("mine\n")
-    with pytest.raises(td.InputError, match="exists and is no earlier result"):
+    with pytest.raises(td.InputError, match="exists and is no earlier result of this command: expected another file, or overwrite=True"):
         td.sweep(lander, scene, {"roll_deg": [0]}, search=SHORT, out=tmp_path, progress=False)
     td.sweep(lander, scene, {"roll_deg": [0]}, search=SHORT, out=tmp_path, overwrite=True, progress=False)
+
+
+def test_results_of_other_input_stay(lander, scene, tmp_path):
+    def swept(given, **options):
+        return td.sweep(lander, given, {"roll_deg": [0, 10]}, search=SHORT, out=tmp_path, progress=False, **options)
+
+    first = swept(scene)
+    files = {file: file.read_bytes() for file in tmp_path.iterdir()}
+    icy = scene.replace(friction=0.9)
+    other = rf"{tmp_path}/sweep.csv: holds results of other input: expected another folder or name, or overwrite=True"
+    for call in [
+        lambda: swept(icy),
+        lambda: swept(scene, units="SI"),
+        lambda: swept(scene, title="Other"),
+        lambda: td.map(
+            lander, scene, {"roll_deg": [0, 10]}, {"roll_deg": 10}, error_fps=5, search=SHORT, out=tmp_path, progress=False
+        ),
+    ]:
+        with pytest.raises(td.InputError, match=other):
+            call()
+        assert {file: file.read_bytes() for file in tmp_path.iterdir()} == files
+    replaced = swept(icy, overwrite=True)
+    assert not replaced.equals(first) and replaced.identical(swept(icy))
+    (tmp_path / "sweep.json").unlink()
+    with pytest.raises(td.InputError, match=other):
+        swept(icy)
+
+
+def test_results_of_the_same_input_are_given_back(root, lander, scene, tmp_path):
+    landings = []
+
+    def swept(**options):
+        landings.clear()
+        watch = lambda done, wanted, landed: landings.append(landed)  # noqa: E731
+        return td.sweep(lander, scene, {"roll_deg": [0, 10]}, search=SHORT, out=tmp_path, progress=watch, **options)
+
+    first = swept()
+    assert landings and swept().identical(first) and not landings
+    assert swept(parquet=True).identical(first) and (tmp_path / "sweep.parquet").is_file()
+    assert swept(overwrite=True).identical(first) and landings
+    path = root / "sweeps/figure-4-25.toml"
+    ran = td.run(path, tmp_path, progress=False)
+    assert td.run(path, tmp_path, progress=lambda *counts: landings.clear()).identical(ran) and landings
+
+
+def test_tables_of_other_rows_stay(lander, scene, tmp_path):
+    out = tmp_path / "landed.csv"
+
+    def landed(rolls, **options):
+        return td.land_many(lander, {"roll_deg": rolls}, scene=scene, out=out, progress=False, **options)
+
+    first = landed([0, 10])
+    written = out.read_bytes()
+    pd.testing.assert_frame_equal(landed([0, 10]), first)
+    for rolls, options in [([0, 11], {}), ([0, 10, 20], {}), ([0, 10], {"units": "SI"})]:
+        with pytest.raises(td.InputError, match=f"{out}: holds other results: expected another file, or overwrite=True"):
+            landed(rolls, **options)
+        assert [file.name for file in tmp_path.iterdir()] == ["landed.csv"] and out.read_bytes() == written
+    landed([0, 11], overwrite=True)
+    assert out.read_bytes() != written
 
 
 def outcome(vehicle: td.Vehicle, scene: td.Scene) -> td.Landing:

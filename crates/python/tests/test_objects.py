@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pickle
+from importlib.metadata import version
 
-import numpy as np
 import numpy as np
 import pytest
 
@@ -47,6 +47,30 @@ def test_scenes_have_conditions_as_attributes(scene):
     assert scene.slope_deg == 15 and "slope_deg" in dir(scene)
     with pytest.raises(AttributeError, match="has no roll_deg: it has vertical_velocity_fps"):
         scene.roll_deg
+
+
+def test_nothing_can_be_set(lander, scene):
+    with pytest.raises(AttributeError, match=r"slope_deg cannot be set: a scene never changes; scene\.replace"):
+        scene.slope_deg = 3
+    with pytest.raises(AttributeError, match=r"mass_kg cannot be set: a vehicle never changes; vehicle\.replace"):
+        lander.mass_kg = 5000
+    landing = td.land(lander, scene, {"tolerance": 1e-7})
+    with pytest.raises(TypeError, match="does not support item assignment"):
+        landing.solver["tolerance"] = 1
+    assert landing.solver == {"tolerance": 1e-7}
+    found = td.boundary(lander, scene, search=SHORT | {"bands": "all"}, progress=False)
+    for result, name in [(landing, "steps"), (landing, "min_clearance_m"), (found, "landings"), (found.bands[0], "unknown")]:
+        with pytest.raises(AttributeError, match=f"cannot assign to field '{name}'"):
+            setattr(result, name, 1)
+
+
+def test_what_is_within_a_scene_stays(scene):
+    lifted = scene.replace(thrust={"time_s": [0, 1], "force_lb": [100, 0]}, footing=[{"height_ft": 0.1}])
+    lifted.thrust["scale"] = 3
+    lifted.footing[0]["height_ft"] = 1
+    lifted.to_dict()["thrust"]["force_lb"][0] = 7
+    assert "scale" not in lifted.thrust and lifted.footing == [{"height_ft": 0.1}]
+    assert lifted.thrust["force_lb"] == [100, 0]
 
 
 def test_everything_pickles_compares_and_hashes(lander, scene):
@@ -130,3 +154,9 @@ def test_boundaries_come_in_si(lander, scene):
     assert pickle.loads(pickle.dumps(told)).units == "SI"
     with pytest.raises(td.InputError, match="US"):
         known.to_frame("metric")
+
+
+def test_the_package_shows_what_is_public():
+    assert td.__version__ == version("touchdown")
+    assert {"land", "plot", "vehicles", "__version__"} <= set(dir(td))
+    assert not {"Any", "import_module", "errors", "landing"} & set(dir(td))

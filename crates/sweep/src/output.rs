@@ -11,3 +11,4 @@ pub mod result_files;
 pub mod results;
 pub mod sensitivity_table;
 pub mod tables;
+pub mod warnings;

@@ -14,10 +14,10 @@ tables of pandas, sweeps and maps of xarray.
 from importlib import import_module
 from typing import Any
 
-from touchdown import vehicles
+from touchdown import _engine, vehicles
 from touchdown.boundaries import Band, Boundary, boundary
 from touchdown.cases import land_many
-from touchdown.errors import EngineError, InputError
+from touchdown.errors import EngineError, InputError, LandingWarning
 from touchdown.landing import Landing, land
 from touchdown.reading import read
 from touchdown.scene import Scene
@@ -30,6 +30,7 @@ __all__ = [
     "EngineError",
     "InputError",
     "Landing",
+    "LandingWarning",
     "Scene",
     "Vehicle",
     "boundary",
@@ -43,6 +44,13 @@ __all__ = [
     "sweep",
     "vehicles",
 ]
+
+
+__version__ = _engine.VERSION
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, "__version__", "plot"])
 
 
 def __getattr__(name: str) -> Any:

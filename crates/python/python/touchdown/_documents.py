@@ -11,6 +11,16 @@ from touchdown import _engine
 Document = Mapping[str, Any]
 
 
+class NeverChanges:
+    """What has a method `replace` and no attributes that can be set."""
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if not name.startswith("_"):
+            kind = type(self).__name__.lower()
+            raise AttributeError(f"{name} cannot be set: a {kind} never changes; {kind}.replace(...) makes another one")
+        super().__setattr__(name, value)
+
+
 @cache
 def _default_solver() -> _engine.Solver:
     return _engine.Solver("")
@@ -28,9 +38,8 @@ def same_quantity(name: str) -> str:
     return _engine.program_name(name) or name
 
 
-def merged(defaults: Document, given: Document | None, prefix: str = "") -> dict[str, Any]:
+def merged(defaults: Document, given: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     """Values given, and the defaults of quantities that are not."""
-    given = dict(given or {})
     said = {same_quantity(prefix + name) for name in given}
     kept = {name: value for name, value in defaults.items() if same_quantity(prefix + name) not in said}
-    return kept | given
+    return kept | dict(given)

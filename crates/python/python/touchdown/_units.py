@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, ClassVar
 
 from touchdown import _engine
+from touchdown._arguments import an_instance
 
 #: Units of results that nobody chose: feet, pounds and seconds.
 US = "US"
@@ -41,6 +42,7 @@ def unit_in(units: str, name: str) -> str:
 
 def checked(units: str) -> str:
     """These units, if there are such."""
+    an_instance("units", units, str, '"US" or "SI"')
     if units != US:
         name_in(units, "")
     return units
@@ -63,6 +65,11 @@ class InBothUnits:
 
     __slots__ = ()
     __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
+
+    units: str
+
+    def _units_or_own(self, units: str | None) -> str:
+        return self.units if units is None else checked(units)
 
     def __getattr__(self, name: str) -> Any:
         known = _names_by_si(tuple(self.__dataclass_fields__)).get(name)

@@ -8,12 +8,16 @@ from typing import Any
 import pandas as pd
 
 from touchdown import _engine
+from touchdown._arguments import settings, thread_count
 from touchdown._documents import Document, merged, same_quantity
 from touchdown._html import bands_picture
 from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
+from touchdown._warnings import warn_of_landings
 from touchdown.progress import Watch, watching
+from touchdown.errors import InputError
 from touchdown.scene import Scene
-from touchdown.vehicle import Vehicle
+from touchdown.scene import checked as checked_scene
+from touchdown.vehicle import Vehicle, engine_of
 
 # As the sweeps of the figures of 1966, but to the next band and beyond.
 SEARCH: Document = {"from_fps": 0, "to_fps": 25, "scan_step_fps": 0.25, "tolerance_fps": 0.001}
@@ -22,7 +26,7 @@ HORIZONTAL = "horizontal_velocity_fps"
 _AXIS = "cross_slope_deg"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, repr=False)
 class Band(InBothUnits):
     """A range of horizontal velocities whose landings end alike.
 
@@ -64,7 +68,7 @@ class Band(InBothUnits):
         return f"<Band from {start} to {end}: {self.kind}>"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, repr=False)
 class Boundary(InBothUnits):
     """Where landings cease to be stable as the horizontal velocity grows.
 
@@ -123,7 +127,7 @@ class Boundary(InBothUnits):
         """
         left_out = {"bands", "vehicle", "scene", "units"}
         found = {name: getattr(self, name) for name in type(self).__dataclass_fields__ if name not in left_out}
-        return pd.Series(in_units(found, units or self.units), dtype=object)
+        return pd.Series(in_units(found, self._units_or_own(units)), dtype=object)
 
     def to_frame(self, units: str | None = None) -> pd.DataFrame:
         """The bands as a table, indexed by their numbers from 1.
@@ -133,7 +137,7 @@ class Boundary(InBothUnits):
         units : {"US", "SI"}, optional
             Units of the columns, which are part of their names; without, `units` of the boundary.
         """
-        units = units or self.units
+        units = self._units_or_own(units)
         names = dict.fromkeys(name for name in Band.__dataclass_fields__ if name != "units")
         rows = [in_units({name: getattr(band, name) for name in names}, units) for band in self.bands]
         frame = pd.DataFrame(rows, columns=list(in_units(names, units)))
@@ -190,6 +194,11 @@ def boundary(
     -------
     Boundary
 
+    Warns
+    -----
+    LandingWarning
+        Of landings that are less than they seem.
+
     Examples
     --------
     >>> import touchdown as td
@@ -199,22 +208,34 @@ def boundary(
     11.400 ft/s, certain
     """
     units = checked(units)
-    engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver)), vehicle._engine, {})
+    engine = _engine.Sweep("boundary", _engine.toml(_point(scene, search, solver) | {"units": units}), engine_of(vehicle), {})
     with watching(progress, "points") as watch:
-        found = _engine.boundary(engine, threads, watch)
+        found, warnings = _engine.boundary(engine, thread_count(threads), watch)
+    warn_of_landings(warnings)
     bands = tuple(Band(**band, units=units) for band in found.pop("bands"))
     return Boundary(**found, bands=bands, vehicle=vehicle, scene=scene, units=units)
 
 
 def _point(scene: Scene, search: Document | None, solver: Document | None) -> dict[str, Any]:
     """A sweep over a single point."""
-    conditions = scene.without({HORIZONTAL})
-    axes = {name: [conditions.pop(name)] for name in list(conditions) if same_quantity(name) == _AXIS}
+    conditions = checked_scene(scene).without({HORIZONTAL})
+    axes = axis_of_one_point(scene)
+    for name in axes:
+        del conditions[name]
     return {
         "title": "boundary",
         "vehicle": "vehicle.toml",
         "scene": conditions,
         "axes": axes,
-        "search": merged({**SEARCH, "bands": "all"}, search, "search."),
-        "solver": dict(solver or {}),
+        "search": merged({**SEARCH, "bands": "all"}, settings("search", search), "search."),
+        "solver": settings("solver", solver),
     }
+
+
+def axis_of_one_point(scene: Scene) -> dict[str, Any]:
+    """The axis of a sweep over this touchdown alone."""
+    axis = {name: [value] for name, value in checked_scene(scene).to_dict().items() if same_quantity(name) == _AXIS}
+    if not axis:
+        allowed = "the direction of travel, in the scene"
+        raise InputError(f"{_AXIS} is missing: expected {allowed}", _AXIS, None, allowed)
+    return axis

@@ -8,12 +8,15 @@ from typing import Any
 import pandas as pd
 
 from touchdown import _engine
+from touchdown._arguments import a_flag, a_path, thread_count
 from touchdown._columns import columns_of, index_of, series
-from touchdown._documents import Document, same_quantity, solver_of
-from touchdown.errors import InputError
-from touchdown.progress import Watch, warn, watching
+from touchdown._documents import Document, solver_of
+from touchdown._units import checked
+from touchdown._warnings import warn_of_journal, warn_of_landings
+from touchdown.progress import Watch, watching
 from touchdown.scene import Scene
-from touchdown.vehicle import Vehicle
+from touchdown.scene import checked as checked_scene
+from touchdown.vehicle import Vehicle, engine_of
 
 
 def land_many(
@@ -34,12 +37,12 @@ def land_many(
     ----------
     vehicle : Vehicle
         What lands; columns such as ``vehicle.strut.preload_lb`` replace its numbers.
-    table : DataFrame or mapping of arrays
-        Columns as those of a table of cases (``touchdown land --cases``): keys of the scene, ``vehicle.…`` and ``solver.…``. Numbers
-        stay as they are, a None or ``pandas.NA`` leaves a number to the default or the vehicle; NaN is refused.
-        Tables of polars are taken as well.
+    table : DataFrame or mapping of arrays, lists or Series
+        Columns as those of a table of cases (``touchdown land --cases``): keys of the scene, ``vehicle.…`` and ``solver.…``. A gap
+        (None, ``pandas.NA``, a masked element, a null of polars) leaves a number to `scene`, the vehicle, `solver` or the default.
+        NaN among numbers is refused. Tables of polars are taken as well.
     scene : Scene, optional
-        Conditions that are the same for all rows and no columns of the table.
+        Conditions of all rows that the table does not give.
     solver : mapping, optional
         How landings are computed, as in `land`, with the same tolerance, 1e-6, unless given.
     units : {"US", "SI"}
@@ -47,7 +50,7 @@ def land_many(
     out : path, optional
         CSV file for the results too. What is finished is in a journal beside it at once: after an interruption the same call goes on.
     overwrite : bool
-        Whether to replace a file that is no earlier result.
+        Whether to replace a file with other results. Without, it is refused when all rows are landed and differ from it.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.
     progress : bool or callable, optional
@@ -56,7 +59,7 @@ def land_many(
     Returns
     -------
     DataFrame
-        A row for each row of the table, with its index; columns as those of ``touchdown land --cases``, and after `outcome` its class,
+        A row for each row of the table, with its index, or that of all Series in it; columns as those of ``touchdown land --cases``, and after `outcome` its class,
         `outcome_class`: ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"undecided"`` or ``"failure"``. `outcome`, `outcome_class` and
         `failure` are categorical.
 
@@ -64,6 +67,11 @@ def land_many(
     ------
     InputError
         Names row (counted from 0), column and value of the first thing wrong, before anything is landed.
+
+    Warns
+    -----
+    LandingWarning
+        When footpads or blocks gave energy to the motion, or footpads were crushed beyond their hinges.
 
     Examples
     --------
@@ -73,30 +81,15 @@ def land_many(
     >>> list(landed.outcome)
     ['stable-rockback', 'unstable-pitch']
     """
-    columns = columns_of(table)
-    if scene is not None:
-        columns |= _same_in_all_rows(scene, set(columns))
+    columns, index = list(columns_of(table).items()), index_of(table)
+    conditions = None if scene is None else checked_scene(scene)._engine
+    file = None if out is None else a_path("out", out)
+    options = (checked(units), file, a_flag("overwrite", overwrite), thread_count(threads))
     with watching(progress, "landings") as watch:
-        found, told = _engine.land_many(
-            vehicle._engine, list(columns.items()), solver_of(solver), units, out, overwrite, threads, watch
+        found, (of_journal, of_landings) = _engine.land_many(
+            engine_of(vehicle), columns, conditions, solver_of(solver), *options, watch
         )
-    warn(told)
+    warn_of_journal(of_journal)
+    warn_of_landings(of_landings)
     results = {name: series(*column) for name, column in found}
-    return pd.DataFrame(results, index=index_of(table), copy=False)
-
-
-def _same_in_all_rows(scene: Scene, columns: set[str]) -> dict[str, float]:
-    """Conditions that are no columns, under the names that columns have."""
-    numbers: dict[str, float] = {}
-    for name, value in scene.without(columns).items():
-        match value:
-            case int() | float():
-                numbers[name] = float(value)
-            case str() if name == "gravity":
-                numbers["gravity_fps2"] = dict(scene._engine.resolved())["gravity_fps2"]
-            case list() if name == "footing":
-                for leg, footing in enumerate(value, 1):
-                    numbers |= {f"footing[{leg}].{key}": float(number) for key, number in footing.items()}
-            case _:
-                raise InputError.of_value(name, value, "conditions that are numbers, where there are many landings")
-    return {name: numbers[name] for name in numbers if same_quantity(name) not in {same_quantity(column) for column in columns}}
+    return pd.DataFrame(results, index=index, copy=False)

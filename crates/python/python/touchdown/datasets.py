@@ -52,8 +52,8 @@ def dataset(points: pd.DataFrame, beside: Mapping[str, pd.DataFrame], record: Ma
         made = _Grid(beside["grid"], axes, []).dataset(beside["grid"].columns[len(axes) :])
         made = made.merge(_rows("point", "point", points))
     else:
-        together = (record or {}).get("input", {}).get("axes_that_move_together", [])
-        grid = _Grid(points, axes, together)
+        given = (record or {}).get("input", {})
+        grid = _Grid(points, axes, given.get("axes_that_move_together", []), "sample" in given)
         made = grid.dataset(points.columns[len(axes) :])
         for end, (prefix, dimension) in _AT_EACH_POINT.items():
             if end in beside:
@@ -72,7 +72,7 @@ def _axes(points: pd.DataFrame) -> list[str]:
 class _Grid:
     """Where each row of a table stands in a grid; of a sample there is one dimension, the points."""
 
-    def __init__(self, points: pd.DataFrame, axes: list[str], together: Iterable[list[str]]) -> None:
+    def __init__(self, points: pd.DataFrame, axes: list[str], together: Iterable[list[str]], is_sample: bool = False) -> None:
         self.points = points
         self.axes = axes
         groups = [group for group in together if set(group) <= set(axes)]
@@ -80,7 +80,7 @@ class _Grid:
         groups = sorted([*groups, *([name] for name in axes if name not in zipped)], key=lambda group: axes.index(group[0]))
         places = [points.groupby(group, sort=False, dropna=False).ngroup().to_numpy() for group in groups]
         shape = tuple(int(place.max(initial=-1)) + 1 for place in places)
-        if axes and np.prod(shape) == len(points):
+        if axes and not is_sample and np.prod(shape) == len(points):
             self.groups, self.dimensions, self.shape = groups, [group[0] for group in groups], shape
             self.flat = np.ravel_multi_index(places, shape)
         else:

@@ -1,6 +1,9 @@
-"""What goes wrong, as exceptions."""
+"""What goes wrong, as exceptions and warnings."""
 
 from __future__ import annotations
+
+# Of a value that is told, characters; of a longer one the type is told.
+_LONGEST = 80
 
 
 class InputError(ValueError):
@@ -31,7 +34,10 @@ class InputError(ValueError):
     @classmethod
     def of_value(cls, key: str, value: object, allowed: str) -> InputError:
         """The complaint that a value is not what is allowed."""
-        return cls(f"{key} = {value!r}: expected {allowed}", key, repr(value), allowed)
+        said = repr(value)
+        if "\n" in said or len(said) > _LONGEST:
+            said = f"a {type(value).__name__}"
+        return cls(f"{key} = {said}: expected {allowed}", key, said, allowed)
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -39,3 +45,11 @@ class InputError(ValueError):
 
 class EngineError(RuntimeError):
     """A fault of the engine itself."""
+
+
+class LandingWarning(UserWarning):
+    """Landings that are less than they seem, in the words of the command line.
+
+    Footpads or blocks gave energy to the motion, footpads were crushed beyond their hinges, landings are undecided or could not be
+    computed, transitions are disputed or lie at or below the lowest speed searched. A call warns once of all its landings.
+    """

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
 from touchdown import _engine
+from touchdown._arguments import number, settings
 from touchdown._documents import Document, solver_of
 from touchdown._html import table
 from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
+from touchdown._warnings import warn_of_landings
 from touchdown.scene import Scene
-from touchdown.vehicle import Vehicle
+from touchdown.scene import checked as checked_scene
+from touchdown.vehicle import Vehicle, engine_of
 
 # Results of each leg: what stands before and after its number in tables.
 _OF_LEGS = {
@@ -54,7 +58,7 @@ _SHOWN = [
 ]
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, repr=False)
 class Landing(InBothUnits):
     """How one landing went.
 
@@ -107,7 +111,7 @@ class Landing(InBothUnits):
     scene : Scene
         How it touched down.
     solver : mapping
-        Settings that are not the defaults.
+        Settings that were given, read only.
     units : {"US", "SI"}
         Units that it is told in, and that its tables have unless asked for others.
     """
@@ -145,8 +149,13 @@ class Landing(InBothUnits):
     went_on_to: str | None
     vehicle: Vehicle
     scene: Scene
-    solver: Mapping[str, Any] = field(hash=False)
+    _solver: Mapping[str, Any] = field(hash=False)
     units: str = field(default=US, compare=False)
+
+    @property
+    def solver(self) -> Mapping[str, Any]:
+        """Settings that were given, read only."""
+        return MappingProxyType(self._solver)
 
     @property
     def is_stable(self) -> bool:
@@ -168,8 +177,9 @@ class Landing(InBothUnits):
         DataFrame
             Indexed by ``t_s``, the time after first contact; columns as those of ``touchdown land --history``.
         """
-        engine = solver_of(self.solver or None)
-        columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, dt, units or self.units)
+        engine = solver_of(self._solver or None)
+        seconds = number("dt", dt, "a number of seconds")
+        columns = _engine.history(self.vehicle._engine, self.scene._engine, engine, seconds, self._units_or_own(units))
         arrays = {name: np.frombuffer(values) for name, values in columns}
         return pd.DataFrame(arrays, copy=False).set_index("t_s")
 
@@ -189,7 +199,7 @@ class Landing(InBothUnits):
                 row |= {f"{before}_{leg}{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
             else:
                 row[name] = np.nan if value is None else value
-        return pd.Series(in_units(row, units or self.units), dtype=object)
+        return pd.Series(in_units(row, self._units_or_own(units)), dtype=object)
 
     def __repr__(self) -> str:
         numbers = [
@@ -230,6 +240,11 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
     InputError
         When a condition is missing, or not allowed for the vehicle or the method.
 
+    Warns
+    -----
+    LandingWarning
+        When footpads or blocks gave energy to the motion, or footpads were crushed beyond their hinges.
+
     Examples
     --------
     >>> import touchdown as td
@@ -239,5 +254,6 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
     'stable-rockback'
     """
     units = checked(units)
-    results = _engine.land(vehicle._engine, scene._engine, solver_of(solver))
-    return Landing(**results, vehicle=vehicle, scene=scene, solver=dict(solver or {}), units=units)
+    results, warning = _engine.land(engine_of(vehicle), checked_scene(scene)._engine, solver_of(solver), units)
+    warn_of_landings([warning] if warning else [])
+    return Landing(**results, vehicle=vehicle, scene=scene, _solver=settings("solver", solver), units=units)

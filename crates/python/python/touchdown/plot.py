@@ -15,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from touchdown import _engine
+from touchdown._arguments import an_instance, names
 from touchdown._html import OUTCOME_COLOURS
 from touchdown.errors import InputError
 
@@ -97,8 +98,12 @@ def history(table: pd.DataFrame, ax: Axes | None = None, columns: Sequence[str] 
     columns : sequence of str
         Names of columns; ``#`` stands for every leg.
     """
+    an_instance("table", table, pd.DataFrame, "a history, as Landing.history gives it")
+    patterns = names("columns", columns)
+    if not patterns:
+        raise InputError.of_value("columns", columns, "at least one name of a column")
     ax = ax or plt.figure().add_subplot()
-    shown = [name for pattern in columns for name in _matching(table, pattern)]
+    shown = [name for pattern in patterns for name in _matching(table, pattern)]
     units = {_engine.bare_name_and_unit(name)[1] for name in shown}
     if len(units) > 1:
         allowed = "columns of one unit"
@@ -121,19 +126,24 @@ def tornado(table: pd.DataFrame, ax: Axes | None = None) -> Axes:
     ax : Axes, optional
         Where to draw; new axes without.
     """
+    allowed = "a table of sensitivities, as sensitivity gives it"
+    changes = [name for name in an_instance("table", table, pd.DataFrame, allowed) if str(name).startswith("vh_change_")]
+    if not changes:
+        raise InputError.of_value("table", table, allowed)
     ax = ax or plt.figure().add_subplot()
-    column = next(name for name in table if str(name).startswith("vh_change_") and "error" not in str(name))
+    column = next(name for name in changes if "error" not in str(name))
     error = str(column).replace("vh_change_", "vh_change_error_")
     known = table.dropna(subset=[column])
     known = known.loc[known[column].abs().sort_values().index]
-    names = [str(name).removeprefix("vehicle.") for name in known.index]
-    ax.barh(names, known[column], xerr=known[error], color=["#d1495b" if change < 0 else "#4c9f70" for change in known[column]])
+    labels = [str(name).removeprefix("vehicle.") for name in known.index]
+    ax.barh(labels, known[column], xerr=known[error], color=["#d1495b" if change < 0 else "#4c9f70" for change in known[column]])
     ax.axvline(0, color="k", lw=0.8)
     ax.set_xlabel(f"change of V_H for 10 % more, or 1 deg of an angle, {_engine.bare_name_and_unit(str(column))[1]}")
     return ax
 
 
 def _axes(ds: xr.Dataset, count: int) -> list[str]:
+    an_instance("ds", ds, xr.Dataset, "a dataset, as a sweep gives it")
     axes = [str(name) for name in ds.first_transition.dims] if "first_transition" in ds else []
     if len(axes) != count or "point" in axes:
         allowed = f"a sweep of transition velocities over {count} {'axis' if count == 1 else 'axes'}"

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
 from tqdm import TqdmWarning
+
+from touchdown.errors import InputError
 
 with warnings.catch_warnings():
     # Without ipywidgets there is no bar in a notebook, which is no fault of whoever imports this.
@@ -40,11 +42,7 @@ def watching(progress: bool | Watch | None, unit: str) -> Iterator[Watch | None]
                 bar.update(done - bar.n)
 
             yield watch
-    else:
+    elif callable(progress):
         yield progress
-
-
-def warn(told: Iterable[str]) -> None:
-    """What the engine has to say of a journal, on behalf of the function that called."""
-    for warning in told:
-        warnings.warn(warning, RuntimeWarning, stacklevel=3)
+    else:
+        raise InputError.of_value("progress", progress, "True, False, None or a callable")

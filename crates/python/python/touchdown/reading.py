@@ -10,6 +10,7 @@ from typing import Any
 import pandas as pd
 import xarray as xr
 
+from touchdown._arguments import a_path
 from touchdown.datasets import BESIDE, dataset, is_of_points
 from touchdown.errors import InputError
 
@@ -42,7 +43,7 @@ def read(path: str | os.PathLike[str]) -> xr.Dataset | pd.DataFrame:
     InputError
         When it is something else.
     """
-    path = Path(path)
+    path = Path(a_path("path", path))
     if path.suffix == ".json":
         path = _table_of(path)
     table = _table(path)

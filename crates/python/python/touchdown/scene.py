@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import tomllib
 from collections.abc import Mapping
+from copy import deepcopy
 from functools import cached_property
 from typing import Any
 
 from touchdown import _engine
-from touchdown._documents import merged, same_quantity
+from touchdown._arguments import an_instance, settings
+from touchdown._documents import NeverChanges, merged, same_quantity
 from touchdown._html import table
 
 # Giving one form of the attitude replaces the other.
@@ -17,7 +19,7 @@ _EULER = {"pitch_deg", "yaw_deg", "roll_deg"}
 _TIP = {"tip_deg", "tip_azimuth_deg", "nominal_roll_deg"}
 
 
-class Scene:
+class Scene(NeverChanges):
     """Conditions of a touchdown at first contact.
 
     A scene never changes; `replace` makes another one. Conditions may be left out as long as nothing needs them: a boundary needs no
@@ -71,7 +73,7 @@ class Scene:
 
     def to_dict(self) -> dict[str, Any]:
         """The conditions as a dictionary, under the keys and in the units that they were given in."""
-        return dict(self._given)
+        return deepcopy(self._given)
 
     def replace(self, conditions: Mapping[str, Any] | None = None, /, **named: Any) -> Scene:
         """The same scene with other conditions.
@@ -84,7 +86,7 @@ class Scene:
         **named
             The same as keywords.
         """
-        new = dict(conditions or {}) | named
+        new = settings("conditions", conditions) | named
         names = {same_quantity(name) for name in new}
         replaced = (_TIP if names & _EULER else set()) | (_EULER if names & _TIP else set())
         if "gravity" in new or "gravity_fps2" in names:
@@ -93,13 +95,22 @@ class Scene:
         return Scene(**merged(kept, new))
 
     def without(self, names: set[str]) -> dict[str, Any]:
-        """The conditions without some, whatever units either are in."""
+        """The conditions without some, those of thrust and footing included, whatever units either are in."""
         left_out = {same_quantity(name) for name in names}
-        return {name: value for name, value in self._given.items() if same_quantity(name) not in left_out}
+
+        def kept(values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+            return {name: value for name, value in values.items() if same_quantity(prefix + name) not in left_out}
+
+        conditions = kept(self._given)
+        if "thrust" in conditions:
+            conditions["thrust"] = kept(conditions["thrust"], "thrust.")
+        if "footing" in conditions:
+            conditions["footing"] = [kept(one, f"footing[{leg}].") for leg, one in enumerate(conditions["footing"], 1)]
+        return conditions
 
     def __getattr__(self, name: str) -> Any:
         if not name.startswith("_") and name in self._given:
-            return self._given[name]
+            return deepcopy(self._given[name])
         raise AttributeError(f"the scene has no {name}: it has {', '.join(self._given)}" if not name.startswith("_") else name)
 
     def __dir__(self) -> list[str]:
@@ -123,6 +134,12 @@ class Scene:
 
     def _repr_html_(self) -> str:
         return table("Scene", self._given.items())
+
+
+def checked(scene: Any) -> Scene:
+    """This scene, if it is one."""
+    known: Scene = an_instance("scene", scene, Scene, "a Scene")
+    return known
 
 
 def _restored(text: str) -> Scene:

@@ -14,12 +14,17 @@ import pandas as pd
 import xarray as xr
 
 from touchdown import _engine
+from touchdown._arguments import a_dictionary, a_flag, a_path, an_instance, names, settings, thread_count
 from touchdown._documents import Document, merged
-from touchdown.boundaries import HORIZONTAL, SEARCH
-from touchdown.progress import Watch, warn, watching
+from touchdown._units import checked
+from touchdown._warnings import warn_of_journal, warn_of_landings
+from touchdown.boundaries import HORIZONTAL, SEARCH, axis_of_one_point
+from touchdown.errors import InputError
+from touchdown.progress import Watch, watching
 from touchdown.reading import read
 from touchdown.scene import Scene
-from touchdown.vehicle import Vehicle, written
+from touchdown.scene import checked as checked_scene
+from touchdown.vehicle import Vehicle, engine_of, written
 
 Axes = Mapping[str, Any]
 
@@ -77,8 +82,8 @@ def sweep(
     """
     run = Run(**options)
     asked: dict[str, Any] = {"job": job, "solver": solver, "search": _search(search, job)}
-    if sensitivity:
-        asked["sensitivity"] = {"parameters": list(sensitivity)}
+    if parameters := names("sensitivity", sensitivity):
+        asked["sensitivity"] = {"parameters": parameters}
     return run.of(vehicle, scene, axes, asked)
 
 
@@ -130,7 +135,7 @@ def map(  # noqa: A001
         ``edge_…``, and triangles ``corner_…``. Over one axis: what `sweep` returns, at the points themselves, and the edges.
     """
     rules = {
-        "edge_width": dict(edge_width),
+        "edge_width": a_dictionary("edge_width", edge_width),
         "error_fps": error_fps,
         "error_mps": error_mps,
         "budget_landings": budget_landings,
@@ -195,8 +200,9 @@ def sample(
     rules: dict[str, Any] = {"design": design, "count": count, "seed": seed}
     if stop_at_interval_width is not None:
         rules["stop_at_interval_width"] = stop_at_interval_width
-    if covariance:
-        rules["covariance"] = list(covariance)
+    allowed = "a list of dictionaries"
+    if blocks := list(an_instance("covariance", covariance, Sequence, allowed)):
+        rules["covariance"] = [an_instance("covariance", block, Mapping, allowed) for block in blocks]
     asked = {"job": job, "sample": rules, "solver": solver, "search": _search(search, job)}
     return Run(**options).of(vehicle, scene, axes, asked)
 
@@ -231,8 +237,11 @@ def sensitivity(
         Indexed by the parameters; columns as those of a table of sensitivities: the derivative ``dvh_dp_fps_per_unit`` with its error,
         and ``vh_change_fps``, the change for 10 % of the parameter, or 1 deg of an angle.
     """
-    axes = {name: [value] for name, value in scene.to_dict().items() if name.startswith("cross_slope")}
-    found = sweep(vehicle, scene, axes, search=search, solver=solver, sensitivity=parameters, **options)
+    axes = axis_of_one_point(scene)
+    known = names("parameters", parameters)
+    if not known:
+        raise InputError.of_value("parameters", parameters, "at least one name of a parameter")
+    found = sweep(vehicle, scene, axes, search=search, solver=solver, sensitivity=known, **options)
     of_parameters = [name for name in found.data_vars if str(name).startswith("sensitivity_")]
     table = found[of_parameters].squeeze(list(axes), drop=True).to_dataframe()
     return table.rename(columns={name: found[name].attrs["column"] for name in of_parameters})
@@ -269,7 +278,7 @@ def run(
     parquet : bool
         Whether to write tables as Parquet too.
     overwrite : bool
-        Whether to replace files that are no earlier results of a sweep.
+        Whether to replace results of other input, and files that are no results. Results of the same input are given back.
     threads, progress
         As in `land_many`.
 
@@ -278,10 +287,12 @@ def run(
     Dataset
         As `sweep`.
     """
-    given = [(name, written(value)) for name, value in (set or {}).items()]
-    engine = _engine.Sweep.from_file(os.fspath(path), vehicle._engine if vehicle else None, given, units)
-    _run(engine, Path(out), parquet, overwrite, threads, progress)
-    return _results(Path(out), engine)
+    given = written(settings("set", set).items())
+    other = None if vehicle is None else engine_of(vehicle)
+    engine = _engine.Sweep.from_file(a_path("path", path), other, given, None if units is None else checked(units))
+    folder = Path(a_path("out", out))
+    _run(engine, folder, parquet, overwrite, threads, progress)
+    return _results(folder, engine)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -302,7 +313,7 @@ class Run:
     parquet : bool
         Whether to write tables as Parquet too.
     overwrite : bool
-        Whether to replace files that are no earlier results of a sweep.
+        Whether to replace results of other input, and files that are no results. Results of the same input are given back.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.
     progress : bool or callable, optional
@@ -318,18 +329,27 @@ class Run:
     threads: int | None = None
     progress: bool | Watch | None = None
 
+    def __post_init__(self) -> None:
+        allowed = "a name without a folder"
+        if not an_instance("name", self.name, str, allowed) or Path(self.name).name != self.name:
+            raise InputError.of_value("name", self.name, allowed)
+        checked(self.units)
+
     def of(self, vehicle: Vehicle, scene: Scene, axes: Axes, asked: Mapping[str, Any]) -> xr.Dataset:
         """Run a sweep that asks for these tables."""
+        allowed = "a dictionary with the values of at least one parameter"
+        if not (axes := a_dictionary("axes", axes, allowed)):
+            raise InputError.of_value("axes", axes, allowed)
         searched = {HORIZONTAL} if asked.get("job", "boundary") == "boundary" else set()
         document = {
             "title": self.title or self.name,
             "vehicle": "vehicle.toml",
             "units": self.units,
-            "scene": scene.without({*axes, *searched}),
-            "axes": dict(axes),
+            "scene": checked_scene(scene).without({*axes, *searched}),
+            "axes": axes,
         }
         document |= {name: value for name, value in asked.items() if value is not None}
-        engine = _engine.Sweep(self.name, _engine.toml(document), vehicle._engine, _files(axes))
+        engine = _engine.Sweep(self.name, _engine.toml(document), engine_of(vehicle), _files(axes))
         with _folder(self.out) as folder:
             _run(engine, folder, self.parquet, self.overwrite, self.threads, self.progress)
             return _results(folder, engine)
@@ -344,8 +364,10 @@ def _run(
     progress: bool | Watch | None,
 ) -> None:
     with watching(progress, "points") as watch:
-        _, told = engine.run(folder, parquet, overwrite, threads, watch)
-    warn(told)
+        flags = a_flag("parquet", parquet), a_flag("overwrite", overwrite)
+        of_journal, of_landings = engine.run(folder, *flags, thread_count(threads), watch)
+    warn_of_journal(of_journal)
+    warn_of_landings(of_landings)
 
 
 def _results(folder: Path, engine: _engine.Sweep) -> xr.Dataset:
@@ -356,20 +378,21 @@ def _results(folder: Path, engine: _engine.Sweep) -> xr.Dataset:
 
 def _search(search: Document | None, job: str) -> dict[str, Any] | None:
     if job == "boundary":
-        return merged(SEARCH, search, "search.")
-    return None if search is None else dict(search)
+        return merged(SEARCH, settings("search", search), "search.")
+    return None if search is None else a_dictionary("search", search)
 
 
 def _files(axes: Axes) -> dict[str, str]:
     """The texts of tables from which axes take their values."""
-    named = {axis["file"] for axis in axes.values() if isinstance(axis, Mapping) and "file" in axis}
-    return {os.fspath(name): Path(name).read_text(encoding="utf-8") for name in named}
+    tables = {name: axis for name, axis in axes.items() if isinstance(axis, Mapping) and "file" in axis}
+    files = {a_path(f"axes.{name}.file", axis["file"]) for name, axis in tables.items()}
+    return {file: Path(file).read_text(encoding="utf-8") for file in files}
 
 
 @contextmanager
 def _folder(out: str | os.PathLike[str] | None) -> Iterator[Path]:
     if out is not None:
-        yield Path(out)
+        yield Path(a_path("out", out))
         return
     with TemporaryDirectory(prefix="touchdown-") as folder:
         yield Path(folder)

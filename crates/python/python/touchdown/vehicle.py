@@ -5,16 +5,19 @@ from __future__ import annotations
 import json
 import os
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from touchdown import _engine
+from touchdown._arguments import a_dictionary, a_path, an_instance, number
+from touchdown._documents import NeverChanges, same_quantity
 from touchdown._html import table
+from touchdown.errors import InputError
 
 
-class Vehicle:
+class Vehicle(NeverChanges):
     """A lander: mass properties and three to eight legs.
 
     A vehicle never changes; `replace` makes another one. Two vehicles are equal when all their numbers are, in whatever units
@@ -31,6 +34,9 @@ class Vehicle:
     """
 
     def __init__(self, text: str) -> None:
+        allowed = "the text of a vehicle file; Vehicle.from_toml(path) reads the file itself"
+        if an_instance("text", text, str, allowed) and "=" not in text:
+            raise InputError.of_value("text", text, allowed)
         self._set(text, "")
 
     def _set(self, text: str, path: str) -> None:
@@ -55,7 +61,8 @@ class Vehicle:
             When the file cannot be read.
         """
         vehicle = cls.__new__(cls)
-        vehicle._set(Path(path).read_text(encoding="utf-8"), os.fspath(path))
+        name = a_path("path", path)
+        vehicle._set(Path(name).read_text(encoding="utf-8"), name)
         return vehicle
 
     @classmethod
@@ -68,7 +75,7 @@ class Vehicle:
             Tables are dictionaries, `legs` is a list of them. Every number may be in SI under its other name, such as
             ``mass_kg``.
         """
-        return cls(_engine.toml(numbers))
+        return cls(_engine.toml(an_instance("numbers", numbers, Mapping, "a dictionary with the keys of a vehicle file")))
 
     def to_dict(self) -> dict[str, Any]:
         """The vehicle as a dictionary, under the keys and in the units that it was given in."""
@@ -94,8 +101,9 @@ class Vehicle:
         >>> softer.to_dict()["strut"]["preload_lb"]
         150
         """
-        named = ((name if name.startswith("vehicle.") else f"vehicle.{name}", value) for name, value in numbers.items())
-        return type(self)(self._engine.replaced([(name, written(value)) for name, value in named]))
+        given = a_dictionary("numbers", numbers)
+        named = [(name if name.startswith("vehicle.") else f"vehicle.{name}", value) for name, value in given.items()]
+        return type(self)(self._engine.replaced(written(named)))
 
     @property
     def name(self) -> str:
@@ -136,6 +144,19 @@ def _restored(text: str, path: str) -> Vehicle:
     return vehicle
 
 
-def written(value: object) -> str:
-    """A number or a word as the engine reads it."""
-    return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]
+def written(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
+    """Numbers and words by name, as the engine reads them."""
+    told: dict[str, tuple[str, str]] = {}
+    for name, value in values:
+        known, _ = told.get(same_quantity(name), (None, None))
+        if known is not None:
+            raise InputError(f"{known} and {name}: expected one of them", name)
+        text = value if isinstance(value, str) else repr(number(name, value, "a number or a word"))
+        told[same_quantity(name)] = (name, text)
+    return list(told.values())
+
+
+def engine_of(vehicle: Vehicle) -> _engine.Vehicle:
+    """What the engine lands."""
+    engine: _engine.Vehicle = an_instance("vehicle", vehicle, Vehicle, "a Vehicle; Vehicle.from_toml(path) reads one")._engine
+    return engine

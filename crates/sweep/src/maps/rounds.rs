@@ -10,6 +10,7 @@ use crate::interval_refinement;
 use crate::refined_grid::{Place, RefinedGrid};
 use crate::shard::Shard;
 use crate::speed_bands::SpeedBands;
+use crate::sweep_counts::CoarseCells;
 
 /// Of the places that are wanted, the part that a round takes where a budget leaves some undone, and the least number
 /// of them.
@@ -25,17 +26,6 @@ pub struct Rounds<'m> {
     bands: HashMap<usize, SpeedBands>,
     landings: u64,
     cells: Vec<FirstLevelCell>,
-}
-
-/// How many cells of a map are coarser than was asked for: where its budget or its smallest cells ended the refinement.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct CoarseCells {
-    /// All cells.
-    pub cells: usize,
-    /// Those whose estimated error is greater than the one that was sought.
-    pub coarse: usize,
-    /// The greatest estimated error, ft/s.
-    pub worst: f64,
 }
 
 /// A first-level cell and what became of it.

@@ -21,6 +21,7 @@ use crate::header::Header;
 use crate::input_error::{InputError, Place};
 use crate::library::Library;
 use crate::resolved_input;
+use crate::scene_input::NamedConditions;
 use crate::settings_input::solver_in_record;
 use crate::vehicle_file::{self, VehicleFile};
 
@@ -82,7 +83,8 @@ fn parse(
     let place = Place::file(path);
     let (heading, rows) = cells::CsvRows::parse(path, text)?;
     let heading: Vec<&str> = heading.iter().collect();
-    let columns = Columns::of(&heading).map_err(|error| error.at(place.line(1)))?;
+    let columns = Columns::of(&heading, NamedConditions::default())
+        .map_err(|error| error.at(place.line(1)))?;
     if rows.is_empty() {
         return Err(InputError::other(NO_ROWS).at(place));
     }
@@ -93,21 +95,24 @@ fn parse(
 const NO_ROWS: &str = "has no rows: expected at least one case";
 
 impl CaseTable {
-    /// Checks a whole table with this heading. Vehicle files are named relative to the folder.
+    /// Checks a whole table with this heading, where `shared` are the conditions of rows that say nothing else.
     ///
     /// # Errors
     /// As [`read`].
     pub fn of_cells(
         heading: &[&str],
         cells: Box<dyn CaseCells>,
+        shared: &NamedConditions,
         vehicle: &VehicleFile,
         settings: &Settings,
     ) -> Result<Self, InputError> {
-        let columns = Columns::of(heading)?;
+        let columns = Columns::of(heading, *shared)?;
         if cells.is_empty() {
             return Err(InputError::other(NO_ROWS).within("the table of cases"));
         }
-        Self::new(cells, columns, Path::new(""), vehicle, settings)
+        let mut table = Self::new(cells, columns, Path::new(""), vehicle, settings)?;
+        table.input["scene"] = resolved_input::scene(shared).into();
+        Ok(table)
     }
 
     fn new(

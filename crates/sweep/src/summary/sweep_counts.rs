@@ -9,7 +9,6 @@ use crate::design::Design;
 use crate::findings::Finding;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::probabilities::{Count, Probabilities};
-use crate::rounds::CoarseCells;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::skipped::Skipped;
 use crate::sweep_file::{Job, Sweep};
@@ -66,6 +65,17 @@ pub struct SweepCounts {
     /// Transition velocities, where points are sampled.
     pub transitions: Option<TransitionStatistics>,
     kinds: [usize; 5],
+}
+
+/// How many cells of a map are coarser than was asked for: where its budget or its smallest cells ended the refinement.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct CoarseCells {
+    /// All cells.
+    pub cells: usize,
+    /// Those whose estimated error is greater than the one that was sought.
+    pub coarse: usize,
+    /// The greatest estimated error, ft/s.
+    pub worst: f64,
 }
 
 /// Kinds of first transitions, in the order in which they are listed.

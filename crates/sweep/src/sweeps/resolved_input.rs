@@ -9,6 +9,7 @@ use crate::document::{Document, Entry, Value as Read};
 use crate::levels::Levels;
 use crate::parameter::Parameter;
 use crate::sample::SampledAxis;
+use crate::scene_input::NamedConditions;
 use crate::search_input::{DOUBTS, EXTENTS, REFINEMENTS, SCANS};
 use crate::settings_input::solver_in_record;
 use crate::spelling::{Conversion, conversion};
@@ -21,20 +22,8 @@ const MOST_VALUES: usize = 1000;
 impl Sweep {
     /// Everything that determines the results, and nothing else: neither title nor file names.
     pub fn resolved(&self) -> Value {
-        let mut scene: Map<String, Value> = self
-            .fixed
-            .resolved()
-            .into_iter()
-            .filter(|(name, _)| self.axes.iter().all(|axis| axis.program_name() != *name))
-            .map(|(name, value)| (name.to_owned(), json!(value)))
-            .collect();
-        let knots = self.fixed.thrust_knots();
-        if !knots.is_empty() {
-            for (index, name) in ["thrust.time_s", "thrust.force_lb"].into_iter().enumerate() {
-                let values: Value = knots.iter().map(|knot| knot[index]).collect();
-                scene.insert(name.to_owned(), values);
-            }
-        }
+        let mut scene = scene(&self.fixed);
+        scene.retain(|name, _| self.axes.iter().all(|axis| axis.program_name() != name));
         let mut input = json!({
             "job": match self.job {
                 Job::Boundary(_) => "boundary",
@@ -142,6 +131,21 @@ impl Sweep {
             .map(|together| together.iter().map(name).collect())
             .collect()
     }
+}
+
+/// Conditions, those that follow by default included.
+pub(crate) fn scene(conditions: &NamedConditions) -> Map<String, Value> {
+    let mut scene: Map<String, Value> = (conditions.resolved().into_iter())
+        .map(|(name, value)| (name.to_owned(), json!(value)))
+        .collect();
+    let knots = conditions.thrust_knots();
+    if !knots.is_empty() {
+        for (index, name) in ["thrust.time_s", "thrust.force_lb"].into_iter().enumerate() {
+            let values: Value = knots.iter().map(|knot| knot[index]).collect();
+            scene.insert(name.to_owned(), values);
+        }
+    }
+    scene
 }
 
 fn distribution_of(distribution: &Distribution) -> Value {

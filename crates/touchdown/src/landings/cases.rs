@@ -4,13 +4,12 @@ use std::path::Path;
 
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::cases::{self, CaseTable};
-use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::{InOrder, Journal};
-use touchdown_sweep::landing_report;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::vehicle_file::VehicleFile;
+use touchdown_sweep::warnings;
 
 use crate::failure::Failure;
 use crate::land_files::place_of;
@@ -63,7 +62,11 @@ pub fn run(
     let written = cases::table(rows, units).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
-    warn(&names, &findings, units);
+    let rows = names.iter().zip(&findings);
+    let rows = rows.map(|(name, finding)| (format!("case {name}"), finding.warnings()));
+    for warning in warnings::of_cases(rows, units) {
+        eprintln!("touchdown: warning: {warning}");
+    }
     if !quiet {
         // The time of a run that went on with another's work says nothing of the whole.
         let seconds = (earlier == 0).then_some(wall_time.as_secs_f64());
@@ -86,28 +89,4 @@ fn findings(table: &CaseTable, results: &mut InOrder) -> Result<Vec<Finding>, Fa
         finding.ok_or_else(|| Failure::running(format!("there is no result of case {name}")))
     };
     (0..table.len()).map(finding).collect()
-}
-
-/// Prints the warnings of contact in the landings.
-fn warn(names: &[String], findings: &[Finding], units: OutputUnits) {
-    let told = |is_told: fn(&ContactWarnings) -> bool| {
-        let all = names.iter().zip(findings.iter().map(Finding::warnings));
-        all.filter(move |(_, warnings)| is_told(warnings))
-    };
-    let given = || told(|warnings| warnings.given > 0.0);
-    if let Some((most, warnings)) = given().max_by(|(_, a), (_, b)| a.given.total_cmp(&b.given)) {
-        eprintln!(
-            "touchdown: warning: in {}, most in case {most}: {}",
-            summary::number(given().count(), "case"),
-            landing_report::given_by_contact(warnings.given, units)
-        );
-    }
-    let crushed = || told(|warnings| warnings.is_crushed_through);
-    if let Some((first, _)) = crushed().next() {
-        eprintln!(
-            "touchdown: warning: in {}, first in case {first}: {}",
-            summary::number(crushed().count(), "case"),
-            landing_report::CRUSHED_THROUGH
-        );
-    }
 }

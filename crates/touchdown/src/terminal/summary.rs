@@ -1,13 +1,11 @@
 //! The summary of a run: results, cost, and the files written.
 
-use std::fmt::Display;
 use std::path::PathBuf;
 
 use touchdown_sweep::boundary::{Extent, Transition};
 use touchdown_sweep::certainty::{Certainty, LEAST_LANDINGS};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::hidden_band_checks::HiddenBandChecks;
-use touchdown_sweep::landing_report;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
@@ -15,6 +13,8 @@ use touchdown_sweep::skipped::Skipped;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::transition_statistics::{Rank, TransitionStatistics};
+use touchdown_sweep::warnings;
+pub use touchdown_sweep::warnings::number;
 
 /// Summary of a table of cases; without a time where it was not one run.
 pub fn cases(
@@ -71,7 +71,9 @@ pub fn sweep(
     if let Some(transitions) = &counts.transitions {
         text += &quantiles(transitions, sweep.units);
     }
-    text += &warnings(sweep, counts);
+    for warning in warnings::of_sweep(sweep, counts) {
+        text += &format!("  warning: {warning}\n");
+    }
     let Circumstances {
         threads, wall_time, ..
     } = circumstances;
@@ -141,81 +143,6 @@ fn quantiles(transitions: &TransitionStatistics, units: OutputUnits) -> String {
         quantity.unit(),
         parts.join(", ")
     )
-}
-
-/// Warnings about results that are less than they seem: landings without a result, transitions that are only bounds, or
-/// that the smallest changes move.
-fn warnings(sweep: &Sweep, counts: &SweepCounts) -> String {
-    let mut text = String::new();
-    let mut warn = |points: usize, what: &str| {
-        if points > 0 {
-            text += &format!("  warning: at {} {what}\n", number(points, "point"));
-        }
-    };
-    warn(
-        counts.at_or_below,
-        "landings are not stable at the lowest speed searched: V_H lies at or below it",
-    );
-    let limit = sweep.settings.time_limit();
-    warn(
-        counts.with_undecided,
-        &format!(
-            "some landings are undecided: they slide on, or still moved at time_limit_s = {limit}"
-        ),
-    );
-    warn(
-        counts.with_failures,
-        "some landings could not be computed: they end as failure",
-    );
-    warn(
-        counts.disputed,
-        "the first transition is disputed: small changes of the input move it by more than its bracket",
-    );
-    let map = counts.coarse_cells;
-    if map.coarse > 0 {
-        let quantity = sweep.units.quantity("speed_fps");
-        let sought = sweep.map().map_or(0.0, |map| map.rules.error);
-        text += &format!(
-            "  warning: {} of {} of the map are coarser than asked: estimated errors up to {:.2}, not {}, {}\n",
-            map.coarse,
-            number(map.cells, "cell"),
-            quantity.number(map.worst),
-            quantity.number(sought),
-            quantity.unit(),
-        );
-    }
-    if let Some((most, energy)) = counts.most_given {
-        text += &format!(
-            "  warning: at {}, most at {}: {}\n",
-            number(counts.with_given, "point"),
-            sweep.place(most),
-            landing_report::given_by_contact(energy, sweep.units)
-        );
-    }
-    if counts.with_crushed_through > 0 {
-        text += &format!(
-            "  warning: at {}: {}\n",
-            number(counts.with_crushed_through, "point"),
-            landing_report::CRUSHED_THROUGH
-        );
-    }
-    let undecided = counts.outcomes.map_or(0, |count| count.undecided);
-    if undecided > 0 {
-        text += &format!(
-            "  warning: {} undecided: sliding, or still moving at time_limit_s = {limit}, counted as not stable\n",
-            number(undecided, "landing")
-        );
-    }
-    text
-}
-
-/// A number of things, with the plural where it is needed.
-pub fn number(count: impl Display, thing: &str) -> String {
-    let count = count.to_string();
-    match count.as_str() {
-        "1" => format!("1 {thing}"),
-        _ => format!("{count} {thing}s"),
-    }
 }
 
 /// Number of bands, and of the searches for hidden ones by their reason.

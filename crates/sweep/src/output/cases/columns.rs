@@ -46,11 +46,13 @@ pub(super) struct Columns {
     pub(super) vehicle_file: Option<usize>,
     pub(super) vehicle: Vec<(usize, Parameter)>,
     scene: Vec<(usize, Parameter)>,
+    /// Conditions of rows that say nothing else.
+    shared: NamedConditions,
     solver: Vec<(usize, Parameter)>,
 }
 
 impl Columns {
-    pub(super) fn of(heading: &[&str]) -> Result<Self, InputError> {
+    pub(super) fn of(heading: &[&str], shared: NamedConditions) -> Result<Self, InputError> {
         let place = |own: &str| heading.iter().position(|name| *name == own);
         let [name, vehicle_file, _] = OWN.map(place);
         let mut columns = Self {
@@ -58,6 +60,7 @@ impl Columns {
             vehicle_file,
             vehicle: Vec::new(),
             scene: Vec::new(),
+            shared,
             solver: Vec::new(),
         };
         for (index, name) in heading.iter().enumerate() {
@@ -88,7 +91,7 @@ impl Columns {
         }
         let has = |name: &str| {
             let mut given = columns.scene.iter();
-            given.any(|(_, parameter)| parameter.program_name() == name)
+            shared.get(name).is_some() || given.any(|(_, one)| one.program_name() == name)
         };
         match REQUIRED.iter().find(|name| !has(name)) {
             Some(absent) => Err(InputError::other(format!(
@@ -106,7 +109,7 @@ impl Columns {
         vehicle: &Vehicle,
         settings: &Settings,
     ) -> Result<Scene, InputError> {
-        let mut conditions = NamedConditions::default();
+        let mut conditions = self.shared;
         let given = values(&self.scene, row)?;
         for Given {
             parameter, value, ..
