@@ -89,7 +89,8 @@ impl<'a> Hull<'a> {
     /// The same, with the distance of the CG inboard of it in plan and its height over it, ft.
     #[inline(always)]
     fn critical_edge(&self) -> ([usize; 2], [f64; 2]) {
-        let mut critical = ([0; 2], [f64::INFINITY, 1.0]);
+        // Any edge is nearer than half a turn.
+        let mut critical = ([0; 2], [0.0, -1.0]);
         for ends in self.ends() {
             let [from, to] = ends.map(|end| &self.supports[end]);
             let (x, y) = (to.x - from.x, to.y - from.y);
@@ -191,6 +192,19 @@ mod tests {
         let one = [Vector3::new(1.0, 2.0, 3.0)];
         assert!(!Hull::of(&one).has_center());
         assert!(!Hull::of(&[one[0], one[0], one[0]]).has_center());
+    }
+
+    #[test]
+    fn on_its_back_a_vehicle_is_stable_nowhere() {
+        let square = [[45.0, 5.0], [135.0, 5.0], [225.0, 5.0], [315.0, 5.0]];
+        for x in [-4.5, -1.0, 0.0, 2.0, 3.5, 4.5] {
+            let mut feet = feet(&square, [x, 0.2]);
+            for foot in &mut feet {
+                foot.z = -foot.z;
+            }
+            let angle = Hull::of(&feet).stability_angle();
+            assert!(angle < 0.0, "{x}: {angle}");
+        }
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::trajectory::{Earlier, Trajectory};
 use super::verdict::StabilityTrack;
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
-use crate::outcome::{Failure, Outcome};
+use crate::outcome::{Class, Failure, Outcome};
 use crate::per_leg::PerLeg;
 use crate::record::{Beyond, Landing};
 use crate::registers::Registers;
@@ -465,11 +465,13 @@ impl<'o> Simulation<'o> {
         })
     }
 
-    /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict. One that ends while
-    /// it topples has toppled.
+    /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict. One that ends
+    /// otherwise than stable while its CG is beyond the feet has toppled.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
-        let toppled = || Some((Outcome::UnstableToppled, self.stability.topples_since()?));
-        let noted = self.noted.clone().or_else(toppled);
+        let is_stable = outcome.class() == Class::Stable;
+        let topples_since = self.stability.topples_since().filter(|_| !is_stable);
+        let toppled = topples_since.map(|since| (Outcome::UnstableToppled, since));
+        let noted = self.noted.clone().or(toppled);
         let Some((verdict, time)) = noted else {
             return self.trajectory.result(outcome);
         };

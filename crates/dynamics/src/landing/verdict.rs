@@ -26,16 +26,8 @@ pub(super) struct StabilityTrack {
     before: Option<(Observation, f64)>,
     /// For how long the CG has to be beyond the hull of the feet until the vehicle has toppled, s.
     while_beyond: f64,
-    beyond: Option<Beyond>,
-}
-
-/// A CG beyond the hull of the feet. Feet that still move out, or a strut that pushes, may bring it back.
-#[derive(Debug, Clone, Copy)]
-struct Beyond {
-    /// Since when, s.
-    since: f64,
-    /// Least σ since then, rad.
-    lowest: f64,
+    /// Since when it has been, s. Feet that still move out, or a strut that pushes, may bring it back.
+    beyond_since: Option<f64>,
 }
 
 impl StabilityTrack {
@@ -47,7 +39,7 @@ impl StabilityTrack {
             seen: Observation::none(vehicle.legs().len()),
             before: None,
             while_beyond: WHILE * free_fall(vehicle.standing_height(), gravity),
-            beyond: None,
+            beyond_since: None,
         }
     }
 
@@ -78,27 +70,15 @@ impl StabilityTrack {
     /// Takes note of whether the CG is beyond the hull of the feet: whether it has left it for good.
     #[inline(always)]
     fn note_beyond(&mut self, time: f64) -> bool {
-        if !self.monitor.is_beyond_hull(&self.seen) {
-            self.beyond = None;
-            return false;
-        }
-        let Beyond { since, lowest } = self.beyond.unwrap_or(Beyond {
-            since: time,
-            lowest: f64::INFINITY,
-        });
-        let angle = self.seen.angle;
-        self.beyond = Some(Beyond {
-            since,
-            lowest: lowest.min(angle),
-        });
-        time - since >= self.while_beyond && angle < lowest
+        let is_beyond = self.monitor.is_beyond_hull(&self.seen);
+        self.beyond_since = is_beyond.then(|| self.beyond_since.unwrap_or(time));
+        self.beyond_since
+            .is_some_and(|since| time - since >= self.while_beyond)
     }
 
-    /// Since when the CG has been beyond the hull of the feet, s, while it is farther beyond than ever.
+    /// Since when the CG has been beyond the hull of the feet, s, if it is.
     pub(super) fn topples_since(&self) -> Option<f64> {
-        self.beyond
-            .filter(|beyond| self.seen.angle <= beyond.lowest)
-            .map(|beyond| beyond.since)
+        self.beyond_since
     }
 
     /// Takes note that the thrust is on another line: the verdict that was waiting for it.
