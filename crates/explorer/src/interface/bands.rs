@@ -63,6 +63,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         scan_looseness: 1.0,
         refinement: Refinement::Margin,
         doubt: Doubt::default(),
+        kept: 0.0,
     };
     let at = async |speed: f64, variation: Variation| -> Result<Trial, Complaint> {
         let moved = (scene.with_horizontal_velocity(speed)).map_err(Complaint::engine)?;
@@ -70,7 +71,12 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         let (none, goes_on) = (&mut |_: &_| {}, || !is_over());
         let landing = land_located_while(&vehicle, &scene, &settings, f64::INFINITY, none, goes_on);
         let landing = landing.ok_or_else(Complaint::over)?;
-        Ok(Trial::of(landing, &scales, settings.tolerance()))
+        Ok(Trial::of(
+            landing,
+            &scales,
+            settings.tolerance(),
+            search.kept,
+        ))
     };
     let found = block_on(search.all_bands(at))?;
     let bands: Vec<Band> = found.bands.iter().map(band).collect();

@@ -65,6 +65,9 @@ impl Caption {
             );
         }
         parts.extend(text(&input["solver"]["rules_in_full"]));
+        if let Some(kept) = input["search"]["keep_deg"].as_f64() {
+            parts.push(format!("stability angle of {} deg kept", label(kept)));
+        }
         let cells = |name: &str| record["counts"][name].as_u64().unwrap_or(0);
         let coarse = cells("map_cells_coarser_than_asked");
         if coarse > 0 {
@@ -187,6 +190,10 @@ mod tests {
             "Surveyor · vertical velocity 14 ft/s · friction 1 · nominal roll \u{2212}10 deg · \
              1966 rules, crush rule section"
         );
+        let kept = RECORD.replace("\"to_fps\": 25", "\"to_fps\": 25, \"keep_deg\": 5");
+        let kept = Caption::from_record(&kept, SpeedUnit::default()).unwrap();
+        let expected = format!("{} · stability angle of 5 deg kept", caption.conditions);
+        assert_eq!(kept.conditions, expected);
         assert_eq!(caption.statement.as_deref(), Some("1966: none"));
         assert_eq!(caption.searched_to, Some(25.0));
         assert!(!caption.has_report_feet);

@@ -8,7 +8,7 @@ use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::section::Section;
 
-pub(crate) const SEARCH: [&str; 9] = [
+pub(crate) const SEARCH: [&str; 10] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",
@@ -18,6 +18,7 @@ pub(crate) const SEARCH: [&str; 9] = [
     "scan_looseness",
     "refinement",
     "certainty",
+    "keep_deg",
 ];
 /// Words of the choices, and what they mean.
 pub(crate) const EXTENTS: [(&str, Extent); 2] = [("first", Extent::First), ("all", Extent::All)];
@@ -32,13 +33,16 @@ pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
     ("none", Doubt::None),
 ];
 /// Keys of `[search]` that are numbers.
-pub(crate) const NUMBERS: [&str; 5] = [
+pub(crate) const NUMBERS: [&str; 6] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",
     "tolerance_fps",
     "scan_looseness",
+    "keep_deg",
 ];
+/// Greatest stability angle that landings can be asked to keep, deg: less than that of landings between which scans look no closer.
+const GREATEST_KEPT: f64 = 30.0;
 /// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
 const LEAST_BRACKET: f64 = 1e-9;
 /// Greatest factor on the solver's tolerance in a scan.
@@ -61,6 +65,10 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         scan_looseness: section.optional_number("scan_looseness")?.unwrap_or(1.0),
         refinement: choice(section, "refinement", &REFINEMENTS)?,
         doubt: choice(section, "certainty", &DOUBTS)?,
+        kept: section
+            .optional_number("keep_deg")?
+            .unwrap_or(0.0)
+            .to_radians(),
     };
     let width = search.to - search.from;
     let step = search.scan_step;
@@ -91,6 +99,11 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
             "scan_looseness",
             (1.0..=LOOSEST_SCAN).contains(&search.scan_looseness),
             format!("1 to {LOOSEST_SCAN}"),
+        ),
+        (
+            "keep_deg",
+            (0.0..=GREATEST_KEPT.to_radians()).contains(&search.kept),
+            format!("0 to {GREATEST_KEPT}"),
         ),
         (
             "tolerance_fps",

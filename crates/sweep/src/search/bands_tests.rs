@@ -22,6 +22,7 @@ const SEARCH: Search = Search {
     scan_looseness: 1.0,
     refinement: Refinement::Bisection,
     doubt: Doubt::None,
+    kept: 0.0,
 };
 
 fn survey(class: impl Fn(f64) -> Class) -> Boundary {

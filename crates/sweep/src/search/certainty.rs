@@ -195,7 +195,7 @@ pub(crate) async fn test<Stop>(
             let itself = is_new.then_some(given);
             let test = Variation::testing(sample.trial.tolerance);
             for variation in itself.into_iter().chain([test]) {
-                if land(speed, variation).await?.outcome.class() != class {
+                if land(speed, variation).await?.class != class {
                     return Ok(false);
                 }
             }

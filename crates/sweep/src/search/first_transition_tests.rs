@@ -17,6 +17,7 @@ pub(crate) const SEARCH: Search = Search {
     scan_looseness: 1.0,
     refinement: Refinement::Bisection,
     doubt: Doubt::None,
+    kept: 0.0,
 };
 
 fn find(search: Search, class: impl Fn(f64) -> Class) -> Boundary {

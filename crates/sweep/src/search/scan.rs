@@ -112,10 +112,7 @@ struct Walk<F> {
 
 /// Whether two landings ended for sure and had their struts clear of the stops on the same side, by `CLEAR` or by `least`.
 fn are_clear(ends: [&Trial; 2], least: f64) -> bool {
-    let is_decided = |trial: &Trial| {
-        let class = trial.outcome.class();
-        !matches!(class, Class::Failure | Class::Undecided)
-    };
+    let is_decided = |trial: &Trial| !matches!(trial.class, Class::Failure | Class::Undecided);
     let [Some(a), Some(b)] = ends.map(|trial| trial.margins.bottoming) else {
         return false;
     };

@@ -16,6 +16,7 @@ const SEARCH: Search = Search {
     scan_looseness: 1.0,
     refinement: Refinement::Margin,
     doubt: Doubt::None,
+    kept: 0.0,
 };
 
 fn landing(speed: f64, trial: Trial) -> Sample {

@@ -24,6 +24,8 @@ pub struct Search {
     pub refinement: Refinement,
     /// Which transitions are put to the test.
     pub doubt: Doubt,
+    /// Stability angle that a landing has to keep in order to count as stable, rad.
+    pub kept: f64,
 }
 
 /// How much of the range of speeds a search goes through.

@@ -13,6 +13,8 @@ use crate::contact_warnings::ContactWarnings;
 pub struct Trial {
     /// How it ended.
     pub outcome: Outcome,
+    /// What it counts as: a stable landing that comes too close to toppling counts as unstable.
+    pub class: Class,
     /// Least stability angle on the way, rad.
     pub least_angle: f64,
     /// Margins against ending otherwise.
@@ -36,7 +38,7 @@ pub struct Trial {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
     /// Against toppling: the square of the least σ, or minus the square of its rate at its zero in
-    /// radians per free fall, rad². `None` where all feet came to one side.
+    /// radians per free fall, rad², less the square of the angle that is to be kept. `None` where all feet came to one side.
     pub toppling: Option<f64>,
     /// Against bottoming: the least stroke that a strut had left, or minus the stroke that it would
     /// have needed beyond its stop, in units of the whole stroke. `None` where it did not slow down, or where a pad or block
@@ -67,12 +69,18 @@ impl Scales {
 }
 
 impl Trial {
-    /// What a search keeps of a landing that was computed at a tolerance.
-    pub fn of(landing: Landing, scales: &Scales, tolerance: f64) -> Self {
+    /// What a search keeps of a landing that was computed at a tolerance, where a stable one keeps at least the
+    /// stability angle `kept` (rad).
+    pub fn of(landing: Landing, scales: &Scales, tolerance: f64, kept: f64) -> Self {
+        let class = match landing.outcome.class() {
+            Class::Stable if landing.min_stability_angle < kept => Class::Unstable,
+            class => class,
+        };
         Self {
+            class,
             warnings: ContactWarnings::of(&landing),
             margins: Margins {
-                toppling: toppling(&landing, scales),
+                toppling: toppling(&landing, scales).map(|margin| margin - kept * kept),
                 bottoming: bottoming(&landing, scales),
             },
             least_angle: landing.min_stability_angle,
@@ -155,7 +163,7 @@ impl Sample {
 
     /// The class of its outcome.
     pub fn class(&self) -> Class {
-        self.trial.outcome.class()
+        self.trial.class
     }
 }
 
@@ -193,6 +201,7 @@ impl Trial {
         };
         Self {
             outcome,
+            class,
             least_angle: 0.5,
             margins: Margins::default(),
             duration: 3.0,

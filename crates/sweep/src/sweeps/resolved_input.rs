@@ -6,7 +6,7 @@ use crate::choice::word;
 use crate::design::Design;
 use crate::distribution::Distribution;
 use crate::document::{Document, Entry, Value as Read};
-use crate::levels::Levels;
+use crate::levels::{Levels, rounded};
 use crate::parameter::Parameter;
 use crate::sample::SampledAxis;
 use crate::scene_input::NamedConditions;
@@ -48,6 +48,9 @@ impl Sweep {
                     "refinement": word(&REFINEMENTS, search.refinement),
                     "certainty": word(&DOUBTS, search.doubt),
                 });
+                if search.kept > 0.0 {
+                    input["search"]["keep_deg"] = json!(rounded(search.kept.to_degrees()));
+                }
             }
             Job::Outcome { enough } => input["stop_at_interval_width"] = json!(enough),
         }

@@ -4,7 +4,7 @@
 
 use std::process::Stdio;
 
-use crate::common::{BASELINE, Bench};
+use crate::common::{BASELINE, Bench, SWEEP};
 
 #[test]
 fn help_teaches_units_and_the_sense_of_the_cross_slope() {
@@ -331,4 +331,53 @@ fn a_card_deck_lands_as_its_sample_run() {
     let done = bench.run(&["land", "deck/sample-scene.toml", "--out", "landings"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
     assert_eq!(bench.read("landings/sample-scene.csv"), outcomes);
+}
+
+/// The speed up to which landings keep an angle falls with the angle, and just below it they keep it.
+#[test]
+fn a_search_for_an_angle_that_is_kept_finds_where_it_is_not() {
+    let bench = Bench::new();
+    let axes = SWEEP.replace(
+        "roll_deg = { from = -10, to = 10, step = 10 }",
+        "search.keep_deg = [0, 5, 10, 20]",
+    );
+    let axes = axes.replace("from_fps = 10", "from_fps = 2").replace(
+        "tolerance_fps = 0.1",
+        "tolerance_fps = 0.001\nscan = \"skipping\"",
+    );
+    bench.write("sweep.toml", &axes);
+    let done = bench.run(&["sweep", "sweep.toml"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let table = bench.read("results/sweep.csv");
+    let speeds: Vec<[f64; 2]> = (table.lines().skip(1))
+        .map(|row| {
+            let cells: Vec<&str> = row.split(',').collect();
+            [0, 2].map(|cell| cells[cell].parse().unwrap())
+        })
+        .collect();
+    assert_eq!(speeds.len(), 4);
+    assert!(
+        speeds.windows(2).all(|pair| pair[1][1] < pair[0][1]),
+        "{speeds:?}"
+    );
+    for [kept, speed] in &speeds[1..] {
+        let least = |speed: f64| -> f64 {
+            let scene = "scene.toml";
+            bench.write(
+                scene,
+                &format!(
+                    "vehicle = \"surveyor.toml\"\n[scene]\nvertical_velocity_fps = 14\ncross_slope_deg = 180\n\
+                     slope_deg = 15\nfriction = 1.0\nhorizontal_velocity_fps = {speed}\n"
+                ),
+            );
+            let done = bench.run(&["land", scene, "--out", "landed", "--interval", "1"]);
+            assert_eq!(done.code, Some(0), "{}", done.err);
+            let table = bench.read("landed/scene.csv");
+            let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+            let column = (rows[0].iter()).position(|name| *name == "min_stability_angle_deg");
+            rows[1][column.unwrap()].parse().unwrap()
+        };
+        assert!(least(speed - 0.002) >= *kept, "{kept}");
+        assert!(least(speed + 0.002) < *kept, "{kept}");
+    }
 }

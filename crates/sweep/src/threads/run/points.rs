@@ -228,7 +228,12 @@ async fn find(
         })?;
         let landing = landed(&case.vehicle, varied, settings).await?;
         let scales = Scales::of(&case.vehicle, &case.scene);
-        Ok(Trial::of(landing, &scales, settings.tolerance()))
+        Ok(Trial::of(
+            landing,
+            &scales,
+            settings.tolerance(),
+            search.kept,
+        ))
     };
     let boundary = search
         .boundary(async |speed, variation| trial(&case, speed, variation).await)
