@@ -12,6 +12,7 @@ mod conservation;
 mod contact;
 mod convergence;
 mod early_end;
+mod equations;
 mod extremes;
 mod footing;
 mod footpad_edge;
