@@ -181,11 +181,13 @@ impl<'m> Rounds<'m> {
     pub fn coarse_cells(&self) -> CoarseCells {
         let sought = self.map.rules.error;
         let mut found = CoarseCells::default();
-        for (_, leaf) in self.leaves().filter(|_| sought > 0.0) {
-            let error = leaf.error.unwrap_or(0.0);
-            found.cells += 1;
-            found.coarse += usize::from(error > sought);
-            found.worst = found.worst.max(error);
+        for first in self.cells.iter().filter(|_| sought > 0.0) {
+            found.cells += first.leaves.len();
+            let open = first.leaves.iter().filter(|_| !first.is_fine);
+            for leaf in open.filter(|leaf| leaf.error.is_none_or(|error| error > sought)) {
+                found.coarse += 1;
+                found.worst = found.worst.max(leaf.error.unwrap_or(0.0));
+            }
         }
         found
     }

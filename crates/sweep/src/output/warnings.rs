@@ -41,7 +41,7 @@ pub fn of_sweep(sweep: &Sweep, counts: &SweepCounts) -> Vec<String> {
         let quantity = sweep.units.quantity("speed_fps");
         let sought = sweep.map().map_or(0.0, |map| map.rules.error);
         told.push(format!(
-            "{} of {} of the map are coarser than asked: estimated errors up to {:.2}, not {}, {}",
+            "{} of {} of the map are coarser than asked, as its budget is spent: estimated errors up to {:.2}, not {}, {}",
             map.coarse,
             number(map.cells, "cell"),
             quantity.number(map.worst),

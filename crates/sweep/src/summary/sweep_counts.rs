@@ -67,14 +67,14 @@ pub struct SweepCounts {
     kinds: [usize; 5],
 }
 
-/// How many cells of a map are coarser than was asked for: where its budget or its smallest cells ended the refinement.
+/// How many cells of a map its budget leaves coarser than was asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct CoarseCells {
-    /// All cells.
+    /// All cells of a map that is refined to an error.
     pub cells: usize,
-    /// Those whose estimated error is greater than the one that was sought.
+    /// Those that would be refined further and whose estimated error is greater than the one that was sought, or not known.
     pub coarse: usize,
-    /// The greatest estimated error, ft/s.
+    /// The greatest estimated error of these, ft/s.
     pub worst: f64,
 }
 
