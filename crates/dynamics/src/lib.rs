@@ -5,10 +5,10 @@
 //! vehicle has come to rest, toppled, or bottomed a strut. The model is that of Bendix report
 //! MM-66-19 (1966); numbers in parentheses in the documentation are its equations.
 //!
-//! Units are foot, slug, pound, second and radian throughout. Nothing here reads or writes files,
-//! starts threads, or looks at a clock. A landing is plain IEEE arithmetic in a fixed order, its
-//! elementary functions included, so that it comes out the same, bit for bit, on every machine; those
-//! of the standard library come from the machine's own and are not allowed here (`clippy.toml`).
+//! Units are foot, slug, pound, second and radian throughout. Nothing here reads or writes files, starts threads, or
+//! looks at a clock. A landing is plain IEEE arithmetic in a fixed order, its elementary functions included, so it
+//! comes out the same, bit for bit, on every machine. The standard library's elementary functions are the machine's own
+//! and are not allowed here (`clippy.toml`).
 //!
 //! The crate has floors, each of which knows only those below it (`scripts/floors.py` checks that):
 //!
