@@ -59,7 +59,7 @@ per_lane!(LegLoads {
     block_friction,
 });
 
-/// The equations of motion of a vehicle on a surface, or of several landings, a lane for each.
+/// The equations of motion of a vehicle on a surface, or of several landings, one per lane.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<S> {
     surface: Surface<S>,

@@ -52,10 +52,10 @@ impl Transpose<2> for Baseline {
 /// Registers for a single landing: of four numbers if available.
 #[derive(Debug, Clone, Copy)]
 pub enum Single {
-    /// Of four numbers.
+    /// Four numbers.
     #[cfg(target_arch = "x86_64")]
     Four(Four),
-    /// Of one or two.
+    /// One or two.
     Baseline,
 }
 
