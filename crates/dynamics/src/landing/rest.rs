@@ -223,7 +223,7 @@ impl Trajectory<'_> {
         })
     }
 
-    /// All usable feet and blocks.
+    /// All feet and blocks that can bear.
     fn supports(&self, frame: &BodyFrame<f64>, pull: &Pull) -> ArrayVec<Support, MOST_SUPPORTS> {
         let mut supports = ArrayVec::new();
         for leg in 0..self.leg_count() {

@@ -136,7 +136,7 @@ impl<'o> Simulation<'o> {
     /// Notes the first verdict of a landing that goes on beyond it.
     ///
     /// # Errors
-    /// The verdict, where it ends the landing.
+    /// The verdict, if it ends the landing.
     fn conclude(&mut self, verdict: Outcome) -> Result<(), Outcome> {
         if !self.trajectory.settings.goes_on() {
             return Err(verdict);

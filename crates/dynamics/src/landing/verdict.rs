@@ -191,7 +191,7 @@ impl Trajectory<'_> {
     /// between a verdict may fall or, unless it `is_plain`, a least value hide.
     ///
     /// # Errors
-    /// The verdict and where, if one falls.
+    /// The verdict and its fraction, if one falls.
     #[inline(never)]
     fn judge_closely(
         &mut self,

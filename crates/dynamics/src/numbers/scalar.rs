@@ -60,9 +60,9 @@ pub trait Real:
 
     /// Sine and cosine, to within 5e-16 for angles up to a thousand turns.
     ///
-    /// Uses no platform library, so that a landing comes out the same, bit for bit, everywhere. Reduction to [-π/2,
-    /// π/2] by three-part π after Cody and Waite, skipped where it changes no bit; then polynomials in the square,
-    /// summed in pairs after Estrin, so that no term waits for the previous one.
+    /// Uses no platform library, so that a landing comes out the same, bit for bit, everywhere. Reduction to
+    /// [-π/2, π/2] by three-part π after Cody and Waite, skipped where it changes no bit; then polynomials in the
+    /// square, summed in pairs after Estrin, so that no term waits for the previous one.
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         if self.is_within(REDUCED) {

@@ -29,7 +29,7 @@ impl BandsTable {
     /// Reads a table of bands.
     ///
     /// # Errors
-    /// Names the row and column of what is not as the sweep writes it.
+    /// Names the row and column that is not as the sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         Self::read(csv).map_err(|error| match error {
             FigureError::Table(complaint) => FigureError::Table(format!("bands: {complaint}")),

@@ -107,7 +107,7 @@ impl BoundaryTable {
     /// Reads a result table over all its axes.
     ///
     /// # Errors
-    /// Names the row and column of what is not as the sweep writes it.
+    /// Names the row and column that is not as the sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         let axes: Vec<String> = Self::axes(csv)?.into_iter().map(|axis| axis.name).collect();
         Self::worst_by(csv, &axes)
@@ -138,8 +138,8 @@ impl BoundaryTable {
     /// the one with the lowest first transition. A row without a transition is above all others.
     ///
     /// # Errors
-    /// Names the axis that the table does not have or that was named twice, and the row and column of
-    /// what is not as the sweep writes it.
+    /// Names the axis that the table does not have or that was named twice, and the row and column
+    /// that is not as the sweep writes it.
     pub fn worst_by(csv: &str, axes: &[String]) -> Result<Self, FigureError> {
         let table = Table::parse(csv)?;
         let kind = table.column(KIND)?;

@@ -53,7 +53,7 @@ impl HistoryTable {
     /// values (`name_1966_unit`), and `touches`.
     ///
     /// # Errors
-    /// Names the row and column of what is no number.
+    /// Names the row and column that is no number.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         let table = Table::parse(csv)?;
         let names = table.names();

@@ -63,7 +63,7 @@ impl SensitivityTable {
     /// Reads a table of sensitivities.
     ///
     /// # Errors
-    /// Names the row and column of what is not as a sweep writes it.
+    /// Names the row and column that is not as a sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         let table = Table::parse(csv)?;
         let axes = table.column(PARAMETER)?;
