@@ -17,12 +17,12 @@
 //! | [`batch`] | many landings, a lane of a register for each | |
 //! | [`land`], [`methods`], [`impact_surface`] | one landing by any method; the methods of 1966; the surface from impact times | |
 //! | [`landing`] | one landing: steps, events, verdicts, its account | [`touchdown`], [`energy`], [`critical_feet`], [`stability`], [`record`] |
-//! | `equations` | where everything is and how it moves | [`state`], [`kinematics`], [`motion`], [`response`] |
+//! | `equations` | kinematics and equations of motion | [`state`], [`kinematics`], [`motion`], [`response`] |
 //! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], [`settings`], [`method`], [`error_control`] |
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], [`signal`], [`outcome`] |
 //! | `design` | plain data of a lander | [`parts`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
-//! | `numbers` | scalars, lanes, registers, one item a leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], [`products`] |
+//! | `numbers` | scalars, lanes, registers, one item per leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], [`products`] |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

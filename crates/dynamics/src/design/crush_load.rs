@@ -14,8 +14,8 @@ impl CrushLoad {
     /// Builds a table from knots of stroke (ft) and load (lb).
     ///
     /// # Errors
-    /// Strokes start at 0 and do not decrease, and at most two knots have one stroke; loads are finite, that of the first knot
-    /// is positive and none is negative.
+    /// Strokes start at 0 and do not decrease, and at most two knots have one stroke. Loads are finite, that of the
+    /// first knot is positive and none is negative.
     pub fn new(knots: Vec<[f64; 2]>) -> Result<Self, Invalid> {
         let complain = |value, allowed| Err(Invalid::new("strut.crush_load", value, allowed));
         let Some(&[first, load]) = knots.first() else {

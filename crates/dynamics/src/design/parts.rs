@@ -147,8 +147,8 @@ pub struct Footpad {
     pub edge: Option<PadEdge>,
 }
 
-/// A footpad on its edge: its lowest rim, at half of its height, crushes under a constant load, as in the program of 1966
-/// (187 lb beyond 65 deg).
+/// A footpad on its edge: its lowest rim, at half of its height, crushes under a constant load, as in the program of
+/// 1966 (187 lb beyond 65 deg).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PadEdge {
     /// Inclination ξ beyond which it is on its edge, rad.

@@ -332,7 +332,8 @@ impl<S: Real> Motion<S> {
         self.move_body(&body, &frame, &push, derivative);
     }
 
-    /// Writes the time derivative of the state and the signals of all legs; `FULL` and `FACE` as for [`Self::derivative`].
+    /// Writes the time derivative of the state and the signals of all legs. `FULL` and `FACE` are as in
+    /// [`Self::derivative`].
     #[inline(always)]
     pub fn evaluate<const FULL: bool, const FACE: bool>(
         &self,

@@ -71,8 +71,8 @@ impl<'a> Hull<'a> {
         self.ends().map(|ends| ends.map(|end| &self.supports[end]))
     }
 
-    /// Stability angle: the least angle between the vertical through the CG and the line from the CG to the point of an edge
-    /// that is nearest in plan, rad; positive where the CG is within the hull and above the edge.
+    /// Stability angle, rad: the least angle between the vertical through the CG and the line from the CG to the point
+    /// of an edge that is nearest in plan. Positive where the CG is within the hull and above the edge.
     #[inline(always)]
     pub(super) fn stability_angle(&self) -> f64 {
         let (_, [inboard, height]) = self.critical_edge();

@@ -1,5 +1,5 @@
-//! The legs' signals at three instants: the start of the previous step, and the start and end of the present one. The three
-//! buffers rotate, so that nothing is copied from step to step.
+//! The legs' signals at three instants: start of the previous step, start and end of the present one. The three buffers
+//! rotate, so that nothing is copied from step to step.
 
 use crate::motion::Signals;
 

@@ -1,5 +1,5 @@
-//! An attempted step, explicit or implicit, of one landing or of several in lanes. Here the integrator's method, the equations
-//! of motion and the registers meet.
+//! An attempted step, explicit or implicit, of one landing or of several in lanes. It brings together the integrator's
+//! method, the equations of motion and the registers.
 
 use pulp::NullaryFnOnce;
 

@@ -218,8 +218,8 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         }
     }
 
-    /// A quantity that changes with translation of the body (vehicle axes), with its rotation about the centre (leg axes)
-    /// and with the link.
+    /// A quantity that changes with translation of the body (vehicle axes), with its rotation about the centre (leg
+    /// axes) and with the link.
     #[inline(always)]
     fn moved(&self, translation: &Vector3<S>, rotation: &Vector3<S>, link: S) -> Coordinates<S> {
         let mut moved = self.turned(rotation, link);

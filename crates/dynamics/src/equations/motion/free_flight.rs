@@ -23,7 +23,7 @@ pub struct FreeFlight {
     start: State<f64>,
     /// Gravity, ft/s², along z of the ground axes.
     gravity: f64,
-    /// Derivatives of the angular velocity (rad/s, body axes) and of the quaternion, order by order in s, over factorials.
+    /// Derivatives of angular velocity (rad/s, body axes) and quaternion, order by order in s, over factorials.
     rates: [Vector3<f64>; ORDER + 1],
     quaternions: [Vector4<f64>; ORDER + 1],
     legs: PerLeg<HangingLeg>,
