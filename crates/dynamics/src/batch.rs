@@ -1,7 +1,7 @@
-//! Many landings in a batch: each has its own time, length of steps, laws and events, and those whose next steps are of
-//! one kind take them together, a lane of a register for each.
+//! Many landings in a batch. Each has its own time, step length, laws and events. Those whose next steps are of one
+//! kind take them together, each in a lane of a register.
 //!
-//! A landing comes out the same, bit for bit, as alone and whatever lands beside it.
+//! A landing comes out the same, bit for bit, alone or beside any others.
 
 mod lane_steps;
 
@@ -23,9 +23,9 @@ use crate::vehicle::Vehicle;
 
 use lane_steps::LaneSteps;
 
-/// Landings under way per lane: so many that the lanes of explicit or of implicit steps can nearly always be filled.
+/// Landings under way per lane: enough to fill the lanes of explicit or of implicit steps nearly always.
 const UNDER_WAY: usize = 2;
-/// Lanes that must be filled for a step in all of them to pay, four or eight: it takes as long as so many steps alone.
+/// Least number of filled lanes for a joint step to pay, of four or eight: it takes as long as so many steps alone.
 const LEAST_FILLED: usize = 3;
 
 /// A landing to be computed.
@@ -33,20 +33,20 @@ const LEAST_FILLED: usize = 3;
 pub struct Request {
     /// Identifies its result.
     pub key: usize,
-    /// What lands.
+    /// The vehicle.
     pub vehicle: Arc<Vehicle>,
-    /// How it touches down.
+    /// The touchdown.
     pub scene: Scene,
-    /// How that is computed.
+    /// Settings of the computation.
     pub settings: Settings,
 }
 
-/// How full lanes were.
+/// Occupancy of lanes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Occupancy {
     /// Steps taken, rejected ones included.
     pub steps: u64,
-    /// Lanes there were for them: one for each that was taken alone.
+    /// Lanes available for them; one for each step taken alone.
     pub lanes: u64,
 }
 
@@ -84,7 +84,7 @@ impl Width {
         }
     }
 
-    /// Whether this processor has registers so wide.
+    /// Returns whether this processor has registers this wide.
     pub fn is_supported(self) -> bool {
         match self {
             Self::One | Self::Two => true,
@@ -97,7 +97,7 @@ impl Width {
         }
     }
 
-    /// The width at which this processor lands fastest.
+    /// Fastest width on this processor.
     pub fn fastest() -> Self {
         [Self::Eight, Self::Four]
             .into_iter()
@@ -106,8 +106,9 @@ impl Width {
     }
 }
 
-/// Computes the landings that `next` asks for, several at a time; `done` gets each result with its key. Ends once
-/// `next` asks for none while none is under way: until then it is called before every step for which there is room.
+/// Computes the landings that `next` supplies, several at a time, and gives each result with its key to `done`. Ends
+/// when `next` supplies none while none is under way. Until then `next` is called before every step for which there is
+/// room.
 pub fn land_many(
     next: &mut dyn FnMut() -> Option<Request>,
     done: &mut dyn FnMut(usize, Landing),
@@ -115,7 +116,7 @@ pub fn land_many(
     land_in_lanes(Width::fastest(), next, done)
 }
 
-/// [`land_many`] in so many lanes, or in the widest there are if this processor has none so wide.
+/// [`land_many`] in this many lanes, or in the most that this processor has.
 pub fn land_in_lanes(
     width: Width,
     next: &mut dyn FnMut() -> Option<Request>,
@@ -181,7 +182,7 @@ struct Member {
     /// Identifies its result.
     key: usize,
     simulation: Simulation<'static>,
-    /// Changes of the coefficients of each leg that its lane has seen.
+    /// Changes of each leg's coefficients that its lane has seen.
     changes_seen: PerLeg<u64>,
 }
 
@@ -189,7 +190,7 @@ struct Member {
 struct LaneGroup<const N: usize> {
     steps: Box<LaneSteps<N>>,
     lanes: [Option<Box<Member>>; N],
-    /// Those that wait for a lane.
+    /// Landings that wait for a lane.
     waiting: Vec<Box<Member>>,
 }
 
@@ -222,7 +223,7 @@ impl<const N: usize> LaneGroup<N> {
     }
 }
 
-/// All landings under way. They have as many legs as the first, and its contact rule.
+/// All landings under way. They share the first one's number of legs and contact rule.
 struct Batch<R, const N: usize> {
     registers: R,
     legs: usize,
@@ -232,13 +233,13 @@ struct Batch<R, const N: usize> {
     implicit: LaneGroup<N>,
     /// For steps of one landing alone.
     workspace: Workspace<f64>,
-    /// Those that have ended, whose places others take.
+    /// Ended landings, whose places others take.
     ended: Vec<Box<Member>>,
     occupancy: Occupancy,
 }
 
 impl<R: Transpose<N>, const N: usize> Batch<R, N> {
-    /// A batch for landings such as this one; there are none in it yet.
+    /// An empty batch for landings such as this one.
     fn new(registers: R, first: &Request) -> Self {
         let contact_rule = first.settings.rules(&first.vehicle).contact;
         let motion = Motion::new(&first.vehicle, &first.scene).with_contact_rule(contact_rule);
@@ -262,7 +263,8 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
         }
     }
 
-    /// Starts a landing. Methods of 1966, vehicles with another number of legs and other contact rules have no lanes here.
+    /// Starts a landing. One by a method of 1966, with another number of legs or another contact rule is computed at
+    /// once, without a lane.
     fn start(&mut self, request: &Request, done: &mut dyn FnMut(usize, Landing)) {
         let Request {
             key,
@@ -292,7 +294,7 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
         self.go_on(member, goes_on, done);
     }
 
-    /// Lets a landing wait for a lane, if it goes on.
+    /// Queues a landing for a lane, if it goes on.
     fn go_on(
         &mut self,
         member: Box<Member>,
@@ -305,14 +307,14 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
         }
     }
 
-    /// Tells the result of a landing.
+    /// Ends a landing and reports its result.
     fn end(&mut self, member: Box<Member>, outcome: Outcome, done: &mut dyn FnMut(usize, Landing)) {
         self.under_way -= 1;
         done(member.key, member.simulation.result(outcome));
         self.ended.push(member);
     }
 
-    /// Takes a step of the kind that fills more lanes, or one of each landing alone where that is faster.
+    /// Takes a step of the kind that fills more lanes, or one step of each landing alone where that is faster.
     fn step(&mut self, done: &mut dyn FnMut(usize, Landing)) {
         self.explicit.fill();
         self.implicit.fill();

@@ -1,4 +1,4 @@
-//! What a lander is made of, as plain data: parts, tables, attitudes, rules to choose from.
+//! Plain data of a lander: parts, tables, attitudes, rules to choose from.
 
 pub mod attitude;
 pub mod crush_load;

@@ -1,10 +1,9 @@
 //! The surface from the times at which the footpads struck it (2.8): slope, its direction and the
 //! touchdown in customary ground axes, from attitude and motion before and impact times measured.
 //!
-//! Sought is the plane on which a landing of this vehicle gives the measured times. The report
-//! flew on with an assumed slope once the first pad had touched; here the slope found is the one
-//! flown with, by Newton's method on the horizontal part of its normal. Times of three pads determine it; of more, the
-//! surface is the one that fits them best in the sense of least squares.
+//! The surface is the plane on which a landing of this vehicle gives the measured times. The report flew on with an
+//! assumed slope after the first pad had touched; here the flight uses the slope found, by Newton's method on the
+//! horizontal part of its normal. Times of three pads determine the surface; with more, it is their least-squares fit.
 
 mod pads;
 
@@ -28,18 +27,18 @@ use crate::vehicle::Vehicle;
 
 /// Tolerance of the landings.
 const TOLERANCE: f64 = 1e-10;
-/// Time after the last impact that a landing is followed, s.
+/// Time that a landing is followed after the last impact, s.
 const AFTERWARDS: f64 = 0.05;
 /// Step of differences, and change at which the search ends, of the slope's tangent.
 const DIFFERENCE: f64 = 1e-5;
 const CLOSE: f64 = 1e-11;
-/// Greatest residual of an impact time where there are only as many as determine a surface, s.
+/// Greatest residual of an impact time, s, if there are only as many times as determine a surface.
 const TIMELY: f64 = 1e-8;
 const DETERMINED: usize = 3;
-/// Step of the tangent below which the least squares of more times are found.
+/// Step of the tangent below which the least-squares fit of more times is found.
 const SETTLED: f64 = 1e-7;
 const MOST_HALVINGS: usize = 10;
-/// Most landings of a search, several times as many as one takes that finds a surface.
+/// Most landings of a search, several times as many as a successful one takes.
 const MOST_LANDINGS: u64 = 60;
 /// Tangent of the steepest surface looked for, 85 deg.
 const STEEPEST: f64 = 11.43;
@@ -47,7 +46,7 @@ const STEEPEST: f64 = 11.43;
 /// direction of motion.
 const LEVEL: f64 = 1e-9;
 const NO_MOTION: f64 = 1e-9;
-/// Area, in terms of the sides' product, below which three points lie on a line.
+/// Area over the product of the sides below which three points lie on a line.
 const COLLINEAR: f64 = 1e-6;
 /// Interval of free flight, s.
 const FLIGHT_STEP: f64 = 1e-3;
@@ -72,8 +71,8 @@ pub struct Approach {
 pub struct ImpactSurface {
     /// Slope θs, rad, ≥ 0.
     pub slope: f64,
-    /// Rotation ζ about Z from the given to the customary ground axes (87), rad; `None` on level
-    /// ground, where any serves, and zero is taken for what follows.
+    /// Rotation ζ about Z from the given to the customary ground axes (87), rad; `None` on level ground, where any
+    /// serves and zero is used.
     pub rotation: Option<f64>,
     /// Cross-slope λ (86), rad; `None` on level ground or without horizontal motion.
     pub cross_slope: Option<f64>,
@@ -85,7 +84,7 @@ pub struct ImpactSurface {
     pub horizontal_velocity: f64,
     /// Points of impact (80) in the given axes, from the CG at time zero, ft.
     pub impact_points: PerLeg<Vector3<f64>>,
-    /// Greatest difference of an impact time of the landing found and the one given, s.
+    /// Greatest difference between an impact time of the landing found and the given one, s.
     pub residual: f64,
     /// Landings computed.
     pub landings: u64,
@@ -100,13 +99,13 @@ pub enum NoSurface {
     Collinear,
     /// The points of impact span a wall.
     Wall,
-    /// On the surface that the points of impact span this pad never would touch.
+    /// This pad never touches the surface that the points of impact span.
     NeverTouches {
         /// Index of the leg, from 0.
         leg: usize,
-        /// How the landing ends there before.
+        /// Outcome that ends the landing before.
         outcome: Outcome,
-        /// When, s after first contact.
+        /// Time of that, s after first contact.
         time: f64,
     },
     /// No slope gives these times: the least residual found, s.
@@ -185,14 +184,14 @@ struct Search<'a> {
     times: PerLeg<f64>,
     /// The pad that touches first.
     first: usize,
-    /// Time that the first pad's contact takes to count, s.
+    /// Time from first contact until the first pad's contact counts, s.
     delay: f64,
     landings: u64,
 }
 
 /// A landing on a trial surface.
 struct Trial {
-    /// Contact times after the first less those given, s.
+    /// Contact times after the first, minus those given, s.
     residuals: PerLeg<f64>,
     landing: Landing,
 }
@@ -264,7 +263,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Free flight through `time` seconds: the approach then, and the displacement of the CG, ft.
+    /// Flies freely for `time` seconds. Returns the approach then, and the displacement of the CG, ft.
     fn fly(&self, time: f64) -> Result<(Approach, Vector3<f64>), Invalid> {
         let scene = self.scene(&self.approach, &Vector2::zeros())?;
         let settings = Settings::new(TOLERANCE, 1.0, CrushRule::default())?;
@@ -300,7 +299,7 @@ impl<'a> Search<'a> {
         Ok((approach, body.position + Vector3::new(0.0, 0.0, HIGH_UP)))
     }
 
-    /// The plane through the outboard sections of the first three pads where free flight would have them at their times.
+    /// The plane through the outboard sections of the first three pads at their impact times in free flight.
     fn plane_of_free_flight(&self) -> Result<Vector2<f64>, NoSurface> {
         let mut points = [Vector3::zeros(); 3];
         for (leg, point) in points.iter_mut().enumerate() {
@@ -345,7 +344,7 @@ impl<'a> Search<'a> {
         Ok(Trial { residuals, landing })
     }
 
-    /// Gauss and Newton's steps to the tangent that gives the times.
+    /// Takes Gauss-Newton steps to the tangent that gives the times.
     fn refine(&mut self, mut tangent: Vector2<f64>) -> Result<Vector2<f64>, NoSurface> {
         let mut trial = self.land(&tangent)?;
         let mut is_at_least = false;

@@ -1,4 +1,4 @@
-//! The integrator taken apart: methods, dense output, step control, event location.
+//! The integrator in parts: methods, dense output, step control, event location.
 
 pub mod cubic;
 pub mod dense;

@@ -1,4 +1,4 @@
-//! A landing by the method that its settings name.
+//! A landing by the method in its settings.
 
 use crate::landing::{Instant, Landing, land_located};
 use crate::methods::{
@@ -24,9 +24,9 @@ pub fn land_observed(
     land_with_summary(vehicle, scene, settings, interval, observe).0
 }
 
-/// Computes a landing by the method of the settings and reports its state every `interval` seconds
-/// from first contact on, and at the end; with the account of its integration. The method that
-/// locates events has its own account in the landing and an empty one here.
+/// Computes a landing by the method of the settings and reports its state every `interval` seconds from first contact
+/// on, and at the end. Also returns the account of its integration; the method that locates events has its own account
+/// in the landing and an empty one here.
 pub fn land_with_summary(
     vehicle: &Vehicle,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! What lands and how: a vehicle and a touchdown, checked once and correct from then on, and how that is computed.
+//! The vehicle and its touchdown, checked once and correct from then on, and the settings of the computation.
 
 pub mod error_control;
 mod footprint;

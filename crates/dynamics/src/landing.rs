@@ -38,8 +38,8 @@ pub(crate) use step_attempt::{StepKind, TakeStep, Workspace};
 
 pub use record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
 
-/// Computes a landing, its events located, and reports its state every `interval` seconds from first contact on, and
-/// at the end.
+/// Computes a landing with its events located. Reports its state every `interval` seconds from first contact on, and at
+/// the end.
 pub fn land_located(
     vehicle: &Vehicle,
     scene: &Scene,
@@ -56,7 +56,8 @@ pub fn land_located(
     simulation.result(outcome)
 }
 
-/// Like [`land_located`] while `goes_on`, asked before every step, says so, else none; an infinite `interval` (s) observes nothing.
+/// Like [`land_located`], but returns `None` once `goes_on`, asked before every step, says no. An infinite `interval`
+/// (s) reports nothing.
 pub fn land_located_while(
     vehicle: &Vehicle,
     scene: &Scene,
@@ -83,8 +84,8 @@ pub fn land_located_while(
     }
 }
 
-/// Computes a landing, its events located, until all footpads have touched; as [`Outcome::TimeExpired`] then, if it has
-/// not ended before.
+/// Computes a landing with its events located, until all footpads have touched. If it has not ended by then, its
+/// outcome is [`Outcome::TimeExpired`].
 pub fn land_until_all_pads_touch(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Landing {
     let mut simulation = Simulation::new(vehicle, scene, settings, None);
     let mut workspace = Workspace::new(&simulation.trajectory.motion);

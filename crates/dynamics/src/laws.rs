@@ -1,4 +1,4 @@
-//! The laws of a leg, each cut into pieces: coefficients, ranges in which they hold, and what comes next.
+//! The laws of a leg, each cut into pieces: coefficients, ranges in which they hold, and the next pieces.
 
 pub mod contact;
 pub mod crush;

@@ -5,10 +5,10 @@
 //! vehicle has come to rest, toppled, or bottomed a strut. The model is that of Bendix report
 //! MM-66-19 (1966); numbers in parentheses in the documentation are its equations.
 //!
-//! Units are foot, slug, pound, second and radian throughout. Nothing here reads or writes files,
-//! starts threads, or looks at a clock. A landing is plain IEEE arithmetic in a fixed order, its
-//! elementary functions included, so that it comes out the same, bit for bit, on every machine; those
-//! of the standard library come from the machine's own and are not allowed here (`clippy.toml`).
+//! Units are foot, slug, pound, second and radian throughout. Nothing here reads or writes files, starts threads, or
+//! looks at a clock. A landing is plain IEEE arithmetic in a fixed order, its elementary functions included, so it
+//! comes out the same, bit for bit, on every machine. The standard library's elementary functions are the machine's own
+//! and are not allowed here (`clippy.toml`).
 //!
 //! The crate has floors, each of which knows only those below it (`scripts/floors.py` checks that):
 //!
@@ -17,12 +17,12 @@
 //! | [`batch`] | many landings, a lane of a register for each | |
 //! | [`land`], [`methods`], [`impact_surface`] | one landing by any method; the methods of 1966; the surface from impact times | |
 //! | [`landing`] | one landing: steps, events, verdicts, its account | [`touchdown`], [`energy`], [`critical_feet`], [`stability`], [`record`] |
-//! | `equations` | where everything is and how it moves | [`state`], [`kinematics`], [`motion`], [`response`] |
+//! | `equations` | kinematics and equations of motion | [`state`], [`kinematics`], [`motion`], [`response`] |
 //! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], [`settings`], [`method`], [`error_control`] |
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], [`signal`], [`outcome`] |
 //! | `design` | plain data of a lander | [`parts`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
-//! | `numbers` | scalars, lanes, registers, one item a leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], [`products`] |
+//! | `numbers` | scalars, lanes, registers, one item per leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], [`products`] |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

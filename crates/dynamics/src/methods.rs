@@ -1,8 +1,8 @@
 //! The integrators of 1966: the report's own (3.2, 3.3) and those it was compared with (4.1.2).
 //!
-//! They know of no events: every evaluation chooses the active piece of each law from the state,
-//! and what the elements keep of being crushed changes in trial stages too. Next to the method
-//! that locates events they show what the report's published numbers owe to its integration.
+//! They know of no events. Every evaluation chooses the active piece of each law from the state, and trial stages too
+//! change the sets of crushed elements. Compared with the method that locates events, they show what the report's
+//! published numbers owe to its integration.
 
 mod bouncing_ball;
 mod error_check;
@@ -46,7 +46,7 @@ pub fn land_by(
     Flight::new(vehicle, scene, settings, &model, interval, observe).run(stepper)
 }
 
-/// The check of the errors of a vehicle with so many legs.
+/// The error check for a vehicle with this many legs.
 pub fn check(control: &ErrorControl, legs: usize) -> ErrorCheck {
     ErrorCheck::new(variables::limits(&control.limits(), legs))
 }

@@ -1,5 +1,5 @@
 //! The version of the model, which results carry.
 
-/// Counts the changes to the model, to its integration or to searches that change any result, however little:
-/// results of different versions are not to be mixed.
+/// Counts the changes to the model, its integration or its searches that change any result, however little. Results of
+/// different versions must not be mixed.
 pub const MODEL_VERSION: u32 = 22;

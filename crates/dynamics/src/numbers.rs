@@ -1,4 +1,4 @@
-//! Numbers: one, or several in the lanes of a register; one item a leg.
+//! Numbers: single, or several in the lanes of a register; one item per leg.
 
 pub mod extremes;
 pub mod lanes;

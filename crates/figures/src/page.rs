@@ -1,4 +1,4 @@
-//! What all pictures are drawn with: the canvas, colours, axes, legends, and the sheet with its captions.
+//! Drawing tools of all pictures: the canvas, colours, axes, legends, and the sheet with its captions.
 
 pub mod canvas;
 pub mod frame;

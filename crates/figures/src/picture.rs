@@ -1,4 +1,4 @@
-//! Which pictures a result table gives.
+//! The pictures of a result table.
 
 use crate::bands_table::BandsTable;
 use crate::boundary_profile;
@@ -21,16 +21,16 @@ use crate::surface::Surface;
 use crate::tornado_chart;
 use crate::work_precision::{self, Cost};
 
-/// A picture and what is appended to the table's name to name it.
+/// A picture, and the suffix of its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Picture {
-    /// What follows the stem of the table's name, empty for the only picture.
+    /// Suffix to the stem of the table's name, empty for the only picture.
     pub suffix: &'static str,
     /// The picture.
     pub svg: String,
 }
 
-/// What pictures are drawn from.
+/// Sources of pictures.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Source<'s> {
     /// Name of the table.
@@ -45,19 +45,19 @@ pub struct Source<'s> {
     pub record: Option<&'s str>,
 }
 
-/// What is drawn of a table, where it does not follow from the table.
+/// Choices for a picture that do not follow from its table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Choices {
     /// Levels of maps.
     pub levels: Option<Levels>,
-    /// Axes of a sweep over which the lowest transition is drawn.
+    /// Axes of a sweep over which to draw the lowest transition.
     pub worst_by: Vec<String>,
     /// Columns of a history.
     pub columns: Vec<String>,
 }
 
 impl Choices {
-    /// Checks that a table of some kind has a use for what was chosen.
+    /// Checks that a table of some kind can use the choices.
     fn check(&self, kind: &str, has_axes: bool, has_columns: bool) -> Result<(), FigureError> {
         let given = [
             ("levels", self.levels.is_some() && !has_axes),
@@ -73,9 +73,9 @@ impl Choices {
     }
 }
 
-/// Draws all pictures of a table: for the transitions of a sweep over one axis a profile, over two axes
-/// a contour map and a perspective, over more the same of the lowest transitions over the others; for
-/// histories a chart, for sensitivities a tornado chart, for landings over two axes how each ended.
+/// Draws all pictures of a table. Transitions of a sweep over one axis give a profile, over two axes a contour map and
+/// a perspective, over more the same for the lowest transitions over the others. Histories give a chart, sensitivities
+/// a tornado chart, and landings over two axes a chart of outcomes.
 ///
 /// # Errors
 /// When a table is not one that the program writes, a record is not JSON, a table has no picture, or
@@ -154,7 +154,7 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
     }
 }
 
-/// Whether a table is one of histories.
+/// Returns whether a table is one of histories.
 pub fn is_history(table: &str) -> bool {
     history_table::is_history(table)
 }
@@ -182,8 +182,8 @@ fn caption(source: &Source) -> Result<Caption, FigureError> {
     Caption::of_table(source.name, source.table, source.record)
 }
 
-/// The axes over which a sweep is drawn: all, where there are no more than two, or the two with the
-/// most values. Axes of words, and of a single value beside others, are not drawn over.
+/// The axes over which a sweep is drawn: all if there are no more than two, or the two with the most values. Axes of
+/// words, and axes of a single value next to others, are not drawn over.
 fn drawn_axes(table: &str) -> Result<Vec<String>, FigureError> {
     let mut axes = BoundaryTable::axes(table)?;
     if axes.len() > 1 {
@@ -205,8 +205,8 @@ fn drawn_axes(table: &str) -> Result<Vec<String>, FigureError> {
     }
 }
 
-/// A map and a view; where cross-slopes of both signs were swept, another map of the negative ones
-/// with both scales reversed, which symmetry would make equal to the first.
+/// A map and a view. If cross-slopes of both signs were swept, also a map of the negative ones with both scales
+/// reversed, which symmetry would make equal to the first.
 fn over_two_axes(
     table: &BoundaryTable,
     levels: Option<&Levels>,

@@ -1,4 +1,4 @@
-//! Pictures as PNG, rendered from their SVG with a font that comes along.
+//! Pictures as PNG, rendered from their SVG with a bundled font.
 
 use std::sync::Arc;
 
@@ -42,8 +42,8 @@ pub fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
     encode(&pixels).map_err(|error| failed(&error))
 }
 
-/// Encodes opaque pixels. Even areas and lines take least room without a filter: the best compression with one takes four
-/// times as long, and up to a third more room.
+/// Encodes opaque pixels. Even areas and lines are smallest without a filter: the best compression with a filter takes
+/// four times as long and up to a third more space.
 fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     let mut file = Vec::new();
     let mut encoder = Encoder::new(&mut file, pixels.width(), pixels.height());

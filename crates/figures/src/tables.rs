@@ -1,4 +1,4 @@
-//! Result tables as they are read.
+//! Readers of result tables.
 
 pub mod bands_table;
 pub mod boundary_table;

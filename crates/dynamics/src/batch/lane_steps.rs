@@ -1,4 +1,4 @@
-//! Steps of several landings, a lane for each, compiled for the registers there are.
+//! Steps of several landings, one per lane, compiled for the registers available.
 
 use pulp::NullaryFnOnce;
 
@@ -9,13 +9,13 @@ use crate::motion::{Motion, Pieces, Signals};
 use crate::registers::{Registers, Transpose};
 use crate::state::State;
 
-/// Steps of one kind, a lane for each landing.
+/// Steps of one kind, one landing per lane.
 pub(super) struct LaneSteps<const N: usize> {
     motion: Motion<Lanes<N>>,
     pieces: Pieces<Lanes<N>>,
     workspace: Workspace<Lanes<N>>,
     step: Step<Lanes<N>, State<Lanes<N>>>,
-    /// When steps start, s after first contact, and their lengths, s.
+    /// Start times of steps, s after first contact, and their lengths, s.
     time: Lanes<N>,
     length: Lanes<N>,
     /// Signals midway through implicit steps, and at the ends.
@@ -23,7 +23,7 @@ pub(super) struct LaneSteps<const N: usize> {
     signals: Signals<Lanes<N>>,
     /// Estimated errors ([`Step::error`]).
     errors: [Lanes<N>; 2],
-    /// Where the numbers of lanes go that hold no landing.
+    /// Receives the numbers of lanes without a landing.
     idle: Box<[Idle; N]>,
 }
 
@@ -34,7 +34,7 @@ struct Idle {
 }
 
 impl<const N: usize> LaneSteps<N> {
-    /// Lanes for landings such as this one; there are none in them yet.
+    /// Empty lanes for landings such as this one.
     pub(super) fn new(motion: &Motion<f64>) -> Self {
         let legs = motion.leg_count();
         let wide: Motion<Lanes<N>> = motion.in_all_lanes();
@@ -67,7 +67,7 @@ impl<const N: usize> LaneSteps<N> {
         self.load_length(lane, simulation);
     }
 
-    /// Puts the coefficients of a leg that are in force into a lane.
+    /// Puts the active coefficients of a leg into a lane.
     pub(super) fn load_pieces(&mut self, lane: usize, leg: usize, simulation: &Simulation<'_>) {
         self.pieces
             .set_lane(lane, leg, &simulation.trajectory.pieces);
@@ -86,7 +86,7 @@ impl<const N: usize> LaneSteps<N> {
         self.length.0[lane] = simulation.length();
     }
 
-    /// Rate (1/s) that no decay in a lane exceeds at the start of the implicit step there.
+    /// Upper bound of the decay rates in a lane at the start of its implicit step, 1/s.
     pub(super) fn rate(&self, lane: usize) -> f64 {
         self.workspace.greatest_decay.0[lane]
     }
@@ -127,13 +127,13 @@ impl<const N: usize> LaneSteps<N> {
         });
     }
 
-    /// Goes on to the ends of the steps in some lanes.
+    /// Advances some lanes to the ends of their steps.
     pub(super) fn finish_step<R: Registers>(&mut self, registers: R, lanes: [bool; N]) {
         registers.dispatch(GoOn { steps: self, lanes });
     }
 }
 
-/// Where the numbers of a lane go.
+/// Destination of a lane's numbers.
 struct Place<'a> {
     step: &'a mut Step<f64, State<f64>>,
     middle: &'a mut Signals<f64>,
@@ -207,7 +207,7 @@ impl<R: Transpose<N>, const N: usize> NullaryFnOnce for Store<'_, R, N> {
     }
 }
 
-/// Goes on to the ends of the steps in some lanes.
+/// Advances some lanes to the ends of their steps.
 struct GoOn<'a, const N: usize> {
     steps: &'a mut LaneSteps<N>,
     lanes: [bool; N],

@@ -34,7 +34,7 @@ pub struct Tip {
     pub nominal_roll: f64,
 }
 
-/// Below this cos Φ pitch and roll turn about the same line: to rounding, yaw is a right angle.
+/// cos Φ below which pitch and roll turn about the same line: to rounding, yaw is a right angle.
 const GIMBAL_LOCK: f64 = 1e-14;
 
 impl Attitude {
@@ -80,12 +80,12 @@ impl Attitude {
         *self.0.to_rotation_matrix().matrix()
     }
 
-    /// Euler angles, pitch and roll in (−π, π], yaw in [−π/2, π/2]. Where cos Φ vanishes only the
-    /// sum or difference of pitch and roll is determined; there roll is given as zero.
+    /// Euler angles, pitch and roll in (−π, π], yaw in [−π/2, π/2]. Where cos Φ vanishes, only the sum or difference of
+    /// pitch and roll is determined; roll is then given as zero.
     ///
-    /// In the quaternion's terms √2 sin(Φ/2 + π/4) stands before sine and cosine of (Ψ + Ξ)/2, and
-    /// √2 cos(Φ/2 + π/4) before those of (Ψ − Ξ)/2. So that one of the two which a right angle of
-    /// yaw leaves determined keeps all its digits there, as the matrix's elements would not.
+    /// In terms of the quaternion, √2 sin(Φ/2 + π/4) multiplies sine and cosine of (Ψ + Ξ)/2, and √2 cos(Φ/2 + π/4)
+    /// those of (Ψ − Ξ)/2. So the one of the two that remains determined at a right angle of yaw keeps all its digits
+    /// there, unlike in the elements of the matrix.
     pub fn euler(&self) -> Euler {
         let [w, x, y, z] = self.quaternion();
         let (sum, difference) = (hypot(x + z, w + y), hypot(x - z, w - y));
@@ -112,7 +112,7 @@ impl Attitude {
         }
     }
 
-    /// Tip form, ν in [0, π]; an upright vehicle has azimuth zero and all turn in K.
+    /// Tip form, ν in [0, π]. An upright vehicle has azimuth zero and all turn in K.
     pub fn tip(&self) -> Tip {
         let b = self.matrix();
         // The centreline in ground axes is (sin Γ sin ν, −cos Γ sin ν, cos ν).
@@ -138,7 +138,7 @@ impl Attitude {
     }
 }
 
-/// The same angle, rad, in (−π, π], of one between −2π and 2π.
+/// An angle between −2π and 2π, rad, brought into (−π, π].
 fn within_half_turn(angle: f64) -> f64 {
     if angle > PI {
         angle - TAU
@@ -156,8 +156,8 @@ fn turn(axis: &Unit<Vector3<f64>>, angle: f64) -> UnitQuaternion<f64> {
 }
 
 impl Euler {
-    /// Rates (Ψ̇, Φ̇, Ξ̇) that belong to the angular velocity ω in vehicle axes, rad/s, or `None`
-    /// where cos Φ vanishes and no finite rates exist.
+    /// Rates (Ψ̇, Φ̇, Ξ̇) for an angular velocity ω in vehicle axes, rad/s, or `None` where cos Φ vanishes and no
+    /// finite rates exist.
     pub fn rates(&self, omega: [f64; 3]) -> Option<[f64; 3]> {
         let (sin_yaw, cos_yaw) = sincos(self.yaw);
         if cos_yaw.abs() < GIMBAL_LOCK {
@@ -169,7 +169,7 @@ impl Euler {
         Some([pitch, yaw, omega[2] - pitch * sin_yaw])
     }
 
-    /// Angular velocity in vehicle axes, rad/s, that belongs to the rates (Ψ̇, Φ̇, Ξ̇).
+    /// Angular velocity in vehicle axes, rad/s, for the rates (Ψ̇, Φ̇, Ξ̇).
     pub fn angular_velocity(&self, [pitch, yaw, roll]: [f64; 3]) -> [f64; 3] {
         let (sin_yaw, cos_yaw) = sincos(self.yaw);
         let (sin_roll, cos_roll) = sincos(self.roll);

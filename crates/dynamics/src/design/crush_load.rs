@@ -3,8 +3,8 @@
 use crate::invalid::Invalid;
 use crate::profile::Segment;
 
-/// Crush load against stroke: linear between its knots, stepping where two of them have one stroke. Beyond the last
-/// knot the load stays.
+/// Crush load against stroke: linear between its knots, with a step where two of them have the same stroke. Beyond the
+/// last knot the load is constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrushLoad {
     knots: Vec<[f64; 2]>,
@@ -14,8 +14,8 @@ impl CrushLoad {
     /// Builds a table from knots of stroke (ft) and load (lb).
     ///
     /// # Errors
-    /// Strokes start at 0 and do not decrease, and at most two knots have one stroke; loads are finite, that of the first knot
-    /// is positive and none is negative.
+    /// Strokes start at 0 and do not decrease, and at most two knots have one stroke. Loads are finite, that of the
+    /// first knot is positive and none is negative.
     pub fn new(knots: Vec<[f64; 2]>) -> Result<Self, Invalid> {
         let complain = |value, allowed| Err(Invalid::new("strut.crush_load", value, allowed));
         let Some(&[first, load]) = knots.first() else {
@@ -53,9 +53,9 @@ impl CrushLoad {
         &self.knots
     }
 
-    /// The load that a cartridge bears whose stroke only grows, as straight lines from left to right. It rises no steeper
-    /// than at its elastic stiffness (lb/ft): from no load to the first of the table, at steps up and at whatever else is
-    /// steeper. Otherwise crushing would heal. It falls as the table does.
+    /// The load of a cartridge whose stroke only grows, as straight lines from left to right. It rises no steeper than
+    /// at its elastic stiffness (lb/ft): from no load to the first of the table, at steps up and wherever else the
+    /// table is steeper. Otherwise crushing would heal. It falls as the table does.
     pub fn front(&self, stiffness: f64) -> Vec<Segment> {
         let mut segments: Vec<Segment> = Vec::new();
         // Adds a line through a point up to a stroke; lines without length are left out.

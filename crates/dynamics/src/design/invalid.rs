@@ -1,4 +1,4 @@
-//! The one error of this crate: a value that no lander or landing can have.
+//! The one error of this crate: a value that is not valid for any lander or landing.
 
 use std::fmt;
 
@@ -9,12 +9,12 @@ pub struct Invalid {
     pub quantity: String,
     /// The offending value.
     pub value: f64,
-    /// What is allowed.
+    /// The allowed range.
     pub allowed: String,
 }
 
 impl Invalid {
-    /// States that `quantity` may not be `value`, only what `allowed` says.
+    /// States that `quantity` may not be `value`, with the range `allowed`.
     pub fn new(quantity: impl Into<String>, value: f64, allowed: impl Into<String>) -> Self {
         Self {
             quantity: quantity.into(),
@@ -36,7 +36,7 @@ impl fmt::Display for Invalid {
 
 impl std::error::Error for Invalid {}
 
-/// `Ok(value)` when it is finite and `test` holds for it.
+/// Returns `Ok(value)` if it is finite and `test` holds for it.
 pub(crate) fn require(
     quantity: &str,
     value: f64,
@@ -50,24 +50,24 @@ pub(crate) fn require(
     }
 }
 
-/// No number of a lander is greater than this, whatever its unit: what follows from such numbers stays finite.
+/// Greatest magnitude of any number of a lander, whatever its unit, so that results of such numbers stay finite.
 const GREATEST: f64 = 1e9;
 
-/// `Ok(value)` when it is greater than zero and no greater than any number of a lander.
+/// Returns `Ok(value)` if it is greater than zero and within [`GREATEST`].
 pub(crate) fn positive(quantity: &str, value: f64) -> Result<f64, Invalid> {
     require(quantity, value, "0 < value ≤ 1e9", |v| {
         v > 0.0 && v <= GREATEST
     })
 }
 
-/// `Ok(value)` when it is not below zero and no greater than any number of a lander.
+/// Returns `Ok(value)` if it is not negative and within [`GREATEST`].
 pub(crate) fn non_negative(quantity: &str, value: f64) -> Result<f64, Invalid> {
     require(quantity, value, "0 ≤ value ≤ 1e9", |v| {
         (0.0..=GREATEST).contains(&v)
     })
 }
 
-/// `Ok(value)` when its magnitude is no greater than that of any number of a lander.
+/// Returns `Ok(value)` if its magnitude is within [`GREATEST`].
 pub(crate) fn bounded(quantity: &str, value: f64) -> Result<f64, Invalid> {
     require(quantity, value, "-1e9 ≤ value ≤ 1e9", |v| {
         v.abs() <= GREATEST

@@ -7,8 +7,8 @@ use nalgebra::Matrix3;
 use crate::crush_load::CrushLoad;
 use crate::profile::Profile;
 
-/// Moments and products of inertia about the CG in vehicle axes, slug·ft², products as the
-/// report's input gives them: the inertia matrix holds their negatives (59).
+/// Moments and products of inertia about the CG in vehicle axes, slug·ft². Products are as in the report's input: the
+/// inertia matrix holds their negatives (59).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)]
 pub struct Inertia {
@@ -61,7 +61,7 @@ pub struct Linkage {
     pub inertia: f64,
 }
 
-/// The strut: its travel, its friction and what carries the load along it.
+/// The strut: its travel, its friction and its load-carrying element.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strut {
     /// Length l_D0 when extended, ft.
@@ -70,7 +70,7 @@ pub struct Strut {
     pub minimum_length: f64,
     /// Friction ν, a fraction of the load that the element carries.
     pub friction_fraction: f64,
-    /// What carries the load.
+    /// The load-carrying element.
     pub element: StrutElement,
 }
 
@@ -84,7 +84,7 @@ impl Strut {
     }
 }
 
-/// What carries the load along a strut.
+/// Load-carrying element of a strut.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StrutElement {
     /// The Surveyor's shock absorber.
@@ -114,8 +114,8 @@ pub struct Damper {
     pub damping_profile: Profile,
 }
 
-/// A honeycomb cartridge: it crushes at the load of its table, unloads and reloads along a straight line, never pulls and
-/// keeps its set.
+/// A honeycomb cartridge. It crushes at the load of its table, unloads and reloads along a straight line, never pulls
+/// and keeps its set.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Honeycomb {
     /// Stiffness of unloading and reloading, lb/ft.
@@ -135,7 +135,7 @@ pub struct Footpad {
     pub crush_pressure: f64,
     /// Moment of inertia I_α about the pivot, slug·ft².
     pub inertia: f64,
-    /// Damping of its hinge, ft·lb·s/rad: under [`crate::rules::ContactRule::Face`] only.
+    /// Damping of its hinge, ft·lb·s/rad; only under [`crate::rules::ContactRule::Face`].
     pub hinge_damping: f64,
     /// Least angle α between pad and link, rad (inner stop).
     pub minimum_angle: f64,
@@ -143,12 +143,12 @@ pub struct Footpad {
     pub maximum_angle: f64,
     /// Relative crush pressure against interference in ft.
     pub profile: Profile,
-    /// What it bears when it has turned over on its edge; without, such a landing cannot be computed further.
+    /// Load after it has turned over on its edge; without it, such a landing cannot be computed further.
     pub edge: Option<PadEdge>,
 }
 
-/// A footpad on its edge: its lowest rim, at half of its height, crushes under a constant load, as in the program of 1966
-/// (187 lb beyond 65 deg).
+/// A footpad on its edge: its lowest rim, at half of its height, crushes under a constant load, as in the program of
+/// 1966 (187 lb beyond 65 deg).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PadEdge {
     /// Inclination ξ beyond which it is on its edge, rad.

@@ -4,8 +4,8 @@ use crate::invalid::Invalid;
 
 /// A continuous piecewise-linear function given by knots.
 ///
-/// Beyond its last knot the last segment is extended; below its first knot the function is
-/// whatever law uses it (all tables of the report start at zero abscissa).
+/// Beyond its last knot the last segment is extended. Below its first knot the function is up to the law that uses it
+/// (all tables of the report start at zero abscissa).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     knots: Vec<[f64; 2]>,

@@ -1,6 +1,6 @@
-//! Rules that the model leaves to choose.
+//! Rules of the model to choose from.
 
-/// When an element may crush further (model chapter 4).
+/// Rule by which an element may crush further (model chapter 4).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CrushRule {
     /// The 1966 program's: only while the pad pivot (block centre) moves into the ground.
@@ -10,28 +10,28 @@ pub enum CrushRule {
     Section,
 }
 
-/// Where the ground acts on footpads and blocks (docs/model.md, "Contact at the face").
+/// Place where the ground acts on footpads and blocks (docs/model.md, "Contact at the face").
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ContactRule {
-    /// The 1966 program's: forces on a footpad act at its pivot, by whose velocity friction is judged.
+    /// The 1966 program's: forces on a footpad act at its pivot, whose velocity determines friction.
     #[default]
     Pivot,
     /// Forces act where the ground is touched, by the velocity of that place: contact only takes energy.
     Face,
 }
 
-/// When a landing counts as stable (model chapter 7).
+/// Rule by which a landing counts as stable (model chapter 7).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RestRule {
-    /// The 1966 program's: velocities and height of the CG are within limits that were made for the Surveyor, or it has
-    /// rocked back.
+    /// The 1966 program's: velocities and height of the CG are within limits made for the Surveyor, or it has rocked
+    /// back.
     #[default]
     Limits,
     /// Once the vehicle has stood for a while on supports that hold it (`landing/rest.rs`).
     Energy,
 }
 
-/// When a vehicle counts as toppled (model chapter 7).
+/// Rule by which a vehicle counts as toppled (model chapter 7).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TopplingRule {
     /// The 1966 program's: the CG passes over the line through the critical feet, in the plane of its motion.
@@ -44,18 +44,18 @@ pub enum TopplingRule {
 /// The rules by which a vehicle lands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rules {
-    /// When an element may crush further.
+    /// Rule of further crushing.
     pub crush: CrushRule,
-    /// Where the ground acts on footpads and blocks.
+    /// Place where the ground acts on footpads and blocks.
     pub contact: ContactRule,
-    /// When a landing counts as stable.
+    /// Rule of stable landings.
     pub rest: RestRule,
-    /// When a vehicle counts as toppled.
+    /// Rule of toppling.
     pub toppling: TopplingRule,
 }
 
 impl Rules {
-    /// Those of the program of 1966.
+    /// The rules of the program of 1966.
     pub const REPORT: Self = Self {
         crush: CrushRule::PivotRate,
         contact: ContactRule::Pivot,
@@ -63,7 +63,7 @@ impl Rules {
         toppling: TopplingRule::CriticalFeet,
     };
 
-    /// Those that hold for any lander on any ground.
+    /// The rules that hold for any lander on any ground.
     pub const PHYSICAL: Self = Self {
         crush: CrushRule::Section,
         contact: ContactRule::Face,
@@ -72,18 +72,18 @@ impl Rules {
     };
 }
 
-/// What settings say of rules: whatever they leave open is as the vehicle has it.
+/// Choices of rules in settings. Rules left open are the vehicle's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct RuleChoices {
     /// All rules.
     pub set: Option<Rules>,
-    /// In place of that of the set, as are the next.
+    /// Replaces that of the set, as do the next.
     pub crush: Option<CrushRule>,
-    /// Where the ground acts on footpads and blocks.
+    /// Place where the ground acts on footpads and blocks.
     pub contact: Option<ContactRule>,
-    /// When a landing counts as stable.
+    /// Rule of stable landings.
     pub rest: Option<RestRule>,
-    /// When a vehicle counts as toppled.
+    /// Rule of toppling.
     pub toppling: Option<TopplingRule>,
 }
 
@@ -100,14 +100,14 @@ impl RuleChoices {
     }
 }
 
-/// How friction sets in near rest (4.1.5).
+/// Onset of friction near rest (4.1.5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FrictionProfile {
     /// Almost a step: viscous up to 0.0001 ft/s only.
     A,
-    /// In between: viscous up to 0.005 ft/s. The report's figure is lost, the number is ours.
+    /// In between: viscous up to 0.005 ft/s. The report's figure is lost; this number is our own.
     B,
-    /// That of the program's studies: viscous up to 0.05 ft/s.
+    /// The profile of the program's studies: viscous up to 0.05 ft/s.
     #[default]
     C,
 }
@@ -122,7 +122,7 @@ impl FrictionProfile {
         }
     }
 
-    /// dμ/dS over μ0 near rest, s/ft: meets the falling branch.
+    /// dμ/dS over μ0 near rest, s/ft; it meets the falling branch.
     pub fn viscous(self) -> f64 {
         match self {
             Self::A => 12099.8,

@@ -1,9 +1,9 @@
 //! The equations of motion (55), (60), (68), (69) as straight-line arithmetic (model chapter 6).
 //!
-//! Which piece of each law is active arrives as coefficients, [`Pieces`]. There is no table search
-//! here and no branch but one: what carries no pressure is passed over. Along with the derivative come the
-//! signals whose ranges limit how long those coefficients hold. Numbers are those of one landing (`f64`) or of several,
-//! a lane for each ([`crate::lanes`]); leg follows leg.
+//! The active piece of each law arrives as coefficients, [`Pieces`]. There is no table search here and only one branch:
+//! elements without pressure are skipped. Along with the derivative come the signals whose ranges limit how long those
+//! coefficients hold. Numbers are those of one landing (`f64`) or of several, one per lane ([`crate::lanes`]); the legs
+//! are computed one after another.
 
 mod contact_response;
 mod decay;
@@ -59,13 +59,13 @@ per_lane!(LegLoads {
     block_friction,
 });
 
-/// The equations of motion of a vehicle on a surface, or of several landings, a lane for each.
+/// The equations of motion of a vehicle on a surface, or of several landings, one per lane.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<S> {
     surface: Surface<S>,
-    /// Where the legs are placed from, relative to the CG: x and y of vehicle axes, ft ([`crate::kinematics`]).
+    /// Centre from which the legs are placed, relative to the CG: x and y of vehicle axes, ft ([`crate::kinematics`]).
     center: [S; 2],
-    /// Where the line of action of the thrust passes the centreline: x and y of vehicle axes, ft.
+    /// Offset of the thrust's line of action from the centreline: x and y of vehicle axes, ft.
     thrust_offset: [S; 2],
     gravity: S,
     mass: S,
@@ -73,7 +73,7 @@ pub struct Motion<S> {
     inertia: Matrix3<S>,
     inverse_inertia: Matrix3<S>,
     legs: PerLeg<LegMotion<S>>,
-    /// Whether the ground acts where it is touched: of all lanes together.
+    /// True if the ground acts where it is touched, in all lanes.
     acts_at_face: bool,
 }
 
@@ -102,7 +102,7 @@ impl Motion<f64> {
         }
     }
 
-    /// The same under another contact rule.
+    /// The same equations under another contact rule.
     pub fn with_contact_rule(self, rule: ContactRule) -> Self {
         Self {
             acts_at_face: rule == ContactRule::Face,
@@ -126,7 +126,7 @@ impl Motion<f64> {
         }
     }
 
-    /// Whether damping of any hinge acts: what swings in the air is not known in closed form then.
+    /// Returns whether damping of any hinge acts. Pads that swing in the air then have no closed form.
     #[inline(always)]
     pub fn damps_hinges(&self) -> bool {
         self.acts_at_face && !self.legs.iter().all(|leg| leg.hinge_damping == 0.0)
@@ -147,25 +147,25 @@ impl Motion<f64> {
         &self.inertia
     }
 
-    /// The ground under footpad and block of leg `index` as a body sees it.
+    /// The ground under footpad and block of leg `index`, seen from a body.
     pub fn ground(&self, index: usize, body: &BodyFrame<f64>) -> [SeenGround<f64>; 2] {
         self.legs[index].seen_ground(body)
     }
 
-    /// How far a point so deep (ft) below the ground of the footpad of leg `index` has to rise along the vertical to leave
-    /// it, ft.
+    /// Vertical rise of a point to leave the ground of the footpad of leg `index`, ft, from its depth (ft) below that
+    /// ground.
     pub fn rise(&self, index: usize, depth: f64) -> f64 {
         self.legs[index].ground.rise(depth)
     }
 
-    /// A point of the line of action of the thrust as seen from the CG, ground axes, ft.
+    /// A point of the line of action of the thrust relative to the CG, ground axes, ft.
     pub fn thrust_place(&self, body: &BodyFrame<f64>) -> Vector3<f64> {
         let [x, y] = self.thrust_offset;
         body.seen_from_center_of_gravity(&Vector3::new(x, y, 0.0))
     }
 
-    /// Lets the pad of leg `index` arrive at a stop of its hinge: its rate against the link ends, and a link that is free takes
-    /// over its momentum. What that adds to the energy of the link its stop gives.
+    /// Brings the pad of leg `index` to a stop of its hinge: its rate against the link ends, and a free link takes over
+    /// its momentum. The stop provides the energy that this adds to the link.
     pub fn stop_pad(&self, index: usize, link_is_free: bool, leg: &mut LegState<f64>) {
         let LegMotion {
             link_inertia,
@@ -186,7 +186,7 @@ impl Motion<f64> {
         self.legs[index].link_inertia
     }
 
-    /// Signals of all legs, the link torques only if asked for: no other signal is a force.
+    /// Signals of all legs, with link torques only if asked for; no other signal is a force.
     pub fn signals(
         &self,
         state: &State<f64>,
@@ -198,7 +198,7 @@ impl Motion<f64> {
         signals
     }
 
-    /// Writes the signals of all legs into `signals`, the link torques only if asked for.
+    /// Writes the signals of all legs into `signals`, with link torques only if asked for.
     #[inline(always)]
     pub fn look(
         &self,
@@ -229,7 +229,7 @@ impl Motion<f64> {
         })
     }
 
-    /// Loads of a leg, in the frame of the body at that state.
+    /// Loads of a leg, given the frame of the body at that state.
     pub fn leg_loads(
         &self,
         leg: usize,
@@ -286,13 +286,13 @@ impl<S: Real> Motion<S> {
         &self.legs[index].geometry
     }
 
-    /// Whether the ground under a leg is another than the surface.
+    /// Returns whether the ground under a leg is not the surface.
     pub fn has_ground_of_its_own(&self, leg: usize) -> bool {
         !self.legs[leg].ground.is_even()
     }
 
-    /// Whether any of what is seldom there acts: a pad that presses on a stop or is on its edge, ground of its own
-    /// under a leg, thrust.
+    /// Returns whether any of the rare actions is present: a pad that presses on a stop or is on its edge, ground of
+    /// its own under a leg, thrust.
     #[inline(always)]
     pub fn is_full(&self, pieces: &Pieces<S>) -> bool {
         pieces.press_stops()
@@ -301,15 +301,15 @@ impl<S: Real> Motion<S> {
             || pieces.has_edges()
     }
 
-    /// Whether the ground acts where it is touched ([`ContactRule::Face`]).
+    /// Returns whether the ground acts where it is touched ([`ContactRule::Face`]).
     #[inline(always)]
     pub fn acts_at_face(&self) -> bool {
         self.acts_at_face
     }
 
-    /// Writes the time derivative of the state, `time` s after first contact. Without `FULL` what is seldom there is left out ([`Self::is_full`]): known
-    /// beforehand, it takes no branch among the equations, which would cost more than itself. `FACE` goes with
-    /// [`Self::acts_at_face`] and needs `FULL`.
+    /// Writes the time derivative of the state, `time` s after first contact. Without `FULL` the rare actions
+    /// ([`Self::is_full`]) are left out: known beforehand, they take no branch among the equations, which would cost
+    /// more than they do. `FACE` goes with [`Self::acts_at_face`] and needs `FULL`.
     #[inline(always)]
     pub fn derivative<const FULL: bool, const FACE: bool>(
         &self,
@@ -332,7 +332,8 @@ impl<S: Real> Motion<S> {
         self.move_body(&body, &frame, &push, derivative);
     }
 
-    /// Writes the time derivative of the state and the signals of all legs; `FULL` and `FACE` as for [`Self::derivative`].
+    /// Writes the time derivative of the state and the signals of all legs. `FULL` and `FACE` are as in
+    /// [`Self::derivative`].
     #[inline(always)]
     pub fn evaluate<const FULL: bool, const FACE: bool>(
         &self,
@@ -357,7 +358,7 @@ impl<S: Real> Motion<S> {
         self.move_body(&body, &frame, &push, derivative);
     }
 
-    /// Writes how the body moves as the legs push it (55), (60).
+    /// Writes the motion of the body as the legs push it (55), (60).
     #[inline(always)]
     fn move_body(
         &self,
@@ -379,7 +380,7 @@ impl<S: Real> Motion<S> {
         });
     }
 
-    /// Speed at which the body moves along the line of action of the thrust, ft/s.
+    /// Speed of the body along the line of action of the thrust, ft/s.
     pub fn speed_along_thrust(&self, state: &State<S>) -> S {
         let frame = self.frame(&state.body());
         let [x, y] = self.thrust_offset;
@@ -387,7 +388,7 @@ impl<S: Real> Motion<S> {
         -(v.z + (w.x * y - w.y * x))
     }
 
-    /// Adds to the derivative at a state what so much more thrust (lb) changes in it.
+    /// Adds the effect of `more` thrust (lb) to the derivative at a state.
     #[inline(always)]
     pub fn add_thrust(&self, more: S, state: &State<S>, derivative: &mut State<S>) {
         let frame = self.frame(&state.body());
@@ -405,7 +406,7 @@ impl<S: Real> Motion<S> {
         derivative.set_body(&body);
     }
 
-    /// What a leg does ([`LegMotion::action`]), pads that press on a stop included.
+    /// Action of a leg ([`LegMotion::action`]), pads that press on a stop included.
     #[inline(always)]
     fn action<const FORCES: bool, const SIGNALS: bool, const FULL: bool, const FACE: bool>(
         &self,
@@ -432,8 +433,8 @@ impl<S: Real> Motion<S> {
     }
 }
 
-/// A leg with the angle α of its pad in place of what the pad has turned: where a pad presses on a stop of its hinge, α
-/// falls behind (`hinge`; model chapter 6). The equations of a leg take the angle.
+/// A leg with the angle α of its pad in place of the pad's turn, as the equations of a leg take it. Where a pad presses
+/// on a stop of its hinge, α falls behind the turn (`hinge`; model chapter 6).
 #[inline(always)]
 fn at_angle<S: Real>(pieces: &pieces::ActivePieces<S>, leg: LegState<S>) -> LegState<S> {
     if pieces.pressed.stops {
@@ -446,14 +447,14 @@ fn at_angle<S: Real>(pieces: &pieces::ActivePieces<S>, leg: LegState<S>) -> LegS
     }
 }
 
-/// Angle α of a pad that has turned like this, rad.
+/// Angle α of a pad with this turn, rad.
 #[cold]
 #[inline(never)]
 fn pad_angle<S: Real>(pieces: &LegPieces<S>, turn: S) -> S {
     pieces.hinge.angle(turn)
 }
 
-/// What pushes the body, in vehicle axes.
+/// Push on the body, in vehicle axes.
 struct Push<S> {
     /// Force, lb.
     force: Vector3<S>,
@@ -478,7 +479,7 @@ impl<S: Real> Push<S> {
         }
     }
 
-    /// Adds thrust (lb) upward along the centreline, or so far (ft) beside it. Without thrust every bit stays.
+    /// Adds thrust (lb) upward along the centreline, or at an offset (ft) beside it. Without thrust every bit stays.
     #[inline(always)]
     fn add_thrust(&mut self, thrust: S, [x, y]: &[S; 2]) {
         let pushed = |own: S, more: S| thrust.where_zero(own, own + more);

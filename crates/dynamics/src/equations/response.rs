@@ -1,9 +1,9 @@
 //! Derivatives of the forces with respect to the motion, and (`stage`) the linear equations of an implicit step.
 //!
-//! What makes the motion stiff acts through few quantities: a foot stuck by friction resists sliding (rates
-//! of thousands per second, model chapter 5), an element pressed into the surface resists going deeper, a
-//! strut resists stroking. Their forces are known by their derivatives; the rest (attitude factors, levers of
-//! the body, gyroscopic torques) changes slowly, and the stages of a step see it as it is.
+//! The motion is stiff through few quantities: a foot stuck by friction resists sliding (at rates of thousands per
+//! second, model chapter 5), an element pressed into the surface resists going deeper, a strut resists stroking.
+//! Derivatives describe their forces. The rest (attitude factors, levers of the body, gyroscopic torques) changes
+//! slowly, and the stages of a step take it as it is.
 
 mod factors;
 mod stage;
@@ -23,7 +23,7 @@ pub struct Coordinates<S> {
     pub body: Vector6<S>,
     /// Angle of the lower link, rad.
     pub link: S,
-    /// Of displacements the pad angle α, rad; of velocities and forces those of the pad against the link.
+    /// Pad: of displacements the angle α, rad; of velocities and forces those of the pad against the link.
     pub pad: S,
 }
 
@@ -76,31 +76,32 @@ impl<S: Real> ForceDerivative<S> {
     }
 }
 
-/// Derivatives of forces on a leg, as many as there can be.
+/// Most derivatives of forces on a leg.
 const MOST: usize = 9;
 
 /// Derivatives of the forces on one leg.
 #[derive(Debug, Clone, Copy)]
 pub struct LegResponse<S> {
-    /// Those of pad and block with respect to sliding along and across and to interference, of each section by itself where it
-    /// acts at its face, and of a hinge that is damped; pads, or blocks, that carry no pressure in any lane are left out.
+    /// Those of pad and block with respect to sliding along and across and to interference (of each section by itself
+    /// if it acts at its face), and of a damped hinge. Pads or blocks that carry no pressure in any lane are
+    /// left out.
     derivatives: [ForceDerivative<S>; MOST],
     count: usize,
-    /// Torque on the link per displacement, not counting those, ft·lb.
+    /// Further torque on the link per displacement, ft·lb.
     pub link_torque: Coordinates<S>,
-    /// Torque on the pad's hinge per displacement, not counting those, ft·lb.
+    /// Further torque on the pad's hinge per displacement, ft·lb.
     pub hinge_torque: Coordinates<S>,
     /// Torque against the link per link rate, ft·lb·s.
     pub link_damping: S,
-    /// dγ/dt per link rate: 1, or 0 where the link is frozen.
+    /// dγ/dt per link rate: 1, or 0 for a frozen link.
     pub link_moves: S,
     /// Change of the pad's turn per α̇ and time, and of α per turn: beyond a stop α falls behind.
     pub pad_turn: [S; 2],
-    /// Speed of the hinge before its clip per α̇: 0 of a pad at rest on a stop.
+    /// Speed of the hinge before its clip per α̇: 0 for a pad at rest on a stop.
     pub hinge_gain: S,
     /// Share of the error of the pad's rate that counts.
     pub pad_error_share: S,
-    /// Whether any pad of the group is not at rest on a stop.
+    /// True if any pad of the group is not at rest on a stop.
     pub swings_pads: bool,
     /// Inertia of link and pad, slug·ft².
     pub inertia: [S; 2],
@@ -125,7 +126,7 @@ impl<S: Real> LegResponse<S> {
         }
     }
 
-    /// Forgets all derivatives and torques.
+    /// Removes all derivatives and torques.
     #[inline(always)]
     pub fn clear(&mut self) {
         self.count = 0;
@@ -163,7 +164,7 @@ pub struct Response<S> {
 }
 
 impl<S: Real> Response<S> {
-    /// Rate (1/s) that no decay of a velocity exceeds ([`crate::motion::Motion::greatest_decay`]).
+    /// Upper bound of the decay rates of velocities, 1/s ([`crate::motion::Motion::greatest_decay`]).
     #[inline(always)]
     pub fn greatest_decay(&self) -> S {
         let per_body = inverse_inertias(self.mass, &self.inertia);
@@ -197,8 +198,8 @@ pub fn inverse_inertias<S: Real>(mass: S, inertia: &Matrix3<S>) -> [S; 6] {
     inverses
 }
 
-/// Rate (1/s) that no decay of a velocity exceeds which a force brings about that grows with that `velocity`, with these
-/// inverses of the inertias of body, link and pad.
+/// Upper bound of the decay rates of velocities (1/s) by a force that grows with that `velocity`, with these inverses
+/// of the inertias of body, link and pad.
 #[inline(always)]
 pub fn greatest_decay<S: Real>(
     force: &Coordinates<S>,
@@ -221,7 +222,7 @@ fn product<S: Real>(a: &Vector6<S>, b: &Vector6<S>) -> S {
     (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]) + (a[4] * b[4] + a[5] * b[5])
 }
 
-/// Six times nothing.
+/// Zero vector.
 #[inline(always)]
 fn none<S: Real>() -> Vector6<S> {
     Vector6::from([S::zero(); 6])

@@ -12,12 +12,12 @@ use crate::scalar::Real;
 
 /// State of a vehicle, or its time derivative.
 ///
-/// Stored flat so that linear combinations run over plain arrays; the named views [`Body`] and
-/// [`LegState`] are how the physics reads and writes it.
+/// Stored flat so that linear combinations run over plain arrays. The physics reads and writes it through the named
+/// views [`Body`] and [`LegState`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub struct State<S> {
-    /// Filled up with zeros.
+    /// Padded with zeros.
     body: [S; BODY],
     legs: PerLeg<[S; LEG]>,
 }
@@ -28,10 +28,10 @@ const BODY_NUMBERS: usize = 13;
 const BODY: usize = 16;
 /// Numbers of a leg.
 const LEG: usize = 10;
-/// Where γ and γ̇ are among the numbers of a leg.
+/// Indices of γ and γ̇ among the numbers of a leg.
 const LINK_ANGLE: usize = 0;
 const LINK_RATE: usize = 1;
-/// Where α̇ is.
+/// Index of α̇.
 const PAD_RATE: usize = 3;
 /// Error of Simpson's rule as a share of its difference from the midpoint rule: h²f⁗/(120 f″), as much as where f
 /// swings by 3.5 rad within the step.
@@ -59,8 +59,8 @@ pub struct LegState<S> {
     pub link_angle: S,
     /// Its rate γ̇, rad/s.
     pub link_rate: S,
-    /// Footpad angle α, rad; of a pad that presses on a stop the angle to which α̇ would have turned it
-    /// without one (`hinge`).
+    /// Footpad angle α, rad; for a pad that presses on a stop, the angle to which α̇ would have turned it without the
+    /// stop (`hinge`).
     pub pad_turn: S,
     /// Its rate state α̇, rad/s.
     pub pad_rate: S,
@@ -95,7 +95,7 @@ impl<S: Real> State<S> {
         state
     }
 
-    /// All numbers zero, with so many legs.
+    /// A zero state with this many legs.
     #[inline(always)]
     pub fn zero(legs: usize) -> Self {
         Self {
@@ -110,7 +110,7 @@ impl<S: Real> State<S> {
         self.legs.len()
     }
 
-    /// Becomes another state with as many legs.
+    /// Takes over another state with as many legs.
     #[inline(always)]
     pub fn assign(&mut self, other: &Self) {
         self.body = other.body;
@@ -135,7 +135,7 @@ impl<S: Real> State<S> {
     /// Writes leg `index`.
     #[inline(always)]
     pub fn set_leg(&mut self, index: usize, leg: &LegState<S>) {
-        // One by one: an array of them would go through memory.
+        // One by one: an array would go through memory.
         let numbers = &mut self.legs[index];
         numbers[0] = leg.link_angle;
         numbers[1] = leg.link_rate;
@@ -222,7 +222,7 @@ impl<S: Real> State<S> {
         result
     }
 
-    /// self + Σ weight · slope of what moves; the work integrals, on which nothing depends, stay.
+    /// self + Σ weight · slope of the motion. The work integrals, on which nothing depends, stay.
     #[inline(always)]
     pub fn advanced_motion<const TERMS: usize>(
         &self,
@@ -234,9 +234,9 @@ impl<S: Real> State<S> {
         result
     }
 
-    /// Sums by Simpson's rule what only accumulates of leg `leg` over a step of length `h`: its work integrals, and
-    /// the rate of its pad where that is at rest on a stop, its `hinge_gain` 0; elsewhere a share of the error of that rate
-    /// counts. Of the error of work, over h, it writes a guess.
+    /// Sums the accumulating numbers of leg `leg` by Simpson's rule over a step of length `h`: its work integrals, and
+    /// the rate of a pad at rest on a stop (`hinge_gain` 0). Elsewhere a share of the error of that rate counts. Also
+    /// writes an estimate of the error of work, over h.
     #[inline(always)]
     pub fn accumulate(
         &mut self,
@@ -268,7 +268,7 @@ impl<S: Real> State<S> {
 }
 
 impl State<f64> {
-    /// Whether every number is finite.
+    /// Returns whether every number is finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
         let mut are_finite = true;

@@ -1,4 +1,4 @@
-//! Where the footpads' sections are.
+//! Positions of the footpads' sections.
 
 use libm::sincos;
 use nalgebra::Vector3;

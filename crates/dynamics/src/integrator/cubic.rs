@@ -1,19 +1,19 @@
-//! Exits of signals whose rates are known: values and rates at both ends of a step are those of a cubic, which
-//! shows where a signal leaves its range, or that it stays, before anything in between is evaluated.
+//! Exits of signals whose rates are known. Values and rates at both ends of a step define a cubic, which shows where a
+//! signal leaves its range, or that it stays, before anything in between is evaluated.
 
 use super::event::{CAUTION, Exit, Guard, Sample, SignalValues, locate};
 use crate::extremes::{self, least};
 
-/// Signals of which some have known rates.
+/// Signals, some with known rates.
 pub trait Rated: SignalValues {
-    /// Whether the rate of signal `index` is known.
+    /// Returns whether the rate of signal `index` is known.
     fn has_rate(index: usize) -> bool;
 
-    /// Rate of signal `index`, which has one.
+    /// Rate of signal `index`, which must be known.
     fn rate(&self, index: usize) -> f64;
 }
 
-/// What the ends of a step imply for the signals between them.
+/// Prediction for the signals within a step, from its ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Prediction {
     /// All stay in their ranges.
@@ -24,7 +24,7 @@ pub enum Prediction {
     Doubtful,
 }
 
-/// A step of which only the ends have been evaluated, all signals being inside at its start.
+/// A step with only its ends evaluated, all signals being inside at its start.
 #[derive(Debug, Clone, Copy)]
 pub struct StepEnds<'a, V> {
     length: f64,
@@ -45,7 +45,7 @@ impl<'a, V: Rated> StepEnds<'a, V> {
         }
     }
 
-    /// What the ends of the step imply.
+    /// Prediction from the ends of the step.
     pub fn prediction(&self) -> Prediction {
         let mut exit = f64::INFINITY;
         let mut doubt = f64::INFINITY;
@@ -66,9 +66,9 @@ impl<'a, V: Rated> StepEnds<'a, V> {
         }
     }
 
-    /// The first exit of any signal, if the prediction is that one leaves: where it is just outside, within
-    /// `resolution` of the exit, and which of `buffers` has the signals there. `evaluate` writes the signals at a
-    /// fraction of the step.
+    /// The first exit of any signal, if one is predicted to leave: the fraction just outside, within `resolution` of
+    /// the exit, and the one of `buffers` with the signals there. `evaluate` writes the signals at a fraction of the
+    /// step.
     pub fn exit(
         &self,
         resolution: f64,
@@ -106,9 +106,9 @@ struct Cubic {
     twist: f64,
 }
 
-/// Times that an exit is drawn nearer: halvings at worst.
+/// Most rounds that narrow the bracket of an exit: halvings at worst.
 const MOST_ROUNDS: usize = 50;
-/// Fraction of the interval within which a step of Newton's is the last: the next would be about its square.
+/// Fraction of the interval below which a Newton step is the last: the next would be about its square.
 const NEAR_ENOUGH: f64 = 1e-4;
 
 impl Cubic {
@@ -134,7 +134,7 @@ impl Cubic {
         self.slope + u * (2.0 * self.bend + 3.0 * u * self.twist)
     }
 
-    /// Where it turns so near to the end of a range that only an evaluation can decide; infinite if nowhere.
+    /// First turning point so near to the end of a range that only an evaluation can decide; infinite if there is none.
     fn doubt(&self, guard: &Guard) -> f64 {
         let [least, greatest] = [self.start.min(self.end), self.start.max(self.end)];
         let is_doubtful = |turn: &f64| {
@@ -145,7 +145,7 @@ impl Cubic {
         self.turns().find(is_doubtful).unwrap_or(f64::INFINITY)
     }
 
-    /// Where it turns within the interval, in order.
+    /// Turning points within the interval, in order.
     fn turns(&self) -> impl Iterator<Item = f64> {
         let turns = if self.is_plainly_monotone() {
             [f64::NAN; 2]
@@ -159,15 +159,15 @@ impl Cubic {
         (turns.into_iter()).filter(|turn| *turn > 0.0 && *turn < 1.0)
     }
 
-    /// Whether it changes in one sense only: so it does if neither end is steeper than three times the change.
-    /// F. N. Fritsch and R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246.
+    /// Returns whether it is monotone for certain: neither end is steeper than three times the change. F. N. Fritsch
+    /// and R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246.
     fn is_plainly_monotone(&self) -> bool {
         let change = self.end - self.start;
         let goes_along = |slope: f64| slope * change >= 0.0 && slope.abs() <= 3.0 * change.abs();
         goes_along(self.slope) && goes_along(self.slope_at(1.0))
     }
 
-    /// Where it first leaves a range in which it starts, if it ends outside; infinite if it does not.
+    /// First exit from a range in which it starts, if it ends outside; infinite if it does not.
     fn exit(&self, guard: &Guard) -> f64 {
         let range = guard.range;
         let Some(mut side) = range.exit(self.end) else {
@@ -185,7 +185,7 @@ impl Cubic {
             Exit::Below => range.lower,
             Exit::Above => range.upper,
         };
-        // It is monotone in between: Newton's steps, and halvings where they leave the bracket.
+        // It is monotone in between: Newton steps, and halvings where they leave the bracket.
         let mut u = (border - self.start) / (self.end - self.start);
         for _ in 0..MOST_ROUNDS {
             let next = u - (self.at(u) - border) / self.slope_at(u);

@@ -1,8 +1,7 @@
 //! Continuous output over a step.
 //!
-//! Cubic Hermite interpolation between the ends, plus a fourth-degree term that vanishes with its
-//! slope at both where the method has one; written as weights on the stages, so that nothing is
-//! prepared that no one may ask for.
+//! Cubic Hermite interpolation between the ends, plus, for methods that have one, a fourth-degree term that vanishes
+//! with its slope at both. It is written as weights on the stages, so that nothing has to be prepared in advance.
 
 use super::step::{StateVector, Step};
 use crate::scalar::Real;
@@ -15,7 +14,7 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
         self.before.advance(weights, slopes, state);
     }
 
-    /// Writes what moves of the state at fraction θ of the step.
+    /// Writes the motion at fraction θ of the step.
     #[inline(always)]
     pub fn motion_at(&self, theta: S, state: &mut Y) {
         let (weights, slopes) = self.change(theta);

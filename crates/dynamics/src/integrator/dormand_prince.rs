@@ -56,9 +56,9 @@ const D: [f64; 6] = [
 ];
 
 impl<S: Real, Y: StateVector<S>> Step<S, Y> {
-    /// Takes an explicit step of length `h` from `before`, where the derivative is the first slope.
-    /// `derivative` writes the derivative at a fraction of the step and a state into its last argument; `last` does so at
-    /// the end of the step.
+    /// Takes an explicit step of length `h` from `before`, where the derivative is the first slope. `derivative` writes
+    /// the derivative at a fraction of the step and a state into its last argument; `last` does so at the end of the
+    /// step.
     #[inline(always)]
     pub fn take_explicit(
         &mut self,

@@ -1,9 +1,8 @@
-//! Event location: when does a signal first leave the range over which the active laws hold?
+//! Event location: the first exit of a signal from the range over which the active laws hold.
 //!
-//! The ranges are widened by a slack that is large against rounding and small against anything
-//! physical. An event is located just outside the widened range, and the range that holds after it
-//! reaches back over the boundary by the same slack: the side after an event is known, not
-//! measured, and the same root cannot fire twice.
+//! The ranges are widened by a slack that is large against rounding and physically negligible. An event is located just
+//! outside the widened range, and the next range reaches back over the boundary by the same slack. So the side after an
+//! event is known, not measured, and the same root cannot fire twice.
 
 use crate::extremes::least;
 use crate::scalar::Real;
@@ -62,7 +61,7 @@ impl Bounds {
         }
     }
 
-    /// Whether there is anything to guard.
+    /// Returns whether there is nothing to guard.
     pub fn is_free(&self) -> bool {
         *self == Self::FREE
     }
@@ -75,7 +74,7 @@ impl Bounds {
         }
     }
 
-    /// On which side `value` lies outside, if it does. Not a number lies outside.
+    /// Side on which `value` lies outside, if it does. NaN lies outside.
     #[inline(always)]
     pub fn exit(&self, value: f64) -> Option<Exit> {
         if value < self.lower {
@@ -87,7 +86,7 @@ impl Bounds {
         }
     }
 
-    /// How far `value` lies outside; negative inside.
+    /// Distance of `value` outside the range; negative inside.
     #[inline(always)]
     pub fn violation(&self, value: f64) -> f64 {
         (value - self.upper).max(self.lower - value)
@@ -107,7 +106,7 @@ impl<const SIGNALS: usize> SignalValues for [f64; SIGNALS] {
     }
 }
 
-/// A signal that has a range to stay in.
+/// A signal with a range to stay in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Guard {
     /// Index of the signal.
@@ -151,7 +150,7 @@ impl<V: Copy> Node<V> {
     }
 }
 
-/// Whether any watched signal is outside its range.
+/// Returns whether any watched signal is outside its range.
 #[inline(always)]
 fn any_outside<V: SignalValues>(signals: &V, guards: &[Guard]) -> bool {
     let mut outside = false;
@@ -162,40 +161,40 @@ fn any_outside<V: SignalValues>(signals: &V, guards: &[Guard]) -> bool {
     outside
 }
 
-/// How much of a predicted overshoot is believed to be missing from the prediction.
+/// Share of a predicted overshoot that the prediction may miss.
 pub(super) const CAUTION: f64 = 0.5;
 /// Evaluations spent on one suspected excursion.
 const LOOKS: usize = 6;
 
-/// How far a signal can stray between two known values: the change over the step plus the change that the previous step
-/// suggests; `ratio` is this step's length over the previous one's. This is eight times as far as a parabola through the
-/// three values would turn.
+/// Bound on how far a signal can stray between two known values: the change over the step plus the change that the
+/// previous step suggests. `ratio` is this step's length over the previous one's. The bound is eight times as far as a
+/// parabola through the three values would turn.
 #[inline(always)]
 pub fn stray<S: Real>(before: S, start: S, end: S, ratio: S) -> S {
     (end - start).abs() + ratio * (start - before).abs()
 }
 
-/// A step so many times as long as the one before may bend as that one did not show.
+/// A step this many times as long as the previous one may bend as that one did not show.
 pub const FAR_LONGER: f64 = 6.0;
 
-/// Whether a quantity falls throughout a step: it fell over the step before, and has slowed down by less than half.
-/// `ratio` is this step's length over that one's.
+/// Returns whether a quantity falls throughout a step: it fell over the previous step, and has slowed down by less than
+/// half. `ratio` is this step's length over that one's.
 pub fn falls(before: f64, start: f64, end: f64, ratio: f64) -> bool {
     end < start && start < before && start - end > 0.5 * ratio * (before - start)
 }
 
-/// Whether a quantity cannot have fallen below `least`, or below its value at the end, within a
-/// step: it stays well above `least`, or falls without slowing down.
+/// Returns whether a quantity cannot have fallen below `least`, or below its end value, within a step: it stays well
+/// above `least`, or falls without slowing down.
 pub fn is_plain(before: f64, start: f64, end: f64, ratio: f64, least: f64) -> bool {
     ratio < FAR_LONGER && falls(before, start, end, ratio)
         || start.min(end) - least > stray(before, start, end, ratio)
 }
 
-/// Finds the first exit of any signal within a step, or a part of it, that was looked at where it starts, where all
-/// signals are inside, between and where it ends. `evaluate` writes the signals at a fraction of the step. Excursions
-/// that begin and end between the samples are sought where three neighbouring values bend
-/// toward an end of the range. Returns where it is just outside, within `resolution` of the exit, and which of
-/// `buffers` has the signals there; the other buffers are overwritten.
+/// Finds the first exit of any signal within a step or a part of it. The samples are at its start, where all signals
+/// are inside, between, and at its end. `evaluate` writes the signals at a fraction of the step. Excursions that begin
+/// and end between the samples are sought where three neighbouring values bend toward an end of the range. Returns a
+/// fraction just outside, within `resolution` of the exit, and the one of `buffers` with the signals there; the other
+/// buffers are overwritten.
 pub fn first_exit<V: SignalValues>(
     [start, middle, end]: [Sample<'_, V>; 3],
     guards: &[Guard],
@@ -217,7 +216,7 @@ pub fn first_exit<V: SignalValues>(
         let (middle_inside, end_inside) = (inside(v[1]), inside(v[2]));
         out_at_middle |= !middle_inside;
         out_at_end |= !end_inside;
-        // Only what bends back can come and go.
+        // Only a signal that bends back can come and go.
         let slopes = [
             (v[1] - v[0]) * (end.theta - middle.theta),
             (v[2] - v[1]) * (middle.theta - start.theta),
@@ -250,8 +249,8 @@ pub fn first_exit<V: SignalValues>(
     Some(exit)
 }
 
-/// Fraction of the step at which the parabola through three nodes has its extremum, with its
-/// value, when that lies between the outer nodes.
+/// Fraction of the step and value at the extremum of the parabola through three nodes, if it lies between the outer
+/// nodes.
 fn vertex(t: [f64; 3], v: [f64; 3]) -> Option<(f64, f64)> {
     let first = (v[1] - v[0]) / (t[1] - t[0]);
     let second = (v[2] - v[1]) / (t[2] - t[1]);
@@ -262,8 +261,8 @@ fn vertex(t: [f64; 3], v: [f64; 3]) -> Option<(f64, f64)> {
     (x > 0.0 && x < t[2] - t[0]).then(|| (t[0] + x, v[0] + 0.5 * slope * x))
 }
 
-/// Looks whether a signal that is inside its range at three nodes (at `t`, with values `v`) leaves
-/// it between them. Gives a node where all signals are inside and a later one where one is not.
+/// Searches for an exit of a signal between three nodes (at `t`, with values `v`) where it is inside its range. Returns
+/// a node with all signals inside and a later one with one outside.
 fn hidden_excursion<V: SignalValues>(
     guard: &Guard,
     start: Sample<'_, V>,
@@ -308,10 +307,10 @@ fn hidden_excursion<V: SignalValues>(
 /// Predictions of an exit in a row that may fail to halve its bracket.
 const MOST_FAILURES: u32 = 2;
 
-/// Narrows the bracket from the first of three nodes, inside, to the second, outside, until its far end lies
-/// within `resolution` of the exit. `predict` estimates where that is, from the ends of the bracket and the node
-/// that was one last. After predictions that do not halve the bracket it is halved. Returns the far end, and which of
-/// `buffers` has the signals there.
+/// Narrows the bracket from the first of three nodes, inside, to the second, outside, until its far end lies within
+/// `resolution` of the exit. `predict` estimates the exit from the ends of the bracket and the node that was an end
+/// last. After predictions that do not halve the bracket it is halved. Returns the far end, and the one of `buffers`
+/// with the signals there.
 pub(super) fn locate<V: SignalValues>(
     nodes: [Sample<'_, V>; 3],
     guards: &[Guard],
@@ -321,9 +320,9 @@ pub(super) fn locate<V: SignalValues>(
     mut evaluate: impl FnMut(f64, &mut V),
 ) -> (f64, usize) {
     let mut thetas = nodes.map(|node| node.theta);
-    // The signals of a node are those it came with until a new one takes its place.
+    // A node keeps the signals it came with until a new one takes its place.
     let mut given = nodes.map(|node| Some(node.signals));
-    // The nodes stay where they are, but for the one that a new one takes the place of.
+    // The nodes stay in place, except the one that a new one replaces.
     let [mut inside, mut outside, mut third] = [0, 1, 2];
     let mut failures = 0;
     loop {
@@ -365,9 +364,9 @@ pub(super) fn locate<V: SignalValues>(
     }
 }
 
-/// Where a signal that is inside at the first of three nodes leaves its range on the parabola through all of
-/// them, if it is outside at the second; infinite if it is not. The nodes' other signals do not matter: of two that leave, one may be
-/// far outside where the other has just left.
+/// Exit of a signal from its range on the parabola through three nodes, inside at the first and outside at the second;
+/// infinite if not outside. Other signals do not matter: of two that leave, one may be far outside where the other has
+/// just left.
 fn exit_on_parabola<V: SignalValues>(
     guard: &Guard,
     [inside, outside, third]: [Sample<'_, V>; 3],
@@ -383,8 +382,8 @@ fn exit_on_parabola<V: SignalValues>(
     exit_between(buffer(inside), outside.theta, buffer(third))
 }
 
-/// Where the parabola through a value not above 0 at `a`, 1 at `b` and a third value rises through
-/// 0 between `a` and `b`.
+/// Point between `a` and `b` where the parabola through a value not above 0 at `a`, 1 at `b` and a third value rises
+/// through 0.
 fn exit_between((a, at_a): (f64, f64), b: f64, (c, at_c): (f64, f64)) -> f64 {
     let width = b - a;
     let rise = 1.0 - at_a;

@@ -1,4 +1,4 @@
-//! Least values of smooth quantities within a step, closed in on by parabolas.
+//! Least values of smooth quantities within a step, located by parabolas.
 
 /// The parabola through three points (θ, value) in order of θ.
 #[derive(Debug, Clone, Copy)]
@@ -10,7 +10,7 @@ impl Parabola {
         Self(points)
     }
 
-    /// Where it is lowest, if that lies between the outer points and below `least`.
+    /// Its lowest point, if that lies between the outer points and below `least`.
     pub fn lowest(&self, least: f64) -> Option<f64> {
         let [(t0, a), (t1, b), (t2, c)] = self.0;
         let (first, second) = ((b - a) / (t1 - t0), (c - b) / (t2 - t1));
@@ -21,7 +21,7 @@ impl Parabola {
         (bend > 0.0 && is_between && value < least).then_some(theta)
     }
 
-    /// The parabola through a point found between the outer ones and those on either side of it.
+    /// The parabola through a point found between the outer ones and its two neighbours.
     pub fn about(&self, found: (f64, f64)) -> Self {
         let [first, middle, last] = self.0;
         Self(if found.0 < middle.0 {

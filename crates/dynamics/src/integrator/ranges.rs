@@ -43,7 +43,7 @@ impl<const QUADS: usize> Ranges<QUADS> {
         self.upper[index / LANES].0[index % LANES] = range.upper;
     }
 
-    /// Whether every number is in its range. One that is not a number is not.
+    /// Returns whether every number is in its range; NaN is not.
     #[inline(always)]
     pub fn hold(&self, numbers: &[[f64; LANES]]) -> bool {
         let mut farthest = Farthest::new();
@@ -53,10 +53,10 @@ impl<const QUADS: usize> Ranges<QUADS> {
         farthest.all(|beyond| beyond <= 0.0)
     }
 
-    /// Whether no number can have left its range within a step, judged from its values at the start of the previous step and at
-    /// the start and end of this one; `ratio` is this step's length over the previous one's: at both ends of the step it is
-    /// farther inside than it can stray (`event::stray`). How far each can get beyond its range is written to `reach`; negative
-    /// where it stays inside.
+    /// Returns whether no number can have left its range within a step, judged from its values at the start of the
+    /// previous step and at the start and end of this one: at both ends of the step it is farther inside than it can
+    /// stray (`event::stray`). `ratio` is this step's length over the previous one's. Writes how far each can get
+    /// beyond its range to `reach`; negative where it stays inside.
     #[inline(always)]
     pub fn keep(&self, looks: [&[[f64; LANES]]; 3], ratio: f64, reach: &mut [Quad; QUADS]) -> bool {
         let mut farthest = Farthest::new();
@@ -64,9 +64,8 @@ impl<const QUADS: usize> Ranges<QUADS> {
         farthest.all(|beyond| beyond < 0.0)
     }
 
-    /// The same where the first `rated` quads of numbers are followed by as many of their rates: those numbers stay
-    /// between the corners of the cubics through their values and rates at both ends of the step, which
-    /// is `length` long.
+    /// The same for numbers whose first `rated` quads are followed by as many of their rates. Those numbers stay
+    /// between the corners of the cubics through their values and rates at both ends of the step of `length`.
     #[inline(always)]
     pub fn keep_by_rates(
         &self,
@@ -94,7 +93,7 @@ impl<const QUADS: usize> Ranges<QUADS> {
         farthest.all(|beyond| beyond < 0.0)
     }
 
-    /// How far all numbers but the first `from` quads can stray.
+    /// Finds how far all numbers but the first `from` quads can stray.
     #[inline(always)]
     fn stray(
         &self,
@@ -120,7 +119,7 @@ impl<const QUADS: usize> Ranges<QUADS> {
 /// The greatest of some numbers, lane by lane.
 struct Farthest {
     greatest: Quad,
-    /// A maximum drops what is not a number, a sum keeps it.
+    /// A maximum drops NaN, a sum keeps it.
     sum: Quad,
 }
 
@@ -139,20 +138,20 @@ impl Farthest {
         self.check(numbers);
     }
 
-    /// Takes note whether these are numbers.
+    /// Notes whether these are numbers.
     #[inline(always)]
     fn check(&mut self, numbers: Quad) {
         self.sum += numbers;
     }
 
-    /// Whether all are numbers, and such that `holds`.
+    /// Returns whether none is NaN and `holds` is true for all.
     #[inline(always)]
     fn all(&self, holds: impl Fn(f64) -> bool) -> bool {
         self.greatest.0.into_iter().all(holds) && self.sum.0.iter().all(|sum| !sum.is_nan())
     }
 }
 
-/// The greater of two numbers, or the second where either is none: an instruction of the processor.
+/// The greater of two numbers, or the second if either is NaN: one processor instruction.
 #[inline(always)]
 fn greater(a: Quad, b: Quad) -> Quad {
     Lanes(std::array::from_fn(|i| {

@@ -5,19 +5,19 @@
 //! E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.7. L-stable and stiffly accurate, it does
 //! not lose order where a foot is stuck, and it stays of order two with an inexact derivative.
 //!
-//! What only accumulates (work integrals, rates of pads at rest on a stop) is left out of the stages and summed
-//! by Simpson's rule, which takes one more evaluation, in the middle.
+//! The accumulating part (work integrals, rates of pads at rest on a stop) is left out of the stages and summed by
+//! Simpson's rule, which takes one more evaluation, in the middle.
 
 use super::step::{StateVector, Step, Weights};
 use crate::scalar::Real;
 
-/// The equations (1/τ − J) u = r of the stages of a step, factored, with τ = [`GAMMA`] h: J is the derivative of the
+/// The equations (1/τ − J) u = r of the stages of a step, factored, with τ = [`GAMMA`] h. J is the derivative of the
 /// motion, or near it; u and r are states.
 pub trait StageEquations<S, Y> {
-    /// Writes u, as far as it moves.
+    /// Writes the moving part of u.
     fn solve(&self, r: &Y, u: &mut Y);
 
-    /// Sums what only accumulates over a step of length `h` from `before` by Simpson's rule, from the slopes at its
+    /// Sums the accumulating part over a step of length `h` from `before` by Simpson's rule, from the slopes at its
     /// start, middle and end; writes its error over h.
     fn accumulate(&self, before: &Y, h: S, slopes: [&Y; 3], after: &mut Y, error: &mut Y);
 }
@@ -27,7 +27,7 @@ pub const EVALUATIONS: u64 = 7;
 
 /// Diagonal of the implicit scheme: stages are solved with τ = γh.
 pub const GAMMA: f64 = 0.25;
-/// Weights of stages before on a stage's state; the last one's, and itself once more, make the result.
+/// Weights of earlier stages on a stage's state; the last row, plus the last stage itself, gives the result.
 const STATE: [[f64; 5]; 5] = [
     [3.0, 0.0, 0.0, 0.0, 0.0],
     [0.906377755268814, -0.189707390391685, 0.0, 0.0, 0.0],
@@ -48,8 +48,8 @@ const LAST: [f64; 5] = [
     -0.959280113459775,
     0.0,
 ];
-/// Fractions of a step at which the derivative of a stage is taken where it depends on time: of a right-hand side that is
-/// linear in time, α h and the γ h of the stage's own term of time together.
+/// Fractions of a step at which a stage takes a derivative that depends on time. For a right-hand side linear in time
+/// they combine α h and the γ h of the stage's own term of time.
 pub const TIMES: [f64; 6] = [
     0.25,
     0.25,
@@ -58,7 +58,7 @@ pub const TIMES: [f64; 6] = [
     1.0,
     1.0,
 ];
-/// Weights of stages before, over h, on the right-hand side of a stage.
+/// Weights of earlier stages, over h, on the right-hand side of a stage.
 const SLOPE: [[f64; 5]; 5] = [
     [-12.0, 0.0, 0.0, 0.0, 0.0],
     [-6.354581592719008, 0.338972550544623, 0.0, 0.0, 0.0],
@@ -86,10 +86,11 @@ const SLOPE: [[f64; 5]; 5] = [
 ];
 
 impl<S: Real, Y: StateVector<S>> Step<S, Y> {
-    /// Takes a step of length `h` from `before`, where the derivative is the first slope; `equations` are those of
-    /// τ = [`GAMMA`] h, and `stages` are overwritten. `derivative` writes the derivative at a fraction of the step and a state
-    /// into its last argument; `start` is that at the start at the first of [`TIMES`], if it depends on time. `middle` and `last` do so midway on the continuous output and at the end, where what only accumulates
-    /// is still that of the start.
+    /// Takes a step of length `h` from `before`, where the derivative is the first slope. `equations` are those of τ =
+    /// [`GAMMA`] h, and `stages` are overwritten. `derivative` writes the derivative at a fraction of the step and a
+    /// state into its last argument; `start` is that at the start at the first of [`TIMES`], if it depends on time.
+    /// `middle` and `last` write it midway on the continuous output and at the end, where the accumulating part is
+    /// still that of the start.
     #[inline(always)]
     #[allow(
         clippy::too_many_arguments,
@@ -118,7 +119,7 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
         self.stage
             .advance_motion([S::one()], [sixth], &mut self.after);
 
-        // In place of its stages' slopes a step keeps its mean slope, that in the middle, and its error over h.
+        // In place of its stages' slopes a step keeps its mean slope, the slope in the middle, and its error over h.
         let [first, mean, midway, error, _, end] = &mut self.slopes;
         last(&self.after, end);
         self.before.midway(
@@ -139,7 +140,7 @@ impl<S: Real, Y: StateVector<S>> Step<S, Y> {
         mean.set_mean_rate(&self.before, &self.after, h);
     }
 
-    /// Takes the stage that comes after `BEFORE` others.
+    /// Takes the stage after `BEFORE` others.
     #[inline(always)]
     fn take_stage<const BEFORE: usize>(
         &mut self,

@@ -1,10 +1,10 @@
-//! A step: where it starts and ends, and the slopes between.
+//! A step: its start, its end, and the slopes between.
 
 use crate::scalar::Real;
 
-/// What steps are taken with: sums of states and slopes, lane by lane.
+/// Vectors for steps: sums of states and slopes, lane by lane.
 ///
-/// Some of a state may only accumulate, so that nothing depends on it: what is left is called what moves.
+/// Part of a state may only accumulate, so that nothing depends on it. The rest is called the motion.
 pub trait StateVector<S: Real>: Copy {
     /// Writes self + Σ weight · slope into `result`.
     fn advance<const TERMS: usize>(
@@ -14,7 +14,7 @@ pub trait StateVector<S: Real>: Copy {
         result: &mut Self,
     );
 
-    /// Writes self + Σ weight · slope of what moves into `result`.
+    /// Writes self + Σ weight · slope of the motion into `result`.
     fn advance_motion<const TERMS: usize>(
         &self,
         weights: [S; TERMS],
@@ -22,18 +22,18 @@ pub trait StateVector<S: Real>: Copy {
         result: &mut Self,
     );
 
-    /// Writes what moves midway between self and `end` on the cubic between them, from the slopes at both and an
-    /// eighth of the time between.
+    /// Writes the motion midway between self and `end` on the cubic between them, from the slopes at both and an eighth
+    /// of the time between.
     fn midway(&self, end: &Self, eighth: S, slopes: [&Self; 2], middle: &mut Self);
 
     /// Writes (end − start)/length into self.
     fn set_mean_rate(&mut self, start: &Self, end: &Self, length: S);
 
-    /// Writes change/length of what moves into self.
+    /// Writes change/length of the motion into self.
     fn set_motion_over(&mut self, change: &Self, length: S);
 
-    /// Greatest weighted sum of `slopes` in what moves, in units of what its numbers are weighed by from `before` to
-    /// `after`, and the greatest in what only accumulates. Not a number if a sum is none.
+    /// Greatest weighted sum of `slopes` in the motion, in units of the weights of its numbers from `before` to
+    /// `after`, and the greatest in the accumulating part. NaN if a sum is NaN.
     fn greatest_error<const TERMS: usize>(
         weights: [S; TERMS],
         slopes: [&Self; TERMS],
@@ -42,16 +42,16 @@ pub trait StateVector<S: Real>: Copy {
     ) -> [S; 2];
 }
 
-/// What the kinds of steps differ in once they are taken: weights on the slopes of a [`Step`].
+/// Differences between the kinds of steps once taken: weights on the slopes of a [`Step`].
 #[derive(Debug, Clone, Copy)]
 pub struct Weights<S> {
-    /// Of the first five, for the change over the step.
+    /// Weights of the first five, for the change over the step.
     pub result: [S; 5],
-    /// For the local error estimate.
+    /// Weights for the local error estimate.
     pub error: [S; 6],
     /// Power of the step's length with which that estimate falls.
     pub error_order: f64,
-    /// For the fourth-degree term of the continuous output.
+    /// Weights for the fourth-degree term of the continuous output.
     pub bump: [S; 6],
 }
 
@@ -62,10 +62,10 @@ pub struct Step<S, Y> {
     pub before: Y,
     /// State at the end.
     pub after: Y,
-    /// State at a stage between, as far as it moves.
+    /// Motion at a stage between.
     pub(super) stage: Y,
-    /// Derivatives at stages 1, 3, 4, 5, 6 and at the end of an explicit step, which gives its second stage
-    /// no weight; of an implicit step what its weights combine, first and last the derivatives at its ends.
+    /// Derivatives at stages 1, 3, 4, 5, 6 and at the end of an explicit step, whose second stage has no weight. For an
+    /// implicit step the terms that its weights combine, with the derivatives at its ends first and last.
     pub slopes: [Y; 6],
     /// Length, s.
     pub length: S,
@@ -74,7 +74,7 @@ pub struct Step<S, Y> {
 }
 
 impl<S: Real, Y: StateVector<S>> Step<S, Y> {
-    /// A step yet to be taken from `state`, where the derivative is `slope`.
+    /// A step to be taken from `state`, where the derivative is `slope`.
     pub fn from(state: Y, slope: Y) -> Self {
         let zero = S::zero();
         Self {

@@ -8,11 +8,11 @@ const SAFETY: f64 = 0.88;
 const INTEGRAL: f64 = 0.04;
 const LEAST_FACTOR: f64 = 0.2;
 const GREATEST_FACTOR: f64 = 5.0;
-/// Binary logarithm of 1e-4: no smaller error of a step is remembered.
+/// Binary logarithm of 1e-4, the smallest error of a step that is remembered.
 const SMALL_ERROR: f64 = -13.287_712_379_549_45;
-/// No step is longer than this, s: a step cannot outgrow what three samples of the signals show.
+/// Longest step, s: a step must not outgrow what three samples of the signals show.
 pub const LONGEST: f64 = 0.02;
-/// Below this the time no longer advances, s.
+/// Step below which time no longer advances, s.
 pub const SHORTEST: f64 = 1e-14;
 
 /// The controller's memory.
@@ -39,8 +39,8 @@ impl StepControl {
         self.proposed
     }
 
-    /// Takes note of a tried step with error `norm` in units of the tolerance, which falls as the step to the
-    /// power `order`; true when the step is good enough.
+    /// Notes a tried step with error `norm` in units of the tolerance, which falls as the step to the power `order`.
+    /// Returns true if the step is good enough.
     #[inline(always)]
     pub fn accept(&mut self, length: f64, norm: f64, order: f64) -> bool {
         let proportional = 1.0 / order - 0.75 * INTEGRAL;
@@ -56,7 +56,7 @@ impl StepControl {
             self.rejected = false;
             true
         } else {
-            // A norm that is no finite number shrinks the step as far as it goes.
+            // A norm that is not finite shrinks the step as far as it goes.
             let factor = if norm.is_finite() {
                 SAFETY * exp2(-proportional * log2(norm))
             } else {
@@ -68,22 +68,22 @@ impl StepControl {
         }
     }
 
-    /// Takes note that a good step ended before the `whole` length (s) that its error would have
-    /// allowed: the next one need not be shorter.
+    /// Notes that a good step ended before the `whole` length (s) that its error would have allowed, so the next one
+    /// need not be shorter.
     pub fn keep(&mut self, whole: f64) {
         self.proposed = self.proposed.max(whole);
     }
 
-    /// Takes note of an event after which other laws hold.
+    /// Notes an event after which other laws hold.
     pub fn restart(&mut self) {
         self.last_error = SMALL_ERROR;
         self.rejected = false;
     }
 }
 
-// A step size needs no exact logarithm, and all of the next step waits for it. A number's own exponent and
-// mantissa are its logarithm but for a bow over each octave (J. N. Mitchell, IRE Trans. EC-11 (1962) 512-517),
-// which a parabola straightens.
+// A step size needs no exact logarithm, and the whole next step waits for it. A number's own exponent and mantissa are
+// its logarithm but for a bow over each octave (J. N. Mitchell, IRE Trans. EC-11 (1962) 512-517), which a parabola
+// straightens.
 
 const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
 const OCTAVE: f64 = (MANTISSA + 1) as f64;

@@ -1,4 +1,4 @@
-//! How closely, and at what intervals, the error-checking methods integrate (3.3, card 12 to 16).
+//! Accuracy and intervals of the error-checking methods (3.3, card 12 to 16).
 
 use crate::invalid::{Invalid, require};
 
@@ -64,7 +64,7 @@ impl ErrorControl {
     /// Least interval of the sample run, s; later runs had 1e-5 s.
     pub const LEAST_INTERVAL: f64 = 1e-6;
 
-    /// Checks limits (per second), first interval (s) and the interval (s) that is not cut further.
+    /// Checks limits (per second), first interval (s) and least interval (s), which is not cut further.
     ///
     /// # Errors
     /// Names the first number outside its range, in the words of the sweep file.
@@ -127,7 +127,7 @@ impl ErrorControl {
     }
 }
 
-/// The intervals that an error-checking method is given, s.
+/// Intervals of an error-checking method, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Intervals {
     /// The first to try.

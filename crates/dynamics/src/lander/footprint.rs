@@ -1,4 +1,4 @@
-//! The ground that a vehicle covers as it stands with its struts extended.
+//! The ground covered by a vehicle that stands with its struts extended.
 
 use crate::invalid::{Invalid, bounded, require};
 
@@ -8,8 +8,8 @@ const KEYS: [&str; 2] = [
     "center_of_gravity_offset_y_ft",
 ];
 
-/// Checks that a CG off the centreline is over the polygon of the feet, all of them x and y of vehicle axes, ft: beyond
-/// it a vehicle falls over where it stands.
+/// Checks that a CG off the centreline is over the polygon of the feet (x and y of vehicle axes, ft). Beyond it a
+/// vehicle falls over where it stands.
 ///
 /// # Errors
 /// Names the component to change and its range.

@@ -6,8 +6,8 @@ use crate::per_leg::MOST_LEGS;
 /// A plane of the ground under a footpad or a block.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Patch {
-    /// Height over the surface, along its normal, ft: of the point of the plane on the vertical through the pivot of the
-    /// footpad, or through the centre of the block, at first contact.
+    /// Height over the surface, along its normal, ft, of the plane's point on the vertical through the footpad's pivot
+    /// or the block's centre at first contact.
     pub height: f64,
     /// Tilt added to the slope, rad: steeper when positive.
     pub tilt_along: f64,
@@ -16,12 +16,12 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// Whether the plane is that of the surface.
+    /// Returns whether the plane is that of the surface.
     pub fn is_even(&self) -> bool {
         *self == Self::default()
     }
 
-    /// Whether the plane is not parallel to the surface.
+    /// Returns whether the plane is not parallel to the surface.
     pub fn is_tilted(&self) -> bool {
         self.tilt_along != 0.0 || self.tilt_across != 0.0
     }
@@ -30,9 +30,9 @@ impl Patch {
 /// The ground under one leg.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LegFooting {
-    /// Under its footpad.
+    /// Ground under its footpad.
     pub pad: Patch,
-    /// Under its block.
+    /// Ground under its block.
     pub block: Patch,
 }
 
@@ -45,7 +45,7 @@ const GREATEST_HEIGHT: f64 = 1000.0;
 const GREATEST_TILT: f64 = 60.0;
 
 impl Ground {
-    /// The ground under the vehicle's legs in their order; under those beyond the given ones it is the surface.
+    /// The ground under the vehicle's legs in their order. Legs beyond the given ones have the surface.
     ///
     /// # Errors
     /// Names the first quantity outside its range, in the words of the sweep file.
@@ -59,7 +59,7 @@ impl Ground {
         Ok(ground)
     }
 
-    /// Checks that no plane stands upright or hangs over, on a surface of this slope, rad.
+    /// Checks that no plane is vertical or overhangs on a surface of this slope, rad.
     ///
     /// # Errors
     /// Names the tilt.
@@ -79,7 +79,7 @@ impl Ground {
         Ok(())
     }
 
-    /// Under leg `index`.
+    /// Ground under leg `index`.
     pub fn leg(&self, index: usize) -> &LegFooting {
         &self.0[index]
     }

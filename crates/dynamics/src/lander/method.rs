@@ -1,9 +1,9 @@
-//! The methods of integration that can be chosen.
+//! Methods of integration to choose from.
 
 use super::error_control::ErrorControl;
 use crate::invalid::{Invalid, require};
 
-/// How the equations of motion are integrated.
+/// Method of integrating the equations of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
     /// Every change of a law is located in time: module `landing`.
@@ -42,7 +42,7 @@ impl FixedInterval {
 }
 
 impl Default for FixedInterval {
-    /// That of 4.1.2.
+    /// That of section 4.1.2.
     fn default() -> Self {
         Self(0.002)
     }

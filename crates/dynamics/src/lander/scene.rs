@@ -1,4 +1,4 @@
-//! The touchdown: speed, direction, attitude, slope and friction, and how to compute it.
+//! The touchdown: speed, direction, attitude, slope and friction; and settings of the computation.
 
 use super::ground::Ground;
 pub use super::settings::Settings;
@@ -28,9 +28,9 @@ pub struct Conditions {
     pub pad_friction: f64,
     /// Nominal friction coefficient μ0 under the body blocks.
     pub block_friction: f64,
-    /// The ground under each leg, where it is not the surface.
+    /// The ground under each leg, if it is not the surface.
     pub ground: Ground,
-    /// Acceleration of gravity, ft/s², where it is not that of the vehicle's file.
+    /// Acceleration of gravity, ft/s², if not that of the vehicle's file.
     pub gravity: Option<f64>,
     /// Thrust of the engine after first contact.
     pub thrust: Thrust,

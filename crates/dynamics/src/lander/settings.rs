@@ -1,11 +1,11 @@
-//! How a landing is computed.
+//! Settings of a computation of a landing.
 
 use super::method::Method;
 use super::vehicle::Vehicle;
 use crate::invalid::{Invalid, require};
 use crate::rules::{ContactRule, CrushRule, FrictionProfile, RuleChoices, Rules};
 
-/// How a landing is computed.
+/// Settings of the computation of a landing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     tolerance: f64,
@@ -32,12 +32,11 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Tolerance of a single landing when none is given: trajectories to 1e-6 ft. At 3e-6 two of
-    /// the 400 reference landings are off by more than they may be, one by a contact, one by its energy.
+    /// Default tolerance of a single landing: trajectories to 1e-6 ft. At 3e-6 two of the 400 reference landings
+    /// deviate more than allowed, one in a contact, one in its energy.
     pub const DEFAULT_TOLERANCE: f64 = 1e-6;
-    /// Tolerance of a search for the boundary when none is given: the loosest at which every
-    /// transition of the level grid lies well within 5e-4 ft/s of the converged one
-    /// (`results/work-precision.csv`).
+    /// Default tolerance of a boundary search: the loosest at which every transition of the level grid lies well within
+    /// 5e-4 ft/s of the converged one (`results/work-precision.csv`).
     pub const BOUNDARY_TOLERANCE: f64 = 3e-5;
     /// Time limit t_f of the report's runs, s.
     pub const DEFAULT_TIME_LIMIT: f64 = 40.0;
@@ -104,8 +103,8 @@ impl Settings {
         Ok(Self { tolerance, ..self })
     }
 
-    /// The same settings, but landings end as [`crate::outcome::Outcome::StableSteady`] once they are steady: for scans,
-    /// which ask only how a landing ends.
+    /// The same settings, but landings end as [`crate::outcome::Outcome::StableSteady`] once they are steady: for
+    /// scans, which ask only for the outcome.
     pub fn ending_early(self) -> Self {
         Self {
             ends_early: true,
@@ -121,7 +120,7 @@ impl Settings {
         }
     }
 
-    /// The same settings, but a landing ends at its verdict: for those of which only the verdict is asked for.
+    /// The same settings, but a landing ends at its verdict: for callers that need only the verdict.
     pub fn up_to_verdict(self) -> Self {
         Self {
             goes_on: false,
@@ -129,17 +128,17 @@ impl Settings {
         }
     }
 
-    /// Whether a landing goes on beyond its verdict.
+    /// Returns whether a landing goes on beyond its verdict.
     pub fn goes_on(&self) -> bool {
         self.goes_on
     }
 
-    /// Whether steady landings end early.
+    /// Returns whether steady landings end early.
     pub fn ends_early(&self) -> bool {
         self.ends_early
     }
 
-    /// How friction sets in near rest.
+    /// Onset of friction near rest.
     pub fn friction_profile(&self) -> FrictionProfile {
         self.friction_profile
     }
@@ -164,12 +163,12 @@ impl Settings {
         self.time_limit
     }
 
-    /// What the settings say of rules.
+    /// Choices of rules in the settings.
     pub fn rule_choices(&self) -> RuleChoices {
         self.rules
     }
 
-    /// The rules in force for a vehicle: the methods of 1966 know those of 1966 alone, but for crushing.
+    /// The rules in force for a vehicle. The methods of 1966 know only the rules of 1966, except for crushing.
     pub fn rules(&self, vehicle: &Vehicle) -> Rules {
         let rules = self.rules.over(vehicle.rules());
         match self.method {

@@ -7,8 +7,8 @@ use crate::scalar::Real;
 /// Most knots of a table of thrust.
 pub const MOST_KNOTS: usize = 16;
 
-/// A force along the centreline, upward in the vehicle, over time since first contact: linear between its knots, from the
-/// last one on constant.
+/// A force along the centreline, upward in the vehicle, over time since first contact. It is linear between its knots
+/// and constant after the last one.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Thrust {
     knots: [[f64; 2]; MOST_KNOTS],
@@ -17,8 +17,8 @@ pub struct Thrust {
 }
 
 impl Thrust {
-    /// Thrust with these knots of time (s) and force (lb); its line of action passes the centreline at `offset` (x and y of
-    /// vehicle axes, ft).
+    /// Thrust with these knots of time (s) and force (lb). Its line of action has this `offset` from the centreline (x
+    /// and y of vehicle axes, ft).
     ///
     /// # Errors
     /// Times start at 0 and increase, forces are not negative, and there are 1 to 16 knots.
@@ -55,7 +55,7 @@ impl Thrust {
                 offset.abs() <= 1000.0
             })?;
         }
-        // An engine that never pushes is none.
+        // An engine that never pushes counts as none.
         if knots.iter().all(|knot| knot[1] == 0.0) {
             return Ok(Self::default());
         }
@@ -72,17 +72,17 @@ impl Thrust {
         &self.knots[..self.count]
     }
 
-    /// Whether there is any.
+    /// Returns whether there is none.
     pub fn is_none(&self) -> bool {
         self.count == 0
     }
 
-    /// Where its line of action passes the centreline: x and y of vehicle axes, ft.
+    /// Offset of its line of action from the centreline: x and y of vehicle axes, ft.
     pub fn offset(&self) -> [f64; 2] {
         self.offset
     }
 
-    /// The line on which it is from a time (s) on, and until when.
+    /// The line of thrust from a time (s) on, and the end of that line, s.
     pub fn line_from(&self, time: f64) -> (ThrustLine<f64>, f64) {
         let knots = self.knots();
         let next = knots.iter().position(|knot| knot[0] > time);
@@ -122,7 +122,7 @@ impl<S: Real> ThrustLine<S> {
         }
     }
 
-    /// Whether there is none.
+    /// Returns whether there is none.
     #[inline(always)]
     pub fn is_none(&self) -> bool {
         self.offset.is_zero() && self.slope.is_zero()

@@ -1,8 +1,8 @@
 //! The lander: mass properties and legs (model chapter 8), checked once and correct from then on.
 //!
-//! Foot, slug, pound, second and radian throughout. The plain structs ([`LegDesign`] and its
-//! parts) are what an input file describes; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle
-//! that every law of the model can use without asking again.
+//! Foot, slug, pound, second and radian throughout. The plain structs ([`LegDesign`] and its parts) describe an input
+//! file; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle that every law of the model can use without further
+//! checks.
 
 use std::f64::consts::TAU;
 
@@ -22,14 +22,14 @@ use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
 use crate::rules::Rules;
 
-/// Legs that a vehicle needs to stand on.
+/// Least number of legs that a vehicle stands on.
 pub const LEAST_LEGS: usize = 3;
 
 /// Least and greatest angle between neighbouring legs, deg.
 const LEAST_GAP: f64 = 1.0;
 const GREATEST_GAP: f64 = 180.0 - 1e-6;
 
-/// Legs by their azimuths from 0 to 360 deg, as indices.
+/// Indices of the legs in the order of their azimuths, 0 to 360 deg.
 pub type Ring = ArrayVec<usize, MOST_LEGS>;
 
 /// Mass properties and legs of a lander.
@@ -157,12 +157,12 @@ impl Leg {
         &self.design
     }
 
-    /// Its laws, made of the design once for all landings.
+    /// Its laws, made from the design once for all landings.
     pub fn laws(&self) -> &LegLaws {
         &self.laws
     }
 
-    /// Lower-link angle γ at which the strut has its extended length, rad: where γ starts.
+    /// Lower-link angle γ at which the strut has its extended length, rad: the initial γ.
     pub fn extended_angle(&self) -> f64 {
         self.extended_angle
     }
@@ -196,8 +196,8 @@ fn check_damper(damper: &Damper) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// A crush profile starts at zero pressure, and no later segment is steeper than the first, which
-/// is the elastic line: otherwise crushing would heal.
+/// Checks a crush profile. It starts at zero pressure, and no later segment is steeper than the first, the elastic
+/// line: otherwise crushing would heal.
 fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
     require(
         quantity,
@@ -266,8 +266,8 @@ fn extended_angle(linkage: &Linkage, strut: &Strut) -> Result<f64, Invalid> {
 }
 
 impl Vehicle {
-    /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the
-    /// lower hardpoints ΔCG (ft), inertia, and legs, which are numbered in the order in which they come.
+    /// Checks a vehicle: mass (slug), gravity (ft/s²), height of the CG above the plane of the lower hardpoints ΔCG
+    /// (ft), inertia, and legs, which are numbered in the given order.
     ///
     /// # Errors
     /// Names the first quantity outside its range, in the words of the vehicle file.
@@ -371,7 +371,7 @@ impl Vehicle {
         self.center_of_gravity_height
     }
 
-    /// Where the CG is off the centreline: x and y of vehicle axes, ft.
+    /// Offset of the CG from the centreline: x and y of vehicle axes, ft.
     pub fn center_of_gravity_offset(&self) -> [f64; 2] {
         self.center_of_gravity_offset
     }
@@ -382,7 +382,7 @@ impl Vehicle {
         self.center_of_gravity_height + greatest(stances)
     }
 
-    /// The legs by azimuth: each stands beside the one before it and the one after it, the last beside the first.
+    /// The legs by azimuth. Each stands next to the ones before and after it, the last next to the first.
     pub fn ring(&self) -> &Ring {
         &self.ring
     }
@@ -397,7 +397,7 @@ impl Vehicle {
         &self.inertia
     }
 
-    /// The legs, in the order in which they were given: that in which all that is told of them comes.
+    /// The legs in the given order, which all results follow.
     pub fn legs(&self) -> &[Leg] {
         &self.legs
     }

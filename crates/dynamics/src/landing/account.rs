@@ -64,7 +64,7 @@ impl Trajectory<'_> {
             outcome,
             end_time: self.time,
             beyond: None,
-            // Of what is beyond its critical feet nothing is left, however far beyond.
+            // A CG beyond its critical feet has no stability left, however far beyond.
             min_stability_angle: self.least_angle.0.max(0.0),
             min_stability_time: self.least_angle.1,
             min_clearance: self.least_clearance,

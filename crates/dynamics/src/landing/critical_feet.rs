@@ -9,10 +9,10 @@ pub struct CriticalFeet {
     pub positive: usize,
 }
 
-/// The report's rule for the critical feet: the foot alone on its side with its neighbour, the one
-/// before it when it stands on the positive side and the one after it when on the negative. Both
-/// agree: the step from a foot on the negative side to the next one on the positive side.
-/// In this form the rule serves any `ring` of feet. `None`: all feet on one side, toppling in yaw.
+/// The report's rule for the critical feet: the foot alone on its side and its neighbour, which is the one before it if
+/// it stands on the positive side and the one after it if on the negative. Both cases are the step from a negative foot
+/// to the next positive one. In this form the rule serves any `ring` of feet. `None`: all feet on one side, toppling in
+/// yaw.
 pub fn critical_feet(ring: &[usize], is_positive: impl Fn(usize) -> bool) -> Option<CriticalFeet> {
     let next = ring.iter().cycle().skip(1);
     ring.iter()

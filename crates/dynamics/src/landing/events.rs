@@ -1,4 +1,4 @@
-//! When a law changes its active piece, and what holds from then on.
+//! Changes of a law's active piece, and the laws in force from then on.
 
 use super::trajectory::Trajectory;
 use super::within::{Between, Look};
@@ -8,12 +8,12 @@ use crate::integrator::event::{Guard, Sample, first_exit};
 use crate::motion::{Signal, Signals};
 use crate::outcome::{Failure, Outcome};
 
-/// Changes of laws at one instant before they are called chattering.
+/// Law changes at one instant that count as chattering.
 const MOST_CHANGES: usize = 64;
 
 impl Trajectory<'_> {
-    /// The first fraction of the step at which a law changes its active piece, and which of the `buffers` has the
-    /// signals there.
+    /// Finds the first fraction of the step at which a law changes its active piece, and the one of the `buffers` with
+    /// the signals there.
     #[inline(always)]
     pub(super) fn find_event(&mut self) -> Option<(f64, usize)> {
         let [before, start, end] = [
@@ -55,7 +55,7 @@ impl Trajectory<'_> {
                 Prediction::Doubtful
             }
         };
-        // No earlier step shows how signals bend under new laws: the middle has to be evaluated.
+        // No earlier step shows how signals bend under new laws, so the middle has to be evaluated.
         let are_laws_new = self.earlier.is_none();
         let mut prediction = if are_laws_new {
             Prediction::Doubtful
@@ -88,8 +88,8 @@ impl Trajectory<'_> {
         found
     }
 
-    /// Puts the laws in place that hold from the present state on. One change can bring another
-    /// with it, so this repeats until every signal lies in its range.
+    /// Sets the laws that hold from the present state on. One change can bring another, so this repeats until every
+    /// signal lies in its range.
     pub(super) fn settle(&mut self) -> Result<(), Outcome> {
         for _ in 0..MOST_CHANGES {
             self.evaluate();
@@ -101,7 +101,7 @@ impl Trajectory<'_> {
         Err(Outcome::Failure(Failure::Chattering))
     }
 
-    /// The ground of its own that a leg may have is not to reach into the body at first contact.
+    /// Refuses a leg's own ground that reaches into the body at first contact.
     pub(super) fn refuse_ground_in_body(&self) -> Result<(), Outcome> {
         let signals = self.signals.start();
         let is_inside = |&leg: &usize| {
@@ -124,7 +124,7 @@ impl Trajectory<'_> {
         }
     }
 
-    /// The pieces and ranges of the present mode of leg `j`.
+    /// Sets pieces and ranges of leg `j` for its present mode.
     fn choose_pieces(&mut self, j: usize) {
         let (mode, laws) = (&self.modes[j], &self.laws[j]);
         self.pieces.set_leg(j, &mode.pieces(laws));
@@ -133,8 +133,8 @@ impl Trajectory<'_> {
         self.stiffness.forget();
     }
 
-    /// Lets each leg follow the first of its signals that is out of its range; whether any was.
-    /// Only the first, because the ranges of the others change with it.
+    /// Takes each leg past the first of its signals that is out of range. Returns whether any was. Only the first,
+    /// because the ranges of the others change with it.
     pub(super) fn cross(&mut self) -> Result<bool, Outcome> {
         let signals = self.signals.start();
         let exits = self.ranges.exits(signals);
@@ -152,7 +152,7 @@ impl Trajectory<'_> {
         Ok(exits.iter().any(Option::is_some))
     }
 
-    /// Restates the turn of a pad whose hinge has changed its mode; one that has arrived at a stop goes on with its link.
+    /// Restates the turn of a pad whose hinge has changed its mode. A pad that reached a stop goes on with its link.
     fn turn_pad(&mut self, leg: usize, before: &LegMode) {
         let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
         if !mode.has_other_hinge(before) {

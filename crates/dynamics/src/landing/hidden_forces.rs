@@ -1,5 +1,5 @@
-//! Stretches in which the force on a strut may have been greater than at their ends: they are kept until the greatest force is
-//! known to be greater than any in them, and looked into if that never is.
+//! Stretches in which the force on a strut may have been greater than at their ends. They are kept until the greatest
+//! force is known to exceed any in them, and are searched if that never happens.
 
 use arrayvec::ArrayVec;
 
@@ -11,19 +11,19 @@ use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::state::State;
 use crate::strut::StrutPiece;
 
-/// Stretches kept at a time: of each leg, while its force rises, those of the last two or three steps.
+/// Stretches kept at a time: for each leg, while its force rises, those of the last two or three steps.
 const MOST: usize = 4 * MOST_LEGS;
-/// Parts of a stretch that are looked at, and parabolas then fitted to find its greatest force.
+/// Parts in which a stretch is sampled, and parabolas then fitted to find its greatest force.
 const PARTS: u32 = 8;
 const REFINEMENTS: usize = 12;
-/// Share by which a force has to be greater to be sought.
+/// Relative excess that makes a force worth seeking.
 const NOTABLE: f64 = 1e-11;
 
-/// Forces on struts between the ends of steps.
+/// Strut forces between the ends of steps.
 #[derive(Debug, Clone)]
 pub(super) struct HiddenForces {
     stretches: ArrayVec<Stretch, MOST>,
-    /// Greatest forces of stretches that were looked into before the end, lb.
+    /// Greatest forces of stretches searched before the end, lb.
     found: PerLeg<f64>,
 }
 
@@ -35,7 +35,7 @@ impl HiddenForces {
         }
     }
 
-    /// Keeps a stretch; these are the greatest forces on the legs so far, lb.
+    /// Keeps a stretch. `forces` are the greatest on the legs so far, lb.
     #[inline(always)]
     pub(super) fn keep(&mut self, stretch: Stretch, motion: &Motion<f64>, forces: &PerLeg<f64>) {
         if self.stretches.is_full() {
@@ -44,7 +44,7 @@ impl HiddenForces {
         self.stretches.push(stretch);
     }
 
-    /// Forgets stretches that hide no force greater than these of the legs, lb; looks into all if none is forgotten.
+    /// Drops stretches that hide no force greater than `forces` (lb), or searches all if it can drop none.
     #[cold]
     #[inline(never)]
     fn make_room(&mut self, motion: &Motion<f64>, forces: &PerLeg<f64>) {
@@ -55,7 +55,7 @@ impl HiddenForces {
         }
     }
 
-    /// The greatest force on each strut, lb, from the greatest at the ends of steps.
+    /// Greatest force on each strut, lb, given the greatest at the ends of steps.
     #[cold]
     #[inline(never)]
     pub(super) fn greatest(&self, motion: &Motion<f64>, forces: &PerLeg<f64>) -> PerLeg<f64> {
@@ -79,11 +79,11 @@ pub(super) struct Stretch {
     strut: StrutPiece<f64>,
     /// Fraction of the step at which it ends.
     reach: f64,
-    /// Force that is not exceeded in it, lb.
+    /// Upper bound of the force in it, lb.
     most: f64,
 }
 
-/// A number over a step: Hermite's cubic, and the term of fourth degree of the method's continuous output.
+/// A number over a step: Hermite's cubic, and the fourth-degree term of the method's continuous output.
 #[derive(Debug, Clone, Copy)]
 struct Quartic {
     start: f64,
@@ -106,7 +106,7 @@ impl Quartic {
 }
 
 impl Stretch {
-    /// The step up to fraction `reach`, in which the force on a strut may have been as great as `most` (lb).
+    /// The step up to fraction `reach`, in which the force on a strut may have reached `most` (lb).
     pub(super) fn of(
         step: &Step<f64, State<f64>>,
         leg: usize,
@@ -140,7 +140,7 @@ impl Stretch {
         }
     }
 
-    /// Whether it may hide a force greater than these of the legs, lb.
+    /// Returns whether it may hide a force greater than `forces` (lb).
     #[inline(always)]
     fn may_exceed(&self, forces: &PerLeg<f64>) -> bool {
         self.most > forces[self.leg]
@@ -153,7 +153,7 @@ impl Stretch {
         self.strut.force(stroke, rate, lever).abs()
     }
 
-    /// The greatest force in it, if it is greater than `least`, else that; lb.
+    /// Greatest force in it, but not less than `least`; lb.
     fn greatest(&self, geometry: &LegGeometry<f64>, least: f64) -> f64 {
         let point = |part: u32| {
             let theta = self.reach * f64::from(part) / f64::from(PARTS);

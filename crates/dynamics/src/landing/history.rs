@@ -1,8 +1,8 @@
-//! The instants of a landing that somebody asked for.
+//! Instants of a landing that the caller asked for.
 
 use super::record::Instant;
 
-/// When to report to whom.
+/// Times and receiver of reports.
 pub(crate) struct History<'o> {
     interval: f64,
     reported: u64,

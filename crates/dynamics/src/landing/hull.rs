@@ -1,7 +1,7 @@
-//! The convex hull of supports in plan, and what tips the CG over its edges.
+//! Convex hull of supports in plan, and tipping of the CG over its edges.
 //!
-//! Supports are seen from the CG in axes whose z points down; in plan means along z. Edges go round in the order of azimuths
-//! (from y to x), so that what is inboard lies to their right.
+//! Supports are seen from the CG in axes whose z points down; in plan means along z. Edges go round in the order of
+//! azimuths (from y to x), so that inboard is to their right.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -25,7 +25,7 @@ pub(super) struct Hull<'a> {
 }
 
 impl<'a> Hull<'a> {
-    /// The hull of supports, of which there is at least one: from each corner on to the support that leaves none to the left.
+    /// The hull of at least one support. Each corner is followed by the support that leaves none to the left.
     #[inline(always)]
     pub(super) fn of(supports: &'a [Vector3<f64>]) -> Self {
         let mut first = 0;
@@ -58,35 +58,35 @@ impl<'a> Hull<'a> {
         Self { supports, corners }
     }
 
-    /// Supports at the ends of the edges.
+    /// Indices of the supports at the ends of each edge.
     #[inline(always)]
     fn ends(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         let next = self.corners.iter().cycle().skip(1);
         (self.corners.iter().zip(next)).map(|(&from, &to)| [from, to])
     }
 
-    /// Where they are.
+    /// Ends of each edge.
     #[inline(always)]
     fn edges(&self) -> impl Iterator<Item = [&'a Vector3<f64>; 2]> + '_ {
         self.ends().map(|ends| ends.map(|end| &self.supports[end]))
     }
 
-    /// Stability angle: the least angle between the vertical through the CG and the line from the CG to the point of an edge
-    /// that is nearest in plan, rad; positive where the CG is within the hull and above the edge.
+    /// Stability angle, rad: the least angle between the vertical through the CG and the line from the CG to the point
+    /// of an edge that is nearest in plan. Positive where the CG is within the hull and above the edge.
     #[inline(always)]
     pub(super) fn stability_angle(&self) -> f64 {
         let (_, [inboard, height]) = self.critical_edge();
         let angle = atan2(inboard, height);
-        // Below all its supports, on its back, a vehicle is not stable anywhere.
+        // A vehicle on its back, below all its supports, is not stable anywhere.
         if angle > FRAC_PI_2 { angle - PI } else { angle }
     }
 
-    /// The supports at the ends of the edge over which the CG is next to tip.
+    /// Supports at the ends of the edge over which the CG is nearest to tipping.
     pub(super) fn critical_supports(&self) -> [usize; 2] {
         self.critical_edge().0
     }
 
-    /// The same, with the distance of the CG inboard of it in plan and its height over it, ft.
+    /// These supports, the distance of the CG inboard of their edge in plan, and its height over it, ft.
     #[inline(always)]
     fn critical_edge(&self) -> ([usize; 2], [f64; 2]) {
         // Any edge is nearer than half a turn.
@@ -116,28 +116,29 @@ impl<'a> Hull<'a> {
         critical
     }
 
-    /// Whether the CG is within.
+    /// Returns whether the CG is within.
     pub(super) fn has_center(&self) -> bool {
         self.corners.len() > 2
             && (self.edges()).all(|[from, to]| from.y * to.x - from.x * to.y > 0.0)
     }
 
-    /// How far the CG rises at least until it is over an edge, ft.
+    /// Least rise of the CG until it is over an edge, ft.
     pub(super) fn least_rise(&self) -> f64 {
         (self.edges()).fold(f64::INFINITY, |least, [from, to]| {
             least.min(rise_over(from, to))
         })
     }
 
-    /// The greatest share of the weight that support `index` can bear of a CG within the hull: the others of its share are then
-    /// all where the line from it through the CG leaves the hull.
+    /// Greatest share of the weight that support `index` can bear, with the CG within the hull. The rest is then all
+    /// borne where the line from the support through the CG leaves the hull.
     pub(super) fn greatest_share(&self, index: usize) -> f64 {
         let support = &self.supports[index];
-        // How far behind the CG the line from the support leaves the hull, over how far before it the support is.
+        // Distance from the CG to where the line leaves the hull, over that from the support to the CG.
         let mut beyond = f64::INFINITY;
         for [from, to] in self.edges() {
             let (x, y) = (to.x - from.x, to.y - from.y);
-            // How far inboard of the edge the CG is, and how much farther the support, times the length of the edge.
+            // Distance of the CG inboard of the edge, and how much farther inboard the support is, times the edge's
+            // length.
             let center = from.y * x - from.x * y;
             let farther = support.x * y - support.y * x;
             if farther > 0.0 {
@@ -152,7 +153,7 @@ impl<'a> Hull<'a> {
     }
 }
 
-/// How far the CG rises until it is over an edge, ft; the way back, negative, where it is beyond.
+/// Rise of the CG until it is over an edge, ft; if it is beyond, the rise back, negative.
 fn rise_over(from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
     let span = to - from;
     let along = span / sqrt(span.norm_squared());

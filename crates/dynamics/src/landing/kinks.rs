@@ -1,9 +1,9 @@
 //! Gentle kinks of the strut law (42)-(45): where a link turns round or leaves the zone in which resistance fades in,
-//! and where a stroke comes to a knot of the tables.
+//! and where a stroke reaches a knot of the tables.
 //!
-//! Such a kink changes no law, as force is evaluated rightly on either side of it. But a step that runs
-//! over one is of lower order than a step that ends there. So steps aim a little past the first kink that
-//! is predicted, and end where it is located on their dense output.
+//! Such a kink changes no law: the force is evaluated correctly on either side of it. But a step over a kink is of
+//! lower order than a step that ends there. So steps aim a little past the first predicted kink, and end where it is
+//! located on their dense output.
 
 use arrayvec::ArrayVec;
 
@@ -12,11 +12,11 @@ use crate::integrator::event::{Bounds, Guard, Node, SignalValues, first_exit};
 use crate::motion::{Signal, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 
-/// Share of a step within which its end is moved to a kink.
+/// Shares of a step between which a kink moves its end.
 const WITHIN: [f64; 2] = [0.03, 0.98];
-/// How far past a predicted kink a step goes, as a share of the distance to it.
+/// Overshoot past a predicted kink, as a share of the distance to it.
 const PAST: f64 = 1e-4;
-/// Share of a step within which a kink is located: so little beyond it does not show in the error of a step.
+/// Share of a step within which a kink is located. An overshoot this small does not show in the step's error.
 const RESOLUTION: f64 = 1e-3;
 
 /// Stroke (ft) and link rate (rad/s) of each leg.
@@ -30,8 +30,7 @@ impl SignalValues for LinkSignals {
 }
 
 impl Trajectory<'_> {
-    /// Length of a step (s) that is to be `length` long, but ends a little past the first kink that is
-    /// predicted within it.
+    /// Length (s) of a step that would be `length` long, but ends a little past the first kink predicted within it.
     pub(super) fn past_kink(&mut self, length: f64) -> f64 {
         let [first, last] = WITHIN.map(|share| share * length);
         let mut end = last;
@@ -63,15 +62,15 @@ impl Trajectory<'_> {
         }
     }
 
-    /// Fraction of the step, up to `reach`, at which it runs over the first gentle kink; none if it starts
-    /// or ends there.
+    /// Fraction of the step, up to `reach`, at which it crosses the first gentle kink; `None` if it starts or ends
+    /// there.
     pub(super) fn kink_before(&mut self, reach: f64) -> Option<f64> {
         let runs_over = (0..self.leg_count()).any(|j| self.may_run_over(j));
         let kink = if runs_over { self.locate_kink() } else { None };
         kink.filter(|theta| *theta > RESOLUTION && *theta < reach)
     }
 
-    /// Whether leg `j` may have run over a gentle kink within the step, judged from its ends.
+    /// Returns whether leg `j` may have crossed a gentle kink within the step, judged from its ends.
     fn may_run_over(&self, j: usize) -> bool {
         let Some(kinks) = &self.kinks[j] else {
             return false;
@@ -88,7 +87,7 @@ impl Trajectory<'_> {
             || first * last < 0.0 && kinks.link_rates.exit(turning_point()).is_some()
     }
 
-    /// Fraction of the step at which it runs over the first gentle kink, if it does.
+    /// Fraction of the step at which it crosses the first gentle kink, if any.
     fn locate_kink(&mut self) -> Option<f64> {
         let signals = &self.signals;
         let told = |all: &Signals<f64>| {
@@ -132,8 +131,8 @@ impl Trajectory<'_> {
     }
 }
 
-/// When a quantity with this value and these first and second derivatives leaves a range, if that is within so long a
-/// time, s.
+/// Time (s) at which a quantity with this value and these first and second derivatives leaves a range, if that is
+/// before `within`.
 fn time_to_leave(range: Bounds, [value, slope, bend]: [f64; 3], within: f64) -> Option<f64> {
     let end = value + (slope + 0.5 * bend * within) * within;
     let way = end.clamp(range.lower, range.upper) - value;

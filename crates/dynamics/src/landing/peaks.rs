@@ -7,8 +7,8 @@ use crate::integrator::event::stray;
 use crate::motion::{Signal, Signals};
 
 impl Trajectory<'_> {
-    /// Takes note of the struts over the step up to fraction `reach`, where one of the `buffers` has the signals, or up to
-    /// its end.
+    /// Notes the struts over the step up to fraction `reach`. The signals there are in one of the `buffers`, or are
+    /// those of its end.
     #[inline(always)]
     pub(super) fn note_struts(&mut self, buffer: Option<usize>, reach: f64) {
         let start = self.signals.start();

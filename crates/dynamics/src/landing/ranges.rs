@@ -1,4 +1,4 @@
-//! The ranges in which the legs' signals have to stay for the active pieces to hold.
+//! Ranges in which the legs' signals stay while the active pieces hold.
 
 use arrayvec::ArrayVec;
 use pulp::NullaryFnOnce;
@@ -10,13 +10,13 @@ use crate::motion::{Signal, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::registers::{Registers, Single};
 
-/// Quads of a leg's signals that have ranges.
+/// Number of quads of a leg's signals with ranges.
 const QUADS: usize = Signals::RANGED_QUADS;
 
-/// How far beyond their ranges signals get, while nothing is known of it.
+/// Reach of signals beyond their ranges, before any is known.
 const NOWHERE: [Quad; QUADS] = [Lanes([0.0; LANES]); QUADS];
 
-/// Guarded signals, as many as there can be.
+/// Guarded signals, with room for all.
 pub(super) type Guards = ArrayVec<Guard, { QUADS * LANES * MOST_LEGS }>;
 
 /// Ranges of all legs' signals.
@@ -50,7 +50,7 @@ impl SignalRanges {
         self.legs[leg].get(signal as usize)
     }
 
-    /// The first signal of each leg that has left its range, and on which side.
+    /// The first signal of each leg out of its range, and the side on which it left.
     pub(super) fn exits(&self, signals: &Signals<f64>) -> PerLeg<Option<(Signal, Exit)>> {
         let holds = self.registers.dispatch(Hold(self, signals));
         PerLeg::from_fn(self.legs.len(), |leg| {
@@ -65,9 +65,9 @@ impl SignalRanges {
         })
     }
 
-    /// Whether no signal can have left its range within a step of `length` s, judged from the signals at the start of the previous
-    /// step and at the start and end of this one; `ratio` is this step's length over the previous one's. Signals that may have
-    /// left are put into `guards`.
+    /// Returns whether no signal can have left its range within a step of `length` s, judged from the signals at the
+    /// start of the previous step and at the start and end of this one. `ratio` is this step's length over the previous
+    /// one's. Puts signals that may have left into `guards`.
     #[inline(always)]
     pub(super) fn keep(
         &self,
@@ -80,14 +80,14 @@ impl SignalRanges {
         (self.registers).dispatch(Keep(self, looks, Some([ratio, length]), guards))
     }
 
-    /// Puts those signals into `guards` that may have left their ranges within a step, judged from its start, middle and end.
+    /// Puts signals that may have left their ranges within a step into `guards`, judged from its start, middle and end.
     #[inline(always)]
     pub(super) fn guard_suspects(&self, looks: [&Signals<f64>; 3], guards: &mut Guards) {
         guards.clear();
         (self.registers).dispatch(Keep(self, looks, None, guards));
     }
 
-    /// Guards those signals of a leg that reach beyond their ranges.
+    /// Guards the signals of a leg that reach beyond their ranges.
     fn guard(&self, leg: usize, reach: &[Quad; QUADS], guards: &mut Guards) {
         for (quad, reach) in reach.iter().enumerate() {
             if (reach.0.iter()).fold(true, |stays, reach| stays & (*reach < 0.0)) {
@@ -105,7 +105,7 @@ impl SignalRanges {
     }
 }
 
-/// Whether all signals of each leg are in their ranges.
+/// Tests whether all signals of each leg are in range.
 struct Hold<'a>(&'a SignalRanges, &'a Signals<f64>);
 
 impl NullaryFnOnce for Hold<'_> {
@@ -122,8 +122,8 @@ impl NullaryFnOnce for Hold<'_> {
     }
 }
 
-/// Whether all signals keep their ranges, by rates where ratio and length of the step are given; those that may not become
-/// guards.
+/// Tests whether all signals stay in range, by rates if ratio and length of the step are given. Those that may not
+/// become guards.
 struct Keep<'a>(
     &'a SignalRanges,
     [&'a Signals<f64>; 3],

@@ -1,4 +1,4 @@
-//! Rates at the end of a landing, from which a search estimates how far beyond toppling or bottoming it would have gone.
+//! Rates at the end of a landing. A search estimates from them how far beyond toppling or bottoming it would have gone.
 
 use crate::motion::{Motion, Pieces, Signal};
 use crate::per_leg::PerLeg;
@@ -6,11 +6,11 @@ use crate::record::FinalRates;
 use crate::stability::StabilityMonitor;
 use crate::state::State;
 
-/// Time between the states of which differences are taken, s: long enough for second differences.
+/// Time between the states that are differenced, s: long enough for second differences.
 const SPAN: f64 = 1e-5;
 
-/// Rates of σ and of the strokes at a time (s) and a state, by central differences along the motion that the
-/// present accelerations would give. σ is that over the critical feet which the monitor chooses at the state.
+/// Rates of σ and of the strokes at a time (s) and a state, by central differences along the motion under the present
+/// accelerations. σ is measured over the critical feet that the monitor chooses at the state.
 pub fn final_rates(
     mut monitor: StabilityMonitor,
     motion: &Motion<f64>,

@@ -1,4 +1,4 @@
-//! What a landing reports: its result, its energy account, its history.
+//! Reports of a landing: its result, its energy account, its history.
 
 use nalgebra::Vector3;
 
@@ -10,13 +10,14 @@ use crate::per_leg::PerLeg;
 use crate::stability::Observation;
 use crate::state::State;
 
-/// Work done on one leg's elements since touchdown, ft·lb. Strut and crush work include what is
-/// still stored elastically.
+/// Work done on one leg's elements since touchdown, ft·lb. Strut and crush work include energy still stored
+/// elastically.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LegWork {
     /// Shock absorber.
     pub strut: f64,
-    /// Footpad, normal to the surface (crushing); at its face under [`crate::rules::ContactRule::Face`], leaning included.
+    /// Footpad, normal to the surface (crushing); under [`crate::rules::ContactRule::Face`] at its face, leaning
+    /// included.
     pub pad_crush: f64,
     /// Footpad, sliding.
     pub pad_friction: f64,
@@ -24,13 +25,13 @@ pub struct LegWork {
     pub block_crush: f64,
     /// Body block, sliding.
     pub block_friction: f64,
-    /// Link motion ended by the extension stop or frozen off the surface; under [`crate::rules::ContactRule::Face`] also what
-    /// the turning of the pad took: its own kinetic energy, what the stops of its hinge ended, and damping of its hinge.
+    /// Link motion ended by the extension stop or frozen off the surface. Under [`crate::rules::ContactRule::Face`]
+    /// also the pad's own kinetic energy of turning, motion ended by the stops of its hinge, and damping of its hinge.
     pub stop: f64,
 }
 
 impl LegWork {
-    /// Work in the order in which the state carries it.
+    /// Takes the work in the order of the state.
     pub(crate) fn from_state(work: [f64; 6]) -> Self {
         let [
             strut,
@@ -66,7 +67,7 @@ impl LegWork {
 pub struct Energies {
     /// Kinetic energy at first contact: body and lower links.
     pub initial_kinetic: f64,
-    /// Potential energy released since, M g times the descent of the CG.
+    /// Potential energy released since: M g times the descent of the CG.
     pub potential_change: f64,
     /// Work done by the thrust.
     pub thrust: f64,
@@ -82,10 +83,12 @@ impl Energies {
         self.legs.iter().map(LegWork::total).sum()
     }
 
-    /// Energy that footpads and blocks gave to the motion, those that gave more than they took, ft·lb; zero where it is rounding.
+    /// Energy that footpads and blocks gave to the motion where they gave more than they took, ft·lb; zero where it is
+    /// rounding.
     ///
-    /// Under [`crate::rules::ContactRule::Face`] it is zero. At the pivot crush and friction of a footpad count together: friction at its face tips the pad about its hinge, and the pad lifts the
-    /// vehicle by what friction took from it.
+    /// Under [`crate::rules::ContactRule::Face`] it is zero. At the pivot, crush and friction of a footpad count
+    /// together: friction at its face tips the pad about its hinge, and the pad lifts the vehicle by what friction took
+    /// from it.
     pub fn given_by_contact(&self) -> f64 {
         const LEAST_SHARE: f64 = 1e-9;
         let works =
@@ -98,7 +101,7 @@ impl Energies {
         }
     }
 
-    /// What the account does not explain, ft·lb; zero but for integration error.
+    /// Remainder that the account does not explain, ft·lb; zero but for integration error.
     pub fn closure(&self) -> f64 {
         self.initial_kinetic + self.potential_change + self.thrust
             - self.dissipated()
@@ -117,30 +120,30 @@ pub struct FinalRates {
     pub stroke_accelerations: PerLeg<f64>,
 }
 
-/// How a landing went on beyond its verdict.
+/// Continuation of a landing beyond its verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beyond {
-    /// When the verdict fell, s after first contact.
+    /// Time of the verdict, s after first contact.
     pub verdict_time: f64,
-    /// What ended it: the time limit, or what the model has no law beyond.
+    /// Its end: the time limit, or a state for which the model has no law.
     pub end: Outcome,
 }
 
-/// What one landing came to.
+/// Result of one landing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Landing {
-    /// How it ended.
+    /// Its outcome.
     pub outcome: Outcome,
-    /// When, s after first contact: beyond the verdict, if it went on.
+    /// End time, s after first contact; beyond the verdict, if it went on.
     pub end_time: f64,
-    /// How it went on beyond the verdict that is its outcome.
+    /// Continuation beyond the verdict that is its outcome.
     pub beyond: Option<Beyond>,
-    /// Least stability angle σ up to the verdict, rad; zero for a pitch topple, and where all feet stand on one side
-    /// of the plane of motion from the first instant, so that none is defined.
+    /// Least stability angle σ up to the verdict, rad. Zero for a pitch topple, and where all feet stand on one side of
+    /// the plane of motion from the first instant, so that none is defined.
     pub min_stability_angle: f64,
     /// Time of the least stability angle, s.
     pub min_stability_time: f64,
-    /// Least ground clearance of the lower hardpoints, ft (71): also of what follows the verdict.
+    /// Least ground clearance of the lower hardpoints, ft (71), also after the verdict.
     pub min_clearance: f64,
     /// Inclination of the centreline to the vertical at the end, rad.
     pub tilt: f64,
@@ -148,12 +151,12 @@ pub struct Landing {
     pub max_strut_force: PerLeg<f64>,
     /// Greatest stroke of each strut, ft.
     pub max_stroke: PerLeg<f64>,
-    /// The same as a share of the stroke at which the strut bottoms.
+    /// That stroke as a share of the stroke at which the strut bottoms.
     pub max_stroke_share: PerLeg<f64>,
-    /// Greatest interference at which either section of each footpad was crushed, ft; of one on its edge that of the edge, if
-    /// that is the greater share.
+    /// Greatest interference at which either section of each footpad was crushed, ft; for a pad on its edge that of the
+    /// edge, if its share is greater.
     pub max_pad_crush: PerLeg<f64>,
-    /// That crush as a share of what there is up to the hinge: more than 1 means beyond it.
+    /// That crush as a share of the height up to the hinge: more than 1 means beyond it.
     pub max_pad_crush_share: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,

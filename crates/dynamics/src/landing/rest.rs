@@ -1,9 +1,9 @@
 //! Rest: a vehicle is at rest once it has stood for a while on supports that hold it.
 //!
-//! Supports are feet and blocks, each with the fall that is left to its own ground. A set of them holds the vehicle if the CG is
-//! over it and what it takes to lift the CG over an edge of it is twice what may move the vehicle: its kinetic energy, and
-//! that of the fall until all of the set stand. Struts and pads that still push back add to that energy: the while gives
-//! them time to.
+//! Supports are feet and blocks, each with the fall left to its own ground. A set of them holds the vehicle if the CG
+//! is over it and lifting the CG over any edge of it takes twice the energy that may move the vehicle: its kinetic
+//! energy, and that of the fall until all of the set stand. Struts and pads that still push back add to that energy;
+//! the wait gives them time to.
 
 use arrayvec::ArrayVec;
 use libm::sqrt;
@@ -17,20 +17,20 @@ use crate::motion::{LegLoads, Signal};
 use crate::scene::Scene;
 use crate::vehicle::Vehicle;
 
-/// Share of the energy that toppling takes up to which there is too little.
+/// Greatest share of the toppling energy that a held vehicle may have.
 const SHARE: f64 = 0.5;
-/// How long the vehicle stands until it is at rest, or its CG is beyond its feet until it has toppled, in free falls of the CG
-/// from its height on extended legs.
+/// Time that the vehicle must stand to be at rest, or its CG be beyond its feet to have toppled, in free falls of the
+/// CG from its height on extended legs.
 pub(super) const WHILE: f64 = 0.4;
-/// Crushing faster than this gives way, as a share of the speed of that free fall.
+/// Speed of crushing above which an element gives way, as a share of the speed of that free fall.
 const CREEP: f64 = 1e-3;
 
-/// Time of a fall from a height (ft) at so much acceleration (ft/s²), s.
+/// Time of a free fall from `height` (ft) at `acceleration` (ft/s²), s.
 pub(super) fn free_fall(height: f64, acceleration: f64) -> f64 {
     sqrt(2.0 * height / acceleration)
 }
 
-/// Since when a vehicle has stood on supports that hold it.
+/// Tracks since when a vehicle has stood on supports that hold it.
 #[derive(Debug, Clone)]
 pub(super) struct Rest {
     /// Height of the CG on extended legs, ft.
@@ -42,25 +42,25 @@ pub(super) struct Rest {
     since: Option<f64>,
 }
 
-/// A foot or block that the vehicle stands on, or will when it has fallen a little.
+/// A foot or block that the vehicle stands on, or will after a small fall.
 struct Support {
     leg: usize,
     is_foot: bool,
-    /// Seen from the point that is taken for the CG, z along what is taken for the weight, ft.
+    /// Position from the point taken as the CG, ft; z is along the pull taken as the weight.
     place: Vector3<f64>,
-    /// How far it has to fall to its ground, ft.
+    /// Fall left to its ground, ft.
     fall: f64,
     /// Gradient of its ground in plan; its length is the tangent of the ground's slope.
     gradient: Vector2<f64>,
 }
 
-/// What pulls the vehicle down: its weight or, with an engine that stays on, weight and thrust together.
+/// Pull on the vehicle: its weight or, with an engine that stays on, weight and thrust together.
 struct Pull {
-    /// lb.
+    /// Force, lb.
     force: f64,
-    /// Turns ground axes into axes whose z is along it.
+    /// Turns ground axes into axes with z along the pull.
     axes: Matrix3<f64>,
-    /// Where its line of action passes the CG, ft.
+    /// Offset of its line of action from the CG, ft.
     beside: Vector3<f64>,
 }
 
@@ -77,7 +77,7 @@ impl Rest {
         }
     }
 
-    /// Takes note of where a landing is: whether the vehicle is at rest.
+    /// Notes the present state. Returns whether the vehicle is at rest.
     #[cold]
     #[inline(never)]
     pub(super) fn note(&mut self, trajectory: &Trajectory<'_>) -> bool {
@@ -91,7 +91,7 @@ impl Rest {
         trajectory.time - since >= WHILE * free_fall(self.height, acceleration)
     }
 
-    /// Whether supports hold the vehicle now.
+    /// Returns whether supports hold the vehicle now.
     fn holds(&self, trajectory: &Trajectory<'_>, pull: &Pull) -> bool {
         let (motion, state) = (&trajectory.motion, &trajectory.step.before);
         // Height to which the energy of motion would lift the CG.
@@ -120,8 +120,8 @@ impl Rest {
         })
     }
 
-    /// Whether friction stops a CG that moves in plan at `speed` (ft/s) within a free fall, under supports that bear the same load
-    /// each. The pull divided by the mass is `acceleration` (ft/s²).
+    /// Returns whether friction stops a CG that moves in plan at `speed` (ft/s) within a free fall. The supports bear
+    /// equal loads; `acceleration` (ft/s²) is the pull over the mass.
     fn stops_by_friction(&self, supports: &[Support], speed: f64, acceleration: f64) -> bool {
         let downhill: Vector2<f64> = supports.iter().map(|support| support.gradient).sum();
         let friction = supports.iter().map(|support| self.friction_under(support));
@@ -133,7 +133,7 @@ impl Rest {
         self.friction[usize::from(!support.is_foot)]
     }
 
-    /// Whether a support neither gives way under so much load (lb) at most nor slides off its ground.
+    /// Returns whether a support neither gives way under loads up to `load` (lb) nor slides off its ground.
     fn bears(
         &self,
         trajectory: &Trajectory<'_>,
@@ -153,7 +153,7 @@ impl Rest {
         if support.gradient.norm() > self.friction_under(support) && !sticks {
             return false;
         }
-        // What crushes under more than its share of the weight comes to rest by that.
+        // An element that crushes under more than its share of the weight comes to rest by that.
         if !support.is_foot {
             return !mode.block_crushes(self.creep, signals)
                 || trajectory.loads(leg, frame).block_normal >= load;
@@ -170,14 +170,14 @@ impl Rest {
     }
 }
 
-/// The pivot of a footpad as seen from the CG, ground axes, ft.
+/// Position of a footpad's pivot from the CG, ground axes, ft.
 fn foot(trajectory: &Trajectory<'_>, leg: usize) -> Vector3<f64> {
     let signals = trajectory.signals.start();
     let [x, y, z] = [Signal::FootX, Signal::FootY, Signal::FootZ];
     Vector3::new(signals.of(leg, x), signals.of(leg, y), signals.of(leg, z))
 }
 
-/// How far the pivot of a footpad comes down per link angle, ft.
+/// Descent of a footpad's pivot per radian of link angle, ft.
 fn foot_descent(trajectory: &Trajectory<'_>, leg: usize, frame: &BodyFrame<f64>) -> f64 {
     let swing = (trajectory.motion.geometry(leg)).swing(trajectory.step.before.leg(leg).link_angle);
     let down = frame.rotation.row(2);
@@ -190,7 +190,7 @@ impl Trajectory<'_> {
         (self.motion).leg_loads(leg, frame, &self.step.before, &self.pieces)
     }
 
-    /// What pulls a vehicle down that comes to rest. None comes to rest while the thrust still changes or lifts it.
+    /// Pull on a vehicle that comes to rest; `None` while the thrust still changes or lifts it.
     fn pull_at_rest(&self) -> Option<Pull> {
         self.weight_at_rest()?;
         let weight = Vector3::new(0.0, 0.0, self.motion.mass() * self.motion.gravity());
@@ -223,7 +223,7 @@ impl Trajectory<'_> {
         })
     }
 
-    /// All feet and blocks.
+    /// All feet and blocks that can bear.
     fn supports(&self, frame: &BodyFrame<f64>, pull: &Pull) -> ArrayVec<Support, MOST_SUPPORTS> {
         let mut supports = ArrayVec::new();
         for leg in 0..self.leg_count() {

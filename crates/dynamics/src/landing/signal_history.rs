@@ -1,5 +1,5 @@
-//! The legs' signals at three instants: the start of the previous step, and the start and end of the present one. The three
-//! buffers rotate, so that nothing is copied from step to step.
+//! The legs' signals at three instants: start of the previous step, start and end of the present one. The three buffers
+//! rotate, so that nothing is copied from step to step.
 
 use crate::motion::Signals;
 
@@ -17,37 +17,37 @@ impl SignalHistory {
         }
     }
 
-    /// At the start of the step before.
+    /// Signals at the start of the previous step.
     #[inline(always)]
     pub(super) fn previous(&self) -> &Signals<f64> {
         &self.signals[(self.now + 2) % 3]
     }
 
-    /// At the start of the step.
+    /// Signals at the start of the step.
     #[inline(always)]
     pub(super) fn start(&self) -> &Signals<f64> {
         &self.signals[self.now]
     }
 
-    /// The same, to be written.
+    /// Start signals, to be written.
     #[inline(always)]
     pub(super) fn start_mut(&mut self) -> &mut Signals<f64> {
         &mut self.signals[self.now]
     }
 
-    /// At the end of the step.
+    /// Signals at the end of the step.
     #[inline(always)]
     pub(super) fn end(&self) -> &Signals<f64> {
         &self.signals[(self.now + 1) % 3]
     }
 
-    /// The same, to be written.
+    /// End signals, to be written.
     #[inline(always)]
     pub(crate) fn end_mut(&mut self) -> &mut Signals<f64> {
         &mut self.signals[(self.now + 1) % 3]
     }
 
-    /// Goes on to the end of the step.
+    /// Advances to the end of the step.
     #[inline(always)]
     pub(super) fn advance(&mut self) {
         self.now = (self.now + 1) % 3;

@@ -22,52 +22,51 @@ use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
 const FIRST_STEP: f64 = 1e-4;
-/// So many events within so short a time (s) are chattering too: the laws switch to and fro while
-/// the time creeps.
+/// Events within `BURST_TIME` (s) that count as chattering too: the laws switch to and fro while time creeps.
 const BURST: u64 = 4000;
 const BURST_TIME: f64 = 1e-5;
 /// Steps, rejected ones included, before a landing is given up.
 const MOST_STEPS: u64 = 2_000_000;
-/// How far the body turns in a step of free flight, rad, over the fourth root of the tolerance: the cubics through the
-/// depths of its feet at both ends are then right to about half of the tolerance.
+/// Greatest turn of the body in a step of free flight, rad, over the fourth root of the tolerance. The cubics through
+/// the depths of its feet at both ends are then accurate to about half of the tolerance.
 const TURN: f64 = 2.0;
 
-/// Where the next step starts.
+/// Start of the next step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum NextStart {
-    /// Where the step did, which was rejected.
+    /// At the start of the step, which was rejected.
     StepStart,
-    /// At its end.
+    /// At the end of the step.
     StepEnd,
-    /// At an event or kink within it, or after free flight.
+    /// At an event or kink within the step, or after free flight.
     Elsewhere,
 }
 
-/// A landing under way, with the step that it takes next.
+/// A landing under way, with its next step.
 pub(crate) struct Simulation<'o> {
     pub(crate) trajectory: Trajectory<'o>,
     stability: StabilityTrack,
     steadiness: Steadiness,
-    /// Set where rest is judged by what supports hold.
+    /// Rest judged by supports, under [`RestRule::Energy`].
     rest: Option<Rest>,
     control: StepControl,
-    /// Steps aimed at, rejected ones included.
+    /// Steps attempted, rejected ones included.
     attempts: u64,
     /// Number of events and time (s) from which a burst is counted.
     burst: (u64, f64),
-    /// The verdict beyond which the landing goes on, and when it fell, s.
+    /// Verdict beyond which the landing goes on, and its time, s.
     noted: Option<(Outcome, f64)>,
-    /// Length that error control and the laws allow to the step, s.
+    /// Step length that error control and the laws allow, s.
     whole: f64,
-    /// Its length, s.
+    /// Step length, s.
     length: f64,
     kind: StepKind,
-    /// Whether the step is known to be of that kind.
+    /// True if the kind of the step has been tested.
     is_kind_known: bool,
 }
 
 impl<'o> Simulation<'o> {
-    /// A landing at its first contact.
+    /// A landing at first contact.
     pub(crate) fn new(
         vehicle: &Vehicle,
         scene: &Scene,
@@ -105,7 +104,7 @@ impl<'o> Simulation<'o> {
         outcome
     }
 
-    /// Judges the touchdown and gets ready for the first step.
+    /// Judges the touchdown and prepares the first step.
     ///
     /// # Errors
     /// The outcome, if there already is one.
@@ -122,7 +121,7 @@ impl<'o> Simulation<'o> {
         Ok(())
     }
 
-    /// Puts the line in place on which the thrust is from now on; whether it is another.
+    /// Sets the line of the thrust from now on. Returns whether it is a new one.
     ///
     /// # Errors
     /// The outcome, if the vehicle is at rest now that the thrust is over.
@@ -134,10 +133,10 @@ impl<'o> Simulation<'o> {
         Ok(is_other)
     }
 
-    /// Takes note of the first verdict of a landing that goes on beyond it.
+    /// Notes the first verdict of a landing that goes on beyond it.
     ///
     /// # Errors
-    /// The verdict, where it ends the landing.
+    /// The verdict, if it ends the landing.
     fn conclude(&mut self, verdict: Outcome) -> Result<(), Outcome> {
         if !self.trajectory.settings.goes_on() {
             return Err(verdict);
@@ -152,7 +151,7 @@ impl<'o> Simulation<'o> {
         self.kind
     }
 
-    /// When the next step starts, s after first contact.
+    /// Start of the next step, s after first contact.
     pub(crate) fn time(&self) -> f64 {
         self.trajectory.time
     }
@@ -162,7 +161,7 @@ impl<'o> Simulation<'o> {
         self.length
     }
 
-    /// Takes the next step and gets ready for the one after it.
+    /// Takes the next step and prepares the one after it.
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
@@ -188,8 +187,8 @@ impl<'o> Simulation<'o> {
         Ok(())
     }
 
-    /// Goes on from a step that was taken in a lane, at whose start no velocity decays faster than at `rate` (1/s), and
-    /// whose error was estimated like this ([`crate::integrator::step::Step::error`]); gets ready for the next.
+    /// Continues after a step taken in a lane, and prepares the next. No velocity decayed faster than at `rate` (1/s)
+    /// at its start; `errors` are its estimated errors ([`crate::integrator::step::Step::error`]).
     ///
     /// # Errors
     /// The outcome, when the landing has ended.
@@ -199,7 +198,7 @@ impl<'o> Simulation<'o> {
         errors: [f64; 2],
     ) -> Result<NextStart, Outcome> {
         let trajectory = &mut self.trajectory;
-        // After an implicit step the next is taken for one too: only then it shows whether that was right.
+        // The step after an implicit one is taken as implicit too: only then its own rate shows whether that was right.
         if !self.is_kind_known && !trajectory.stiffness.exceeds_at(rate, self.length) {
             self.kind = StepKind::Explicit;
             self.is_kind_known = true;
@@ -210,13 +209,13 @@ impl<'o> Simulation<'o> {
         self.end_step(errors)
     }
 
-    /// Goes on to the end of the step, to what comes before, or back to its start; gets ready for the next.
+    /// Goes on to the end of the step, to an event before it, or back to its start; prepares the next.
     fn end_step(&mut self, errors: [f64; 2]) -> Result<NextStart, Outcome> {
         let registers = self.trajectory.registers;
         registers.dispatch(EndStep(self, errors))
     }
 
-    /// The same, for whatever registers it is compiled for.
+    /// Body of `end_step`, compiled for any registers.
     #[inline(always)]
     fn end_step_in_registers(&mut self, [motion, work]: [f64; 2]) -> Result<NextStart, Outcome> {
         let trajectory = &mut self.trajectory;
@@ -245,7 +244,8 @@ impl<'o> Simulation<'o> {
         })
     }
 
-    /// Flies while all legs hang, then chooses the next step; whether it starts elsewhere than the one before ended.
+    /// Flies while all legs hang, then chooses the next step. Returns whether it starts elsewhere than the last one
+    /// ended.
     ///
     /// # Errors
     /// The outcome, if no further step is to be taken.
@@ -271,7 +271,7 @@ impl<'o> Simulation<'o> {
         if self.length < SHORTEST {
             return Err(Outcome::Failure(Failure::StepCollapse));
         }
-        // In a lane an implicit step shows by itself whether it is rightly one.
+        // In a lane, the implicit step itself shows whether it had to be implicit.
         self.is_kind_known = false;
         if self.kind == StepKind::Explicit {
             self.find_kind();
@@ -279,7 +279,7 @@ impl<'o> Simulation<'o> {
         Ok(goes_elsewhere)
     }
 
-    /// Finds out of what kind the next step is.
+    /// Finds the kind of the next step.
     fn find_kind(&mut self) {
         self.is_kind_known = true;
         self.kind = if self.trajectory.is_stiff(self.length) {
@@ -306,7 +306,7 @@ impl<'o> Simulation<'o> {
         Ok(limit - self.trajectory.time)
     }
 
-    /// Whether a step with this error in units of the tolerance was good enough.
+    /// Returns whether a step with this error (in units of the tolerance) is accepted.
     #[inline(always)]
     fn accept(&mut self, error: f64) -> bool {
         let order = self.trajectory.step.weights.error_order;
@@ -317,7 +317,7 @@ impl<'o> Simulation<'o> {
         is_good
     }
 
-    /// A step of free flight.
+    /// Takes a step of free flight.
     #[cold]
     #[inline(never)]
     fn fly(&mut self) -> Result<(), Outcome> {
@@ -350,7 +350,7 @@ impl<'o> Simulation<'o> {
         registers.dispatch(FinishStep(self))
     }
 
-    /// The same, for whatever registers it is compiled for.
+    /// Body of `finish_step`, compiled for any registers.
     #[inline(always)]
     fn finish_step_in_registers(&mut self) -> Result<NextStart, Outcome> {
         let Self {
@@ -383,7 +383,7 @@ impl<'o> Simulation<'o> {
         } else {
             trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer))
         };
-        // A landing that goes on takes note of its verdict and of nothing else.
+        // A landing that goes on only notes its verdict.
         if let Some((theta, verdict)) = judged
             && trajectory.settings.goes_on()
         {
@@ -465,8 +465,8 @@ impl<'o> Simulation<'o> {
         })
     }
 
-    /// What the landing came to. Of one that has gone on beyond its verdict the outcome is the verdict. One that ends
-    /// otherwise than stable while its CG is beyond the feet has toppled.
+    /// Result of the landing. The outcome of one that went on beyond its verdict is the verdict. One that ends otherwise
+    /// than stable while its CG is beyond the feet has toppled.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
         let is_stable = outcome.class() == Class::Stable;
         let topples_since = self.stability.topples_since().filter(|_| !is_stable);
@@ -488,7 +488,7 @@ impl<'o> Simulation<'o> {
     }
 }
 
-/// What follows an attempted step, compiled for the registers of a single landing.
+/// Work after an attempted step, compiled for the registers of a single landing.
 struct EndStep<'a, 'o>(&'a mut Simulation<'o>, [f64; 2]);
 
 impl NullaryFnOnce for EndStep<'_, '_> {
@@ -501,7 +501,7 @@ impl NullaryFnOnce for EndStep<'_, '_> {
     }
 }
 
-/// What follows an accepted step, compiled for the registers of a single landing.
+/// Work after an accepted step, compiled for the registers of a single landing.
 struct FinishStep<'a, 'o>(&'a mut Simulation<'o>);
 
 impl NullaryFnOnce for FinishStep<'_, '_> {

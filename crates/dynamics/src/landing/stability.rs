@@ -25,9 +25,9 @@ const LEAST_DENOMINATOR: f64 = 1e-4;
 /// Calm: speed (ft/s) and angular rate (rad/s) components below which motion has subsided.
 const CALM_SPEED: f64 = 2.0;
 const CALM_RATE: f64 = 0.1;
-/// Subsided motion stays within this height over the extended vehicle's own, ft.
+/// Height over that of the extended vehicle within which subsided motion stays, ft.
 const CALM_MARGIN: f64 = 0.5;
-/// Rock-back: σ has been below this, rad, and has risen from its least value by that, rad.
+/// Rock-back: σ has been below the first (rad), and has risen from its least value by the second (rad).
 #[allow(
     clippy::approx_constant,
     reason = "the listing's rounded number, not a quarter of π"
@@ -35,14 +35,14 @@ const CALM_MARGIN: f64 = 0.5;
 const ROCKED_UP: f64 = 0.7854;
 const ROCKED_BACK: f64 = 0.874;
 /// Tangent of the angle by which the CG's horizontal velocity may turn from one observation to the next. σ follows that
-/// direction, and where the CG all but stands still the velocity turns round within milliseconds.
+/// direction, and the velocity of a CG that almost stands still turns round within milliseconds.
 const MOST_TURN: f64 = 0.05;
 /// Slacks: foot side (ft²/s or ft), stability angle (rad), the rest (ft/s, rad/s, ft).
 const SIDE_SLACK: f64 = 1e-9;
 const ANGLE_SLACK: f64 = 1e-12;
 const CALM_SLACK: f64 = 1e-11;
 
-/// Height of the CG over the surface above which motion has not subsided, ft: over the highest ground under a footpad.
+/// CG height over the surface above which motion has not subsided, ft, with the highest ground under a footpad.
 fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
     let ground = &scene.conditions().ground;
     let heights = (0..vehicle.legs().len()).map(|leg| ground.leg(leg).pad.height);
@@ -50,7 +50,7 @@ fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
     vehicle.standing_height() + CALM_MARGIN + highest
 }
 
-/// Against what toppling is judged.
+/// Reference for judging toppling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Reference {
     /// The line through the critical feet, in a plane.
@@ -62,16 +62,16 @@ enum Reference {
 /// The plane in which toppling is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Plane {
-    /// That of the CG's horizontal velocity.
+    /// Plane of the CG's horizontal velocity.
     Motion,
-    /// That of the steepest slope, while the CG hardly moves sideways.
+    /// Plane of the steepest slope, while the CG hardly moves sideways.
     Slope,
 }
 
 /// The quantities that decide outcomes, at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Observation {
-    /// What has a range: σ; what has to calm down; the side of each foot, positive to the left of the plane.
+    /// Quantities with a range: σ, those that have to calm down, and the side of each foot, positive left of the plane.
     ranged: [[f64; LANES]; QUADS],
     legs: usize,
     /// Stability angle σ, rad (79); positive inboard of the critical feet.
@@ -80,13 +80,13 @@ pub struct Observation {
     pub clearance: f64,
 }
 
-/// Quantities that have to calm down: Ẋ, Ẏ, Ż in ft/s, ω in rad/s, height of the CG over the surface in ft.
+/// Number of quantities that have to calm down: Ẋ, Ẏ, Ż in ft/s, ω in rad/s, CG height over the surface in ft.
 const CALM: usize = 7;
-/// Where σ, the quantities that have to calm down, and the sides of the feet are among what has a range.
+/// Indices of σ, the first quantity that has to calm down, and the first side of a foot in `ranged`.
 const ANGLE: usize = 0;
 const FIRST_CALM: usize = 1;
 const FIRST_SIDE: usize = FIRST_CALM + CALM;
-/// Quads of what has a range.
+/// Number of quads in `ranged`.
 const QUADS: usize = (FIRST_SIDE + MOST_LEGS).div_ceil(LANES);
 
 impl Observation {
@@ -105,12 +105,12 @@ impl Observation {
         }
     }
 
-    /// Nothing yet, of a vehicle with so many legs.
+    /// Blank observation of a vehicle with this many legs.
     pub(super) fn none(legs: usize) -> Self {
         Self::new(&PerLeg::same(legs, 0.0), 0.0, [0.0; CALM], 0.0)
     }
 
-    /// The quads that hold anything.
+    /// Quads in use.
     #[inline(always)]
     fn ranged(&self) -> &[[f64; LANES]] {
         &self.ranged[..(FIRST_SIDE + self.legs).div_ceil(LANES)]
@@ -159,12 +159,12 @@ impl From<Verdict> for Outcome {
     }
 }
 
-/// How stability is judged: plane, critical feet, and which limits the motion is within.
+/// Judge of stability: plane, critical feet, and the limits that the motion is within.
 #[derive(Debug, Clone)]
 pub struct StabilityMonitor {
     /// Sign that makes X_fp the side of a foot on the plane of steepest slope.
     slope_side: f64,
-    /// Set where limits tell whether motion has subsided and whether the vehicle has rocked back.
+    /// Present where limits tell whether motion has subsided and whether the vehicle has rocked back.
     limits: Option<Limits>,
     ring: Ring,
     reference: Reference,
@@ -173,12 +173,12 @@ pub struct StabilityMonitor {
     guards: ArrayVec<Guard, { QUADS * LANES }>,
 }
 
-/// The limits of 1966 for motion that has subsided.
+/// The limits of 1966 for subsided motion.
 #[derive(Debug, Clone, Copy)]
 struct Limits {
-    /// Height of the CG over the surface above which it has not, ft.
+    /// CG height over the surface above which it has not, ft.
     calm_height: f64,
-    /// Whether the vehicle can come to rest at all, as the thrust is.
+    /// True if the vehicle can come to rest under the present thrust.
     may_rest: bool,
 }
 
@@ -212,7 +212,7 @@ impl Plane {
 }
 
 impl StabilityMonitor {
-    /// A monitor of a vehicle in a scene under these rules; plane and critical feet are yet to be chosen.
+    /// A monitor of a vehicle in a scene under these rules, before plane and critical feet are chosen.
     pub fn new(rules: Rules, vehicle: &Vehicle, scene: &Scene) -> Self {
         let slope = scene.conditions().slope;
         Self {
@@ -235,8 +235,8 @@ impl StabilityMonitor {
         }
     }
 
-    /// The feet at the ends of the edge over which a vehicle would topple that stands like this: those that were chosen, or of
-    /// the hull of all feet those next to which the CG is.
+    /// Feet at the ends of the edge over which a vehicle with this footing would topple: the chosen ones or, under the
+    /// hull rule, those of the edge nearest to tipping.
     pub fn critical_feet(&self, footing: &Footing) -> [usize; 2] {
         match self.reference {
             Reference::Plane(_) => [self.feet.negative, self.feet.positive],
@@ -244,7 +244,7 @@ impl StabilityMonitor {
         }
     }
 
-    /// Judges motion from now on as subsided only if the vehicle `may_rest`, as the thrust is.
+    /// Lets motion count as subsided from now on only if the vehicle `may_rest` under its thrust.
     pub fn set_thrust(&mut self, may_rest: bool) {
         if let Some(limits) = &mut self.limits {
             limits.may_rest = may_rest;
@@ -252,8 +252,7 @@ impl StabilityMonitor {
         self.guards.clear();
     }
 
-    /// Chooses plane and critical feet anew; σ is then measured against them until a signal
-    /// leaves its range.
+    /// Chooses plane and critical feet anew. σ is then measured against them until a signal leaves its range.
     ///
     /// # Errors
     /// [`Verdict::Yaw`] when all feet stand on one side of the plane.
@@ -277,12 +276,12 @@ impl StabilityMonitor {
         Ok(self.observe(motion, state))
     }
 
-    /// What the chosen plane and critical feet show at a state.
+    /// Observes a state with the chosen plane and critical feet.
     pub fn observe(&self, motion: &Motion<f64>, state: &State<f64>) -> Observation {
         self.observe_footing(&motion.footing(state), &state.body())
     }
 
-    /// The same where the feet are known to stand like this.
+    /// Observes a known footing.
     #[inline(always)]
     pub fn observe_footing(&self, footing: &Footing, body: &Body<f64>) -> Observation {
         let Footing {
@@ -313,9 +312,8 @@ impl StabilityMonitor {
         Observation::new(&sides, angle, calm, clearance)
     }
 
-    /// Chooses the ranges over which the present plane, feet and verdict hold, given what is
-    /// observed now and the least σ so far. They stay until the next choice, except the end of
-    /// rock-back.
+    /// Chooses the ranges over which the present plane, feet and verdict hold, given the present observation and the
+    /// least σ so far. They stay until the next choice, except the end of rock-back.
     #[inline(always)]
     pub fn guard(&mut self, seen: &Observation, least_angle: f64) {
         let highest = if self.limits.is_some() && least_angle < ROCKED_UP {
@@ -361,7 +359,8 @@ impl StabilityMonitor {
         self.ranges.set(signal, range);
     }
 
-    /// Height of the CG over the surface above which motion has not subsided, ft; none is low enough where other rules judge.
+    /// CG height over the surface above which motion has not subsided, ft; negative infinity where these limits do not
+    /// apply.
     fn calm_height(&self) -> f64 {
         match self.limits {
             Some(Limits {
@@ -372,8 +371,8 @@ impl StabilityMonitor {
         }
     }
 
-    /// Whether no range can have been left within a step, judged from observations at the start of the previous step and at the
-    /// start and end of this one; `ratio` is this step's length over the previous one's.
+    /// Returns whether no range can have been left within a step, judged from observations at the start of the previous
+    /// step and at the start and end of this one. `ratio` is this step's length over the previous one's.
     #[inline(always)]
     pub fn keep(&self, observations: [&Observation; 3], ratio: f64) -> bool {
         let looks = observations.map(Observation::ranged);
@@ -381,8 +380,8 @@ impl StabilityMonitor {
         self.ranges.keep(looks, ratio, &mut reach)
     }
 
-    /// Share of a stretch of motion in which the plane of motion turns so little that observations at the ends show what σ does
-    /// between, the CG's velocity changing evenly from end to end: 1 if that is all of it.
+    /// Share of a stretch of motion in which the plane of motion turns so little that observations at its ends show σ
+    /// between them; 1 if that is all of it. The CG's velocity is taken to change evenly.
     #[inline(always)]
     pub fn share_within_turn(&self, start: &Observation, end: &Observation) -> f64 {
         let horizontal = |seen: &Observation| (seen.get(FIRST_CALM), seen.get(FIRST_CALM + 1));
@@ -392,14 +391,14 @@ impl StabilityMonitor {
         if !follows_motion || sine.abs() <= MOST_TURN * cosine {
             return 1.0;
         }
-        // The direction it has after the turn, and how far either end is off it.
+        // Direction after the turn, and how far either end is off it.
         let turn = MOST_TURN.copysign(sine);
         let (dx, dy) = (ax - turn * ay, ay + turn * ax);
         let (before, after) = (ax * dy - ay * dx, bx * dy - by * dx);
         before / (before - after)
     }
 
-    /// Whether the CG is beyond the hull of the feet.
+    /// Returns whether the CG is beyond the hull of the feet.
     #[inline(always)]
     pub fn is_beyond_hull(&self, seen: &Observation) -> bool {
         self.reference == Reference::Hull && seen.angle <= 0.0
@@ -410,7 +409,7 @@ impl StabilityMonitor {
         &self.guards
     }
 
-    /// The verdict on what is observed now, if there is one.
+    /// The verdict on the present observation, if there is one.
     pub fn verdict(&self, seen: &Observation, least_angle: f64) -> Option<Verdict> {
         let [vx, vy, vz, wx, wy, wz, height] = seen.calm();
         let calm = [vx, vy, vz].iter().all(|v| v.abs() <= CALM_SPEED)
@@ -432,8 +431,9 @@ impl StabilityMonitor {
     }
 }
 
-/// The stretch between two neighbouring limits in which a calm quantity lies. What is at a limit lies beyond it, seen from
-/// zero: a speed that is not below [`DIRECTIONLESS`] has a direction, and has to lose it before it gets the opposite one.
+/// The stretch between two neighbouring limits in which a calm quantity lies. A value at a limit lies beyond it, seen
+/// from zero: a speed that is not below [`DIRECTIONLESS`] has a direction, and has to lose it before it gets the
+/// opposite one.
 fn calm_cell(calm_height: f64, index: usize, value: f64) -> Bounds {
     let limits: &[f64] = match index {
         0 | 1 => &[-CALM_SPEED, -DIRECTIONLESS, DIRECTIONLESS, CALM_SPEED],

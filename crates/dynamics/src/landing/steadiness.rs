@@ -1,8 +1,8 @@
-//! Whether a vehicle stands, or slides, so steadily that what follows is known: the end of landings in the scan of a
-//! search, and of slides that friction cannot stop.
+//! Steady standing or sliding, from which the outcome is known. It ends landings in the scan of a search, and slides
+//! that friction cannot stop.
 //!
 //! The rules are measured, not proven (`docs/notes/early-end.md` has the evidence): a stability angle well above zero
-//! that has kept within a few degrees for a while has never been seen to fall to zero.
+//! that has stayed within a few degrees for a while has never been seen to fall to zero.
 
 use super::rest::free_fall;
 use crate::outcome::Outcome;
@@ -11,21 +11,21 @@ use crate::scene::Scene;
 use crate::state::Body;
 use crate::vehicle::Vehicle;
 
-/// Least stability angle of a vehicle that is far from toppling, and of one that slides upright, rad.
+/// Least stability angle of a vehicle far from toppling, and of one that slides upright, rad.
 const UPRIGHT: f64 = 0.7;
 const SLIDES_UPRIGHT: f64 = 0.1;
-/// Range within which a steady stability angle keeps, rad.
+/// Band within which a steady stability angle stays, rad.
 const RANGE: f64 = 0.05;
-/// Time for which it does before a landing of a scan ends, and the earliest end, in free falls of the CG from its height
-/// at touchdown.
+/// Time that it stays there before a landing of a scan ends, and the earliest end, in free falls of the CG from its
+/// height at touchdown.
 const STEADY: f64 = 0.4;
 const EARLIEST: f64 = 0.5;
-/// Time for which it does before a slide counts as endless, in the same free falls.
+/// Time that it stays there before a slide counts as endless, in the same free falls.
 const ENDLESS: f64 = 2.0;
-/// Speed downhill above which no foot sticks, ft/s: that above which motion has not subsided.
+/// Downhill speed above which no foot sticks, ft/s: that above which motion has not subsided.
 const SLIDING: f64 = 2.0;
 
-/// A stretch of time over which the stability angle has kept within a range.
+/// A stretch of time over which the stability angle has stayed within a band.
 #[derive(Debug, Clone, Copy)]
 struct Stretch {
     /// Least angle that counts, rad.
@@ -55,16 +55,16 @@ impl Stretch {
     }
 }
 
-/// How long the stability angle has been steady.
+/// Tracks how long the stability angle is steady.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Steadiness {
-    /// Time in which the CG falls freely from its height at touchdown, s.
+    /// Time of a free fall of the CG from its height at touchdown, s.
     fall_time: f64,
-    /// Whether landings of a scan may end early: where supports tell when a vehicle is at rest, that is soon enough.
+    /// True if landings of a scan may end early; where supports tell when a vehicle is at rest, that is soon enough.
     may_end_early: bool,
-    /// Slope (sine, cosine) down which friction cannot hold the vehicle.
+    /// Slope (sine, cosine) on which friction cannot hold the vehicle.
     slippery: Option<(f64, f64)>,
-    /// Speed downhill above which a slide on it counts, ft/s.
+    /// Downhill speed above which a slide on it counts, ft/s.
     sliding_speed: f64,
     upright: Stretch,
     sliding: Stretch,
@@ -88,15 +88,15 @@ impl Steadiness {
         }
     }
 
-    /// Takes note of the stability angle (rad) at a time (s).
+    /// Notes the stability angle (rad) at a time (s).
     #[inline(always)]
     pub(super) fn note(&mut self, time: f64, angle: f64) {
         self.upright.note(time, angle);
         self.sliding.note(time, angle);
     }
 
-    /// How the landing ends at a time (s) with the body moving like this, if its end is known: slides that friction
-    /// cannot stop, and, where it `ends_early`, all steady landings.
+    /// Outcome of the landing at a time (s) with this motion of the body, if it is known: for slides that friction
+    /// cannot stop and, where it `ends_early`, for all steady landings.
     #[inline(always)]
     pub(super) fn end(&self, time: f64, body: &Body<f64>, ends_early: bool) -> Option<Outcome> {
         let steady = |stretch: &Stretch| (time - stretch.since) / self.fall_time;

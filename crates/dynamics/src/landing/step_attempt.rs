@@ -1,5 +1,5 @@
-//! An attempted step, explicit or implicit, of one landing or of several in lanes. Here the integrator's method, the equations
-//! of motion and the registers meet.
+//! An attempted step, explicit or implicit, of one landing or of several in lanes. It brings together the integrator's
+//! method, the equations of motion and the registers.
 
 use pulp::NullaryFnOnce;
 
@@ -37,11 +37,11 @@ impl StepKind {
     }
 }
 
-/// What implicit steps write and no one reads after them.
+/// Scratch space of implicit steps.
 pub(crate) struct Workspace<S> {
     /// Derivatives of the forces at the start.
     response: Response<S>,
-    /// Rate (1/s) that no decay of a velocity exceeds there.
+    /// Upper bound of the decay rates of velocities there, 1/s.
     pub(crate) greatest_decay: S,
     factors: Factors<S>,
     stages: [State<S>; 6],
@@ -66,14 +66,14 @@ pub(crate) struct TakeStep<'a, R, S> {
     pub(crate) motion: &'a Motion<S>,
     pub(crate) pieces: &'a Pieces<S>,
     pub(crate) step: &'a mut Step<S, State<S>>,
-    /// When it starts, s after first contact.
+    /// Start, s after first contact.
     pub(crate) time: S,
     /// Length of the step, s.
     pub(crate) length: S,
     pub(crate) workspace: &'a mut Workspace<S>,
-    /// Where the signals in the middle of an implicit step go.
+    /// Receives the signals in the middle of an implicit step.
     pub(crate) middle: &'a mut Signals<S>,
-    /// Where the signals at its end go.
+    /// Receives the signals at its end.
     pub(crate) signals: &'a mut Signals<S>,
 }
 
@@ -209,8 +209,8 @@ impl<const FULL: bool, const FACE: bool, S: Real> NullaryFnOnce for Evaluate<'_,
     }
 }
 
-/// The equations of the stages of an implicit step, solved in a function of their own: it stays in the cache of
-/// instructions from stage to stage.
+/// Stage equations of an implicit step, solved in a function of their own that stays in the instruction cache from
+/// stage to stage.
 struct Dispatched<'a, R, S> {
     registers: R,
     system: &'a System<'a, S>,
@@ -257,7 +257,7 @@ struct Respond<'a, const FACE: bool, S>(
 );
 
 impl<const FACE: bool, S: Real> NullaryFnOnce for Respond<'_, FACE, S> {
-    /// Rate (1/s) that no decay of a velocity exceeds.
+    /// Upper bound of the decay rates of velocities, 1/s.
     type Output = S;
 
     #[inline(always)]
@@ -268,7 +268,7 @@ impl<const FACE: bool, S: Real> NullaryFnOnce for Respond<'_, FACE, S> {
     }
 }
 
-/// How fast velocities decay at a state.
+/// Decay of velocities at a state.
 pub(super) struct Decay<'a, const FACE: bool, S>(
     pub(super) &'a Motion<S>,
     pub(super) &'a State<S>,
@@ -276,7 +276,7 @@ pub(super) struct Decay<'a, const FACE: bool, S>(
 );
 
 impl<const FACE: bool, S: Real> NullaryFnOnce for Decay<'_, FACE, S> {
-    /// Rate (1/s) that no decay of a velocity exceeds.
+    /// Upper bound of the decay rates of velocities, 1/s.
     type Output = S;
 
     #[inline(always)]

@@ -1,21 +1,21 @@
-//! When steps are stiff.
+//! Test for stiff steps.
 
 use crate::rules::{ContactRule, FrictionProfile};
 use crate::scene::Settings;
 
-/// Greatest rate of decay times step length above which steps are implicit, at a tolerance of 1e-4: explicit ones
-/// would be near their limit of stability. At tighter tolerances accuracy limits steps first, and the explicit method,
-/// which has the higher order, is left to do more.
+/// Greatest rate of decay times step length above which steps are implicit, at a tolerance of 1e-4: explicit steps
+/// would be near their stability limit. At tighter tolerances accuracy limits steps first, and more are left to the
+/// explicit method, which has the higher order.
 const STIFF: f64 = 2.5;
-/// The most that it may be at any tolerance. The rate is the sum of all.
+/// Greatest value of that limit at any tolerance. The rate is the sum of all.
 const EXPLICIT_LIMIT: f64 = 6.3;
 /// Share of the limit below which a step is far from stiff.
 const FAR: f64 = 0.5;
-/// Steps from one test to the next, unless a law changes, far from the limit and near it.
+/// Steps between tests, unless a law changes, far from the limit and near it.
 const STEPS_FAR: u32 = 17;
 const STEPS_NEAR: u32 = 4;
 
-/// Whether steps are stiff, tested as seldom as possible.
+/// Stiffness test, made as seldom as possible.
 pub(super) struct Stiffness {
     limit: f64,
     /// Explicit steps left until the next test.
@@ -25,8 +25,8 @@ pub(super) struct Stiffness {
 impl Stiffness {
     pub(super) fn new(settings: &Settings, contact: ContactRule) -> Self {
         let tolerance = settings.tolerance();
-        // One rate is nearly all of the sum where friction sets in like a step, or slows a light pad in its hinge: explicit
-        // steps would be held at their limit of stability and never be found stiff.
+        // One rate is nearly all of the sum where friction sets in like a step, or slows a light pad in its hinge.
+        // Explicit steps would be held at their stability limit and never be found stiff.
         let is_one_rate =
             contact == ContactRule::Face || settings.friction_profile() != FrictionProfile::C;
         let most = if is_one_rate { STIFF } else { EXPLICIT_LIMIT };
@@ -41,14 +41,14 @@ impl Stiffness {
         self.mild_steps = 0;
     }
 
-    /// Whether the next explicit step is known not to be stiff: it was found far enough from it a few steps ago.
+    /// Returns whether the next explicit step is known not to be stiff, from a test a few steps ago.
     pub(super) fn is_known_mild(&mut self) -> bool {
         let is_mild = self.mild_steps > 0;
         self.mild_steps = self.mild_steps.saturating_sub(1);
         is_mild
     }
 
-    /// Whether a step of this length (s) is stiff, where no velocity decays faster than at a `rate` (1/s).
+    /// Returns whether a step of this length (s) is stiff. No velocity decays faster than at `rate` (1/s).
     pub(super) fn exceeds_at(&mut self, rate: f64, length: f64) -> bool {
         let stiffness = length * rate / self.limit;
         if stiffness > 1.0 {

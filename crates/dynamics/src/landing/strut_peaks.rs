@@ -1,8 +1,8 @@
-//! The greatest force and stroke of each strut at the ends of steps.
+//! The greatest force of each strut at the ends of steps, and its greatest stroke.
 
 use crate::per_leg::PerLeg;
 
-/// The greatest values so far, of forces those at the ends of steps.
+/// Greatest values so far; forces are those at the ends of steps.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StrutPeaks {
     /// Magnitude of the force F, lb.

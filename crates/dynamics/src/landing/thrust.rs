@@ -17,7 +17,7 @@ impl Trajectory<'_> {
         self.next_knot - self.time
     }
 
-    /// Puts the line in place on which the thrust is from now on; whether it is another.
+    /// Sets the line of the thrust from now on. Returns whether it is a new one.
     pub(super) fn follow_thrust(&mut self) -> bool {
         if self.time_to_knot() > SHORTEST {
             return false;
@@ -26,7 +26,7 @@ impl Trajectory<'_> {
         let (line, next_knot) = self.scene.conditions().thrust.line_from(knot);
         self.pieces.set_thrust(line);
         self.next_knot = next_knot;
-        // Lanes see another line by the changes of their legs.
+        // Lanes see a new line by the changes of their legs.
         for changes in self.changes.iter_mut() {
             *changes += 1;
         }
@@ -36,7 +36,7 @@ impl Trajectory<'_> {
         true
     }
 
-    /// What weight the thrust leaves to a vehicle that comes to rest, lb. None comes to rest while the thrust still changes or
+    /// Weight that the thrust leaves to a vehicle that comes to rest, lb; `None` while the thrust still changes or
     /// lifts it.
     pub(super) fn weight_at_rest(&self) -> Option<f64> {
         let weight = self.motion.mass() * self.motion.gravity();
@@ -44,7 +44,7 @@ impl Trajectory<'_> {
         (self.next_knot == f64::INFINITY && left > 0.0).then_some(left)
     }
 
-    /// Work of the thrust since first contact at fraction `reach` of the step, ft·lb.
+    /// Work of the thrust from first contact to fraction `reach` of the step, ft·lb.
     pub(super) fn thrust_work_at(&self, reach: f64) -> f64 {
         if self.pieces.thrust().is_none() {
             return self.thrust_work;

@@ -1,4 +1,4 @@
-//! First contact: where everything is when a landing begins.
+//! First contact: the state at which a landing begins.
 
 use libm::sincos;
 use nalgebra::{Vector3, Vector4};

@@ -23,16 +23,16 @@ use crate::strut::GentleKinks;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
-/// Tolerance up to which gentle kinks of the laws are located: at looser ones steps run over them.
+/// Tolerance up to which gentle kinks of the laws are located. At looser ones steps run over them.
 const KINKS_LOCATED: f64 = 1e-6;
-/// Error of work allowed to a step, in units of tolerance times energy: an account of thousands of
-/// steps still closes to the tolerance.
+/// Work error allowed per step, in units of tolerance times energy. An account of thousands of steps still closes to
+/// the tolerance.
 const WORK_SHARE: f64 = 0.01;
-/// Time within which an event is located, s: this times the tolerance, but within these limits.
+/// Time resolution of events, s: this times the tolerance, within these limits.
 const EVENT_RESOLUTION: f64 = 1e-3;
 const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
 
-/// The step before.
+/// The previous step.
 pub(super) struct Earlier {
     /// Accelerations of the links at its start, rad/s².
     pub(super) link_accelerations: PerLeg<f64>,
@@ -46,49 +46,49 @@ pub(crate) struct Trajectory<'o> {
     pub(super) scene: Scene,
     pub(super) settings: Settings,
     pub(crate) motion: Motion<f64>,
-    /// A monitor of stability that has yet to look.
+    /// Stability monitor that has observed nothing yet.
     pub(super) monitor: StabilityMonitor,
     pub(super) stiffness: Stiffness,
-    /// Time within which an event is located, s.
+    /// Time resolution of events, s.
     pub(super) event_resolution: f64,
-    /// Kinetic energy at touchdown and the work of raising the vehicle by the height of its CG, ft·lb:
-    /// what the account of energies closes to, times the tolerance.
+    /// Kinetic energy at touchdown plus the work of raising the vehicle by the height of its CG, ft·lb. The energy
+    /// account closes to this times the tolerance.
     energy: f64,
-    /// Whether steps end at gentle kinks.
+    /// True if steps end at gentle kinks.
     pub(super) locates_kinks: bool,
     pub(super) laws: ArrayVec<LegLaws, MOST_LEGS>,
     pub(super) modes: PerLeg<LegMode>,
     pub(crate) pieces: Pieces<f64>,
-    /// How often those of each leg have changed.
+    /// Changes of each leg's pieces so far.
     pub(crate) changes: PerLeg<u64>,
     pub(super) ranges: SignalRanges,
     /// Signals that may have left their range within the last step.
     pub(super) suspects: Guards,
-    /// The gentle kinks next to each strut that works.
+    /// Gentle kinks next to each working strut.
     pub(super) kinks: PerLeg<Option<GentleKinks>>,
     pub(super) time: f64,
-    /// When the thrust changes its line next, s, and its work so far, ft·lb.
+    /// Time of the thrust's next change of line, s, and its work so far, ft·lb.
     pub(super) next_knot: f64,
     pub(super) thrust_work: f64,
-    /// The present state and its derivative are the start of the step.
+    /// The start of this step is the present state and its derivative.
     pub(crate) step: Step<f64, State<f64>>,
-    /// What moves where the step was last looked at between its ends.
+    /// Motion at the last look between the ends of the step.
     pub(super) within: State<f64>,
-    /// The present step in closed form, if it is one of free flight.
+    /// Closed form of the present step, if it is free flight.
     pub(super) free: Option<FreeFlight>,
     pub(crate) signals: SignalHistory,
-    /// The signals in the middle of the step, if they were evaluated.
+    /// Signals in the middle of the step, if evaluated.
     pub(crate) middle: Signals<f64>,
     pub(super) is_middle_seen: bool,
     /// Signals at the points of the step between which an event was located.
     pub(super) buffers: [Signals<f64>; 3],
-    /// The step before, if no law has changed since.
+    /// The previous step, if no law has changed since.
     pub(super) earlier: Option<Earlier>,
     pub(super) start: State<f64>,
     pub(super) least_angle: (f64, f64),
     pub(super) least_clearance: f64,
     pub(super) peaks: StrutPeaks,
-    /// What struts may have borne beyond that within steps.
+    /// Strut forces within steps that may exceed these peaks.
     pub(super) hidden_forces: HiddenForces,
     pub(super) pad_contact: PerLeg<Option<f64>>,
     pub(super) block_contact: PerLeg<Option<f64>>,
@@ -176,12 +176,12 @@ impl<'o> Trajectory<'o> {
         self.motion.leg_count()
     }
 
-    /// Error of work allowed to a step, ft·lb.
+    /// Work error allowed per step, ft·lb.
     pub(crate) fn greatest_work_error(&self) -> f64 {
         WORK_SHARE * self.settings.tolerance() * self.energy
     }
 
-    /// Whether a step of this length (s) is stiff.
+    /// Returns whether a step of this length (s) is stiff.
     pub(super) fn is_stiff(&mut self, length: f64) -> bool {
         if self.stiffness.is_known_mild() {
             return false;
@@ -195,7 +195,7 @@ impl<'o> Trajectory<'o> {
         self.stiffness.exceeds_at(rate, length)
     }
 
-    /// The longest step that the laws allow whatever the error, s.
+    /// Longest step that the laws allow, whatever its error, s.
     pub(super) fn longest_step(&self) -> f64 {
         let pad_rate = |j| self.signals.start().of(j, Signal::PadRate);
         let legs = self.modes.iter().enumerate();
@@ -207,7 +207,7 @@ impl<'o> Trajectory<'o> {
         self.time + theta * self.step.length
     }
 
-    /// Derivative and signals at the end of the step.
+    /// Evaluates derivative and signals at the end of the step.
     pub(super) fn evaluate_end(&mut self) {
         let [.., last] = &mut self.step.slopes;
         evaluate(
@@ -222,7 +222,7 @@ impl<'o> Trajectory<'o> {
         self.evaluations += 1;
     }
 
-    /// Derivative and signals of the present state.
+    /// Evaluates derivative and signals at the present state.
     pub(super) fn evaluate(&mut self) {
         let [first, ..] = &mut self.step.slopes;
         evaluate(
@@ -237,7 +237,7 @@ impl<'o> Trajectory<'o> {
         self.evaluations += 1;
     }
 
-    /// Whether all legs hang in the air, and no thrust acts.
+    /// Returns whether all legs hang in the air, without thrust or hinge damping.
     #[inline(always)]
     pub(super) fn flies_freely(&self) -> bool {
         self.modes.iter().all(LegMode::is_hanging)
@@ -245,7 +245,7 @@ impl<'o> Trajectory<'o> {
             && !self.motion.damps_hinges()
     }
 
-    /// Starts a step of free flight of this length (s): where it ends is known.
+    /// Starts a step of free flight of this length (s); its end is known.
     pub(super) fn begin_flight(&mut self, flight: FreeFlight, length: f64) {
         self.step.length = length;
         self.step.after = flight.at(length);
@@ -255,7 +255,7 @@ impl<'o> Trajectory<'o> {
         self.evaluate_end();
     }
 
-    /// Rates of pads at rest are known only once an implicit step is taken: writes those of its middle and end.
+    /// Writes the pad rates at the middle and end of an implicit step: those of pads at rest are known only after it.
     #[inline(always)]
     pub(super) fn tell_pad_rates(&mut self) {
         let (weights, slopes) = self.step.change(0.5);

@@ -16,22 +16,22 @@ use crate::vehicle::Vehicle;
 /// Parabolas fitted to find a least σ between the nodes of a step.
 const REFINEMENTS: usize = 4;
 
-/// Stability as it has been followed so far.
+/// Stability followed so far.
 pub(super) struct StabilityTrack {
     monitor: StabilityMonitor,
     /// The present observation.
     seen: Observation,
-    /// The observation at the start of the previous step, and how long ago that was, s. It survives changes of laws: feet and
+    /// Observation at the start of the previous step, and its age, s. It survives changes of laws, as feet and
     /// velocities do not jump.
     before: Option<(Observation, f64)>,
-    /// For how long the CG has to be beyond the hull of the feet until the vehicle has toppled, s.
+    /// Time that the CG has to be beyond the hull of the feet until the vehicle has toppled, s.
     while_beyond: f64,
     /// Since when it has been, s. Feet that still move out, or a strut that pushes, may bring it back.
     beyond_since: Option<f64>,
 }
 
 impl StabilityTrack {
-    /// A monitor that has yet to observe the touchdown of a vehicle in a scene.
+    /// A track before the touchdown of a vehicle in a scene.
     pub(super) fn new(monitor: StabilityMonitor, vehicle: &Vehicle, scene: &Scene) -> Self {
         let gravity = scene.gravity(vehicle);
         Self {
@@ -56,7 +56,7 @@ impl StabilityTrack {
         self.seen = self.monitor.observe(&trajectory.motion, &trajectory.start);
         trajectory.note_observation(&self.seen, 0.0);
         if let Err(verdict) = first_look {
-            // With all feet on one side no angle is defined: nothing is left of stability.
+            // With all feet on one side no angle is defined: no stability is left.
             trajectory.least_angle = (0.0, 0.0);
             return Err(verdict);
         }
@@ -67,7 +67,7 @@ impl StabilityTrack {
         }
     }
 
-    /// Takes note of whether the CG is beyond the hull of the feet: whether it has left it for good.
+    /// Notes whether the CG is beyond the hull of the feet. Returns whether it has left it for good.
     #[inline(always)]
     fn note_beyond(&mut self, time: f64) -> bool {
         let is_beyond = self.monitor.is_beyond_hull(&self.seen);
@@ -76,12 +76,12 @@ impl StabilityTrack {
             .is_some_and(|since| time - since >= self.while_beyond)
     }
 
-    /// Since when the CG has been beyond the hull of the feet, s, if it is.
+    /// Time since which the CG has been beyond the hull of the feet, s, if it is.
     pub(super) fn topples_since(&self) -> Option<f64> {
         self.beyond_since
     }
 
-    /// Takes note that the thrust is on another line: the verdict that was waiting for it.
+    /// Takes over a new line of the thrust. Returns the verdict that was waiting for it.
     pub(super) fn follow_thrust(&mut self, trajectory: &Trajectory<'_>) -> Option<Verdict> {
         self.monitor
             .set_thrust(trajectory.weight_at_rest().is_some());
@@ -93,7 +93,7 @@ impl StabilityTrack {
         self.seen.angle
     }
 
-    /// Whether within a step of `length` s that ends like this no verdict can fall.
+    /// Returns whether no verdict can fall within a step of `length` s with this end.
     #[inline(always)]
     fn keeps(&self, end: &Observation, length: f64) -> bool {
         self.before
@@ -108,8 +108,8 @@ impl StabilityTrack {
 }
 
 impl Trajectory<'_> {
-    /// Follows stability over the step up to fraction `reach`: the verdict and where, if one falls. Of an `event` there
-    /// one of the `buffers` has the signals.
+    /// Follows stability over the step up to fraction `reach`. Returns the verdict and its fraction, if one falls.
+    /// `event` is the one of the `buffers` with the signals of an event there.
     #[inline(always)]
     pub(super) fn judge_step(
         &mut self,
@@ -152,7 +152,7 @@ impl Trajectory<'_> {
         None
     }
 
-    /// Follows the clearance over the step up to fraction `reach` of a landing that has its verdict.
+    /// Follows the clearance over the step up to fraction `reach`, after the verdict.
     #[cold]
     #[inline(never)]
     pub(super) fn follow_clearance(&mut self, stability: &StabilityTrack, reach: f64) {
@@ -167,11 +167,11 @@ impl Trajectory<'_> {
         self.least_angle = least_angle;
     }
 
-    /// Follows stability from fraction `start` of the step to `end`, between which a verdict may fall or, unless it
-    /// `is_plain`, a least value hide: up to where plane and feet are chosen anew.
+    /// Follows stability from fraction `start` of the step to `end`, or up to where plane and feet are chosen anew. In
+    /// between a verdict may fall or, unless it `is_plain`, a least value hide.
     ///
     /// # Errors
-    /// The verdict and where, if one falls.
+    /// The verdict and its fraction, if one falls.
     #[inline(never)]
     fn judge_closely(
         &mut self,
@@ -232,7 +232,7 @@ impl Trajectory<'_> {
         }
     }
 
-    /// What the monitor shows at fraction θ of the step. At an event one of the buffers has the signals.
+    /// Observation at fraction θ of the step. At an event one of the buffers has the signals.
     #[inline(never)]
     fn observe(
         &mut self,
@@ -243,7 +243,7 @@ impl Trajectory<'_> {
         (self.registers).dispatch(Observe(self, monitor, theta, event))
     }
 
-    /// Whether within a step of `length` s that ends like this no new least value can hide.
+    /// Returns whether no new least value can hide within a step of `length` s with this end.
     fn is_plain(&self, stability: &StabilityTrack, end: &Observation, length: f64) -> bool {
         let (start, Some((before, ago))) = (&stability.seen, &stability.before) else {
             return false;
@@ -256,7 +256,7 @@ impl Trajectory<'_> {
             && plain(|seen| seen.clearance, self.least_clearance)
     }
 
-    /// Takes note of σ and clearance at one instant.
+    /// Notes σ and clearance at one instant.
     pub(super) fn note_observation(&mut self, seen: &Observation, time: f64) {
         if seen.angle < self.least_angle.0 {
             self.least_angle = (seen.angle, time);
@@ -264,7 +264,7 @@ impl Trajectory<'_> {
         self.least_clearance = self.least_clearance.min(seen.clearance);
     }
 
-    /// Takes note of the least σ and clearance over three nodes between which both are smooth.
+    /// Notes the least σ and clearance over three nodes between which both are smooth.
     fn note_least(&mut self, monitor: &StabilityMonitor, nodes: [&Node<Observation>; 3]) {
         for node in nodes {
             self.note_observation(&node.signals, self.time_at(node.theta));
@@ -283,7 +283,7 @@ impl Trajectory<'_> {
         );
     }
 
-    /// Closes in by parabolas on a least value of `number` that lies below the `least` so far.
+    /// Closes in by parabolas on a least value of `number` below the `least` so far.
     fn close_in(
         &mut self,
         monitor: &StabilityMonitor,
@@ -304,7 +304,7 @@ impl Trajectory<'_> {
     }
 }
 
-/// What a monitor shows at fraction θ of a step. At an event one of the buffers has the signals.
+/// Observation by a monitor at fraction θ of a step. At an event one of the buffers has the signals.
 struct Observe<'a, 'o>(
     &'a mut Trajectory<'o>,
     &'a StabilityMonitor,

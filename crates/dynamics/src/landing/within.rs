@@ -12,7 +12,7 @@ use crate::state::State;
 #[derive(Clone, Copy)]
 pub(super) struct Between<'a> {
     pub(super) step: &'a Step<f64, State<f64>>,
-    /// In free flight that is known exactly.
+    /// Its closed form in free flight.
     pub(super) free: Option<&'a FreeFlight>,
 }
 
@@ -26,7 +26,7 @@ impl Between<'_> {
         }
     }
 
-    /// Writes what moves at fraction θ.
+    /// Writes the motion at fraction θ.
     #[inline(always)]
     pub(super) fn motion_at(&self, theta: f64, state: &mut State<f64>) {
         match self.free {
@@ -44,8 +44,8 @@ pub(super) struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// Writes the signals at fraction θ of the step, and what moves there. Compiled once, for all that look: code that
-    /// is called from everywhere stays in the cache of instructions.
+    /// Writes the signals and the motion at fraction θ of the step. Compiled once for all callers, so that it stays in
+    /// the instruction cache.
     #[inline(never)]
     pub(super) fn at(
         &self,
@@ -67,7 +67,7 @@ impl NullaryFnOnce for LookAt<'_> {
     fn call(self) {
         let Self(look, theta, state, signals) = self;
         look.between.motion_at(theta, state);
-        // With torques, wanted or not: one copy of the equations does for all.
+        // Always with torques, so that one copy of the equations serves all.
         (look.motion).look(state, look.pieces, true, signals);
     }
 }
@@ -85,7 +85,7 @@ impl NullaryFnOnce for StateAt<'_> {
     }
 }
 
-/// Writes what moves at fraction θ of a step.
+/// Writes the motion at fraction θ of a step.
 struct MotionAt<'a>(Between<'a>, f64, &'a mut State<f64>);
 
 impl NullaryFnOnce for MotionAt<'_> {
@@ -120,7 +120,7 @@ impl Trajectory<'_> {
         state
     }
 
-    /// What moves at fraction θ of the step; the work integrals may be zero.
+    /// Motion at fraction θ of the step; the work integrals may be zero.
     pub(super) fn motion_at(&self, theta: f64) -> State<f64> {
         let mut state = State::zero(self.leg_count());
         (self.registers).dispatch(MotionAt(self.between(), theta, &mut state));

@@ -1,9 +1,8 @@
-//! The active piece of every law of one leg, and how events change it.
+//! The active piece of every law of one leg, and its changes by events.
 //!
-//! A [`LegMode`] is the discrete side of a leg's state: crush memory, friction branches, strut and
-//! hinge. It yields the coefficients for the equations of motion and the range of each signal over
-//! which they hold; when a signal leaves its range, [`LegMode::cross`] puts the next piece in
-//! place.
+//! A [`LegMode`] is the discrete side of a leg's state: crush memory, friction branches, strut and hinge. It yields the
+//! coefficients for the equations of motion and the range of each signal over which they hold. When a signal leaves its
+//! range, [`LegMode::cross`] sets the next piece.
 
 mod bearing;
 mod choice;
@@ -44,11 +43,11 @@ pub struct Sets {
 pub struct LegMode {
     pad: [Crush; 2],
     edge: Crush,
-    /// Whether the footpad has turned over on its edge: its sections rest meanwhile.
+    /// True if the footpad has turned over on its edge; its sections rest meanwhile.
     is_on_edge: bool,
     block: Crush,
     cartridge: Crush,
-    /// Whether any section has touched the surface yet.
+    /// True once any section has touched the surface.
     pad_has_touched: bool,
     block_has_touched: bool,
     pad_sliding: Sliding,
@@ -75,37 +74,38 @@ impl LegMode {
         }
     }
 
-    /// The longest step that the laws allow whatever the error, s, at a rate state α̇ (rad/s).
+    /// Longest step that the laws allow, whatever its error, s, at a rate state α̇ (rad/s).
     pub fn longest_step(&self, pad_rate: f64) -> f64 {
         self.hinge.longest_step(pad_rate)
     }
 
-    /// Angle α of the footpad, rad, that has turned like this.
+    /// Angle α of the footpad with this turn, rad.
     pub fn pad_angle(&self, laws: &LegLaws, turn: f64) -> f64 {
         self.hinge.angle(laws.stops, turn)
     }
 
-    /// Whether the hinge of the footpad does something else than in another mode.
+    /// Returns whether the hinge of the footpad is in another mode.
     pub fn has_other_hinge(&self, other: &Self) -> bool {
         self.hinge != other.hinge
     }
 
-    /// What the footpad has turned by at an angle α, rad.
+    /// Turn of the footpad at an angle α, rad.
     pub fn pad_turn(&self, laws: &LegLaws, angle: f64) -> f64 {
         self.hinge.turn(laws.stops, angle)
     }
 
-    /// Whether the footpad is on a stop of its hinge, one with its link ([`ContactRule::Face`]).
+    /// Returns whether the footpad is on a stop of its hinge, one with its link ([`ContactRule::Face`]).
     pub fn pad_is_on_stop(&self) -> bool {
         self.hinge.is_on_stop()
     }
 
-    /// Whether the leg hangs in the air, its link still.
+    /// Returns whether the leg hangs in the air with its link still.
     pub fn is_hanging(&self) -> bool {
         self.stance.is_hanging()
     }
 
-    /// What the signals of the outboard section are of, and its law: that section or, of a footpad on its edge, the edge.
+    /// Element and law behind the signals of the outboard section: that section or, for a footpad on its edge, the
+    /// edge.
     fn outer<'a>(&'a self, laws: &'a LegLaws) -> (&'a Crush, &'a CrushLaw) {
         if self.is_on_edge {
             (&self.edge, &laws.edge)
@@ -114,7 +114,7 @@ impl LegMode {
         }
     }
 
-    /// The same, to change it.
+    /// The same, mutable.
     fn outer_mut<'a>(&'a mut self, laws: &'a LegLaws) -> (&'a mut Crush, &'a CrushLaw) {
         if self.is_on_edge {
             (&mut self.edge, &laws.edge)
@@ -123,7 +123,7 @@ impl LegMode {
         }
     }
 
-    /// What of the footpad can touch the surface: its sections, or its edge.
+    /// Elements of the footpad that can touch the surface: its sections, or its edge.
     fn pad_elements(&self) -> &[Crush] {
         if self.is_on_edge {
             std::slice::from_ref(&self.edge)
@@ -132,30 +132,30 @@ impl LegMode {
         }
     }
 
-    /// Whether a section of the pad, or its edge, is in contact.
+    /// Returns whether a section of the pad, or its edge, is in contact.
     pub fn pad_in_contact(&self) -> bool {
         self.pad_elements().iter().any(Crush::in_contact)
     }
 
-    /// Whether the block is in contact.
+    /// Returns whether the block is in contact.
     pub fn block_in_contact(&self) -> bool {
         self.block.in_contact()
     }
 
-    /// Whether the leg is on the surface.
+    /// Returns whether the leg is on the surface.
     fn on_surface(&self) -> bool {
         self.pad_in_contact() || self.block_in_contact()
     }
 
-    /// Whether it matters at once when an element that carries no pressure gains or loses contact:
-    /// the first contact of its pad or block is noted, and an extended leg hangs or rests on its stop by it,
-    /// unless another element presses on the surface anyway.
+    /// Returns whether contact gained or lost by an element without pressure matters at once: the first contact of its
+    /// pad or block is noted, and contact decides whether an extended leg hangs or rests on its stop, unless another
+    /// element presses on the surface anyway.
     fn is_contact_watched(&self, has_touched: bool) -> bool {
         let is_pressed = self.pad_loaded() || self.block.is_loaded();
         !has_touched || self.stance.is_extended() && !is_pressed
     }
 
-    /// Finds out about contacts that were not watched.
+    /// Updates contacts that were not watched.
     fn update_contact(&mut self, signals: &LegSignals<f64>) {
         let [pad_is_watched, block_is_watched] =
             [self.pad_has_touched, self.block_has_touched].map(|has| self.is_contact_watched(has));
@@ -220,13 +220,13 @@ impl LegMode {
         }
     }
 
-    /// Centres the coefficients of laws that only bend a little on a stroke δ (ft), where the leg is now;
-    /// whether any changed.
+    /// Centres the coefficients of gently bending laws on a stroke δ (ft), the leg's present one. Returns whether any
+    /// changed.
     pub fn follow(&mut self, laws: &LegLaws, stroke: f64) -> bool {
         self.stance.follow(&laws.strut, stroke)
     }
 
-    /// The gentle kinks of the strut law on either side of where the leg is now, its link at a rate γ̇ (rad/s),
+    /// The gentle kinks of the strut law on either side of the leg's present state, with its link at a rate γ̇ (rad/s),
     /// if its strut works.
     pub fn gentle_kinks(&self, laws: &LegLaws, link_rate: f64) -> Option<GentleKinks> {
         self.stance.gentle_kinks(&laws.strut, link_rate)
@@ -286,7 +286,7 @@ impl LegMode {
         ]
     }
 
-    /// What the outer element of the pad can be crushed by, ft.
+    /// Height by which the outer element of the pad can be crushed, ft.
     fn pad_height(&self, laws: &LegLaws) -> f64 {
         if self.is_on_edge {
             laws.heights.edge
@@ -295,7 +295,7 @@ impl LegMode {
         }
     }
 
-    /// How an element ends the landing that has used up its height, if it has.
+    /// Outcome of the landing if an element has used up its height.
     fn bottomed(
         &self,
         laws: &LegLaws,
@@ -323,7 +323,7 @@ impl LegMode {
         (bears_as_stop && interference >= height).then_some(outcome)
     }
 
-    /// Range of cos ξ over which the pad lies on its face, or on its edge.
+    /// Range of cos ξ over which the pad stays on its face, or on its edge.
     fn inclination_bounds(&self, laws: &LegLaws) -> Bounds {
         let limit = laws.least_inclination;
         if laws.edge.is_absent() {
@@ -339,7 +339,7 @@ impl LegMode {
         }
     }
 
-    /// The pad turns over on its edge, or back on its face.
+    /// Turns the pad over on its edge, or back on its face.
     fn turn_over(&mut self, laws: &LegLaws, signals: &LegSignals<f64>) {
         let value = |signal: Signal| signals[signal as usize];
         let (outer, law) = self.outer_mut(laws);
@@ -360,7 +360,7 @@ impl LegMode {
         (self.cartridge).interference_bounds(&laws.cartridge, false)
     }
 
-    /// Puts the next piece in place after `signal` left its range. `leg` is this leg's index.
+    /// Sets the next piece after `signal` left its range. `leg` is this leg's index.
     ///
     /// # Errors
     /// The outcome, when the event ends the landing.
@@ -463,8 +463,7 @@ impl LegMode {
         Ok(())
     }
 
-    /// What contact gained or lost brings with it: which friction branch holds, whether the link
-    /// hangs or rests on its stop.
+    /// Follows up gained or lost contact: chooses the friction branch, and whether the link hangs or rests on its stop.
     fn follow_contact(&mut self, laws: &LegLaws, before: &Self, signals: &LegSignals<f64>) {
         let value = |signal: Signal| signals[signal as usize];
         self.pad_has_touched |= self.pad_in_contact();

@@ -1,8 +1,8 @@
-//! Crushing of footpad sections, body blocks (model chapter 4), edges of footpads and the cartridges of struts.
+//! Crushing of footpad sections, body blocks (model chapter 4), edges of footpads and cartridges of struts.
 //!
-//! An element's pressure profile p(I) is its crushing front; unloading and reloading run along
-//! the elastic line E (I − P) with E the slope of the first segment and P the plastic set. Between
-//! events an element is on one straight line of pressure against interference.
+//! An element's pressure profile p(I) is its crushing front. Unloading and reloading run along the elastic line
+//! E (I − P), with E the slope of the first segment and P the plastic set. Between events an element is on one straight
+//! line of pressure against interference.
 
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ impl<S: Real> PressureLine<S> {
         }
     }
 
-    /// Whether there is no pressure at any interference.
+    /// Returns whether there is no pressure at any interference.
     #[inline(always)]
     pub fn is_slack(&self) -> bool {
         self.offset.is_zero() && self.slope.is_zero()
@@ -57,7 +57,7 @@ pub struct CrushLaw {
     pressure_threshold: f64,
 }
 
-/// Elements count as in contact above this elastic interference I − P, ft.
+/// Elastic interference I − P above which elements count as in contact, ft.
 const CONTACT_THRESHOLD: f64 = 1e-6;
 /// Slack of interference guards, ft.
 const SLACK: f64 = 1e-13;
@@ -83,12 +83,12 @@ impl CrushLaw {
         }
     }
 
-    /// The law of an element that is not there.
+    /// The law of an absent element.
     pub fn absent() -> Self {
         Self::of_segments(Vec::new(), 0.0)
     }
 
-    /// The law of a front, its first segment elastic.
+    /// The law of a front with an elastic first segment.
     fn of_segments(segments: Vec<Segment>, pressure_threshold: f64) -> Self {
         Self {
             elastic_slope: segments.first().map_or(0.0, |elastic| elastic.slope),
@@ -103,8 +103,8 @@ impl CrushLaw {
         Self::of_segments(front, 0.0)
     }
 
-    /// The law of a footpad's edge: load (lb) stands for pressure, depth for interference. Its load is reached at the depth
-    /// (ft) at which the footpad's profile ends to be elastic.
+    /// The law of a footpad's edge: load (lb) stands for pressure, depth for interference. The edge reaches its load at
+    /// the depth (ft) at which the footpad's profile ceases to be elastic.
     pub fn of_edge(edge: &PadEdge, profile: &Profile) -> Self {
         let elastic = profile.segments()[0].upper;
         let stiffness = edge.load / elastic;
@@ -124,7 +124,7 @@ impl CrushLaw {
         Self::of_segments(front.to_vec(), 0.0)
     }
 
-    /// Whether there is no such element.
+    /// Returns whether the element is absent.
     pub fn is_absent(&self) -> bool {
         self.segments.is_empty()
     }
@@ -135,7 +135,7 @@ impl CrushLaw {
         interference - (offset + slope * interference) / self.elastic_slope
     }
 
-    /// Interference at which the elastic line of a plastic set meets the front, and the segment that it meets there.
+    /// Interference at which the elastic line of a plastic set meets the front, and the segment there.
     fn onset_of(&self, set: f64) -> (f64, usize) {
         let slope = self.elastic_slope;
         let meets = |s: &Segment| (slope * set + s.offset) / (slope - s.slope);
@@ -146,7 +146,7 @@ impl CrushLaw {
             .unwrap_or((f64::INFINITY, self.segments.len() - 1))
     }
 
-    /// Greatest interference at which an element was crushed that has this plastic set, ft.
+    /// Greatest interference to which an element with this plastic set was crushed, ft.
     pub fn deepest(&self, set: f64) -> f64 {
         if set > 0.0 { self.onset_of(set).0 } else { 0.0 }
     }
@@ -159,8 +159,8 @@ impl CrushLaw {
             .unwrap_or(last)
     }
 
-    /// The piece of an element with plastic set `set` (ft) at an interference; `driven` says
-    /// whether it may crush further: for methods that ask anew at every evaluation.
+    /// The piece of an element with plastic set `set` (ft) at an interference, for methods that ask anew at every
+    /// evaluation. `driven` says whether it may crush further.
     pub fn state_at(&self, set: f64, interference: f64, driven: bool) -> CrushState {
         let elastic = interference - set;
         if self.is_absent() {
@@ -196,21 +196,21 @@ impl CrushLaw {
     }
 }
 
-/// What an element does at one interference.
+/// State of an element at one interference.
 #[derive(Debug, Clone, Copy)]
 pub struct CrushState {
     /// The active line of pressure.
     pub line: PressureLine<f64>,
-    /// Plastic set it leaves, ft.
+    /// Plastic set after it, ft.
     pub set: f64,
-    /// Whether the element is in contact.
+    /// True if the element is in contact.
     pub in_contact: bool,
 }
 
-/// Where an element is on its law.
+/// Place of an element on its law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Stage {
-    /// There is no such element.
+    /// No such element.
     Absent,
     /// Not in contact: I − P ≤ 1e-6 ft.
     Clear,
@@ -222,7 +222,7 @@ enum Stage {
     Overdriven,
     /// On the crushing front, in this segment of the profile.
     Front(usize),
-    /// It takes over from another element, wherever it is: what of it lies below the surface counts as crushed.
+    /// Taking over from another element, at any depth: its part below the surface counts as crushed.
     TakingOver,
 }
 
@@ -239,7 +239,7 @@ pub struct Crush {
 }
 
 impl Crush {
-    /// An element that nothing has touched.
+    /// An untouched element.
     pub fn untouched(law: &CrushLaw) -> Self {
         if law.is_absent() {
             return Self {
@@ -257,13 +257,13 @@ impl Crush {
         }
     }
 
-    /// Whether the element is in contact: I − P > 1e-6 ft. Where contact is not watched this is as
-    /// of the last [`Self::update_contact`].
+    /// Returns whether the element is in contact: I − P > 1e-6 ft. Where contact is not watched, this is as of the last
+    /// [`Self::update_contact`].
     pub fn in_contact(&self) -> bool {
         !matches!(self.stage, Stage::Absent | Stage::Clear | Stage::TakingOver)
     }
 
-    /// Finds out about contact at an interference, if the element carries no pressure.
+    /// Updates contact at an interference, if the element carries no pressure.
     pub fn update_contact(&mut self, interference: f64) {
         if matches!(self.stage, Stage::Clear | Stage::Touching) {
             self.stage = if interference - self.set > CONTACT_THRESHOLD {
@@ -274,7 +274,7 @@ impl Crush {
         }
     }
 
-    /// Whether the element carries pressure.
+    /// Returns whether the element carries pressure.
     pub fn is_loaded(&self) -> bool {
         matches!(
             self.stage,
@@ -282,12 +282,13 @@ impl Crush {
         )
     }
 
-    /// Whether the element is on its crushing front.
+    /// Returns whether the element is on its crushing front.
     pub fn is_on_front(&self) -> bool {
         matches!(self.stage, Stage::Front(_))
     }
 
-    /// Greatest relative pressure on the front between where it is met again and a deeper interference `last`, ft.
+    /// Greatest relative pressure on the front between the point where it is met again and a deeper interference
+    /// `last`, ft.
     pub fn greatest_front(&self, law: &CrushLaw, last: f64) -> f64 {
         let segments = &law.segments[self.onset_segment.min(law.segments.len() - 1)..];
         let mut from = self.onset.min(last);
@@ -308,8 +309,8 @@ impl Crush {
         greatest
     }
 
-    /// Which way an element may move, if it matters: the front is left when the element is no
-    /// longer driven into the ground, and jumped onto when it is again.
+    /// Range of the driving rate over which the stage holds, if it matters. The element leaves the front when it is no
+    /// longer driven into the ground, and jumps onto it when it is again.
     pub fn drive_bounds(&self) -> Bounds {
         match self.stage {
             Stage::Front(_) => Bounds::above(0.0).widened(RATE_SLACK),
@@ -350,7 +351,7 @@ impl Crush {
         self.set
     }
 
-    /// Greatest interference at which the element was crushed, ft, as it is at one now.
+    /// Greatest interference to which the element was crushed, ft, given its present one.
     pub fn deepest(&self, interference: f64) -> f64 {
         match self.stage {
             Stage::Front(_) => interference,
@@ -359,8 +360,8 @@ impl Crush {
         }
     }
 
-    /// Range of the interference over which the active line holds and, where contact without
-    /// pressure is watched, over which contact stays gained or lost.
+    /// Range of the interference over which the active line holds and, where contact without pressure is watched, over
+    /// which contact does not change.
     pub fn interference_bounds(&self, law: &CrushLaw, is_contact_watched: bool) -> Bounds {
         match self.stage {
             Stage::Absent => Bounds::FREE,
@@ -375,14 +376,14 @@ impl Crush {
             Stage::Elastic => Bounds::between(self.set + law.pressure_threshold, self.onset),
             Stage::Overdriven => Bounds::above(self.onset),
             Stage::Front(segment) => Bounds::below(law.segments[segment].upper),
-            // At once, wherever it is.
+            // At once, at any interference.
             Stage::TakingOver => Bounds::below(f64::NEG_INFINITY),
         }
         .widened(SLACK)
     }
 
-    /// Range of the interference rate over which the active line holds: the front is left where
-    /// the element stops going deeper.
+    /// Range of the interference rate over which the active line holds: the front is left where the element stops going
+    /// deeper.
     pub fn rate_bounds(&self) -> Bounds {
         match self.stage {
             Stage::Front(_) => Bounds::above(0.0).widened(RATE_SLACK),
@@ -390,15 +391,15 @@ impl Crush {
         }
     }
 
-    /// Takes over from another element, unloaded: neither is it loaded all at once, nor does it give back what the other
-    /// was crushed by.
+    /// Takes over from another element, unloaded: it is not loaded all at once, nor does it give back the other's
+    /// crush.
     pub fn take_over(&mut self) {
         if self.stage != Stage::Absent {
             self.stage = Stage::TakingOver;
         }
     }
 
-    /// The interference left its range. `driven` says whether the element may crush further.
+    /// Handles an interference that left its range. `driven` says whether the element may crush further.
     pub fn cross_interference(
         &mut self,
         law: &CrushLaw,
@@ -432,7 +433,7 @@ impl Crush {
         };
     }
 
-    /// Leaves the front for the elastic line: the set reached stays.
+    /// Leaves the front for the elastic line, keeping the set reached.
     pub fn leave_front(&mut self, law: &CrushLaw, interference: f64) {
         if let Stage::Front(segment) = self.stage {
             self.set = law.front_set(segment, interference).max(self.set);
@@ -442,8 +443,8 @@ impl Crush {
         }
     }
 
-    /// The rate that allows crushing (listing rule) changed sign. Allowed again, an element that
-    /// was driven past its front jumps onto it: its set grows at once.
+    /// Handles a change of sign of the rate that allows crushing (listing rule). Allowed again, an element that was
+    /// driven past its front jumps onto it: its set grows at once.
     pub fn drive(&mut self, law: &CrushLaw, driven: bool, interference: f64) {
         match self.stage {
             Stage::Front(_) if !driven => self.leave_front(law, interference),

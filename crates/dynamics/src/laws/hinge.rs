@@ -4,12 +4,12 @@
 //! beyond it, while the state α̇ keeps integrating and holds the pad there until it changes sign.
 //! |dα/dt| never exceeds 100 rad/s.
 //!
-//! That has a closed form: overrun = (1 − e^(−1000 Θ))/1000, with Θ = ∫|α̇| dt what α̇ has turned since the stop. So
-//! a pad that presses on a stop has a *turn* in place of its angle, stop ± Θ, which follows α̇ and is not stiff.
-//! Methods that choose pieces anew at every evaluation take dα/dt as it is written.
+//! That has a closed form: overrun = (1 − e^(−1000 Θ))/1000, with Θ = ∫|α̇| dt the angle that α̇ has turned since the
+//! stop. So a pad that presses on a stop has a *turn* in place of its angle, stop ± Θ, which follows α̇ and is not
+//! stiff. Methods that choose pieces anew at every evaluation take dα/dt as written.
 //!
-//! Under [`ContactRule::Face`] all of that is plain mechanics: a pad that arrives at a stop is one with its link, until the
-//! torque on it pulls it off.
+//! Under [`ContactRule::Face`] all of that is plain mechanics: a pad that arrives at a stop is one with its link until
+//! the torque on it pulls it off.
 
 use libm::log1p;
 
@@ -20,8 +20,8 @@ use crate::scalar::Real;
 
 /// Fading of the rate beyond a stop, 1/rad: its inverse is the greatest overrun.
 const FADING: f64 = 1000.0;
-/// E-foldings of the distance from the resting place that one step takes at most: in one of 16 the force of a pad on its
-/// way to its stop hides between two stages, and with 8 its share of the error still shows at tight tolerances.
+/// Most e-foldings of the distance from the resting place in one step. With 16 the force of a pad on its way to its
+/// stop hides between two stages, and with 8 its share of the error still shows at tight tolerances.
 const E_FOLDINGS: f64 = 4.0;
 /// Greatest |dα/dt|, rad/s.
 const FASTEST: f64 = 100.0;
@@ -39,7 +39,7 @@ pub struct HingePiece<S> {
     fading: S,
     follow: S,
     clip: S,
-    /// −1 or +1 where the pad presses on its inner or outer stop and follows α̇ by the closed form, else 0.
+    /// −1 or +1 if the pad presses on its inner or outer stop and follows α̇ by the closed form, else 0.
     pressed: S,
     /// That stop, rad.
     stop: S,
@@ -68,26 +68,26 @@ impl<S: Real> HingePiece<S> {
         }
     }
 
-    /// 1 where the pad turns by itself, 0 where it is one with its link, under [`ContactRule::Face`].
+    /// 1 if the pad turns by itself, 0 if it is one with its link, under [`ContactRule::Face`].
     #[inline(always)]
     pub fn swings(&self) -> S {
         self.gain
     }
 
-    /// How fast the pad turns in the vehicle under [`ContactRule::Face`], from outboard to down, rad/s: with its link, less
-    /// what its hinge opens.
+    /// Rate at which the pad turns in the vehicle under [`ContactRule::Face`], from outboard to down, rad/s: that of
+    /// its link less the opening of its hinge.
     #[inline(always)]
     pub fn pad_turning(&self, link_rate: S, pad_rate: S) -> S {
         link_rate - self.gain * pad_rate
     }
 
-    /// Whether a pad presses on a stop.
+    /// Returns whether a pad presses on a stop.
     #[inline(always)]
     pub fn is_pressed(&self) -> bool {
         !self.pressed.is_zero()
     }
 
-    /// Angle α of a pad that has turned like this, rad.
+    /// Angle α of a pad with this turn, rad.
     #[inline(always)]
     pub fn angle(&self, turn: S) -> S {
         let fading = S::constant(FADING) * self.pressed;
@@ -103,20 +103,20 @@ impl<S: Real> HingePiece<S> {
         self.gain_at(angle) * rate
     }
 
-    /// How fast the pad turns, rad/s: dα/dt, or α̇ where it presses on a stop.
+    /// Rate of the pad's turn, rad/s: dα/dt, or α̇ while it presses on a stop.
     #[inline(always)]
     pub fn turning(&self, speed: S, rate: S) -> S {
         self.pressed.where_zero(speed, rate)
     }
 
-    /// What the pad turns at per α̇, and besides (rad/s), while its hinge does the same.
+    /// Gain on α̇ and offset (rad/s) of the pad's turning rate in this hinge mode.
     #[inline(always)]
     pub fn turning_by_rate(&self) -> [S; 2] {
         let by_rate = self.pressed.where_zero(self.follow * self.gain, S::one());
         [by_rate, self.clip]
     }
 
-    /// Change of that with α̇, and of α with the turn, at this α (rad).
+    /// Change of that rate with α̇, and of α with the turn, at this α (rad).
     #[inline(always)]
     pub fn turn_changes(&self, angle: S) -> [S; 2] {
         let gain = self.gain_at(angle);
@@ -149,7 +149,7 @@ pub struct Stops {
     pub outer: f64,
     /// Distance from the resting place beyond a stop at which the pad counts as arrived.
     pub arrival: f64,
-    /// What a stop does.
+    /// Rule of the stops.
     pub rule: ContactRule,
 }
 
@@ -160,7 +160,7 @@ enum Side {
 }
 
 impl Side {
-    /// +1 where outward is toward greater α.
+    /// +1 if outward is toward greater α, else −1.
     fn sign(self) -> f64 {
         match self {
             Self::Inner => -1.0,
@@ -191,7 +191,7 @@ enum Zone {
     OnStop(Side),
 }
 
-/// What the hinge is doing.
+/// Mode of the hinge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hinge {
     zone: Zone,
@@ -200,7 +200,7 @@ pub struct Hinge {
 }
 
 impl Hinge {
-    /// A pad between its stops and at rest.
+    /// A pad at rest between its stops.
     pub fn free() -> Self {
         Self {
             zone: Zone::Free,
@@ -208,7 +208,7 @@ impl Hinge {
         }
     }
 
-    /// What the hinge does at an angle α (rad) and rate state α̇ (rad/s).
+    /// Mode of the hinge at an angle α (rad) and rate state α̇ (rad/s).
     pub fn at(stops: Stops, angle: f64, rate: f64) -> Self {
         let beyond = |side: Side, overrun: f64| match side.sign() * rate {
             outward if outward <= 0.0 => Zone::Returning(side),
@@ -245,7 +245,7 @@ impl Hinge {
         }
     }
 
-    /// The same without the closed form: what a pad has turned is its angle.
+    /// The same without the closed form: the pad's turn is its angle.
     pub fn piece_as_written(&self, stops: Stops) -> HingePiece<f64> {
         let (gain, fading) = match self.zone {
             Zone::Free | Zone::Returning(_) => (1.0, 0.0),
@@ -264,12 +264,12 @@ impl Hinge {
         }
     }
 
-    /// Whether the pad is on a stop, one with its link.
+    /// Returns whether the pad is on a stop, one with its link.
     pub fn is_on_stop(&self) -> bool {
         matches!(self.zone, Zone::OnStop(_))
     }
 
-    /// Angle α of a pad that has turned like this, rad.
+    /// Angle α of a pad with this turn, rad.
     pub fn angle(&self, stops: Stops, turn: f64) -> f64 {
         self.piece(stops).angle(turn)
     }
@@ -283,14 +283,14 @@ impl Hinge {
         if pressed == 0.0 {
             return angle;
         }
-        // No turn is enough for more than that, which is past its arrival.
+        // No turn suffices for more than that, which is past its arrival.
         let overrun = (pressed * (angle - stop)).min(1.0 / FADING - 0.5 * stops.arrival);
         stop - pressed * log1p(-FADING * overrun) / FADING
     }
 
     /// Range of the turn over which the active piece holds.
     pub fn turn_bounds(&self, stops: Stops) -> Bounds {
-        // As far as α is from its stop when it has arrived, or when it has only turned so far without the closed form.
+        // Distance of α from its stop on arrival, which is also the turn without the closed form.
         let resting = 1.0 / FADING - stops.arrival;
         let arrived = |side: Side| self.turn(stops, side.of(stops) + side.sign() * resting);
         match self.zone {
@@ -319,7 +319,7 @@ impl Hinge {
         bounds.widened(RATE_SLACK)
     }
 
-    /// Range of what moves the hinge over which the active piece holds: of its unclipped speed, or of the torque on a pad
+    /// Range of the hinge's drive over which the active piece holds: of its unclipped speed, or of the torque on a pad
     /// that is one with its link.
     pub fn drive_bounds(&self, stops: Stops) -> Bounds {
         match self.zone {
@@ -339,8 +339,8 @@ impl Hinge {
         .widened(SPEED_SLACK)
     }
 
-    /// The longest step that follows the pad into a stop, s, at a rate state α̇ (rad/s): in longer ones it would arrive
-    /// unseen, and what it does to the forces with it.
+    /// Longest step that follows the pad into a stop, s, at a rate state α̇ (rad/s). In longer steps the arrival and
+    /// its effect on the forces would go unseen.
     pub fn longest_step(&self, rate: f64) -> f64 {
         match self.zone {
             Zone::Pressing(_) if self.clip == 0.0 => E_FOLDINGS / (FADING * rate.abs()),
@@ -348,7 +348,7 @@ impl Hinge {
         }
     }
 
-    /// The turn left its range.
+    /// Handles an exit of the turn.
     pub fn cross_turn(&mut self, stops: Stops, exit: Exit) {
         match self.zone {
             Zone::Free => {
@@ -372,7 +372,7 @@ impl Hinge {
         }
     }
 
-    /// The rate state changed sign.
+    /// Handles a rate state that changed sign.
     pub fn cross_rate(&mut self) {
         self.zone = match self.zone {
             Zone::Free | Zone::OnStop(_) => self.zone,
@@ -381,7 +381,7 @@ impl Hinge {
         };
     }
 
-    /// The unclipped speed crossed the clip, or the torque on a pad pulls it off its stop.
+    /// Handles an unclipped speed that crossed the clip, or a torque that pulls the pad off its stop.
     pub fn cross_drive(&mut self, exit: Exit) {
         if self.is_on_stop() {
             self.zone = Zone::Free;

@@ -1,4 +1,4 @@
-//! The coefficients of all laws of a leg, as the equations of motion work with them.
+//! Coefficients of all laws of a leg, for the equations of motion.
 
 use crate::crush::PressureLine;
 use crate::friction::FrictionPiece;
@@ -32,14 +32,14 @@ pub struct LegPieces<S> {
 pub struct EdgePiece<S> {
     /// Load (lb) against its depth below the surface (ft).
     pub load: PressureLine<S>,
-    /// 1 where the footpad is on its edge, 0 on its face.
+    /// 1 if the footpad is on its edge, 0 on its face.
     pub is_active: S,
 }
 
 per_lane!(EdgePiece { load, is_active });
 
 impl EdgePiece<f64> {
-    /// Of a footpad on its face.
+    /// A footpad on its face.
     pub fn on_face() -> Self {
         Self {
             load: PressureLine::slack(),
@@ -60,7 +60,7 @@ per_lane!(LegPieces {
 });
 
 impl LegPieces<f64> {
-    /// Of a leg that is not there: it neither pushes nor moves.
+    /// An absent leg, which neither pushes nor moves.
     pub fn absent() -> Self {
         Self {
             pad: [PressureLine::slack(); 2],

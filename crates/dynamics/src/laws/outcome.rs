@@ -1,4 +1,4 @@
-//! How a landing can end (model chapter 7).
+//! Outcomes of landings (model chapter 7).
 
 use std::fmt;
 
@@ -29,7 +29,7 @@ pub enum Outcome {
         /// Index of the leg, from 0.
         leg: usize,
     },
-    /// None of these before the time limit.
+    /// None of these came before the time limit.
     TimeExpired,
     /// The landing could not be computed to its end.
     Failure(Failure),
@@ -106,13 +106,13 @@ impl Class {
         Self::Undecided,
     ];
 
-    /// The class of an outcome that is known by its word only; none of another word.
+    /// The class of an outcome known only by its word; `None` for other words.
     pub fn of_outcome(word: &str) -> Option<Self> {
         let undecided = [Outcome::TimeExpired, Outcome::Sliding];
         if undecided.iter().any(|outcome| outcome.to_string() == word) {
             return Some(Self::Undecided);
         }
-        // The words of all others begin with that of their class.
+        // The word of any other outcome begins with that of its class.
         let first = word.split('-').next()?;
         Self::ALL
             .into_iter()

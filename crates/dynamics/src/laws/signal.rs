@@ -1,7 +1,7 @@
-//! What is watched on a leg.
+//! Signals watched on a leg.
 
-/// What is watched on a leg: each signal has a range over which the active pieces hold. First come those
-/// whose rates are signals too, then those rates in the same order.
+/// A signal watched on a leg. Most have a range over which the active pieces hold. First come those whose rates are
+/// signals too, then those rates in the same order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Signal {
     /// I of the outboard pad section, ft.
@@ -32,12 +32,12 @@ pub enum Signal {
     LinkRate,
     /// Torque of the surface on the link, ft·lb.
     LinkTorque,
-    /// What the pad has turned by, rad: α, but of a pad that presses on a stop.
+    /// Turn of the pad, rad: α, unless the pad presses on a stop.
     PadTurn,
     /// Pad rate state α̇, rad/s.
     PadRate,
-    /// What moves the hinge: its speed before the clip, rad/s; under [`crate::rules::ContactRule::Face`] the torque that turns
-    /// the pad outward against its link, ft·lb.
+    /// Drive of the hinge: its speed before the clip, rad/s; under [`crate::rules::ContactRule::Face`] the torque that
+    /// turns the pad outward against its link, ft·lb.
     HingeDrive,
     /// cos ξ of the pad.
     PadInclination,
@@ -58,9 +58,9 @@ pub enum Signal {
 impl Signal {
     /// Number of signals of a leg.
     pub const COUNT: usize = 24;
-    /// Leading ones that have ranges.
+    /// Number of leading signals with ranges.
     pub const RANGED: usize = 18;
-    /// Leading ones that have their rates among the signals, so many places on.
+    /// Number of leading signals with rates among the signals, that many places on.
     pub const RATED: usize = 4;
 
     /// Every signal, in storage order.

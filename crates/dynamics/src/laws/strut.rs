@@ -1,4 +1,4 @@
-//! The strut, shock absorber (42)-(45) or honeycomb, and what it does to the lower link: working, or on its extension
+//! The strut, shock absorber (42)-(45) or honeycomb, and its action on the lower link: working, or on its extension
 //! stop on or off the surface (model chapter 5).
 
 mod law;
@@ -40,13 +40,13 @@ per_lane!(StrutPiece {
     rebound,
 });
 
-/// A stretch of a piecewise-linear function together with the two neighbouring stretches: at kinks
-/// this gentle no piece changes.
+/// A stretch of a piecewise-linear function together with the two neighbouring stretches: kinks this gentle change no
+/// piece.
 #[derive(Debug, Clone, Copy)]
 struct Kinked<S> {
     offset: S,
     slope: S,
-    /// Kinks at the lower and upper end: where, and what the slope loses (below) or gains (above).
+    /// Kinks at the lower and upper end: place, and loss (below) or gain (above) of slope.
     kinks: [[S; 2]; 2],
 }
 
@@ -100,7 +100,7 @@ impl<S: Real> StrutPiece<S> {
         parts.spring - link_rate.signed_like(parts.engaged * parts.resistance)
     }
 
-    /// −∂F/∂γ̇, lb·s: how the force opposes a change of the link rate.
+    /// −∂F/∂γ̇, lb·s: resistance of the force to a change of the link rate.
     #[inline(always)]
     pub fn damping(&self, stroke: S, link_rate: S, lever: S) -> S {
         let parts = self.parts(stroke, link_rate, lever);
@@ -149,11 +149,11 @@ impl<S: Real> StrutPiece<S> {
     }
 }
 
-/// What the strut force is made of.
+/// Parts of the strut force.
 struct Parts<S> {
     /// Spring force F_s (42), (43), or load of the cartridge, lb.
     spring: S,
-    /// Damping of the present direction, lb·s²/ft².
+    /// Damping in the present direction, lb·s²/ft².
     damping: S,
     /// R = ν|F_s| + d l̇² (44), (45), lb.
     resistance: S,
@@ -167,10 +167,10 @@ struct Parts<S> {
 /// moving·γ̇.
 #[derive(Debug, Clone, Copy)]
 pub struct LinkPiece<S> {
-    /// 1 where the torque turns the link, else 0.
+    /// 1 if the torque turns the link, else 0.
     pub free: S,
     run_down: S,
-    /// 1 where γ follows its rate, 0 where the link is frozen.
+    /// 1 if γ follows its rate, 0 if the link is frozen.
     pub moving: S,
 }
 
@@ -197,7 +197,7 @@ impl<S: Real> LinkPiece<S> {
         self.run_down
     }
 
-    /// What there is of a link rate γ̇ (rad/s) to run down, rad/s.
+    /// Link rate γ̇ (rad/s) above the residual rate, rad/s.
     #[inline(always)]
     pub fn surplus(&self, link_rate: S) -> S {
         link_rate - S::constant(RESIDUAL_RATE)

@@ -1,5 +1,5 @@
-//! The ball of 4.1.2: undamped, of one degree of freedom, in and out of contact with a springy
-//! surface, so that its motion is known in closed form and its energy never changes.
+//! The ball of 4.1.2: undamped, of one degree of freedom, in and out of contact with a springy surface. Its motion is
+//! known in closed form and its energy never changes.
 
 use std::f64::consts::PI;
 
@@ -31,7 +31,7 @@ impl BouncingBall {
     pub fn period(&self, height: f64) -> f64 {
         let impact = (2.0 * self.gravity * height).sqrt();
         let frequency = self.stiffness.sqrt();
-        // In contact the ball swings about its weight's own penetration.
+        // In contact the ball swings about the penetration under its own weight.
         let beyond_half = atan(self.gravity / (frequency * impact));
         2.0 * impact / self.gravity + (PI + 2.0 * beyond_half) / frequency
     }

@@ -1,7 +1,6 @@
-//! The error of an interval in terms of what is allowed (3.3).
+//! The error of an interval as a share of the allowed error (3.3).
 
-/// Greatest truncation errors of the variables per second of simulated time; infinite where none
-/// is set.
+/// Greatest truncation errors of the variables per second of simulated time; infinite where no limit is set.
 #[derive(Debug, Clone)]
 pub struct ErrorCheck {
     limits: Vec<f64>,
@@ -9,12 +8,12 @@ pub struct ErrorCheck {
     pub errors: Vec<f64>,
 }
 
-/// The greatest error in terms of what is allowed, and whose it is.
+/// The greatest error as a share of the allowed one, and its variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Worst {
-    /// The error over its limit; infinite when it is not a number.
+    /// The error over its limit; infinite if it is NaN.
     pub ratio: f64,
-    /// Index of the variable; none while no error is greater than zero.
+    /// Index of the variable; `None` while no error is greater than zero.
     pub variable: Option<usize>,
 }
 
@@ -27,8 +26,7 @@ impl ErrorCheck {
         }
     }
 
-    /// Checks `differences`, of which the errors are a fraction, over an interval of `length`
-    /// seconds.
+    /// Checks errors that are a `fraction` of `differences`, over an interval of `length` seconds.
     pub fn worst(
         &mut self,
         length: f64,

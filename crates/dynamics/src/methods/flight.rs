@@ -1,4 +1,4 @@
-//! A landing by one of these methods: outcomes are looked for at the starts of intervals only.
+//! A landing by one of these methods, judged at the starts of intervals only.
 
 use crate::contact;
 use crate::energy::{kinetic, released};
@@ -19,14 +19,14 @@ use super::system::{Evaluator, Start, Stepper};
 
 /// Intervals before a landing is given up.
 const MOST_INTERVALS: u64 = 4_000_000;
-/// What is left of the time limit when it counts as reached, s.
+/// Time left at which the time limit counts as reached, s.
 const END_OF_TIME: f64 = 1e-9;
 
 /// A landing under way.
 pub(super) struct Flight<'a> {
     settings: &'a Settings,
     model: &'a ForceModel,
-    /// A monitor that has yet to look, and that which follows the landing.
+    /// A monitor that has observed nothing yet, and the one that follows the landing.
     fresh: StabilityMonitor,
     monitor: StabilityMonitor,
     time: f64,
@@ -168,7 +168,7 @@ impl<'a> Flight<'a> {
             Err(verdict) => {
                 let seen = self.monitor.observe(motion, &start.state);
                 extremes.clearance = extremes.clearance.min(seen.clearance);
-                // With all feet on one side from the first instant no angle is defined.
+                // With all feet on one side from the first instant, no angle is defined.
                 extremes.angle.0 = extremes.angle.0.min(std::f64::consts::PI);
                 return Some(verdict.into());
             }
@@ -183,7 +183,7 @@ impl<'a> Flight<'a> {
         self.model.end(look)
     }
 
-    /// Reports the instants that are due within an interval, by Hermite's cubic between its ends.
+    /// Reports the instants due within an interval, by Hermite's cubic between its ends.
     fn report(
         &mut self,
         from: &Start<State<f64>>,

@@ -1,5 +1,5 @@
-//! The equations of motion for methods that locate no events: at every evaluation each law's
-//! active piece is chosen from the state.
+//! The equations of motion for methods that locate no events: every evaluation chooses the active piece of each law
+//! from the state.
 //!
 //! This is the only place where these methods touch laws and motion.
 
@@ -22,22 +22,22 @@ pub type Sets = PerLeg<contact::Sets>;
 pub struct ForceModel {
     motion: Motion<f64>,
     laws: Vec<LegLaws>,
-    /// Pieces with which to evaluate signals that depend on no piece.
+    /// Pieces for evaluating signals that depend on no piece.
     untouched: Pieces<f64>,
-    /// A place to start from for the pieces of each leg.
+    /// Initial pieces of each leg, to be overwritten.
     untouched_legs: PerLeg<LegPieces<f64>>,
 }
 
-/// What the laws give at one state.
+/// Results of the laws at one state.
 #[derive(Debug, Clone)]
 pub struct Look {
     /// Derivative of the state.
     pub slope: State<f64>,
     /// Signals of the legs.
     pub signals: Signals<f64>,
-    /// Coefficients of the pieces chosen.
+    /// Coefficients of the chosen pieces.
     pub pieces: PerLeg<LegPieces<f64>>,
-    /// What else was chosen.
+    /// Other choices.
     pub choices: PerLeg<Choice>,
 }
 
@@ -73,13 +73,13 @@ impl ForceModel {
         &self.motion
     }
 
-    /// Greatest interference at which a section of each pad was crushed that leaves these sets, ft, and that at which its hinge
-    /// is on the ground.
+    /// Greatest interference to which a section of each pad with these sets was crushed, ft, and that with its hinge on
+    /// the ground.
     pub fn pad_crush(&self, sets: &Sets) -> PerLeg<[f64; 2]> {
         PerLeg::from_fn(self.laws.len(), |j| self.laws[j].pad_crush(&sets[j]))
     }
 
-    /// Chooses the pieces at a state and evaluates; the sets grow by the laws.
+    /// Chooses the pieces at a state and evaluates. The sets grow by the laws.
     pub fn look(&self, state: &State<f64>, sets: &mut Sets) -> Look {
         let mut signals = self.motion.signals(state, &self.untouched, false);
         let mut pieces = self.untouched_legs;
@@ -122,7 +122,7 @@ impl ForceModel {
         })
     }
 
-    /// How the laws end the landing, if they do.
+    /// Outcome by which the laws end the landing, if any.
     pub fn end(&self, look: &Look) -> Option<Outcome> {
         (self.laws.iter().enumerate())
             .find_map(|(j, laws)| laws.end(j, &look.pieces[j], look.signals.leg(j)))

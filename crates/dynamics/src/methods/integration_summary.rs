@@ -5,20 +5,20 @@ use libm::log10;
 /// Classes of the distributions.
 pub const CLASSES: usize = 8;
 
-/// Intervals, cuts, and what truncation cost.
+/// Intervals, cuts, and truncation errors.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct IntegrationSummary {
     /// Accepted intervals.
     pub intervals: u64,
-    /// Time gone through in them, s.
+    /// Time covered by them, s.
     pub time: f64,
-    /// Intervals of 0.1 to 1 s (and above), of 0.01 to 0.1 s, and so on (and below).
+    /// Number of intervals of 0.1 to 1 s (and above), of 0.01 to 0.1 s, and so on (and below).
     pub by_decade: [u64; CLASSES],
-    /// Intervals accepted without a cut, after one, after two, and so on (and more).
+    /// Number of intervals accepted without a cut, after one, after two, and so on (and more).
     pub by_cuts: [u64; CLASSES],
-    /// Intervals accepted although their error was too great, being the least.
+    /// Intervals accepted in spite of their error because they were the least.
     pub bypassed: u64,
-    /// How often each variable had the greatest error in terms of what is allowed.
+    /// Number of times that each variable had the greatest error as a share of the allowed one.
     pub critical: Vec<u64>,
     /// Sum of the truncation errors of each variable.
     pub arithmetic: Vec<f64>,
@@ -41,7 +41,7 @@ impl IntegrationSummary {
         self.by_cuts[cuts.min(CLASSES - 1)] += 1;
     }
 
-    /// Enters the truncation errors of an interval and the variable that was critical in it.
+    /// Enters the truncation errors of an interval and its critical variable.
     pub fn enter_errors(&mut self, errors: &[f64], critical: Option<usize>) {
         self.critical.resize(errors.len(), 0);
         self.arithmetic.resize(errors.len(), 0.0);

@@ -1,10 +1,10 @@
 //! Milne's predictor and corrector at a variable interval, started and restarted by Runge-Kutta
 //! (4.1.2, method 2).
 //!
-//! Three Runge-Kutta steps and a first step by Milne's formulas make a block that stands or falls
-//! with the error of its last step: corrector minus predictor over 29. An interval is halved when
-//! that is too great and doubled when it is small enough for twice the interval and enough
-//! equal intervals lie behind. After every halving the method starts again.
+//! Three Runge-Kutta steps and a first step by Milne's formulas make a block, which is accepted or rejected by the
+//! error of its last step: corrector minus predictor over 29. An interval is halved when that is too great. It is
+//! doubled when the error is small enough for twice the interval and enough equal intervals lie behind. After every
+//! halving the method starts again.
 
 use std::collections::VecDeque;
 
@@ -14,19 +14,19 @@ use super::runge_kutta::step;
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
 use crate::error_control::Intervals;
 
-/// Doubling multiplies the error by 32 and what is allowed by 2.
+/// Doubling multiplies the error by 32 and the allowed error by 2.
 const SMALL_ENOUGH: f64 = 1.0 / 16.0;
-/// Starts that let every other one be left out.
+/// Starts needed to leave out every other one.
 const ENOUGH_TO_DOUBLE: usize = 6;
 
-/// The method under way.
+/// The method in progress.
 #[derive(Debug, Clone)]
 pub struct Milne<V, M> {
     interval: f64,
     least: f64,
-    /// Equidistant starts behind, the present one last.
+    /// Equidistant past starts, the present one last.
     past: Vec<Start<V>>,
-    /// Steps of a block that stands but has not been gone through yet.
+    /// Steps of an accepted block that have not been taken yet.
     pending: VecDeque<(Start<V>, M)>,
     cuts: usize,
     check: ErrorCheck,
@@ -57,8 +57,7 @@ impl<V: Vector, M: Copy> Milne<V, M> {
         Taken { length, state }
     }
 
-    /// A step by Milne's formulas from four equidistant starts, and its greatest error in terms of
-    /// what is allowed.
+    /// A step by Milne's formulas from four equidistant starts, and its greatest error as a share of the allowed one.
     fn correct<S: System<State = V, Memory = M>>(
         &mut self,
         [oldest, older, old, now]: [&Start<V>; 4],
@@ -81,7 +80,7 @@ impl<V: Vector, M: Copy> Milne<V, M> {
         (corrected, worst)
     }
 
-    /// Whether a step with this error stands; if not, the interval has been halved.
+    /// Accepts a step with this error and returns true, or halves the interval.
     fn stands(&mut self, worst: Worst) -> bool {
         let passed = worst.ratio <= 1.0;
         if !passed && 0.5 * self.interval > self.least {
@@ -95,8 +94,7 @@ impl<V: Vector, M: Copy> Milne<V, M> {
         true
     }
 
-    /// A block of three Runge-Kutta steps and one by Milne's formulas, at an interval at which it
-    /// stands.
+    /// Takes a block of three Runge-Kutta steps and one by Milne's formulas, at an interval at which it is accepted.
     fn begin<S: System<State = V, Memory = M>>(
         &mut self,
         start: &Start<V>,

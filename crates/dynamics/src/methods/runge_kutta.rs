@@ -2,7 +2,7 @@
 
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
 
-/// One step; `look` gives derivatives.
+/// Takes one step; `look` gives derivatives.
 pub(super) fn step<V: Vector>(start: &Start<V>, length: f64, mut look: impl FnMut(&V) -> V) -> V {
     let Start { state, slope: k1 } = start;
     let half = 0.5 * length;

@@ -1,10 +1,10 @@
 //! The integrator of the report (3.2, 3.3): Runge-Kutta over an interval and over its halves.
 //!
-//! The difference of the two results removes the fifth-order error and gives, over 180, the
-//! error that remains. An interval whose error is too great is cut in half, its first half being
-//! known already; after a good one the next is (2 − u) times as long, u being the greatest error
-//! in terms of what is allowed. What is left of the laws' memory by trial stages goes on into the
-//! next interval, and is taken back only when an interval is tried again from its start.
+//! The difference of the two results removes the fifth-order error and gives, over 180, the error that remains. An
+//! interval with too great an error is cut in half, where the result over its first half is known already. After an
+//! accepted one the next is (2 − u) times as long, u being the greatest error as a share of the allowed one. Trial
+//! stages change the laws' memory; it passes on into the next interval, and is reset only when an interval is tried
+//! again from its start.
 
 use super::error_check::ErrorCheck;
 use super::integration_summary::IntegrationSummary;
@@ -12,7 +12,7 @@ use super::runge_kutta::step;
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
 use crate::error_control::Intervals;
 
-/// The method under way.
+/// The method in progress.
 #[derive(Debug, Clone)]
 pub struct StepDoubling {
     next: f64,

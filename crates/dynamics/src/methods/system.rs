@@ -1,4 +1,4 @@
-//! What is integrated, and how a method asks for derivatives.
+//! Systems to integrate, and their derivatives as methods ask for them.
 
 use crate::state::State;
 
@@ -14,30 +14,29 @@ impl Vector for State<f64> {
     }
 }
 
-/// Differential equations whose laws remember what has happened.
+/// Differential equations whose laws have a memory.
 pub trait System {
-    /// What is integrated, and its derivative.
+    /// The integrated state, or its derivative.
     type State: Vector;
-    /// What the laws remember: it changes with every evaluation, trial stages included.
+    /// Memory of the laws. It changes with every evaluation, trial stages included.
     type Memory: Copy;
 
     /// The derivative at a state.
     fn derivative(&self, state: &Self::State, memory: &mut Self::Memory) -> Self::State;
 
-    /// Puts into a derivative what the program of 1966 held over an interval, as it was at its
-    /// start.
+    /// Puts the quantities that the program of 1966 held over an interval into a derivative, as they were at its start.
     fn hold(&self, start: &Self::State, derivative: &mut Self::State);
 
     /// Writes a − b, variable by variable, into `difference`.
     fn difference(&self, a: &Self::State, b: &Self::State, difference: &mut Vec<f64>);
 }
 
-/// A system under integration: its memory, and how often it was asked.
+/// A system under integration, with its memory and the count of its evaluations.
 #[derive(Debug)]
 pub struct Evaluator<'a, S: System> {
     /// The system.
     pub system: &'a S,
-    /// What its laws remember now.
+    /// Present memory of its laws.
     pub memory: S::Memory,
     /// Evaluations so far.
     pub evaluations: u64,
@@ -60,7 +59,7 @@ pub struct Start<V> {
     pub slope: V,
 }
 
-/// An interval gone through.
+/// A completed interval.
 #[derive(Debug, Clone, Copy)]
 pub struct Taken<V> {
     /// Its length, s.
@@ -71,8 +70,7 @@ pub struct Taken<V> {
 
 /// A method of integration.
 pub trait Stepper<S: System> {
-    /// Goes through an interval no longer than `longest` seconds. The evaluator's memory is that
-    /// of the start.
+    /// Takes an interval no longer than `longest` seconds. The evaluator's memory is that of the start.
     fn advance(
         &mut self,
         start: &Start<S::State>,

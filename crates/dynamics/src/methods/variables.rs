@@ -12,8 +12,8 @@ use crate::error_control::ErrorLimits;
 /// Energies that are summed over the legs: struts, footpads, blocks, sliding of both.
 const ENERGIES: usize = 5;
 
-/// Greatest errors per second in the report's numbering, infinite where it has none: footpad rates
-/// and energies.
+/// Greatest errors per second in the report's numbering; infinite for those without a limit, footpad rates and
+/// energies.
 pub fn limits(limits: &ErrorLimits, legs: usize) -> Vec<f64> {
     let groups = [
         (f64::INFINITY, legs),
@@ -30,7 +30,7 @@ pub fn limits(limits: &ErrorLimits, legs: usize) -> Vec<f64> {
     each.concat()
 }
 
-/// Names of the variables of a vehicle with so many legs, with units.
+/// Names of the variables of a vehicle with this many legs, with units.
 pub fn names(legs: usize) -> Vec<String> {
     let of_legs = |name: &str, unit: &str| -> Vec<String> {
         (1..=legs)
@@ -83,7 +83,7 @@ pub fn difference(a: &State<f64>, b: &State<f64>, difference: &mut Vec<f64>) {
         [euler.pitch, euler.yaw, euler.roll]
     });
     difference.extend((0..3).map(|k| (angles_a[k] - angles_b[k] + PI).rem_euclid(TAU) - PI));
-    // Of the six works of a leg the last, done on its stop, is not in the report.
+    // The last of the six works of a leg, that of its stop, is not in the report.
     difference.extend((0..ENERGIES).map(|element| {
         legs.iter()
             .map(|(a, b)| a.work[ENERGY_ORDER[element]] - b.work[ENERGY_ORDER[element]])
@@ -91,7 +91,7 @@ pub fn difference(a: &State<f64>, b: &State<f64>, difference: &mut Vec<f64>) {
     }));
 }
 
-/// Where the report's energies stand in the works of a leg.
+/// Indices of the report's energies among the works of a leg.
 const ENERGY_ORDER: [usize; ENERGIES] = [0, 1, 3, 2, 4];
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! The least and the greatest of many numbers.
 //!
-//! By choices instead of `f64::min` and `f64::max`: of loops with those LLVM 22.1 loses terms with some settings of the
-//! compiler, and results would depend on the settings.
+//! These use comparisons instead of `f64::min` and `f64::max`: LLVM 22.1 loses terms of loops with those under some
+//! compiler settings, and results would depend on the settings.
 
-/// The least of these numbers, infinite if there are none.
+/// Least of these numbers, infinite if there are none.
 #[inline(always)]
 pub fn least(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(
@@ -12,7 +12,7 @@ pub fn least(numbers: impl Iterator<Item = f64>) -> f64 {
     )
 }
 
-/// The greatest of these numbers, −∞ if there are none.
+/// Greatest of these numbers, −∞ if there are none.
 #[inline(always)]
 pub fn greatest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(f64::NEG_INFINITY, |greatest, one| {

@@ -1,9 +1,9 @@
-//! Numbers side by side, a lane of a register for each.
+//! Numbers side by side, each in a lane of a register.
 //!
 //! The equations are straight lines of arithmetic, the same for every leg of a vehicle and for every landing, so
-//! [`Lanes`] computes them together. Each lane is computed exactly as a single `f64` would be, with the same operations in
-//! the same order and none contracted, so a landing comes out the same, bit for bit, whatever registers a processor
-//! has and whatever lies beside it.
+//! [`Lanes`] computes them together. Each lane is computed exactly as a single `f64` would be, with the same operations
+//! in the same order and none contracted. So a landing comes out the same, bit for bit, whatever the processor's
+//! registers and whatever is in the other lanes.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -12,7 +12,7 @@ use num_traits::{One, Zero};
 
 use crate::scalar::Real;
 
-/// So many numbers, each a lane of its own.
+/// `N` numbers, each in its own lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
@@ -87,13 +87,13 @@ impl<const N: usize> One for Lanes<N> {
 impl<const N: usize> Real for Lanes<N> {
     const LANES: usize = N;
 
-    /// Rounds that are taken together have their numbers gathered from everywhere, at several times the cost.
+    /// If several rounds are taken together, their numbers are gathered from everywhere, at several times the cost.
     #[inline(always)]
     fn keep_rounds_apart() {
         std::hint::black_box(());
     }
 
-    /// The numbers go through memory. Pairs stay together without that, and faster.
+    /// The numbers go through memory. Pairs stay together without that, and run faster.
     #[inline(always)]
     fn keep_lanes_together<T>(numbers: T) -> T {
         if N > 2 {
@@ -157,7 +157,7 @@ impl<const N: usize> Real for Lanes<N> {
     #[cold]
     #[inline(never)]
     fn exp(self) -> Self {
-        // Most lanes have nothing to ask.
+        // Most lanes need no exponential.
         self.map(|x| if x == 0.0 { 1.0 } else { Real::exp(x) })
     }
 
@@ -171,19 +171,19 @@ impl<const N: usize> Real for Lanes<N> {
 
 /// Types whose numbers can stand side by side in lanes.
 pub trait PerLane: Sized {
-    /// So many of them, their numbers in lanes.
+    /// `N` of them, with their numbers in lanes.
     type Lanes<const N: usize>;
 
     /// Puts them side by side.
     fn from_lanes<const N: usize>(ones: [&Self; N]) -> Self::Lanes<N>;
 
-    /// The one in a lane.
+    /// The item in a lane.
     fn lane<const N: usize>(wide: &Self::Lanes<N>, lane: usize) -> Self;
 
     /// Writes itself into a lane.
     fn set_lane<const N: usize>(&self, wide: &mut Self::Lanes<N>, lane: usize);
 
-    /// The same in all lanes.
+    /// This item in all lanes.
     #[inline(always)]
     fn splat<const N: usize>(&self) -> Self::Lanes<N> {
         Self::from_lanes([self; N])

@@ -3,13 +3,13 @@
 use std::fmt;
 use std::ops::{Deref, DerefMut};
 
-/// Legs that a vehicle may have.
+/// Most legs of a vehicle.
 pub const MOST_LEGS: usize = 8;
 
-/// One item for each leg, in the order of the vehicle's legs. Behaves as a slice with an item a leg.
+/// One item for each leg, in the order of the vehicle's legs. Behaves as a slice with one item per leg.
 ///
-/// There is room for [`MOST_LEGS`], so that what is made of it lies in one piece; what lies beyond the last leg
-/// repeats the item of the first and means nothing.
+/// There is room for [`MOST_LEGS`], so that structures of such items are contiguous. Places beyond the last leg repeat
+/// the item of the first and mean nothing.
 #[derive(Clone, Copy)]
 pub struct PerLeg<T> {
     items: [T; MOST_LEGS],
@@ -17,7 +17,7 @@ pub struct PerLeg<T> {
 }
 
 impl<T: Copy> PerLeg<T> {
-    /// The same item for each of so many legs.
+    /// The same item for each of `legs` legs.
     ///
     /// # Panics
     /// With no leg, or with more than [`MOST_LEGS`].
@@ -30,7 +30,7 @@ impl<T: Copy> PerLeg<T> {
         }
     }
 
-    /// The item of each of so many legs by its index, in order.
+    /// One item for each of `legs` legs, made from its index, in order.
     ///
     /// # Panics
     /// As [`PerLeg::same`].
@@ -43,19 +43,19 @@ impl<T: Copy> PerLeg<T> {
         all
     }
 
-    /// All the room there is, beyond the last leg too.
+    /// All the room, also beyond the last leg.
     #[inline(always)]
     pub(crate) fn room(&self) -> &[T; MOST_LEGS] {
         &self.items
     }
 
-    /// The same, to be written.
+    /// All the room, mutable.
     #[inline(always)]
     pub(crate) fn room_mut(&mut self) -> &mut [T; MOST_LEGS] {
         &mut self.items
     }
 
-    /// What becomes of each item, in order.
+    /// Maps each item, in order.
     #[inline(always)]
     pub fn map<U: Copy>(&self, mut f: impl FnMut(T) -> U) -> PerLeg<U> {
         PerLeg::from_fn(self.legs, |leg| f(self.items[leg]))

@@ -1,4 +1,4 @@
-//! Products of 3×3 matrices and vectors, inlined: compiled for the registers that their caller is compiled for.
+//! Products of 3×3 matrices and vectors, inlined so that they are compiled for their caller's registers.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -1,4 +1,4 @@
-//! What registers the processor has, and code compiled for them.
+//! Registers of the processor, and code compiled for them.
 //!
 //! Nothing is contracted or reordered for any of them, so every number comes out the same, bit for bit.
 
@@ -8,16 +8,16 @@ use crate::lanes::Lanes;
 
 /// Registers that code can be compiled for.
 pub trait Registers: Copy {
-    /// Calls what is compiled for these registers.
+    /// Calls the operation compiled for these registers.
     fn dispatch<Op: NullaryFnOnce>(self, op: Op) -> Op::Output;
 }
 
-/// Registers of so many lanes.
+/// Registers of `N` lanes.
 pub trait Transpose<const N: usize>: Registers {
-    /// Rows made columns: the numbers of each lane, one after the other.
+    /// Transposes rows to columns: the numbers of each lane, one after the other.
     fn transposed(self, rows: &[Lanes<N>; N]) -> [[f64; N]; N];
 
-    /// Writes numbers that lie in lanes to one place for each lane.
+    /// Writes numbers in lanes to one place for each lane.
     #[inline(always)]
     fn deal(self, wide: &[Lanes<N>], places: [&mut [f64]; N]) {
         let places = places.map(|place| place.as_chunks_mut().0);
@@ -30,7 +30,7 @@ pub trait Transpose<const N: usize>: Registers {
     }
 }
 
-/// Registers of one or two numbers, which any processor has.
+/// Registers of one or two numbers, available on any processor.
 #[derive(Debug, Clone, Copy)]
 pub struct Baseline;
 
@@ -49,18 +49,18 @@ impl Transpose<2> for Baseline {
     }
 }
 
-/// The registers in which a single landing is computed: of four numbers where there are such.
+/// Registers for a single landing: of four numbers if available.
 #[derive(Debug, Clone, Copy)]
 pub enum Single {
-    /// Of four numbers.
+    /// Four numbers.
     #[cfg(target_arch = "x86_64")]
     Four(Four),
-    /// Of one or two.
+    /// One or two.
     Baseline,
 }
 
 impl Single {
-    /// What there is.
+    /// The fastest available.
     pub fn fastest() -> Self {
         #[cfg(target_arch = "x86_64")]
         if let Some(four) = Four::try_new() {
@@ -88,7 +88,7 @@ pub struct Four(pulp::x86::V3);
 
 #[cfg(target_arch = "x86_64")]
 impl Four {
-    /// Where there are such.
+    /// Returns them, if available.
     pub fn try_new() -> Option<Self> {
         pulp::x86::V3::try_new().map(Self)
     }
@@ -109,7 +109,7 @@ pub struct Eight(pulp::x86::V4);
 
 #[cfg(target_arch = "x86_64")]
 impl Eight {
-    /// Where there are such.
+    /// Returns them, if available.
     pub fn try_new() -> Option<Self> {
         pulp::x86::V4::try_new().map(Self)
     }
@@ -157,7 +157,7 @@ type Register = std::arch::x86_64::__m512d;
 
 #[cfg(target_arch = "x86_64")]
 impl Eight {
-    /// Of four rows, the numbers of lanes 0 and 4, of 1 and 5, of 2 and 6, of 3 and 7.
+    /// The numbers of lanes 0 and 4, of 1 and 5, of 2 and 6, of 3 and 7 in four rows.
     #[inline(always)]
     fn pairs(self, a: &Lanes<8>, b: &Lanes<8>, c: &Lanes<8>, d: &Lanes<8>) -> [Register; 4] {
         let avx = self.0.avx512f;
@@ -173,11 +173,11 @@ impl Eight {
         ]
     }
 
-    /// Of the numbers of two lanes in four rows and in four more, those of each lane.
+    /// Separates the numbers of two lanes, given in four rows and in four more.
     #[inline(always)]
     fn halves(self, a: Register, b: Register) -> [[f64; 8]; 2] {
         let avx = self.0.avx512f;
-        // Within each, pairs of rows of one lane alternate with those of the other.
+        // In each, pairs of rows of one lane alternate with those of the other.
         [
             pulp::cast(avx._mm512_shuffle_f64x2::<0x88>(a, b)),
             pulp::cast(avx._mm512_shuffle_f64x2::<0xdd>(a, b)),

@@ -8,7 +8,7 @@ use std::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign};
 use num_traits::{One, Zero};
 
-/// Arithmetic the equations of motion need.
+/// Arithmetic of the equations of motion.
 pub trait Real:
     nalgebra::Scalar
     + Copy
@@ -20,16 +20,16 @@ pub trait Real:
     + ClosedMulAssign
     + ClosedDivAssign
 {
-    /// Lanes, each a number of its own.
+    /// Number of lanes, each with its own number.
     const LANES: usize;
 
-    /// For every round of a loop over such numbers: keeps the compiler from taking several rounds at a time in the
-    /// lanes of a register where each number fills one by itself.
+    /// Call in every round of a loop over such numbers. Keeps the compiler from combining rounds in the lanes of a
+    /// register where each number fills one by itself.
     #[inline(always)]
     fn keep_rounds_apart() {}
 
-    /// The same numbers: keeps the compiler from taking the lanes of one number apart to fit them to those of another.
-    /// It forms registers by following sums back from where they are stored, but only a dozen operations far.
+    /// Returns the same numbers. Keeps the compiler from splitting the lanes of one number to fit those of another: it
+    /// forms registers by following sums back from their stores, but only about a dozen operations far.
     #[inline(always)]
     fn keep_lanes_together<T>(numbers: T) -> T {
         numbers
@@ -39,7 +39,7 @@ pub trait Real:
     fn constant(value: f64) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
-    /// The greater of two numbers; `self` where `other` is not a number.
+    /// The greater of two numbers; `self` if `other` is NaN.
     fn max(self, other: Self) -> Self;
     /// Magnitude.
     fn abs(self) -> Self;
@@ -51,18 +51,18 @@ pub trait Real:
     fn where_zero(self, at_zero: Self, elsewhere: Self) -> Self;
     /// Nearest whole number.
     fn round(self) -> Self;
-    /// Whether no lane is farther from 0 than `limit`.
+    /// Returns whether no lane is farther from 0 than `limit`.
     fn is_within(self, limit: f64) -> bool;
-    /// e to this power, number by number: for what is seldom asked for.
+    /// e to this power, number by number; for rare use.
     fn exp(self) -> Self;
     /// `even` where `self`, a whole number, is even, else `odd`.
     fn by_parity(self, even: Self, odd: Self) -> Self;
 
     /// Sine and cosine, to within 5e-16 for angles up to a thousand turns.
     ///
-    /// Without the platform's library, so that a landing comes out the same, bit for bit, everywhere.
-    /// Reduction to [-π/2, π/2] by three-part π after Cody and Waite, which is passed over where it changes
-    /// no bit; then polynomials in the square, summed in pairs after Estrin: no term waits for the one before.
+    /// Uses no platform library, so that a landing comes out the same, bit for bit, everywhere. Reduction to
+    /// [-π/2, π/2] by three-part π after Cody and Waite, skipped where it changes no bit; then polynomials in the
+    /// square, summed in pairs after Estrin, so that no term waits for the previous one.
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         if self.is_within(REDUCED) {
@@ -98,7 +98,7 @@ fn polynomial<S: Real>(c: &[f64; 8], [first, second, fourth]: [S; 3]) -> S {
     (pair(0) * second + pair(2)) * fourth + (pair(4) * second + pair(6))
 }
 
-/// Angle up to which there is nothing to reduce.
+/// Angle up to which no reduction is needed.
 const REDUCED: f64 = 1.57;
 /// π in parts, the first two short enough for exact products with whole numbers up to 2²².
 const PI_PARTS: [f64; 3] = [
@@ -144,7 +144,7 @@ impl Real for f64 {
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        // A choice instead of `f64::max`, of which LLVM 22.1 loses terms in some loops.
+        // A comparison instead of `f64::max`, of which LLVM 22.1 loses terms in some loops.
         if other > self { other } else { self }
     }
 

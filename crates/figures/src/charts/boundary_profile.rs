@@ -17,11 +17,10 @@ use crate::{palette, shading, ticks};
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 560.0);
 
-/// More points than this would touch each other at the common size of marks.
+/// Number of points above which marks of the common size would touch.
 const CROWD: usize = 70;
 
-/// Draws the profile of a sweep over one axis as SVG, its regions from the table of `bands` where
-/// there is one.
+/// Draws the profile of a sweep over one axis as SVG. Its regions come from the table of `bands` if there is one.
 ///
 /// # Errors
 /// When the table is not one of a sweep over one axis.
@@ -60,7 +59,7 @@ fn draw_body(
     let speed = format!("horizontal_velocity{}", caption.speed_unit.ending());
     let speeds = scale(&speed, (low, high), 11);
     let frame = Frame::new(body, scale(axis, across, 13), speeds);
-    // Regions in which landings are not stable.
+    // Regions of landings that are not stable.
     let regions = shading::regions(points, high);
     for kind in Kind::ALL {
         let same = regions.iter().filter(|region| region.kind == kind);
@@ -105,7 +104,7 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, points: &[ProfilePoint], high:
     }
 }
 
-/// Writes into each region what happens there, where it is broadest.
+/// Writes the outcome into each region, where it is broadest.
 fn draw_words(
     canvas: &mut Canvas,
     frame: &Frame,
@@ -126,7 +125,7 @@ fn draw_words(
         .iter()
         .filter_map(|point| Some(point.transition?.speed))
         .fold(high, f64::min);
-    // Below the lowest speed searched nothing was computed.
+    // Nothing was computed below the lowest speed searched.
     let is_stable_below = |point: &ProfilePoint| point.transition.is_none_or(|t| t.low.is_some());
     if points.iter().all(is_stable_below) {
         write("stable", middle, 0.5 * (low + least), palette::NONE);

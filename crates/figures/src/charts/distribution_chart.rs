@@ -8,7 +8,7 @@ use crate::table::{Table, has_column};
 /// A column that other tables do not have.
 const CUMULATIVE: &str = "cumulative_share";
 
-/// Whether a table is one of a distribution.
+/// Returns whether a table is one of a distribution.
 pub fn is_one(csv: &str) -> bool {
     has_column(csv, &[CUMULATIVE])
 }
@@ -51,11 +51,11 @@ pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
 
 /// A row of the table.
 struct Bin {
-    /// Ends, where it has them.
+    /// Its ends, if any.
     from: Option<f64>,
     to: Option<f64>,
     share: f64,
-    /// Share of this bin and those below, and its interval.
+    /// Cumulative share up to this bin, and its interval.
     cumulative: [f64; 3],
 }
 

@@ -15,11 +15,11 @@ use crate::style::Style;
 use crate::ticks::round_values;
 use crate::unit::in_si;
 
-/// Width of the picture, and height of its panels where there are few and where there are many, pixels.
+/// Width of the picture, and height of its panels if they are few and if they are many, pixels.
 const WIDTH: f64 = 900.0;
 const PANEL: f64 = 285.0;
 const LOW_PANEL: f64 = 200.0;
-/// More panels than this are low.
+/// Number of panels above which they are low.
 const FEW: usize = 3;
 /// Space at the top of a panel for a row of its legend, pixels.
 const LEGEND: f64 = 22.0;
@@ -27,9 +27,8 @@ const LEGEND: f64 = 22.0;
 const CONTACT: f64 = 1.8;
 const FREE: f64 = 4.0;
 
-/// Draws histories of one table or of several as SVG, each table with its name: the panels that a
-/// landing is judged by, or chosen columns. Lines are thick in free flight, printed values are
-/// circles.
+/// Draws histories of one or several named tables as SVG: the panels by which a landing is judged, or chosen columns.
+/// Lines are thick in free flight; printed values are circles.
 ///
 /// # Errors
 /// When no table has a chosen column, or tables have a quantity in different units.
@@ -56,7 +55,7 @@ pub fn draw(
     };
     let landings = landings(tables);
     let chart = Chart {
-        // Colours tell curves apart where panels have several, and landings where they do not.
+        // Colours distinguish curves if panels have several, else landings.
         are_curves_coloured: panels.iter().any(|panel| panel.curves.len() > 1),
         end: tables
             .iter()
@@ -77,7 +76,7 @@ pub fn draw(
     Ok(canvas.into_svg())
 }
 
-/// A landing, with the table that it is in and a name where there are several.
+/// A landing with its table, and a name if there are several.
 struct Landing<'t> {
     table: &'t HistoryTable,
     history: &'t History,
@@ -104,7 +103,7 @@ fn landings(tables: &[(String, HistoryTable)]) -> Vec<Landing<'_>> {
     all.collect()
 }
 
-/// The condition that tells a landing of a table from the others.
+/// The condition that distinguishes a landing of a table from the others.
 fn condition(table: &HistoryTable, history: &History) -> Option<String> {
     let title = axis_title(table.condition.as_deref()?);
     let (name, unit) = title.split_once(", ").unwrap_or((&title, ""));
@@ -113,7 +112,7 @@ fn condition(table: &HistoryTable, history: &History) -> Option<String> {
     Some(text.trim_end().to_owned())
 }
 
-/// Landings that are drawn over the same time.
+/// Landings drawn over the same time.
 struct Chart<'t> {
     landings: Vec<Landing<'t>>,
     are_curves_coloured: bool,
@@ -131,7 +130,7 @@ impl Chart<'_> {
         Style::stroke(palette::curve(colour), width).dashed(palette::dashes(landing))
     }
 
-    /// What tells landings apart, and what thick lines and circles mean.
+    /// Distinguishes landings, and explains thick lines and circles.
     fn legend(&self) -> Vec<Entry> {
         let named = self.landings.iter().enumerate();
         let named = named.filter_map(|(index, landing)| Some((index, landing.name.clone()?)));
@@ -187,7 +186,7 @@ impl Chart<'_> {
             (low.min(value), high.max(value))
         });
         let (low, high) = if low > high { (0.0, 0.0) } else { (low, high) };
-        // Constants have an axis about them.
+        // Constants get an axis about them.
         let margin = (0.06 * (high - low)).max(1e-6 * low.abs()).max(1e-9);
         scale(&panel.title, (low - margin, high + margin), 6)
     }
@@ -238,7 +237,7 @@ fn scale(title: &str, (from, to): (f64, f64), count: usize) -> Scale {
 }
 
 impl Landing<'_> {
-    /// Where the columns of a curve stand in the table, if it has them all.
+    /// Indices of a curve's columns in the table, if it has them all.
     fn columns(&self, curve: &Curve) -> Option<Vec<usize>> {
         let quantities = &self.table.quantities;
         let column = |name: &String| quantities.iter().position(|known| known == name);
@@ -251,9 +250,9 @@ impl Landing<'_> {
         Some(move |instant: &Instant| columns.iter().map(|column| instant.values[*column]).sum())
     }
 
-    /// Times and values that were printed of a curve.
+    /// Times and printed values of a curve.
     fn printed(&self, curve: &Curve) -> Vec<Point> {
-        // Of sums nothing was printed.
+        // No sums were printed.
         let columns = self.columns(curve).unwrap_or_default();
         let [column] = columns[..] else {
             return Vec::new();
@@ -264,7 +263,7 @@ impl Landing<'_> {
             .collect()
     }
 
-    /// Stretches of contact and of free flight of a curve; each begins where the last one ended.
+    /// Stretches of contact and of free flight of a curve. Each begins at the end of the last one.
     fn stretches(&self, curve: &Curve) -> Vec<(Vec<Point>, bool)> {
         let Some(value) = self.value(curve) else {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! Which panels a picture of histories has, and which curves each of them.
+//! Panels of a picture of histories, and their curves.
 
 use crate::axis_title::{axis_title, column_words};
 use crate::figure_error::FigureError;
@@ -16,17 +16,17 @@ pub struct Panel {
 /// A curve: a column, or the sum of several.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// What tells it apart in its panel.
+    /// Its name within its panel.
     pub name: String,
-    /// Columns that are added up.
+    /// Columns whose sum it shows.
     pub columns: Vec<String>,
 }
 
-/// Tables of no more columns than this have a panel for each of them.
+/// Most columns of a table for which each has its own panel.
 const FEW: usize = 6;
 
-/// The panels that a landing is judged by: quantity, and name and columns of each curve, as they are called in the units of
-/// 1966. A `#` stands for the number of a leg.
+/// The panels by which a landing is judged: quantity, and name and columns of each curve, named in units of 1966. A `#`
+/// stands for the number of a leg.
 type PagePanel = (
     &'static str,
     &'static [(&'static str, &'static [&'static str])],
@@ -154,7 +154,7 @@ fn curve(column: &str) -> Curve {
     }
 }
 
-/// Title of an axis that several quantities of a unit share.
+/// Title of an axis that several quantities with one unit share.
 fn of_unit(unit: &str) -> String {
     let quantity = match unit {
         "deg" => "Angle",
@@ -185,7 +185,7 @@ fn patterns(columns: &[String]) -> Vec<String> {
     patterns
 }
 
-/// The columns that a name with or without `#` stands for.
+/// The columns that match a name with or without `#`.
 fn matching(columns: &[String], name: &str) -> Vec<String> {
     let is_match = |column: &&String| match name.split_once('#') {
         None => *column == name,

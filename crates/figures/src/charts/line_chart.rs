@@ -1,5 +1,4 @@
-//! Curves over a common abscissa, in panels one above the other: histories of a landing, errors
-//! against cost.
+//! Curves over a common abscissa, in panels one above the other: histories of a landing, errors against cost.
 
 mod axis;
 
@@ -18,7 +17,7 @@ pub use axis::Axis;
 /// Width of the picture and height of a panel, pixels.
 const WIDTH: f64 = 900.0;
 const PANEL: f64 = 330.0;
-/// What a remark takes below its point, pixels.
+/// Height of a remark below its point, pixels.
 const ROOM: f64 = 22.0;
 /// Dashes and gaps of broken lines, pixels.
 const DASHES: (f64, f64) = (8.0, 5.0);
@@ -26,7 +25,7 @@ const DASHES: (f64, f64) = (8.0, 5.0);
 /// Curves over a common abscissa.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineChart {
-    /// What stands above.
+    /// Caption above the chart.
     pub caption: Caption,
     /// The abscissa of all panels.
     pub abscissa: Axis,
@@ -53,13 +52,13 @@ impl Panel {
 /// A curve. Curves of one name have one colour and one entry in the legend.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// What it shows.
+    /// Its name in the legend.
     pub name: String,
-    /// How it is drawn.
+    /// Its line style.
     pub stroke: Stroke,
     /// Its points.
     pub points: Vec<(f64, f64)>,
-    /// What is written at each point, if anything.
+    /// Remarks at the points, if any.
     pub remarks: Vec<String>,
 }
 
@@ -75,7 +74,7 @@ impl Curve {
     }
 }
 
-/// How a curve is drawn.
+/// Line style of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
     /// A line.
@@ -138,12 +137,12 @@ fn names(chart: &LineChart) -> Vec<&str> {
     names
 }
 
-/// Colour of the curves of a name.
+/// Colour of the curves with this name.
 fn colour(names: &[&str], name: &str) -> Colour {
     palette::curve(names.iter().position(|other| *other == name).unwrap_or(0))
 }
 
-/// The entry of a name in the legend.
+/// The legend entry of a name.
 fn entry(chart: &LineChart, names: &[&str], name: &str) -> Entry {
     let is_broken = curves(chart).any(|c| c.name == name && c.stroke == Stroke::Dashes);
     let style = Style::stroke(colour(names, name), 2.0).dashed(is_broken.then_some(DASHES));
@@ -170,7 +169,7 @@ fn draw_panel(canvas: &mut Canvas, frame: &Frame, abscissa: &Axis, panel: &Panel
         }
         for ((x, y), remark) in points.iter().zip(&curve.remarks) {
             let font = Font::new(11.0, palette::PALE_TEXT);
-            // Above the point where there is no room below it.
+            // Above the point if there is no room below it.
             let down = if y + ROOM < frame.area.bottom {
                 13.0
             } else {

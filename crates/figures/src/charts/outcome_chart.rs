@@ -1,4 +1,4 @@
-//! How landings end over two axes: a mark for every landing.
+//! Outcomes of landings over two axes: a mark for every landing.
 
 use crate::axis_title::axis_title;
 use crate::boundary_table::Kind;
@@ -13,15 +13,15 @@ use crate::{palette, ticks};
 
 /// Width and height of the picture, pixels.
 const SIZE: (f64, f64) = (900.0, 760.0);
-/// Marks closer than this are small ones, pixels.
+/// Distance of marks below which they are small, pixels.
 const ROOMY: f64 = 14.0;
 /// Space between the outermost marks and the frame, as a share of the range of an axis.
 const MARGIN: f64 = 0.04;
 
-/// Column that says how a landing ended; the axes stand before it.
+/// Column of outcomes; the axes precede it.
 const OUTCOME: &str = "outcome";
 
-/// Whether a table is one of the landings of a sweep.
+/// Returns whether a table is one of the landings of a sweep.
 pub fn is_one(csv: &str) -> bool {
     let heading = csv.lines().next().unwrap_or("");
     heading.split(',').any(|name| name == OUTCOME) && !heading.starts_with("t_s,")
@@ -74,7 +74,7 @@ pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
     Ok(canvas.into_svg())
 }
 
-/// Half the breadth of so many marks in an area.
+/// Half the breadth of marks when there are this many in an area.
 fn side(area: &Area, marks: usize) -> f64 {
     let apart = (area.width() * area.height() / marks as f64).sqrt();
     if apart > ROOMY {

@@ -15,9 +15,9 @@ use crate::{palette, ticks};
 /// Width of the picture and height of its panels, pixels.
 const WIDTH: f64 = 900.0;
 const PANEL: f64 = 250.0;
-/// Axes that are drawn, those of the table from the first on.
+/// Most axes drawn, from the first of the table on.
 const MOST_PANELS: usize = 20;
-/// Probabilities that are drawn: their words, and the beginning of the names of their columns.
+/// Probabilities drawn: their words, and the prefixes of their columns.
 const DRAWN: [(&str, &str); 3] = [
     ("not stable", "not_stable"),
     ("toppled", "topple"),
@@ -26,7 +26,7 @@ const DRAWN: [(&str, &str); 3] = [
 /// Distance between the bars of one bin, pixels.
 const BESIDE: f64 = 5.0;
 
-/// Whether a table is one of probabilities.
+/// Returns whether a table is one of probabilities.
 pub fn is_one(csv: &str) -> bool {
     csv.starts_with("axis,from,to,")
 }
@@ -57,9 +57,9 @@ struct Panel {
 
 /// A bin with landings.
 struct Bin {
-    /// Lower and upper end as written, empty where there is none.
+    /// Lower and upper end as written, empty if there is none.
     ends: [String; 2],
-    /// For each of [`DRAWN`] the probability and its interval.
+    /// The probability and its interval for each of [`DRAWN`].
     probabilities: [[f64; 3]; DRAWN.len()],
 }
 
@@ -111,7 +111,7 @@ fn bin(row: &Row, columns: &[[usize; 3]]) -> Result<Bin, FigureError> {
 }
 
 impl Panel {
-    /// Where the bins lie along the axis: in the middle of their ends.
+    /// Positions of the bins along the axis: the middles of their ends.
     fn places(&self) -> Vec<f64> {
         let number = |end: &String| end.parse::<f64>().ok();
         let middles = self.bins.iter().map(|bin| {
@@ -126,7 +126,7 @@ impl Panel {
         middles.collect()
     }
 
-    /// The middle of a bin that is open beyond `end`: as far from it as that of the bin beside it.
+    /// The middle of a bin that is open beyond `end`, as far from it as the middle of the adjacent bin.
     fn beyond(&self, end: f64, side: f64) -> f64 {
         let width = |bin: &Bin| {
             let [from, to] = &bin.ends;
@@ -180,7 +180,7 @@ fn colour(drawn: usize) -> Colour {
     ][drawn % DRAWN.len()]
 }
 
-/// Each probability after its mark, and what the bars are.
+/// Each probability after its mark, and the meaning of the bars.
 fn legend() -> Vec<Entry> {
     let drawn = DRAWN.iter().enumerate();
     let disc = |drawn| Mark::Disc(colour(drawn));

@@ -1,5 +1,4 @@
-//! Which regions of a profile are shaded: from all bands where they are known, or else from the
-//! first transition upward.
+//! Shaded regions of a profile: from all bands if they are known, or else from the first transition upward.
 
 use crate::bands_table::Band;
 use crate::boundary_table::Kind;
@@ -8,7 +7,7 @@ use crate::profile_points::ProfilePoint;
 /// A region, its corners in the units of the axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
-    /// What happens in it.
+    /// Outcome in it.
     pub kind: Kind,
     /// Its four corners.
     pub corners: [(f64, f64); 4],
@@ -16,8 +15,8 @@ pub struct Region {
 
 /// All regions of a profile up to the speed `high`.
 ///
-/// Between neighbours with the same sequence of outcomes a region's borders are straight lines;
-/// where the sequences differ nobody knows the border, and each point's bands hold half-way.
+/// Between neighbours with the same sequence of outcomes, a region's borders are straight lines. Where the sequences
+/// differ the border is unknown, and each point's bands hold half-way.
 pub fn regions(points: &[ProfilePoint], high: f64) -> Vec<Region> {
     let columns: Vec<(f64, Vec<Band>)> = points
         .iter()
@@ -47,8 +46,8 @@ pub fn regions(points: &[ProfilePoint], high: f64) -> Vec<Region> {
     regions
 }
 
-/// The bands of two unlike neighbours where they meet: as they are, but for the first transition,
-/// which is known to run from one to the other where it is of the same kind.
+/// The bands of two unlike neighbours where they meet. They are unchanged except for the first transition, which is
+/// known to run from one to the other if its kind is the same.
 fn meeting(left: &[Band], right: &[Band]) -> (Vec<Band>, Vec<Band>) {
     let (mut left, mut right) = (left.to_vec(), right.to_vec());
     if let ([_, a, ..], [_, b, ..]) = (&mut left[..], &mut right[..])
@@ -69,8 +68,7 @@ fn quadrilateral(x0: f64, a: &Band, x1: f64, b: &Band) -> Option<Region> {
     })
 }
 
-/// The bands of a point, or what its first transition says of them. Nothing is said of speeds below the lowest
-/// searched.
+/// The bands of a point, or those implied by its first transition. Speeds below the lowest searched are left out.
 fn bands(point: &ProfilePoint, high: f64) -> Vec<Band> {
     if !point.bands.is_empty() {
         return point.bands.clone();
@@ -85,10 +83,10 @@ fn bands(point: &ProfilePoint, high: f64) -> Vec<Band> {
     }
 }
 
-/// Middle of the tallest region of a kind that is broad enough for a word, and its height there.
+/// Middle of the widest run of at least two regions of a kind, and its mean height there.
 pub fn broadest(points: &[ProfilePoint], kind: Kind, high: f64) -> Option<(f64, f64)> {
     let regions = regions(points, high);
-    // Regions side by side make one: the widest run of them that touch.
+    // Adjacent regions count as one: the widest run of touching ones.
     let same: Vec<_> = regions
         .iter()
         .filter(|region| region.kind == kind)

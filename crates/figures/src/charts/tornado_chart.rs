@@ -1,8 +1,7 @@
-//! The tornado chart: what a change of each parameter does to the transition velocity.
+//! The tornado chart: effect of a change of each parameter on the transition velocity.
 //!
-//! Bars belong to the point with the lowest transition, the parameter that does most on top: dark where
-//! the parameter grows, pale where it falls. Rings are the other points of the sweep, for a parameter
-//! that grows.
+//! Bars belong to the point with the lowest transition, with the most effective parameter on top: dark where the
+//! parameter grows, pale where it falls. Rings are the other points of the sweep, for a growing parameter.
 
 use crate::canvas::Canvas;
 use crate::caption::Caption;
@@ -25,9 +24,9 @@ const ROW: f64 = 28.0;
 const NAMES: f64 = 344.0;
 /// Part of a row that its bar fills.
 const FILLED: f64 = 0.6;
-/// Where nothing changes anything, the axis reaches so far to either side.
+/// Least extent of the axis to either side, if nothing has an effect.
 const LEAST_EXTENT: f64 = 1e-3;
-/// A parameter that grows, and one that falls; they differ in grey.
+/// Colours of a parameter that grows, and of one that falls; they differ in grey.
 const GROWS: Colour = Colour(0, 90, 160);
 const FALLS: Colour = Colour(206, 223, 240);
 
@@ -77,7 +76,7 @@ struct Row<'t> {
     others: Vec<f64>,
 }
 
-/// The parameters, that which does most first, those without a derivative last.
+/// The parameters, the most effective first, those without a derivative last.
 fn rows(table: &SensitivityTable, lowest: usize) -> Vec<Row<'_>> {
     let others = |parameter: usize| {
         let points = table.points.iter().enumerate();
@@ -97,7 +96,7 @@ fn rows(table: &SensitivityTable, lowest: usize) -> Vec<Row<'_>> {
     rows
 }
 
-/// How far the axis reaches to either side.
+/// Extent of the axis to either side.
 fn reach(rows: &[Row]) -> f64 {
     let of_row = |row: &Row| {
         let bar = row.slope.change.map_or(0.0, |c| c.speed.abs() + c.error);
@@ -126,7 +125,7 @@ fn draw_row(canvas: &mut Canvas, frame: &Frame, row: &Row, middle: f64) {
     }
 }
 
-/// What bars, whiskers and rings mean.
+/// Legend of bars, whiskers and rings.
 fn legend(others: usize) -> Vec<Entry> {
     let bar = |fill| Mark::Area(Style::fill(fill).outlined(GROWS, 1.0));
     let whisker = Mark::Line(Style::stroke(palette::TEXT, 2.0));

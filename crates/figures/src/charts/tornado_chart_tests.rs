@@ -35,7 +35,7 @@ fn bars(svg: &str, colour: &str) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Where a change lies, pixels; the axis reaches 5 % beyond the widest mark of the table.
+/// Place of a change, pixels; the axis reaches 5 % beyond the widest mark of the table.
 fn across(change: f64) -> f64 {
     let reach = 1.05 * (0.5 + 0.001);
     0.5 * (LEFT + RIGHT) + change / reach * 0.5 * (RIGHT - LEFT)

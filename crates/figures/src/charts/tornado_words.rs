@@ -1,4 +1,4 @@
-//! What a tornado chart says of its rows and its axis.
+//! Words for the rows and the axis of a tornado chart.
 
 use crate::number::label;
 use crate::parameter_words::parameter_words;
@@ -27,7 +27,7 @@ pub fn name(slope: &Slope) -> String {
     }
 }
 
-/// Why a parameter has no bar.
+/// Reason why a parameter has no bar.
 pub fn reason(slope: &Slope) -> String {
     let within = |words: &str| match slope.step {
         Some(step) => {
@@ -47,7 +47,7 @@ pub fn reason(slope: &Slope) -> String {
     }
 }
 
-/// What the axis shows: a change from the transition of a point.
+/// Title of the axis: a change from the transition of a point.
 pub fn title(lowest: &Point, speed_unit: SpeedUnit) -> String {
     let place = lowest.place.iter();
     let place = place.map(|(name, value)| {

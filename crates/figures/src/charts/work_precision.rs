@@ -17,20 +17,20 @@ const ERRORS: [(&str, &str); 4] = [
     ("worst_pitch_error_at_1s_deg", "pitch at 1 s, deg"),
     ("worst_position_error_at_1s_ft", "position at 1 s, ft"),
 ];
-/// Errors below this are not told apart: transitions are narrowed to 1e-6 ft/s.
+/// Errors below this are not distinguished: transitions are narrowed to 1e-6 ft/s.
 const LEAST: f64 = 1e-10;
 
-/// Whether a table is one of work and precision.
+/// Returns whether a table is one of work and precision.
 pub fn is_one(csv: &str) -> bool {
     csv.starts_with(&format!("{TOLERANCE},"))
 }
 
-/// What errors are drawn against.
+/// Cost against which errors are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cost {
     /// Run time of a landing.
     Time,
-    /// Evaluations of the equations of motion in a landing, which no machine changes.
+    /// Evaluations of the equations of motion in a landing, the same on any machine.
     Evaluations,
 }
 
@@ -70,7 +70,7 @@ pub fn draw(csv: &str, cost: Cost) -> Result<String, FigureError> {
     })
 }
 
-/// The errors against a thousandth of a column, the tolerances at the last of them, which mostly is the least.
+/// The errors against a thousandth of a column, with the tolerances at the last error, which mostly is the least.
 fn curves(csv: &str, cost: &str) -> Result<Vec<Curve>, FigureError> {
     let table = Table::parse(csv)?;
     let cost = table.column(cost)?;

@@ -1,4 +1,4 @@
-//! The column that explains the colours of a map.
+//! The colour bar of a map.
 
 use crate::canvas::Canvas;
 use crate::frame::Area;
@@ -12,7 +12,7 @@ use crate::text::{Anchor, Font};
 
 /// Width of the column with its numbers, pixels.
 const WIDTH: f64 = 92.0;
-/// Place and width of the colours in the column, and greatest height of one of them, pixels.
+/// Position and width of the colours in the column, and greatest height of one of them, pixels.
 const LEFT: f64 = 8.0;
 const COLOUR: f64 = 20.0;
 const TOP: f64 = 60.0;
@@ -20,7 +20,8 @@ const STEP: f64 = 34.0;
 /// Space below the colours, pixels.
 const BELOW: f64 = 60.0;
 
-/// The part of a body for a map, which may reach this far into the margin of the column, pixels, and that for the column.
+/// Splits a body into a part for a map, which may reach `overlap` pixels into the column's margin, and one for the
+/// column.
 pub fn beside(body: Area, overlap: f64) -> [Area; 2] {
     let border = body.right - WIDTH;
     let map = Area {
@@ -34,10 +35,10 @@ pub fn beside(body: Area, overlap: f64) -> [Area; 2] {
     [map, column]
 }
 
-/// How far a contour map reaches into the column, pixels.
+/// Overlap of a contour map with the column, pixels.
 pub const OVERLAP: f64 = 12.0;
 
-/// Draws the bands of colour that a surface reaches, the highest on top.
+/// Draws the colour bands that a surface reaches, the highest on top.
 pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels, unit: SpeedUnit) {
     let Some((least, greatest)) = surface.range() else {
         return;

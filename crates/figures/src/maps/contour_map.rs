@@ -22,7 +22,7 @@ const LABELLED: f64 = 70.0;
 const APART: f64 = 46.0;
 /// Distance of the middle of a label from a disc that it must not cover, pixels.
 const CLEAR: f64 = 18.0;
-/// Points farther apart than this have marks of full size, pixels.
+/// Distance of points above which their marks have full size, pixels.
 const ROOMY: f64 = 24.0;
 /// Size of the labels, and height of the paper under them.
 const LABEL: f64 = 11.0;
@@ -72,7 +72,7 @@ pub fn frame(area: Area, surface: &Surface, view: &View) -> Frame {
     )
 }
 
-/// A surface and where it is drawn.
+/// A surface and its frame on the picture.
 struct Map<'m> {
     frame: Frame,
     surface: &'m Surface,
@@ -156,7 +156,7 @@ impl Map<'_> {
     }
 }
 
-/// Draws lines of equal height with their levels, which keep clear of discs and of each other.
+/// Draws lines of equal height with their levels. Labels keep clear of discs and of each other.
 pub fn draw_lines(
     canvas: &mut Canvas,
     area: &Area,
@@ -173,7 +173,7 @@ pub fn draw_lines(
             if lengths.sum::<f64>() < LABELLED {
                 continue;
             }
-            // The middle, or else what is nearest to it and free.
+            // The middle, or else the nearest free place to it.
             let mut order: Vec<usize> = (0..line.len()).collect();
             order.sort_by_key(|index| index.abs_diff(line.len() / 2));
             let is_free = |place: &Point| {

@@ -1,8 +1,8 @@
 //! Lines and bands of equal height over the whole cells of a surface.
 //!
-//! The `contour` crate interpolates over its whole grid, but here cells without a transition and
-//! cells that the boundary jumps across must stay empty. Each whole cell is cut into four triangles
-//! about its middle, on which heights are linear: lines and bands then fit each other exactly.
+//! The `contour` crate interpolates over its whole grid. Here cells without a transition and cells across which the
+//! boundary jumps must stay empty. Each whole cell is cut into four triangles about its middle, on which heights are
+//! linear, so lines and bands fit each other exactly.
 
 use crate::surface::{Cell, Surface};
 
@@ -31,13 +31,13 @@ fn triangles(corners: [Corner; 4], middle: Corner) -> [[Corner; 3]; 4] {
     [0, 1, 2, 3].map(|i| [corners[i], corners[(i + 1) % 4], middle])
 }
 
-/// Where the height between two corners is `level`.
+/// The point between two corners with height `level`.
 fn crossing((p, a): Corner, (q, b): Corner, level: f64) -> Place {
     let part = (level - a) / (b - a);
     [p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1])]
 }
 
-/// Polygons that cover where the height is from `low` up to `high`.
+/// Polygons that cover heights from `low` up to `high`.
 pub fn band(surface: &Surface, low: f64, high: f64) -> Vec<Vec<Place>> {
     let places = |polygon: &[Corner]| polygon.iter().map(|(place, _)| *place).collect();
     let cut = |triangle: [Corner; 3]| clip(&clip(&triangle, low, 1.0), high, -1.0);
@@ -56,7 +56,7 @@ pub fn band(surface: &Surface, low: f64, high: f64) -> Vec<Vec<Place>> {
         .collect()
 }
 
-/// Polygons that cover where the height of triangles is from `low` up to `high`.
+/// Polygons that cover heights of triangles from `low` up to `high`.
 pub fn band_of(triangles: &[[Corner; 3]], low: f64, high: f64) -> Vec<Vec<Corner>> {
     let cut = |triangle: &[Corner; 3]| clip(&clip(triangle, low, 1.0), high, -1.0);
     let polygons = triangles.iter().map(cut);
@@ -88,14 +88,14 @@ pub fn lines(surface: &Surface, level: f64) -> Vec<Vec<Place>> {
     )
 }
 
-/// The lines at a level of triangles, each from end to end.
+/// The lines of triangles at a level, each from end to end.
 pub fn lines_of(triangles: impl Iterator<Item = [Corner; 3]>, level: f64) -> Vec<Vec<Place>> {
     let mut pieces: Vec<[Place; 2]> = triangles
         .filter_map(|triangle| {
             let ends: Vec<Place> = (0..3)
                 .map(|i| (triangle[i], triangle[(i + 1) % 3]))
                 .filter(|(a, b)| (a.1 < level) != (b.1 < level))
-                // From the lower corner always, so that triangles side by side agree to the bit.
+                // Always from the lower corner, so that adjacent triangles agree to the bit.
                 .map(|(a, b)| {
                     if a.1 < b.1 {
                         crossing(a, b, level)

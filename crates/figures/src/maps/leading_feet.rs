@@ -1,11 +1,10 @@
-//! The line AB of Figure 4-21: where the velocity at touchdown bisects the line that joins the two
-//! leading feet.
+//! The line AB of Figure 4-21: the touchdown velocity bisects the line between the two leading feet.
 //!
 //! A foot at azimuth θ of a vehicle rolled by Ξ stands at azimuth θ − Ξ over the ground, and a
 //! cross-slope of λ points to azimuth −λ. With feet every 120 deg the velocity points midway between
 //! two of them where −λ = 180 − Ξ up to whole turns of 120 deg: Ξ = λ − 180 + 120 n.
 
-/// Turn after which the three feet stand as before, deg.
+/// Turn after which the three feet have the same places, deg.
 const TURN: f64 = 120.0;
 
 /// Rolls between `least` and `most` (deg) at which the velocity bisects two leading feet, for a
@@ -24,7 +23,7 @@ pub fn lines(cross_slopes: &[f64], rolls_on_map: &[f64]) -> Vec<Vec<[f64; 2]>> {
         return Vec::new();
     };
     let mut lines: Vec<Vec<[f64; 2]>> = Vec::new();
-    // The line has slope one, so that it leaves the map at whole parts of a degree.
+    // The line has slope one, so it leaves the map at whole degrees.
     for step in 0..=(to - from).round() as usize {
         let cross_slope = from + step as f64;
         for roll in rolls(cross_slope, least, most) {

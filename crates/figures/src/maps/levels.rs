@@ -8,15 +8,15 @@ use crate::ticks::round_step;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Levels(Vec<f64>);
 
-/// Into about so many intervals the range of a surface is divided at first.
+/// Approximate number of intervals into which the range of a surface is divided at first.
 const INTERVALS: f64 = 10.0;
-/// An interval that holds more than this part of a surface's points, and more than so many of them, is
-/// halved, if its halves are round.
+/// An interval is halved if it holds more than this part of a surface's points and more than `FEW` of them, and if its
+/// halves are round.
 const CROWDED: f64 = 0.125;
 const FEW: f64 = 8.0;
 
-/// Dark blue to pale yellow, even in lightness, so that grey prints and all eyes keep the order
-/// (after the colour map cividis).
+/// Dark blue to pale yellow, even in lightness, so that grey prints and all readers keep the order (after the colour
+/// map cividis).
 const ENDS: [(f64, [f64; 3]); 4] = [
     (0.0, [32.0, 52.0, 96.0]),
     (0.35, [92.0, 99.0, 116.0]),
@@ -28,8 +28,7 @@ impl Levels {
     /// Greatest number of levels.
     pub const MOST: usize = 30;
 
-    /// Round levels between the lowest and the highest transition of a surface, closer where more of
-    /// its points lie.
+    /// Round levels between the lowest and the highest transition of a surface, closer where more of its points lie.
     pub fn of(surface: &Surface) -> Self {
         let heights: Vec<f64> = surface.heights().collect();
         let Some((least, greatest)) = surface.range() else {
@@ -51,7 +50,7 @@ impl Levels {
         Self(levels)
     }
 
-    /// These levels.
+    /// Takes a list of levels.
     ///
     /// # Errors
     /// When there are none or too many, or when they do not rise from one to the next.
@@ -80,7 +79,7 @@ impl Levels {
         lows.zip(highs).map(|(low, high)| [low, high]).collect()
     }
 
-    /// Colour of a velocity: that of the band it lies in.
+    /// Colour of a velocity, that of its band.
     pub fn colour(&self, speed: f64) -> Colour {
         let below = self.0.partition_point(|level| *level <= speed);
         let part = below as f64 / self.0.len().max(1) as f64;
@@ -94,7 +93,7 @@ impl Levels {
     }
 }
 
-/// Adds levels within an interval for as long as its parts are crowded and their width is round.
+/// Adds levels within an interval while its parts are crowded and their width is round.
 fn halve(low: f64, width: f64, heights: &[f64], levels: &mut Vec<f64>) {
     let inside = |height: &&f64| (low..low + width).contains(*height);
     let count = heights.iter().filter(inside).count() as f64;
@@ -107,7 +106,7 @@ fn halve(low: f64, width: f64, heights: &[f64], levels: &mut Vec<f64>) {
     }
 }
 
-/// Whether a width is 1, 2, 2.5 or 5 times a power of ten.
+/// Returns whether a width is 1, 2, 2.5 or 5 times a power of ten.
 fn is_round(width: f64) -> bool {
     let digits = width / 10f64.powf(width.log10().floor());
     [1.0, 2.0, 2.5, 5.0, 10.0]

@@ -1,4 +1,4 @@
-//! What the marks of maps and perspectives mean.
+//! Meanings of the marks of maps and perspectives.
 
 use crate::boundary_table::Kind;
 use crate::caption::Caption;
@@ -9,7 +9,7 @@ use crate::parameter_words::parameter_words;
 use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
 
-/// The legend of a contour map: an entry for every mark that the map has.
+/// The legend of a contour map: an entry for every mark on the map.
 pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     let slow = parameter_words(&surface.axes[0]);
     let mut entries = Vec::new();
@@ -41,7 +41,7 @@ pub fn of_perspective(surface: &Surface, caption: &Caption) -> Vec<Entry> {
     entries
 }
 
-/// What the line AB of Figure 4-21 tells.
+/// Words for the line AB of Figure 4-21.
 pub const BISECTOR_WORDS: &str = "AB: V_H bisects the leading feet";
 
 /// The line AB of Figure 4-21.
@@ -49,13 +49,13 @@ pub fn bisector() -> Style {
     Style::stroke(palette::BISECTOR, 2.0).dashed(Some((9.0, 6.0)))
 }
 
-/// The line between two neighbours of a perspective between which the boundary jumps.
+/// The line between two neighbours of a perspective across which the boundary jumps.
 pub fn jump() -> Style {
     Style::stroke(palette::JUMP, 1.0).opacity(0.6)
 }
 
-/// Whether the line AB belongs on a map: over cross-slope and roll, for feet as the report's vehicle has
-/// them.
+/// Returns whether the line AB belongs on a map: one over cross-slope and roll, for feet like those of the report's
+/// vehicle.
 pub fn has_leading_feet(surface: &Surface, caption: &Caption) -> bool {
     surface.axes == ["cross_slope_deg", "roll_deg"] && caption.has_report_feet
 }

@@ -1,4 +1,4 @@
-//! Which way the axes of a map run, and what is written at them.
+//! Directions of a map's axes, and their labels.
 
 use crate::isolines::Place;
 use crate::number;
@@ -7,9 +7,9 @@ use crate::surface::Surface;
 /// Directions of the axes of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// Sign with which a value of the slow axis counts upward, and of the fast one to the right.
+    /// Sign with which values of the slow axis increase upward, and of the fast one to the right.
     signs: [f64; 2],
-    /// Sign of what is written at the axes.
+    /// Sign of the labels.
     written: f64,
 }
 
@@ -25,7 +25,7 @@ impl View {
         }
     }
 
-    /// The same view of a surface mirrored in both axes, with the true values at the axes.
+    /// The same view of a surface mirrored in both axes, labelled with the true values.
     pub fn mirrored(self) -> Self {
         Self {
             written: -self.written,
@@ -33,7 +33,7 @@ impl View {
         }
     }
 
-    /// Coordinates in the chart of a place: across and up.
+    /// Chart coordinates of a place: across and up.
     pub fn at(&self, [slow, fast]: Place) -> (f64, f64) {
         (self.signs[1] * fast, self.signs[0] * slow)
     }
@@ -51,12 +51,12 @@ impl View {
         ]
     }
 
-    /// What is written at a chart coordinate of the fast axis.
+    /// Label at a chart coordinate of the fast axis.
     pub fn fast_label(&self, x: f64) -> String {
         number::label(self.written * self.signs[1] * x)
     }
 
-    /// What is written at a chart coordinate of the slow axis. Straight downhill has no sign.
+    /// Label at a chart coordinate of the slow axis. Straight downhill has no sign.
     pub fn slow_label(&self, y: f64) -> String {
         let value = self.signs[0] * y;
         if value == 180.0 {

@@ -16,12 +16,12 @@ use crate::{colour_bar, map_legend, number, palette};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 700.0);
-/// About so many lines of equal height run along the walls, and along floor and walls to either side.
+/// Approximate number of lines of equal height along the walls, and along floor and walls to either side.
 const HEIGHT_LINES: f64 = 8.0;
 const LINES: usize = 6;
 
-/// Draws the surface as SVG: only cells whose corners all have a transition and between which the
-/// boundary does not jump, so that gaps stay gaps.
+/// Draws the surface as SVG. Only cells are drawn whose corners all have a transition and between which the boundary
+/// does not jump, so that gaps stay gaps.
 pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
     let entries = map_legend::of_perspective(surface, caption);
     let (width, height) = SIZE;
@@ -52,7 +52,7 @@ pub fn heights(surface: &Surface) -> Option<([f64; 2], f64)> {
     Some(([floor, top], step))
 }
 
-/// Draws whole cells from back to front, so that what is in front hides what is behind.
+/// Draws whole cells from back to front, so that those in front hide those behind.
 fn draw_cells(canvas: &mut Canvas, surface: &Surface, levels: &Levels, point: &ViewPoint) {
     let (s, f) = (&surface.slow, &surface.fast);
     let mut cells: Vec<([usize; 2], [f64; 4])> = surface
@@ -107,7 +107,7 @@ fn draw_floor_marks(canvas: &mut Canvas, surface: &Surface, point: &ViewPoint, f
     }
 }
 
-/// Draws floor and back walls with their grid, and writes what runs along them.
+/// Draws floor and back walls with their grid and labels.
 pub fn draw_box(
     canvas: &mut Canvas,
     surface: &Surface,

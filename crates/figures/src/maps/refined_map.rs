@@ -1,4 +1,4 @@
-//! The contour map and the perspective of a map that refined itself, with its edges where they are.
+//! The contour map and the perspective of an adaptively refined map, with its exact edges.
 
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
@@ -94,12 +94,12 @@ fn draw_surface(canvas: &mut Canvas, map: &MapTable, levels: &Levels, point: &Vi
     }
 }
 
-/// The levels of a map for which none are chosen.
+/// The default levels of a map.
 pub fn levels(map: &MapTable) -> Levels {
     Levels::of(&extent(map))
 }
 
-/// A surface with nothing but the extent and the heights of a map.
+/// A surface with only the extent and the heights of a map.
 fn extent(map: &MapTable) -> Surface {
     let corners = || map.triangles.iter().flatten();
     let ends = |axis: usize| {
@@ -129,7 +129,7 @@ fn style(kind: EdgeKind) -> Style {
     }
 }
 
-/// What an edge of a kind parts, in words.
+/// Words for the meaning of an edge.
 pub fn words(kind: EdgeKind) -> &'static str {
     match kind {
         EdgeKind::End => "transitions end",

@@ -6,7 +6,7 @@ use crate::boundary_table::{BoundaryTable, Kind, Transition};
 use crate::legend::Mark;
 use crate::ticks::round_step;
 
-/// A difference between neighbours that is less than this part of the whole range is never a jump.
+/// Part of the whole range below which a difference between neighbours is never a jump.
 const LEAST_JUMP: f64 = 0.125;
 /// A jump exceeds the upper quartile of all differences by more than this many interquartile ranges:
 /// the outer fence of Tukey's box plot.
@@ -23,15 +23,15 @@ pub struct Surface {
     pub fast: Vec<f64>,
     /// Velocities, one row for each value of the slow axis; `None` without a transition.
     pub speeds: Vec<Vec<Option<f64>>>,
-    /// Points whose transition is no boundary between stable landings and others: where landings cannot
-    /// be computed or are undecided, or where those at the lowest speed searched are not stable.
+    /// Points whose transition is no boundary between stable landings and others: landings there cannot be computed or
+    /// are undecided, or those at the lowest speed searched are not stable.
     pub doubtful: Vec<([f64; 2], Mark)>,
-    /// Neighbours whose transitions differ by more, belong to different kinds of motion: the
-    /// boundary jumps between them, and nothing between them is known.
+    /// Difference above which the transitions of neighbours belong to different kinds of motion: the boundary jumps
+    /// between them, and nothing between them is known.
     pub jump: f64,
 }
 
-/// What is known of a cell of the grid between four neighbouring points.
+/// A cell of the grid between four neighbouring points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cell {
     /// Its corners, in the order (slow, fast), (slow, fast + 1), (slow + 1, fast + 1),
@@ -44,8 +44,8 @@ pub enum Cell {
 }
 
 impl Surface {
-    /// Takes the points of a table over two axes whose slow coordinate `within` accepts; `None` when
-    /// the table has another number of axes, or does not fill a grid of at least 2 by 2.
+    /// Takes the points of a table over two axes whose slow coordinate `within` accepts. `None` if the table has
+    /// another number of axes, or does not fill a grid of at least 2 by 2.
     pub fn of(table: &BoundaryTable, within: impl Fn(f64) -> bool) -> Option<Self> {
         let [slow_name, fast_name] = table.axes.as_slice() else {
             return None;
@@ -117,8 +117,7 @@ impl Surface {
         })
     }
 
-    /// Bars across the edges of the grid over which the boundary jumps: their ends lie half-way to
-    /// the next rows or columns.
+    /// Bars across the grid edges over which the boundary jumps. Their ends lie half-way to the next rows or columns.
     pub fn jump_bars(&self) -> Vec<[[f64; 2]; 2]> {
         let (s, f) = (&self.slow, &self.fast);
         let half = |values: &[f64], index: usize| {
@@ -170,7 +169,7 @@ impl Surface {
         self.speeds.iter().flatten().flatten().copied()
     }
 
-    /// Points with a transition beside which no cell is whole, and how high they are: no surface shows them.
+    /// Places and heights of points with a transition but without a whole cell beside them: no surface shows them.
     pub fn lone(&self) -> Vec<([f64; 2], f64)> {
         let whole: HashSet<[usize; 2]> = (self.cells())
             .filter(|(_, cell)| matches!(cell, Cell::Whole(_)))
@@ -198,7 +197,7 @@ impl Surface {
         })
     }
 
-    /// For each value of the slow axis the fast one with the lowest transition.
+    /// For each value of the slow axis, the fast one with the lowest transition.
     pub fn lowest_in_rows(&self) -> Vec<[f64; 2]> {
         let lowest = |row: &Vec<Option<f64>>| {
             let with_speed = row.iter().zip(&self.fast);
@@ -227,8 +226,8 @@ fn doubt(found: Transition) -> Option<Mark> {
     }
 }
 
-/// By how much neighbours differ where the boundary jumps: far more than neighbours mostly do, and
-/// a good part of the whole range; a round number.
+/// Difference between neighbours above which the boundary jumps: far more than most neighbours differ, and a good part
+/// of the whole range; a round number.
 fn jump(speeds: &[Vec<Option<f64>>]) -> f64 {
     let along = |row: &[Option<f64>], next: &[Option<f64>]| -> Vec<f64> {
         let pairs = row.iter().zip(next);
@@ -247,7 +246,7 @@ fn jump(speeds: &[Vec<Option<f64>>]) -> f64 {
     let fence = quartile(3) + FENCE * (quartile(3) - quartile(1));
     let heights = || speeds.iter().flatten().flatten().copied();
     let range = heights().fold(0.0, f64::max) - heights().fold(f64::INFINITY, f64::min);
-    // Differences that are all but equal are no jumps.
+    // Nearly equal differences are no jumps.
     round_step(1.01 * fence.max(LEAST_JUMP * range))
 }
 

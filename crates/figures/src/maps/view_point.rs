@@ -1,4 +1,4 @@
-//! From where a surface is looked at, and where its points come to lie on the sheet.
+//! Viewpoint of a surface, and projection of its points onto the sheet.
 
 use crate::canvas::Point;
 use crate::frame::Area;
@@ -10,13 +10,13 @@ const ELEVATION: f64 = 34.0;
 /// Height of the box relative to its sides.
 const HEIGHT: f64 = 0.62;
 
-/// A parallel projection of a box whose sides are the axes of a surface and the speed.
+/// A parallel projection of a box with sides along the axes of a surface and the speed.
 #[derive(Debug, Clone, Copy)]
 pub struct ViewPoint {
     /// Lowest value and extent of slow axis, fast axis and speed.
     origin: [f64; 3],
     extent: [f64; 3],
-    /// Pixels of a side of the box, and of its middle.
+    /// Pixels per side of the box, and place of its middle.
     scale: f64,
     middle: [f64; 2],
 }
@@ -37,8 +37,8 @@ impl ViewPoint {
         }
     }
 
-    /// Place in the box, each coordinate from −1/2 to 1/2. The slow axis runs from far to near and
-    /// the fast one from right to left, as on the map.
+    /// Place in the box, each coordinate from −1/2 to 1/2. As on the map, the slow axis runs from far to near and the
+    /// fast one from right to left.
     fn place(&self, slow: f64, fast: f64, speed: f64) -> [f64; 3] {
         let part = |axis: usize, value: f64| (value - self.origin[axis]) / self.extent[axis] - 0.5;
         [-part(1, fast), -part(0, slow), HEIGHT * part(2, speed)]
@@ -49,18 +49,17 @@ impl ViewPoint {
         [cos * right + sin * far, cos * far - sin * right, up]
     }
 
-    /// Distance from the eye along the ground, for what lies at twice these coordinates on average.
+    /// Distance from the eye along the ground, from twice the mean coordinates.
     pub fn depth(&self, twice_slow: f64, twice_fast: f64) -> f64 {
         Self::turned(self.place(0.5 * twice_slow, 0.5 * twice_fast, self.origin[2]))[1]
     }
 
-    /// Where a point is drawn, pixels.
+    /// Place of a point on the picture, pixels.
     pub fn pixel(&self, slow: f64, fast: f64, speed: f64) -> Point {
         self.project(self.place(slow, fast, speed))
     }
 
-    /// Where something is written outside of the box: moved away from its middle along the slow and
-    /// fast sides by parts of them.
+    /// Place for a text outside of the box: moved away from its middle along the slow and fast sides by parts of them.
     pub fn outside(&self, slow: f64, fast: f64, speed: f64, [by_slow, by_fast]: [f64; 2]) -> Point {
         let [right, far, up] = self.place(slow, fast, speed);
         let away = |part: f64, by: f64| part + by * if part < 0.0 { -1.0 } else { 1.0 };
@@ -75,7 +74,7 @@ impl ViewPoint {
         (x, y)
     }
 
-    /// Of the two ends of each axis the one at the back and the one in front.
+    /// The ends of each axis: the one at the back, then the one in front.
     pub fn back_and_front(&self, slow: [f64; 2], fast: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let order = |ends: [f64; 2], depth: &dyn Fn(f64) -> f64| {
             if depth(ends[0]) > depth(ends[1]) {

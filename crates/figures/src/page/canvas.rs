@@ -9,11 +9,11 @@ use crate::thinning::thinned;
 /// A place on the picture: pixels to the right and downward.
 pub type Point = (f64, f64);
 
-/// Typefaces, in the order in which a viewer should look for them.
+/// Typefaces, in the order in which a viewer should try them.
 const TYPEFACE: &str = "Helvetica, Arial, DejaVu Sans, sans-serif";
 /// Height of the middle of a capital letter over its base line, relative to the size of the type.
 const MIDDLE: f64 = 0.36;
-/// What a curve may be off after thinning, pixels.
+/// Greatest error of a curve by thinning, pixels.
 const THINNED_BY: f64 = 0.03;
 
 /// A picture under construction.
@@ -39,7 +39,7 @@ impl Canvas {
         self.svg + "</svg>\n"
     }
 
-    /// Draws a curve from point to point, without points that make no difference.
+    /// Draws a curve from point to point, without points of no visible effect.
     pub fn curve(&mut self, points: &[Point], style: Style) {
         let points = thinned(points, THINNED_BY);
         self.shape("polyline", &points, &style.attributes());
@@ -62,12 +62,12 @@ impl Canvas {
         );
     }
 
-    /// Fills polygons that lie beside those of other colours; no paper shines through between them.
+    /// Fills polygons next to those of other colours; no paper shows between them.
     pub fn fill_tiles(&mut self, polygons: &[Vec<Point>], colour: Colour) {
         self.fill(polygons, colour, " shape-rendering=\"crispEdges\"");
     }
 
-    /// Fills polygons as one shape; no paper shines through between them.
+    /// Fills polygons as one shape; no paper shows between them.
     pub fn fill_areas(&mut self, polygons: &[Vec<Point>], colour: Colour) {
         self.fill(polygons, colour, "");
     }
@@ -112,7 +112,7 @@ impl Canvas {
         );
     }
 
-    /// Writes a text, its middle at the height of its place. V_H and V_V have subscripts.
+    /// Writes a text, vertically centred at its place. V_H and V_V have subscripts.
     pub fn text(&mut self, text: &str, (x, y): Point, font: Font) {
         let Font { size, colour, .. } = font;
         let anchor = match font.anchor {

@@ -43,14 +43,14 @@ impl Area {
     }
 }
 
-/// One axis: what it shows, from where to where, and the values with a number and a grid line.
+/// One axis: its title, its ends, and its values with a number and a grid line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
     /// Quantity and unit; empty for none.
     pub title: String,
     /// Values at its two ends.
     pub ends: (f64, f64),
-    /// Values with a grid line, and what is written there.
+    /// Values with a grid line, and their labels.
     pub ticks: Vec<(f64, String)>,
 }
 
@@ -66,7 +66,7 @@ impl Scale {
         }
     }
 
-    /// What its numbers and its title take beside a frame, pixels.
+    /// Space for its numbers and its title beside a frame, pixels.
     pub fn room(&self) -> f64 {
         let widths = self.ticks.iter().map(|(_, text)| text_width(text, NUMBER));
         LEFT.max(BESIDE_NUMBERS + widths.fold(0.0, f64::max))
@@ -76,9 +76,9 @@ impl Scale {
 /// The rectangle that two axes span.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
-    /// Where it lies on the picture.
+    /// Its area on the picture.
     pub area: Area,
-    /// Where it lies with numbers and titles.
+    /// Its area with numbers and titles.
     outside: Area,
     across: Scale,
     up: Scale,
@@ -96,7 +96,7 @@ const TOP: f64 = 8.0;
 const BOTTOM: f64 = 52.0;
 /// Space below a frame without a title, pixels.
 const BOTTOM_UNTITLED: f64 = 26.0;
-/// What title and marks of the vertical axis take beside its numbers, pixels.
+/// Space for title and marks of the vertical axis beside its numbers, pixels.
 const BESIDE_NUMBERS: f64 = 48.0;
 
 impl Frame {
@@ -106,7 +106,7 @@ impl Frame {
         Self::with_left(outside, left, across, up)
     }
 
-    /// The same with its left edge so far to the right of that of its part, pixels.
+    /// The same with its left edge `left` pixels to the right of that of its part.
     pub fn with_left(outside: Area, left: f64, across: Scale, up: Scale) -> Self {
         let bottom = if across.title.is_empty() {
             BOTTOM_UNTITLED
@@ -162,7 +162,7 @@ impl Frame {
         }
     }
 
-    /// Where a point lies on the picture, pixels.
+    /// Place of a point on the picture, pixels.
     pub fn place(&self, (x, y): Point) -> Point {
         let part = |value: f64, (from, to): (f64, f64)| (value - from) / (to - from);
         (
@@ -171,7 +171,7 @@ impl Frame {
         )
     }
 
-    /// Where several points lie on the picture, pixels.
+    /// Places of several points on the picture, pixels.
     pub fn places(&self, points: impl IntoIterator<Item = Point>) -> Vec<Point> {
         points.into_iter().map(|point| self.place(point)).collect()
     }

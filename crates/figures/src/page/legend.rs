@@ -9,8 +9,7 @@ use crate::text::{Anchor, Font, text_width};
 /// A mark in a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mark {
-    /// A transition: a disc for toppling, a square for bottoming, a cross for failures, a ring where landings are
-    /// undecided.
+    /// A transition: a disc for toppling, a square for bottoming, a cross for failures, a ring for undecided landings.
     Transition(Kind),
     /// The transition lies at or below the lowest speed searched: a triangle that points down.
     AtOrBelow(Kind),
@@ -24,7 +23,7 @@ pub enum Mark {
     Ring(Colour),
     /// A disc of this colour.
     Disc(Colour),
-    /// A point beside which there is no surface: a disc of the colour of its level, with an outline.
+    /// A point without a surface beside it: a disc in the colour of its level, with an outline.
     Lone(Colour),
     /// An interval: a thin vertical bar.
     Interval,
@@ -34,7 +33,7 @@ pub enum Mark {
     Area(Style),
 }
 
-/// Draws a mark of half breadth `side` with its middle at a place, pixels.
+/// Draws a mark of half breadth `side`, centred at a place, pixels.
 pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
     match mark {
         Mark::Transition(kind) => {
@@ -124,7 +123,7 @@ fn entry_width((mark, text): &Entry) -> f64 {
     mark_width(*mark) + text_width(text, SIZE)
 }
 
-/// The entries in rows that fit a width in pixels.
+/// Splits the entries into rows that fit a width in pixels.
 pub fn rows(entries: &[Entry], width: f64) -> Vec<&[Entry]> {
     let mut rows = Vec::new();
     let (mut start, mut used) = (0, 0.0);
@@ -141,7 +140,7 @@ pub fn rows(entries: &[Entry], width: f64) -> Vec<&[Entry]> {
     rows
 }
 
-/// Draws rows of entries, each centred about `middle`, the first with its middle at the height `top`.
+/// Draws rows of entries, each centred about `middle`, the first at height `top`.
 pub fn draw(canvas: &mut Canvas, rows: &[&[Entry]], middle: f64, top: f64) {
     for (row, entries) in rows.iter().enumerate() {
         let y = top + ROW * row as f64;

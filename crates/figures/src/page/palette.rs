@@ -8,7 +8,7 @@ use crate::style::Colour;
 pub const TEXT: Colour = Colour(38, 38, 38);
 /// Second lines and remarks.
 pub const PALE_TEXT: Colour = Colour(96, 96, 96);
-/// Statements of the report of 1966, and what it printed.
+/// Statements and printed values of the report of 1966.
 pub const STATEMENT: Colour = Colour(120, 70, 20);
 /// Grid lines.
 pub const GRID: Colour = Colour(226, 226, 226);
@@ -16,11 +16,11 @@ pub const GRID: Colour = Colour(226, 226, 226);
 pub const LINE: Colour = Colour(60, 60, 60);
 /// Outlines of the cells of a surface in perspective.
 pub const SURFACE: Colour = Colour(70, 70, 70);
-/// Cells of a map that the boundary jumps across.
+/// Cells of a map across which the boundary jumps.
 pub const JUMP_CELL: Colour = Colour(236, 226, 232);
 /// Bars where the boundary jumps.
 pub const JUMP: Colour = Colour(190, 30, 100);
-/// Where the velocity bisects the leading feet.
+/// The line on which the velocity bisects the leading feet.
 pub const BISECTOR: Colour = Colour(0, 0, 0);
 /// The lowest transition of each row of a map.
 pub const LOWEST: Colour = Colour(230, 90, 0);
@@ -30,7 +30,7 @@ pub const NONE: Colour = Colour(0, 130, 100);
 pub const JUMP_WIDTH: f64 = 3.0;
 /// Half the breadth of a mark, pixels.
 pub const MARK: f64 = 5.0;
-/// Half the breadth of marks that would touch each other, pixels.
+/// Half the breadth of marks that would otherwise touch, pixels.
 pub const SMALL_MARK: f64 = 3.0;
 
 /// Colour of the marks of a kind of transition.
@@ -55,12 +55,12 @@ const CURVES: [Colour; 8] = [
     Colour(230, 160, 0),
 ];
 
-/// Colour of a curve among several.
+/// Colour of a curve among several, by its index.
 pub fn curve(index: usize) -> Colour {
     CURVES[index % CURVES.len()]
 }
 
-/// Dashes and gaps of a curve among several of one colour, pixels; the first is unbroken.
+/// Dashes and gaps of a curve among several of one colour, pixels; the first is solid.
 pub fn dashes(index: usize) -> Option<(f64, f64)> {
     [None, Some((9.0, 4.0)), Some((3.0, 3.0)), Some((14.0, 5.0))][index % 4]
 }
@@ -75,12 +75,12 @@ pub fn region(kind: Kind) -> Colour {
     }
 }
 
-/// What is said of a transition of a kind that lies at or below the lowest speed searched.
+/// Words for a transition of a kind that lies at or below the lowest speed searched.
 pub fn word_at_or_below(kind: Kind) -> String {
     format!("{}, at or below the lowest speed searched", word(kind))
 }
 
-/// What happens above a kind of transition, in a word for the region.
+/// Word for the region above a kind of transition.
 pub fn word(kind: Kind) -> &'static str {
     match kind {
         Kind::Unstable => "topples",

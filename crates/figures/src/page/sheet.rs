@@ -8,7 +8,7 @@ use crate::palette;
 use crate::style::Colour;
 use crate::text::{Font, text_width};
 
-/// Space at the left and right edge that no text enters, pixels.
+/// Margin at the left and right edge without text, pixels.
 const MARGIN: f64 = 24.0;
 /// Heights above the first line of the title, of its lines, and of those of the captions, pixels.
 const ABOVE: f64 = 26.0;
@@ -22,24 +22,24 @@ const TEXT: f64 = 12.0;
 /// Height of the foot beyond the rows of the legend, pixels.
 const FOOT: f64 = 14.0;
 
-/// A sheet with its captions and its legend, and the part between them for the body.
+/// A sheet with its captions and its legend, and the area between them for the body.
 pub struct Sheet {
     /// The picture.
     pub canvas: Canvas,
-    /// Where the body lies.
+    /// Area of the body.
     pub body: Area,
 }
 
-/// How high the body of a picture is.
+/// Height of the body of a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Height {
-    /// What captions and legend leave of the whole, pixels.
+    /// Height of the whole, pixels; captions and legend take their part.
     Whole(f64),
-    /// Its own, pixels.
+    /// Its own height, pixels.
     Body(f64),
 }
 
-/// Begins a picture: writes captions above and the legend below.
+/// Begins a picture: writes the captions above and the legend below.
 pub fn begin(width: f64, height: Height, caption: &Caption, entries: &[Entry]) -> Sheet {
     let text_room = width - 2.0 * MARGIN;
     let mut lines: Vec<(String, f64, f64, Colour)> = Vec::new();
@@ -82,7 +82,7 @@ pub fn begin(width: f64, height: Height, caption: &Caption, entries: &[Entry]) -
     Sheet { canvas, body }
 }
 
-/// A text in lines that fit a width in pixels, broken between words.
+/// Breaks a text between words into lines that fit a width in pixels.
 fn wrapped(text: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {

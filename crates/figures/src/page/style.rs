@@ -5,7 +5,7 @@
 pub struct Colour(pub u8, pub u8, pub u8);
 
 impl Colour {
-    /// As SVG writes it.
+    /// In SVG notation.
     pub fn hex(self) -> String {
         let Self(r, g, b) = self;
         format!("#{r:02X}{g:02X}{b:02X}")
@@ -15,7 +15,7 @@ impl Colour {
 /// White.
 pub const WHITE: Colour = Colour(255, 255, 255);
 
-/// How a shape is filled and outlined.
+/// Fill and outline of a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Style {
     fill: Option<Colour>,
@@ -51,7 +51,7 @@ impl Style {
         Self { dashes, ..self }
     }
 
-    /// Seen through: 0 is invisible, 1 opaque.
+    /// Transparent: 0 is invisible, 1 opaque.
     pub fn opacity(self, opacity: f64) -> Self {
         Self {
             opacity: Some(opacity),

@@ -2,10 +2,10 @@
 
 use crate::style::Colour;
 
-/// Width of a letter relative to the size of the type, on average: there is no font to measure with.
+/// Mean width of a letter relative to the type size: there is no font to measure with.
 const LETTER: f64 = 0.58;
 
-/// Which part of a text stands at its place.
+/// The part of a text at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Its first letter.
@@ -26,7 +26,7 @@ pub struct Font {
 }
 
 impl Font {
-    /// A horizontal text with its middle at its place.
+    /// A horizontal text centred at its place.
     pub fn new(size: f64, colour: Colour) -> Self {
         Self {
             size,
@@ -41,7 +41,7 @@ impl Font {
         Self { anchor, ..self }
     }
 
-    /// Written upward.
+    /// Turned to read upward.
     pub fn upright(self) -> Self {
         Self {
             is_upright: true,
@@ -50,12 +50,12 @@ impl Font {
     }
 }
 
-/// Width of a text in type of a size, pixels, estimated.
+/// Estimated width of a text in a type size, pixels.
 pub fn text_width(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * LETTER * size
 }
 
-/// A text as XML allows it.
+/// A text escaped for XML.
 pub fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for letter in text.chars() {

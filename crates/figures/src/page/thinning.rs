@@ -1,9 +1,9 @@
-//! Curves without the points that make no visible difference (Ramer, Douglas and Peucker).
+//! Curves without points of no visible effect (Ramer, Douglas and Peucker).
 
 /// A place on the picture, pixels.
 type Point = (f64, f64);
 
-/// The points of a curve that are needed to keep it within `tolerance` of its course.
+/// The points needed to keep a curve within `tolerance` of its course.
 pub fn thinned(points: &[Point], tolerance: f64) -> Vec<Point> {
     let mut is_kept = vec![false; points.len()];
     for end in [0, points.len().saturating_sub(1)] {
@@ -25,7 +25,7 @@ pub fn thinned(points: &[Point], tolerance: f64) -> Vec<Point> {
     kept.map(|(point, _)| *point).collect()
 }
 
-/// Distance of a point from the line between two others, or from where both are.
+/// Distance of a point from the line between two others, or from both if they coincide.
 fn distance((x, y): Point, (x0, y0): Point, (x1, y1): Point) -> f64 {
     let (dx, dy) = (x1 - x0, y1 - y0);
     let square = dx * dx + dy * dy;

@@ -1,11 +1,11 @@
-//! The values at which an axis is numbered. Whatever an axis spans, they are few.
+//! The values at which an axis is numbered: few, whatever the axis spans.
 
 /// Azimuths are numbered every eighth of a turn, deg.
 const EIGHTH: f64 = 45.0;
-/// More ticks than this are never wanted.
+/// Most ticks of an axis.
 const MOST: usize = 60;
 
-/// The least of 1, 2 and 5 times a power of ten that is not below `rough`; 1 where there is none.
+/// The least of 1, 2 and 5 times a power of ten that is not below `rough`; 1 if there is none.
 pub fn round_step(rough: f64) -> f64 {
     let power = 10f64.powf(rough.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
@@ -13,13 +13,12 @@ pub fn round_step(rough: f64) -> f64 {
     found.filter(|step| step.is_normal()).unwrap_or(1.0)
 }
 
-/// Round values between two ends, at most about `count` of them, the ends included where they are
-/// round.
+/// Round values between two ends, at most about `count` of them, including the ends if they are round.
 pub fn round_values(from: f64, to: f64, count: usize) -> Vec<f64> {
     multiples(from, to, round_step((to - from) / count.max(1) as f64))
 }
 
-/// Values at which the axis of a condition is numbered between two ends: about `count` of them.
+/// Values at which the axis of a condition is numbered between two ends, about `count` of them.
 pub fn of_condition(condition: &str, from: f64, to: f64, count: usize) -> Vec<f64> {
     if condition.ends_with("azimuth_deg") && (4.0..32.0).contains(&((to - from) / EIGHTH)) {
         return multiples(from, to, EIGHTH);

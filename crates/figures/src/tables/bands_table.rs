@@ -1,4 +1,4 @@
-//! Tables of bands, read back: at each point the ranges of speed in which landings end alike.
+//! Reads tables of bands: the ranges of speed at each point with the same outcome.
 
 use crate::boundary_table::{BoundaryTable, Kind, Point};
 use crate::figure_error::FigureError;
@@ -14,7 +14,7 @@ pub struct Band {
     pub from: f64,
     /// Upper end.
     pub to: f64,
-    /// How landings end in it; `None` where they are stable.
+    /// Outcome of landings in it; `None` if they are stable.
     pub kind: Option<Kind>,
 }
 
@@ -29,7 +29,7 @@ impl BandsTable {
     /// Reads a table of bands.
     ///
     /// # Errors
-    /// Names the row and column of what is not as the sweep writes it.
+    /// Names the row and column that is not as the sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         Self::read(csv).map_err(|error| match error {
             FigureError::Table(complaint) => FigureError::Table(format!("bands: {complaint}")),
@@ -57,7 +57,7 @@ impl BandsTable {
             let coordinates: Vec<f64> = (0..first)
                 .map(|axis| row.number(axis))
                 .collect::<Result<_, _>>()?;
-            // A point's first band is number 1, wherever the table stands.
+            // A point's first band is number 1, whatever the rows before.
             match points.last_mut() {
                 Some((last, bands)) if *last == coordinates && row.number(first)? > 1.0 => {
                     bands.push(band);
@@ -68,8 +68,8 @@ impl BandsTable {
         Ok(Self { points })
     }
 
-    /// Checks that these are the bands of a result table: of each point the first that is not stable begins at its first
-    /// transition.
+    /// Checks that these are the bands of a result table: at each point the first band that is not stable begins at the
+    /// first transition.
     ///
     /// # Errors
     /// Names the first point at which they do not fit together.

@@ -1,4 +1,4 @@
-//! Result tables of sweeps, read back: axes and the first transition at each point.
+//! Reads result tables of sweeps: axes and the first transition at each point.
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
@@ -11,7 +11,7 @@ const SPEED: &str = "first_transition_fps";
 const LOW: &str = "bracket_low_fps";
 const HIGH: &str = "bracket_high_fps";
 
-/// How landings end above a transition.
+/// Outcome of landings above a transition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// The vehicle topples.
@@ -54,12 +54,12 @@ impl Kind {
 /// A transition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transition {
-    /// What begins there.
+    /// Outcome that begins there.
     pub kind: Kind,
     /// Speed.
     pub speed: f64,
-    /// Lower end of its bracket; `None` where landings at the lowest speed searched were not stable already, so
-    /// that the transition lies at or below it.
+    /// Lower end of its bracket; `None` if landings at the lowest speed searched were already not stable, so that the
+    /// transition lies at or below it.
     pub low: Option<f64>,
     /// Upper end of its bracket.
     pub high: f64,
@@ -75,20 +75,20 @@ pub struct Point {
 }
 
 impl Point {
-    /// Velocity of the first transition; infinite where there is none.
+    /// Velocity of the first transition; infinite if there is none.
     fn velocity(&self) -> f64 {
         self.transition.map_or(f64::INFINITY, |found| found.speed)
     }
 }
 
-/// An axis of a sweep as its table shows it.
+/// An axis of a sweep in its table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Axis {
     /// Name of its column.
     pub name: String,
-    /// How many values it has.
+    /// Number of its values.
     pub values: usize,
-    /// Whether its values are numbers; they may be words.
+    /// True if its values are numbers; else they are words.
     pub is_numeric: bool,
 }
 
@@ -97,7 +97,7 @@ pub struct Axis {
 pub struct BoundaryTable {
     /// Names of the axes, slowest first.
     pub axes: Vec<String>,
-    /// The rows. Of all rows that agree in the axes, the one with the lowest first transition.
+    /// The rows. Of all rows with the same values on the axes, only the one with the lowest first transition.
     pub points: Vec<Point>,
     /// Names of the other axes of the sweep, in which these rows differed.
     pub others: Vec<String>,
@@ -107,7 +107,7 @@ impl BoundaryTable {
     /// Reads a result table over all its axes.
     ///
     /// # Errors
-    /// Names the row and column of what is not as the sweep writes it.
+    /// Names the row and column that is not as the sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         let axes: Vec<String> = Self::axes(csv)?.into_iter().map(|axis| axis.name).collect();
         Self::worst_by(csv, &axes)
@@ -134,12 +134,12 @@ impl BoundaryTable {
         Ok((0..kind).map(axis).collect())
     }
 
-    /// Reads a result table over some of its axes, in this order: of all rows that agree in them, the
-    /// one with the lowest first transition. A row without a transition is above all others.
+    /// Reads a result table over some of its axes, in this order. Of all rows with the same values on them, it keeps
+    /// the one with the lowest first transition. A row without a transition is above all others.
     ///
     /// # Errors
-    /// Names the axis that the table does not have or that was named twice, and the row and column of
-    /// what is not as the sweep writes it.
+    /// Names the axis that the table does not have or that was named twice, and the row and column
+    /// that is not as the sweep writes it.
     pub fn worst_by(csv: &str, axes: &[String]) -> Result<Self, FigureError> {
         let table = Table::parse(csv)?;
         let kind = table.column(KIND)?;

@@ -1,19 +1,19 @@
-//! Histories of landings, read back: what changes with time, for one landing or several.
+//! Reads histories of landings: quantities over time, for one landing or several.
 
 use crate::figure_error::FigureError;
 use crate::table::{Table, has_column};
 
 /// The column that makes a table one of histories.
 pub const TIME: &str = "t_s";
-/// Whether something touches the surface: 0 in free flight.
+/// Column that tells whether something touches the surface: 0 in free flight.
 const TOUCHES: &str = "touches";
-/// In the name of a column of printed values, before its unit.
+/// Part of the name of a column of printed values, before its unit.
 const PRINTED: &str = "_1966";
 
 /// Histories of the same quantities.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HistoryTable {
-    /// Name of the condition that tells landings apart, if there are several.
+    /// Name of the condition that distinguishes landings, if there are several.
     pub condition: Option<String>,
     /// Names of the quantities, with units.
     pub quantities: Vec<String>,
@@ -24,7 +24,7 @@ pub struct HistoryTable {
 /// One landing.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
-    /// Value of the condition that tells it apart.
+    /// Value of the condition that distinguishes it.
     pub condition: Option<f64>,
     /// Its instants.
     pub instants: Vec<Instant>,
@@ -35,25 +35,25 @@ pub struct History {
 pub struct Instant {
     /// Time after first contact, s.
     pub time: f64,
-    /// Whether nothing touches the surface, where the table tells.
+    /// True if nothing touches the surface, as far as the table tells.
     pub is_free: bool,
     /// The quantities.
     pub values: Vec<f64>,
-    /// What was printed of them in 1966.
+    /// Their values printed in 1966.
     pub printed: Vec<Option<f64>>,
 }
 
-/// Whether the heading of a table is one of histories.
+/// Returns whether the heading of a table is one of histories.
 pub fn is_history(csv: &str) -> bool {
     has_column(csv, &[TIME])
 }
 
 impl HistoryTable {
-    /// Reads a table of histories: columns of a condition if landings differ in it, time,
-    /// quantities, what was printed of them (`name_1966_unit`), and `touches`.
+    /// Reads a table of histories: the column of a condition if landings differ in it, time, quantities, their printed
+    /// values (`name_1966_unit`), and `touches`.
     ///
     /// # Errors
-    /// Names the row and column of what is no number.
+    /// Names the row and column that is no number.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         let table = Table::parse(csv)?;
         let names = table.names();

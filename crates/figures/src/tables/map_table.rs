@@ -1,4 +1,4 @@
-//! The surface of a map, as triangles, and its edges, read back.
+//! Reads the surface of a map, as triangles, and its edges.
 
 use crate::figure_error::FigureError;
 use crate::table::{Row, Table, has_column};
@@ -11,14 +11,14 @@ const KIND: &str = "edge_kind";
 /// A place on a map, along the slower and the faster axis, and the first transition there.
 pub type Corner = ([f64; 2], f64);
 
-/// What an edge of a map parts.
+/// Kind of an edge of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EdgeKind {
-    /// There is a transition on one side only.
+    /// A transition on one side only.
     End,
-    /// The first transition jumps.
+    /// A jump of the first transition.
     Jump,
-    /// There are more bands on one side.
+    /// More bands on one side.
     Bands,
 }
 
@@ -39,7 +39,7 @@ impl EdgeKind {
 /// An edge of a map from end to end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edge {
-    /// What it parts.
+    /// Its kind.
     pub kind: EdgeKind,
     /// Its places, in order.
     pub places: Vec<[f64; 2]>,
@@ -56,13 +56,13 @@ pub struct MapTable {
     pub edges: Vec<Edge>,
 }
 
-/// Whether a table is one of triangles.
+/// Returns whether a table is one of triangles.
 pub fn is_one(csv: &str) -> bool {
     has_column(csv, &[TRIANGLE])
 }
 
 impl MapTable {
-    /// Reads the table of triangles and the one of edges, where there is one.
+    /// Reads the table of triangles and that of edges, if there is one.
     ///
     /// # Errors
     /// When they are not as the program writes them, or not over two axes.

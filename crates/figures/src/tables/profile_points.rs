@@ -8,7 +8,7 @@ use crate::boundary_table::{BoundaryTable, Transition};
 pub struct ProfilePoint {
     /// Value of the axis.
     pub x: f64,
-    /// What the sweep found there.
+    /// The transition that the sweep found there.
     pub transition: Option<Transition>,
     /// All bands there, if they are known.
     pub bands: Vec<Band>,
@@ -63,7 +63,7 @@ pub fn vertical_range(points: &[ProfilePoint], searched_to: Option<f64>) -> (f64
     ((2.0 * (below / 2.0).floor()).max(0.0), high)
 }
 
-/// Neighbours that both have a transition: only between them is there a line to draw.
+/// Neighbours that both have a transition. Lines are drawn only between them.
 pub fn segments(
     points: &[ProfilePoint],
 ) -> impl Iterator<Item = (&ProfilePoint, &ProfilePoint, Transition, Transition)> {

@@ -1,5 +1,4 @@
-//! Tables of sensitivities, read back: how the transition velocity changes with each parameter, point
-//! by point.
+//! Reads tables of sensitivities: the change of the transition velocity with each parameter, point by point.
 
 use crate::figure_error::FigureError;
 use crate::table::{Row, Table, has_column};
@@ -36,11 +35,11 @@ pub struct Slope {
     pub unit: String,
     /// Its value, if it has one.
     pub value: Option<f64>,
-    /// Step within which the dependence was looked at, in the unit of the parameter.
+    /// Step over which the dependence was examined, in the unit of the parameter.
     pub step: Option<f64>,
-    /// How the transition goes with it, in a word.
+    /// Dependence of the transition on it, in a word.
     pub dependence: String,
-    /// What a change makes, where the dependence is smooth.
+    /// Effect of a change, if the dependence is smooth.
     pub change: Option<Change>,
 }
 
@@ -55,7 +54,7 @@ pub struct Change {
     pub error: f64,
 }
 
-/// Whether the heading of a table is one of sensitivities.
+/// Returns whether the heading of a table is one of sensitivities.
 pub fn is_one(csv: &str) -> bool {
     has_column(csv, &[DERIVATIVE, &in_si(DERIVATIVE).unwrap_or_default()])
 }
@@ -64,7 +63,7 @@ impl SensitivityTable {
     /// Reads a table of sensitivities.
     ///
     /// # Errors
-    /// Names the row and column of what is not as a sweep writes it.
+    /// Names the row and column that is not as a sweep writes it.
     pub fn parse(csv: &str) -> Result<Self, FigureError> {
         let table = Table::parse(csv)?;
         let axes = table.column(PARAMETER)?;
@@ -101,7 +100,7 @@ impl SensitivityTable {
         }
     }
 
-    /// Index of the point with the lowest transition, the first of those that have a derivative.
+    /// Index of the point with the lowest transition, the first of those with a derivative.
     pub fn lowest(&self) -> Option<usize> {
         let has_change = |point: &Point| point.slopes.iter().any(|slope| slope.change.is_some());
         let known = self.points.iter().enumerate();
@@ -113,7 +112,7 @@ impl SensitivityTable {
     }
 }
 
-/// Where the columns of a slope stand.
+/// Indices of the columns of a slope.
 struct Columns {
     parameter: usize,
     unit: usize,

@@ -5,12 +5,12 @@ use csv::StringRecord;
 use crate::figure_error::FigureError;
 use crate::unit::in_si;
 
-/// Greatest number in a table, and greatest velocity of a transition, ft/s or m/s. What is beyond them is a
-/// damaged table: no picture has room for it.
+/// Greatest number in a table, and greatest velocity of a transition, ft/s or m/s. A table with numbers beyond them is
+/// damaged: no picture has room for it.
 const GREATEST: f64 = 1e12;
 const GREATEST_VELOCITY: f64 = 1e4;
 
-/// Whether the heading of a table (CSV) has a column of one of these names.
+/// Returns whether the heading of a table (CSV) has a column with one of these names.
 pub fn has_column(csv: &str, names: &[&str]) -> bool {
     let heading = csv.lines().next().unwrap_or_default();
     heading.split(',').any(|column| names.contains(&column))
@@ -41,13 +41,13 @@ impl Table {
         self.heading.iter().collect()
     }
 
-    /// The column of a name, or of what results in SI call it, if there is one.
+    /// The column with this name, or with its name in SI results, if there is one.
     pub fn find(&self, name: &str) -> Option<usize> {
         let named = |name: &str| self.heading.iter().position(|known| known == name);
         named(name).or_else(|| named(&in_si(name)?))
     }
 
-    /// The column of a name, or of what results in SI call it.
+    /// The column with this name, or with its name in SI results.
     ///
     /// # Errors
     /// When there is none.
@@ -66,7 +66,7 @@ impl Table {
         })
     }
 
-    /// The rows, of which there is at least one.
+    /// The rows, at least one.
     ///
     /// # Errors
     /// When there is none.
@@ -87,7 +87,7 @@ pub struct Row<'t> {
 }
 
 impl<'t> Row<'t> {
-    /// What stands in a column.
+    /// Text in a column.
     pub fn text(&self, column: usize) -> &'t str {
         &self.record[column]
     }
@@ -126,7 +126,7 @@ impl<'t> Row<'t> {
         }
     }
 
-    /// A complaint about what stands in a column.
+    /// A complaint about the value in a column.
     pub fn error(&self, column: usize, expected: &str) -> FigureError {
         let (name, value) = (&self.heading[column], self.text(column));
         let row = self.number;

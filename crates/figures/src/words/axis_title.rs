@@ -3,7 +3,7 @@
 use crate::parameter_words::parameter_words;
 use crate::unit::split_unit;
 
-/// Columns whose titles have a symbol, or other words than their names.
+/// Columns with a symbol in their title, or with other words than their names.
 const TITLES: [(&str, &str); 28] = [
     ("vertical_velocity_fps", "Vertical velocity V_V, ft/s"),
     ("horizontal_velocity_fps", "Horizontal velocity V_H, ft/s"),
@@ -60,7 +60,7 @@ pub fn bare_title(column: &str) -> String {
     bare.trim_end_matches([' ', ',']).to_owned()
 }
 
-/// A column in words, without its unit, as it stands in a sentence or a legend.
+/// A column in words, without its unit, for a sentence or a legend.
 pub fn column_words(column: &str) -> String {
     let words = bare_title(column);
     let mut letters = words.chars();
@@ -70,14 +70,14 @@ pub fn column_words(column: &str) -> String {
     }
 }
 
-/// Words whose number of a leg, which the names of columns have before their unit, is told as such.
+/// Moves the number of a leg, which column names have before their unit, to the end of the words.
 fn leg_last(words: &str) -> String {
     let mut others: Vec<&str> = words.split(' ').collect();
     let is_leg = |word: &&str| matches!(word.as_bytes(), [b'1'..=b'8']);
     let Some(index) = others.iter().rposition(is_leg) else {
         return words.to_owned();
     };
-    // "leg 2 strut preload" has its word already.
+    // "leg 2 strut preload" has the word leg already.
     if index == 0 || others[index - 1] == "leg" {
         return words.to_owned();
     }

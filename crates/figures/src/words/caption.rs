@@ -1,4 +1,4 @@
-//! The lines of a picture that its table does not tell, from the record beside it.
+//! The captions of a picture, from the record beside its table.
 
 use serde_json::Value;
 
@@ -11,27 +11,27 @@ use crate::unit::split_unit;
 /// Greatest velocity that a search can reach, ft/s; in m/s it is less.
 const MOST_SEARCHED: f64 = 1e4;
 
-/// What stands above a picture.
+/// Caption above a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Caption {
     /// Title of the picture.
     pub title: String,
     /// Fixed conditions, in a smaller second line.
     pub conditions: String,
-    /// Over what the picture shows the worst case, if over anything.
+    /// Axes over which the picture shows the worst case, if any.
     pub worst_over: Option<String>,
-    /// What the report of 1966 states about this figure.
+    /// Statement of the report of 1966 about this figure.
     pub statement: Option<String>,
     /// Highest speed searched, if known: the upper end of the picture.
     pub searched_to: Option<f64>,
     /// Unit of the speeds of the picture.
     pub speed_unit: SpeedUnit,
-    /// Whether the vehicle stands on its feet as the report's does: three, at azimuths of 0, 120 and 240 deg about the CG.
+    /// True if the vehicle's feet are like the report's: three, at azimuths of 0, 120 and 240 deg about the CG.
     pub has_report_feet: bool,
 }
 
 impl Caption {
-    /// The caption of a table (CSV) of this name, from the record beside it where there is one.
+    /// The caption of a table (CSV) of this name, from the record beside it if there is one.
     ///
     /// # Errors
     /// As [`Caption::from_record`].
@@ -97,7 +97,7 @@ impl Caption {
         })
     }
 
-    /// What is said of points without a transition.
+    /// Words for points without a transition.
     pub fn without_transition(&self) -> String {
         match self.searched_to {
             Some(speed) => format!("stable up to {} {}", label(speed), self.speed_unit),
@@ -105,8 +105,8 @@ impl Caption {
         }
     }
 
-    /// The caption of a picture that shows the lowest transition over some axes of a sweep: statements
-    /// on the sweep do not hold for it.
+    /// The caption of a picture that shows the lowest transition over some axes of a sweep. Statements on the sweep do
+    /// not hold for it.
     pub fn worst_over(self, others: &[String]) -> Self {
         if others.is_empty() {
             return self;
@@ -146,7 +146,7 @@ fn has_report_feet(vehicle: &Value) -> bool {
     azimuths == [0.0, 120.0, 240.0]
 }
 
-/// A fixed condition in words, unless it is zero, or follows from another, where that is the rule.
+/// A fixed condition in words. `None` for zero, unless zero is worth telling, and for block friction equal to friction.
 fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
     let number = label(value);
     let words = match name {

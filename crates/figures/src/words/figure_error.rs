@@ -1,4 +1,4 @@
-//! Why there is no picture.
+//! Reasons why there is no picture.
 
 use thiserror::Error;
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Columns of m/s, of which each table of speeds in SI has one. Axes may be in m/s in any table.
+/// Columns in m/s, one of which is in every table of speeds in SI. Axes may be in m/s in any table.
 const METRES: [&str; 2] = ["first_transition_mps", "to_mps"];
 
 /// The unit of speeds.
@@ -16,7 +16,7 @@ pub enum SpeedUnit {
 }
 
 impl SpeedUnit {
-    /// That of a table (CSV).
+    /// Unit of a table (CSV).
     pub fn of_table(csv: &str) -> Self {
         let heading = csv.lines().next().unwrap_or_default();
         match heading.split(',').any(|name| METRES.contains(&name)) {
@@ -25,7 +25,7 @@ impl SpeedUnit {
         }
     }
 
-    /// What names of speeds in this unit end with.
+    /// Suffix of names of speeds in this unit.
     pub fn ending(self) -> &'static str {
         match self {
             Self::FeetPerSecond => "_fps",

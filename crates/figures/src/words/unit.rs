@@ -1,4 +1,4 @@
-//! Units, which the names of columns and parameters end with.
+//! Units, which are suffixes of the names of columns and parameters.
 
 /// Units by the endings of names: those of 1966, then those of SI.
 const UNITS: [(&str, &str); 34] = [
@@ -38,7 +38,7 @@ const UNITS: [(&str, &str); 34] = [
     ("_rad_per_s", "rad/s"),
 ];
 
-/// A name without its unit, and the unit as it is printed; the unit is empty for pure numbers.
+/// A name without its unit, and the unit as printed; empty for pure numbers.
 pub fn split_unit(name: &str) -> (&str, &'static str) {
     // Moments of inertia have their axes after the unit.
     for (unit, words) in [("_slug_ft2.", "slug ft²"), ("_kg_m2.", "kg m²")] {
@@ -55,7 +55,7 @@ pub fn split_unit(name: &str) -> (&str, &'static str) {
     }
 }
 
-/// Endings of columns of results in the units of 1966 and in SI, those first that end with another.
+/// Suffixes of result columns in the units of 1966 and in SI. Those that end with another come first.
 const IN_SI: [(&str, &str); 4] = [
     ("_ftlb", "_j"),
     ("_lb", "_n"),
@@ -63,7 +63,7 @@ const IN_SI: [(&str, &str); 4] = [
     ("_ft", "_m"),
 ];
 
-/// What a column of the units of 1966 is called in results in SI, if it is called otherwise.
+/// Name in SI results of a column in the units of 1966, if it is different.
 pub fn in_si(name: &str) -> Option<String> {
     const PER_UNIT: &str = "_per_unit";
     if let Some(bare) = name.strip_suffix(PER_UNIT) {
@@ -72,7 +72,7 @@ pub fn in_si(name: &str) -> Option<String> {
     (IN_SI.iter()).find_map(|(us, si)| Some(format!("{}{si}", name.strip_suffix(us)?)))
 }
 
-/// A unit of a table as it is printed: nothing for pure numbers, powers raised.
+/// A unit of a table as printed: empty for pure numbers, powers raised.
 pub fn printed_unit(unit: &str) -> String {
     match unit {
         "1" => String::new(),

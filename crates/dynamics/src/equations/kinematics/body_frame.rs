@@ -38,7 +38,7 @@ per_lane!(BodyFrame {
     rate,
 });
 
-/// A plane of the ground as the vehicle sees it.
+/// A plane of the ground seen from the vehicle.
 #[derive(Debug, Clone, Copy)]
 pub struct SeenGround<S> {
     /// Inward normal n in vehicle axes.
@@ -56,8 +56,8 @@ per_lane!(SeenGround {
 });
 
 impl<S: Real> SeenGround<S> {
-    /// A plane with this inward normal in vehicle axes, below which the CG is so deep (ft), seen from a centre that lies so
-    /// (x and y of vehicle axes, ft) from the CG.
+    /// A plane with this inward normal (vehicle axes) and this depth of the CG below it (ft). The centre lies at x and
+    /// y of vehicle axes (ft) from the CG.
     #[inline(always)]
     pub(super) fn new(normal: Vector3<S>, depth: S, [x, y]: [S; 2]) -> Self {
         Self {
@@ -67,22 +67,22 @@ impl<S: Real> SeenGround<S> {
         }
     }
 
-    /// Depth of a point given from the centre in vehicle axes, ft.
+    /// Depth below the plane of a point given from the centre in vehicle axes, ft.
     #[inline(always)]
     pub fn depth_of(&self, point: &Vector3<S>) -> S {
         self.depth + self.normal.dot(point)
     }
 }
 
-/// 1/cos ξ of an element inclined by ξ. Beyond 84 deg, where no law of the model reaches, the
-/// cosine is held: an interference keeps the sign of the depth, and what hangs in the air over a
-/// vehicle lying on its side does not seem to touch the ground.
+/// 1/cos ξ of an element inclined by ξ. Beyond 84 deg, where no law of the model reaches, the cosine is held: an
+/// interference keeps the sign of the depth, and elements in the air over a vehicle lying on its side do not seem to
+/// touch the ground.
 #[inline(always)]
 pub(super) fn upright<S: Real>(inclination: S) -> S {
     S::one() / held(inclination)
 }
 
-/// The cosine that [`upright`] takes for this cos ξ.
+/// The cosine that [`upright`] uses for this cos ξ.
 #[inline(always)]
 pub(super) fn held<S: Real>(inclination: S) -> S {
     inclination.max(S::constant(LEAST_INCLINATION))
@@ -116,7 +116,7 @@ impl<S: Real> Surface<S> {
         self.sine * point.y + self.cosine * point.z
     }
 
-    /// The frame over this surface of a body whose centre lies so (x and y of vehicle axes, ft) from the CG.
+    /// The frame over this surface of a body whose centre lies at x and y of vehicle axes (ft) from the CG.
     #[inline(always)]
     pub fn frame(&self, body: &Body<S>, center: &[S; 2]) -> BodyFrame<S> {
         let rotation = rotation(&body.quaternion);
@@ -140,7 +140,7 @@ impl<S: Real> Surface<S> {
 }
 
 impl<S: Real> BodyFrame<S> {
-    /// A point given from the centre in vehicle axes, as seen from the CG in ground axes, ft.
+    /// A point given from the centre in vehicle axes, relative to the CG in ground axes, ft.
     #[inline(always)]
     pub fn seen_from_center_of_gravity(&self, point: &Vector3<S>) -> Vector3<S> {
         let [x, y] = self.center;

@@ -8,7 +8,7 @@ use crate::scalar::Real;
 
 /// The body's frame seen along one leg: components outboard (e), across (k×e) and down (k).
 ///
-/// A leg moves in its own plane, so in these axes half of every vector of its geometry vanishes.
+/// A leg moves in its own plane, so half of every vector of its geometry vanishes in these axes.
 #[derive(Debug, Clone, Copy)]
 pub struct LegFrame<S> {
     /// The ground of the footpad.
@@ -89,7 +89,8 @@ impl<S: Real> LegFrame<S> {
         self.pad.split(&velocity)
     }
 
-    /// Velocity of a place on the footpad, so far from the centre (leg axes, ft), which link and hinge move like this (ft/s).
+    /// Velocity of a place on the footpad at this offset from the centre (leg axes, ft); link and hinge add `own`
+    /// (ft/s).
     #[inline(always)]
     pub fn pad_velocity(&self, place: &Vector3<S>, own: &Vector3<S>) -> PointVelocity<S> {
         self.pad
@@ -102,13 +103,13 @@ impl<S: Real> LegFrame<S> {
         self.rate.cross(place) + self.center_velocity
     }
 
-    /// d cos ξ/dt of the footpad, which link and hinge turn at this rate (rad/s), 1/s.
+    /// d cos ξ/dt of the footpad, 1/s, turned by link and hinge at this rate (rad/s).
     #[inline(always)]
     pub fn inclination_rate(&self, pose: &LegPose<S>, turning: S) -> S {
         pose.pad_z.dot(&self.normal_rate) - turning * pose.pad_y_normal
     }
 
-    /// dI/dt of the block (28), ft/s, at this interference (ft) and whatever its inclination: beyond 84 deg the cosine is held.
+    /// dI/dt of the block (28), ft/s, at this interference (ft) and any inclination: beyond 84 deg the cosine is held.
     #[inline(always)]
     pub fn held_block_interference_rate(&self, centre_inward: S, interference: S) -> S {
         let (zero, one) = (S::zero(), S::one());
@@ -146,8 +147,7 @@ impl<S: Real> SeenAlongLeg<S> {
         }
     }
 
-    /// Two directions along the ground, with and across the sliding velocity; any two when there
-    /// is none.
+    /// Two directions along the ground, with and across the sliding velocity; any two if there is none.
     #[inline(always)]
     pub fn tangents(&self, velocity: &PointVelocity<S>) -> (Vector3<S>, Vector3<S>) {
         let n = &self.normal;

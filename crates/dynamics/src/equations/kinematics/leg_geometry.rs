@@ -56,7 +56,7 @@ impl<S: Real> LegGeometry<S> {
     pub fn new(leg: &Leg, hardpoint_depth: f64) -> Self {
         let design = leg.design();
         let (linkage, footpad) = (&design.linkage, &design.footpad);
-        // Without a block its place is at the hardpoint; nothing presses there.
+        // Without a block its place is at the hardpoint, where nothing presses.
         let [block_radius, block_height] = design
             .block
             .as_ref()
@@ -134,8 +134,8 @@ impl<S: Real> LegGeometry<S> {
         self.pad_height * S::constant(0.5)
     }
 
-    /// Depth of the edge of a pad below the ground, ft (negative above): of the lowest point of its rim, at half of its
-    /// height.
+    /// Depth of the edge of a pad below the ground, ft (negative above): that of the lowest point of its rim, at half
+    /// of its height.
     #[inline(always)]
     pub fn edge_depth(&self, frame: &LegFrame<S>, pose: &LegPose<S>) -> S {
         let n = &frame.pad.normal;
@@ -143,7 +143,7 @@ impl<S: Real> LegGeometry<S> {
         pivot + self.rim_height() * pose.pad_inclination + self.pad_radius() * pad_sine(pose)
     }
 
-    /// Its rate, ft/s, as the pivot goes into the ground (ft/s) and cos ξ changes (1/s).
+    /// Rate of that depth, ft/s, from the pivot's rate into the ground (ft/s) and the change of cos ξ (1/s).
     #[inline(always)]
     pub fn edge_rate(&self, pose: &LegPose<S>, pivot_inward: S, inclination_rate: S) -> S {
         let sinking = self.pad_radius() * (pose.pad_inclination / pad_sine(pose));
@@ -179,7 +179,7 @@ impl<S: Real> LegGeometry<S> {
         })
     }
 
-    /// How the footpad pivot moves with the link angle γ, vehicle axes, ft.
+    /// Motion of the footpad pivot per link angle γ, vehicle axes, ft.
     #[inline(always)]
     pub fn swing(&self, link_angle: S) -> Vector3<S> {
         let (sine, cosine) = link_angle.sin_cos();

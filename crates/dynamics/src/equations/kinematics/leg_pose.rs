@@ -1,4 +1,4 @@
-//! Where the parts of a leg are at one instant.
+//! Positions of the parts of a leg at one instant.
 
 use super::plane::{PlaneDirection, PlanePoint};
 

@@ -1,4 +1,4 @@
-//! The ground under one leg where it is not the surface: a plane under the footpad and one under the block.
+//! Ground under one leg that differs from the surface: a plane under the footpad and one under the block.
 
 use libm::sincos;
 use nalgebra::Vector3;
@@ -16,7 +16,7 @@ use crate::scene::Scene;
 pub struct LegGround<S> {
     pad: LocalPlane<S>,
     block: LocalPlane<S>,
-    /// 1 where either plane is not that of the surface, else 0.
+    /// 1 if either plane is not that of the surface, else 0.
     unevenness: S,
 }
 
@@ -31,15 +31,15 @@ per_lane!(LegGround {
 struct LocalPlane<S> {
     /// Inward normal in ground axes.
     normal: Vector3<S>,
-    /// ft.
+    /// In ft.
     offset: S,
 }
 
 per_lane!(LocalPlane { normal, offset });
 
 impl LegGround<f64> {
-    /// The ground under leg `index` of a vehicle that touches down in a scene, its feet extended; `center` is where legs are
-    /// placed from, relative to the CG (x and y of vehicle axes, ft), and `link_angle` that of the extended link, rad.
+    /// The ground under leg `index` of a vehicle that touches down in a scene with its feet extended. `[x, y]` is the
+    /// centre relative to the CG (vehicle axes, ft), `link_angle` that of the extended link, rad.
     pub fn new(
         scene: &Scene,
         index: usize,
@@ -84,13 +84,13 @@ impl LocalPlane<f64> {
 }
 
 impl<S: Real> LegGround<S> {
-    /// Whether the leg stands over the surface.
+    /// Returns whether the leg stands over the surface.
     #[inline(always)]
     pub fn is_even(&self) -> bool {
         self.unevenness.is_zero()
     }
 
-    /// The planes of footpad and block as a body sees them.
+    /// The planes of footpad and block, seen from a body.
     #[inline(always)]
     pub fn seen(&self, body: &BodyFrame<S>) -> [SeenGround<S>; 2] {
         [&self.pad, &self.block].map(|plane| {
@@ -100,7 +100,7 @@ impl<S: Real> LegGround<S> {
         })
     }
 
-    /// How far a point so deep (ft) below the plane of the footpad has to rise along the vertical to leave it, ft.
+    /// Vertical rise of a point to leave the plane of the footpad, ft, from its depth (ft) below the plane.
     pub fn rise(&self, depth: S) -> S {
         depth / self.pad.normal.z
     }

@@ -23,7 +23,7 @@ pub struct PlaneDirection<S> {
 }
 
 impl<S: Real> PlaneDirection<S> {
-    /// None.
+    /// Zero.
     #[inline(always)]
     pub fn zero() -> Self {
         Self {
@@ -39,7 +39,7 @@ impl<S: Real> PlaneDirection<S> {
         self.down += factor * other.down;
     }
 
-    /// Turned a right angle from outboard to down, as y'' is to become z''.
+    /// Turned by a right angle from outboard to down, as y'' into z''.
     #[inline(always)]
     pub fn turned(&self) -> Self {
         Self {
@@ -79,8 +79,8 @@ impl<S: Real> PlanePoint<S> {
     }
 }
 
-/// How an offset (leg axes) moves as the plane of the leg turns from outboard to down, per rad: its part in that plane turned a
-/// right angle.
+/// Motion of an offset (leg axes) as the plane of the leg turns from outboard to down, per rad: its part in that plane,
+/// turned by a right angle.
 #[inline(always)]
 pub fn turned<S: Real>(offset: &Vector3<S>) -> Vector3<S> {
     Vector3::new(-offset.z, S::zero(), offset.x)

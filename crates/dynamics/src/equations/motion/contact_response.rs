@@ -1,4 +1,4 @@
-//! How the forces on a footpad or block change as it moves over the surface.
+//! Changes of the forces on a footpad or block as it moves over the surface.
 
 use nalgebra::{Vector3, Vector6};
 
@@ -13,7 +13,7 @@ use crate::response::{Coordinates, ForceDerivative, greatest_decay};
 use crate::scalar::Real;
 use crate::state::LegState;
 
-/// Where a leg is and which pieces of its laws are active.
+/// Posture of a leg and the active pieces of its laws.
 #[derive(Clone, Copy)]
 pub(super) struct Posture<'a, S> {
     pub(super) body: &'a BodyFrame<S>,
@@ -23,28 +23,28 @@ pub(super) struct Posture<'a, S> {
     pub(super) pieces: &'a LegPieces<S>,
 }
 
-/// A footpad's pivot or a block's crushed centre, pressed on the surface, or with `FACE` the place where a footpad is pressed;
-/// vectors in leg axes.
+/// A footpad's pivot or a block's crushed centre, pressed on the surface; with `FACE` the place where a footpad is
+/// pressed. Vectors are in leg axes.
 pub(super) struct Contact<'a, S, const FACE: bool> {
     pub(super) geometry: &'a LegGeometry<S>,
     pub(super) body: &'a BodyFrame<S>,
     pub(super) ground: &'a SeenAlongLeg<S>,
     pub(super) point: &'a PlanePoint<S>,
-    /// From there to the place where the force acts, ft.
+    /// Offset from there to the place where the force acts, ft.
     pub(super) offset: Vector3<S>,
     pub(super) velocity: PointVelocity<S>,
-    /// Its velocity relative to the CG, ft/s.
+    /// Velocity of that place relative to the CG, ft/s.
     pub(super) carried: Vector3<S>,
     /// Velocity of the point per link rate, ft.
     pub(super) swing: Vector3<S>,
     /// Change of the velocity per link angle and per pad angle, ft/s.
     pub(super) bend: Vector3<S>,
     pub(super) pad_bend: Vector3<S>,
-    /// 1 where the pad turns by itself, 0 where it is one with its link.
+    /// 1 if the pad turns by itself, 0 if it is one with its link.
     pub(super) swings: S,
-    /// How fast the pad turns in the vehicle, rad/s.
+    /// Rate at which the pad turns in the vehicle, rad/s.
     pub(super) turning: S,
-    /// 1 where the force turns the link, else 0.
+    /// 1 if the force turns the link, else 0.
     pub(super) link_share: S,
     pub(super) friction: &'a FrictionPiece<S>,
     /// Nominal coefficient of friction.
@@ -115,7 +115,7 @@ impl<'a, S: Real> Contact<'a, S, false> {
 }
 
 impl<'a, S: Real> Contact<'a, S, true> {
-    /// The place where a footpad is pressed, so far from its pivot (leg axes, ft).
+    /// The place where a footpad is pressed, at this offset from its pivot (leg axes, ft).
     #[inline(always)]
     pub(super) fn of_face(
         motion: &'a LegMotion<S>,
@@ -156,8 +156,8 @@ impl<'a, S: Real> Contact<'a, S, true> {
         }
     }
 
-    /// How the forces on a footpad change with the interference of the section at this crushed centroid: its normal force
-    /// (lb) at this stiffness (lb/ft), and friction as its place moves.
+    /// Change of the forces on a footpad with the interference of the section at this crushed centroid: of its normal
+    /// force (lb), with this stiffness (lb/ft), and of friction as its place moves.
     #[inline(always)]
     pub(super) fn push_back(
         &self,
@@ -168,7 +168,7 @@ impl<'a, S: Real> Contact<'a, S, true> {
     ) -> Coordinates<S> {
         let line = self.along_beside(&self.line(), centroid);
         let mut change = self.force(&line, -stiffness, S::zero());
-        // The centre of pressure goes toward the section, which gets shorter.
+        // The centre of pressure moves toward the section, which gets shorter.
         let shorter = pose.pad_z.in_leg_axes() * -normal;
         let moved = (centroid - self.offset) * stiffness + shorter;
         change.add(S::one(), &self.displaced(frame, &moved, &shorter));
@@ -177,8 +177,9 @@ impl<'a, S: Real> Contact<'a, S, true> {
 }
 
 impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
-    /// How the forces change as the place of a normal force is `moved` by so much, and by so much of it relative to what carries
-    /// it (both times that force, lb·ft): the place has another velocity there, and the force another lever about the centre.
+    /// Change of the forces as the place of a normal force moves by `moved`, of which `shorter` is relative to its
+    /// carrier (both times that force, lb·ft): the place then has another velocity, and the force another lever about
+    /// the centre.
     #[inline(always)]
     pub(super) fn displaced(
         &self,
@@ -217,8 +218,8 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         }
     }
 
-    /// A quantity that changes with translation of the body (vehicle axes), with its rotation about the centre (leg axes)
-    /// and with the link.
+    /// A quantity that changes with translation of the body (vehicle axes), with its rotation about the centre (leg
+    /// axes) and with the link.
     #[inline(always)]
     fn moved(&self, translation: &Vector3<S>, rotation: &Vector3<S>, link: S) -> Coordinates<S> {
         let mut moved = self.turned(rotation, link);
@@ -236,7 +237,7 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         self.along_beside(direction, &self.offset)
     }
 
-    /// The same of a place at this offset from the pivot, ft.
+    /// The same for a place at this offset from the pivot, ft.
     #[inline(always)]
     fn along_beside(&self, direction: &Vector3<S>, offset: &Vector3<S>) -> Coordinates<S> {
         let translation = self.geometry.in_vehicle_axes(direction);
@@ -256,7 +257,7 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         along
     }
 
-    /// What a force (lb) does that acts `along` a direction; where it acts at a pivot, with a torque on the pad's hinge.
+    /// Effect of a force (lb) that acts `along` a direction; if it acts at a pivot, with a torque on the pad's hinge.
     #[inline(always)]
     pub(super) fn force(&self, along: &Coordinates<S>, force: S, on_hinge: S) -> Coordinates<S> {
         Coordinates {
@@ -266,12 +267,12 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         }
     }
 
-    /// Interference (19) of the pad section at this crushed centroid, per displacement.
+    /// Interference (19) per displacement of the pad section at this crushed centroid.
     #[inline(always)]
     pub(super) fn deeper(&self, pose: &LegPose<S>, centroid: &PlaneDirection<S>) -> Coordinates<S> {
         let n = &self.ground.normal;
         let up = pose.pad_upright;
-        // The pad tilts with its link, and against its own angle.
+        // The pad tilts with its link and against its own angle.
         let tilt = centroid.turned().dot(n) * up;
         let moment = self.point.moment(n) + centroid.in_leg_axes().cross(n);
         let mut deeper = self.moved(
@@ -283,7 +284,7 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         deeper
     }
 
-    /// Depth of a place at this offset from the pivot (ft), which the footpad carries, per displacement.
+    /// Depth per displacement of a place that the footpad carries at this offset from the pivot (ft).
     #[inline(always)]
     pub(super) fn lowered(&self, offset: &Vector3<S>) -> Coordinates<S> {
         let n = &self.ground.normal;
@@ -297,8 +298,8 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         lowered
     }
 
-    /// Derivatives of friction under a normal force (lb) with respect to sliding along and across. `hinge_lever` is the lever
-    /// of the pad's hinge times the normal force.
+    /// Derivatives of friction under a normal force (lb) with respect to sliding along and across. `hinge_lever` is the
+    /// lever about the pad's hinge times the normal force.
     #[inline(always)]
     pub(super) fn rub(&self, force: S, hinge_lever: &PlaneDirection<S>) -> [ForceDerivative<S>; 2] {
         let [along, across] = self.slidings();
@@ -331,7 +332,7 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         }
     }
 
-    /// How fast friction under a normal force (lb) lets velocities along and across decay at most, 1/s, with these
+    /// Greatest decay rates of velocities along and across by friction under a normal force (lb), 1/s, with these
     /// inverses of the inertias of body, link and pad.
     #[inline(always)]
     pub(super) fn decays(&self, force: S, per_body: &[S; 6], per_leg: [S; 2]) -> [S; 2] {
@@ -350,7 +351,7 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         greatest_decay(&force, &velocity, per_body, per_leg)
     }
 
-    /// Along and across the sliding velocity.
+    /// The directions along and across the sliding velocity.
     #[inline(always)]
     fn slidings(&self) -> [Sliding<S>; 2] {
         let (along, across) = self.ground.tangents(&self.velocity);

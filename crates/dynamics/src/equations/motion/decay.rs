@@ -1,4 +1,4 @@
-//! How fast velocities decay at most: what tells whether a step is stiff.
+//! Upper bound of the decay rates of velocities, by which steps are found stiff.
 
 use super::contact_response::{Contact, Posture};
 use super::leg::LegMotion;
@@ -10,7 +10,7 @@ use crate::scalar::Real;
 use crate::state::{LegState, State};
 
 impl<S: Real> Motion<S> {
-    /// Rate (1/s) that no decay of a velocity exceeds: the trace of the damping matrix over the inertia.
+    /// Upper bound of the decay rates of velocities, 1/s: the trace of the damping matrix over the inertia.
     #[inline(always)]
     pub fn greatest_decay<const FACE: bool>(&self, state: &State<S>, pieces: &Pieces<S>) -> S {
         let frame = self.frame(&state.body());
@@ -27,7 +27,7 @@ impl<S: Real> Motion<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// The share of this leg, the pad's turn being its angle.
+    /// The share of this leg, with the pad's turn as its angle.
     #[inline(always)]
     fn greatest_decay<const FACE: bool>(
         &self,

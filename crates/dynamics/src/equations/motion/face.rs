@@ -1,7 +1,8 @@
-//! What the ground does to the face of a footpad and to the end of a block ([`crate::rules::ContactRule::Face`]).
+//! Action of the ground on the face of a footpad and the end of a block ([`crate::rules::ContactRule::Face`]).
 //!
-//! Forces act where the ground is touched and are judged by the velocity of that place, and what an element stores elastically
-//! is a function of depth and inclination of which they are the derivatives: crush and friction only take energy.
+//! Forces act where the ground is touched and follow the velocity of that place. The energy that an element stores
+//! elastically is a function of depth and inclination, of which the forces are the derivatives: crush and friction only
+//! take energy.
 
 use nalgebra::Vector3;
 
@@ -11,13 +12,13 @@ use crate::kinematics::{LegFrame, LegPose, PlaneDirection, turned};
 use crate::scalar::Real;
 use crate::state::LegState;
 
-/// Where the ground pushes a footpad, and how hard.
+/// Place and magnitude of the ground's push on a footpad.
 pub(super) struct Press<S> {
     /// Centre of pressure of the sections, or lowest point of the rim, relative to the pivot in leg axes, ft.
     pub(super) place: Vector3<S>,
     /// Normal force, lb.
     pub(super) normal: S,
-    /// Change of what the sections store with cos ξ at the same depth, ft·lb.
+    /// Change of the sections' stored energy with cos ξ at the same depth, ft·lb.
     pub(super) leaning: S,
 }
 
@@ -29,8 +30,8 @@ impl<S: Real> LegMotion<S> {
         [pieces.pad[0].at(outer), pieces.pad[1].at(inner)]
     }
 
-    /// Where the ground pushes a footpad, and how hard. The normal forces on both sections amount to one at their centre of
-    /// pressure, which has one friction; between unloaded sections it is in the middle.
+    /// Place and magnitude of the ground's push on a footpad. The normal forces on both sections amount to one at their
+    /// centre of pressure, with one friction force. Between unloaded sections the centre is in the middle.
     #[inline(always)]
     pub(super) fn press(
         &self,
@@ -62,8 +63,8 @@ impl<S: Real> LegMotion<S> {
         }
     }
 
-    /// What the ground does to a footpad whose pivot swings at l_L γ̇ (ft/s); its torque (52) on the hinge, which opens it
-    /// (ft·lb), and the power that leaning takes up (ft·lb/s).
+    /// Action of the ground on a footpad whose pivot swings at l_L γ̇ (ft/s); its torque (52) on the hinge, opening
+    /// positive (ft·lb); and the power that leaning takes up (ft·lb/s).
     #[inline(always)]
     pub(super) fn face_touch(
         &self,
@@ -99,8 +100,8 @@ impl<S: Real> LegMotion<S> {
         )
     }
 
-    /// Moment on the body (leg axes, ft·lb) and power (ft·lb/s) of a block that leans on the ground: what it stores changes with
-    /// cos ξ_B at the same depth.
+    /// Moment on the body (leg axes, ft·lb) and power (ft·lb/s) of a block that leans on the ground: its stored energy
+    /// changes with cos ξ_B at the same depth.
     #[inline(always)]
     pub(super) fn block_leaning(
         &self,

@@ -1,4 +1,4 @@
-//! Where the feet stand, by which stability is judged.
+//! Positions of the feet, by which stability is judged.
 
 use nalgebra::Vector3;
 
@@ -18,7 +18,7 @@ pub struct Footing {
 }
 
 impl Footing {
-    /// From the signals of all legs, with the CG at a depth (ft) below the surface.
+    /// Takes the footing from the signals of all legs, with the CG at a depth (ft) below the surface.
     #[inline(always)]
     pub fn from_signals(signals: &Signals<f64>, depth: f64) -> Self {
         let legs = signals.leg_count();
@@ -33,7 +33,7 @@ impl Footing {
         footing
     }
 
-    /// Feet yet to be placed, with the CG at a depth (ft) below the surface.
+    /// Blank feet, with the CG at a depth (ft) below the surface.
     #[inline(always)]
     fn level(legs: usize, depth: f64) -> Self {
         Self {
@@ -45,7 +45,7 @@ impl Footing {
 }
 
 impl Motion<f64> {
-    /// Where the feet stand at a state.
+    /// Positions of the feet at a state.
     #[inline(always)]
     pub fn footing(&self, state: &State<f64>) -> Footing {
         let body = state.body();

@@ -1,8 +1,8 @@
-//! Free flight in closed form: no leg is on the surface, so the body falls (55) and turns free of torque (60), and legs
-//! that hang keep their links still while their rates run down (model chapter 5), those of their pads with them (69).
+//! Free flight in closed form. No leg is on the surface, so the body falls (55) and turns free of torque (60). Hanging
+//! legs keep their links still while their rates run down (model chapter 5), and those of their pads with them (69).
 //!
-//! The CG follows its parabola, rates of links an exponential, turns of pads its integral. The rotation of a body
-//! with three different moments of inertia is in elliptic functions; here it is the power series of (60) and of the
+//! The CG follows its parabola, rates of links an exponential, turns of pads its integral. The rotation of a body with
+//! three different moments of inertia takes elliptic functions; here it is the power series of (60) and of the
 //! quaternion, summed to the last bit within [`FreeFlight::reach`].
 
 use libm::expm1;
@@ -12,27 +12,27 @@ use super::{Motion, Pieces};
 use crate::per_leg::PerLeg;
 use crate::state::{Body, State, quaternion_rate};
 
-/// Terms of the series, that of order zero not counted.
+/// Terms of the series, without that of order zero.
 const ORDER: usize = 10;
-/// Last term over the first at which a series counts as summed.
+/// Last term over the first below which a series counts as summed.
 const ROUNDING: f64 = 1e-17;
 
-/// The flight from one state on.
+/// A flight from one state on.
 #[derive(Debug, Clone, Copy)]
 pub struct FreeFlight {
     start: State<f64>,
-    /// ft/s², along z of the ground axes.
+    /// Gravity, ft/s², along z of the ground axes.
     gravity: f64,
-    /// Derivatives of the angular velocity (rad/s, body axes) and of the quaternion, order by order in s, over factorials.
+    /// Derivatives of angular velocity (rad/s, body axes) and quaternion, order by order in s, over factorials.
     rates: [Vector3<f64>; ORDER + 1],
     quaternions: [Vector4<f64>; ORDER + 1],
     legs: PerLeg<HangingLeg>,
 }
 
-/// The motion of a leg that hangs.
+/// Motion of a hanging leg.
 #[derive(Debug, Clone, Copy)]
 struct HangingLeg {
-    /// Rate at which the link's rate runs down, 1/s, and what there is of it to run down, rad/s.
+    /// Rate at which the link's rate runs down, 1/s, and link rate above the residual rate, rad/s.
     run_down: f64,
     surplus: f64,
     /// Moment of inertia of the link, slug·ft².
@@ -40,7 +40,7 @@ struct HangingLeg {
     /// The pad turns at follows·α̇ + steady, rad/s.
     follows: f64,
     steady: f64,
-    /// Share of what the rate of the link loses that the rate of the pad loses too: none where they are one.
+    /// Share of the link's loss of rate that the pad loses too; zero if they are one.
     shared: f64,
 }
 
@@ -127,7 +127,7 @@ impl FreeFlight {
         }
     }
 
-    /// The state so many seconds on, work integrals included.
+    /// State after `time` (s), work integrals included.
     #[cold]
     #[inline(never)]
     pub fn at(&self, time: f64) -> State<f64> {
@@ -148,7 +148,7 @@ impl FreeFlight {
             let rate = leg.link_rate;
             leg.link_rate -= lost;
             leg.pad_rate -= hanging.shared * lost;
-            // What the link loses of its energy goes to its stop.
+            // The energy that the link loses goes to its stop.
             let [.., stop] = &mut leg.work;
             *stop += 0.5 * hanging.inertia * (rate * rate - leg.link_rate * leg.link_rate);
             state.set_leg(j, &leg);
@@ -158,7 +158,7 @@ impl FreeFlight {
 }
 
 impl HangingLeg {
-    /// What link and pad lose of their rates in so many seconds, rad/s, and the integral of that, rad.
+    /// Rate that link and pad lose in `time` (s), rad/s, and its integral, rad.
     fn lost(&self, time: f64) -> (f64, f64) {
         if self.run_down == 0.0 {
             return (0.0, 0.0);

@@ -1,4 +1,4 @@
-//! The equations of one leg: what it does to the body and to itself.
+//! The equations of one leg: its action on the body and on itself.
 
 use nalgebra::Vector3;
 
@@ -23,7 +23,7 @@ pub(super) struct LegMotion<S> {
     inverse_link_inertia: S,
     pub(super) pad_inertia: S,
     inverse_pad_inertia: S,
-    /// 1/(I_γ + I_α) − 1/I_γ, 1/(slug·ft²): where the pad is one with its link.
+    /// 1/(I_γ + I_α) − 1/I_γ, 1/(slug·ft²): for a pad that is one with its link.
     inverse_inertia_change: S,
     /// Damping of the pad's hinge, ft·lb·s/rad.
     pub(super) hinge_damping: S,
@@ -31,7 +31,7 @@ pub(super) struct LegMotion<S> {
     pad_strength: S,
     /// Half of π d_B²/4 C_B.
     block_strength: S,
-    /// These over the slope E of the elastic line and, of the block, over 2: what an element stores is p²/2E per strength.
+    /// These over the slope E of the elastic line and, for the block, over 2: an element stores p²/2E per strength.
     pub(super) pad_leaning: S,
     pub(super) block_leaning: S,
     pub(super) pad_friction: S,
@@ -56,7 +56,7 @@ per_lane!(LegMotion {
 });
 
 impl LegMotion<f64> {
-    /// Of leg `index`, placed from where legs are placed from ([`LegGround::new`]).
+    /// Constants of leg `index`, placed from the centre ([`LegGround::new`]).
     pub(super) fn new(
         index: usize,
         leg: &Leg,
@@ -94,7 +94,7 @@ impl LegMotion<f64> {
     }
 }
 
-/// What one leg does to the body and itself, shows and bears.
+/// Action of one leg on the body and itself, its signals and its loads.
 pub(super) struct LegAction<S> {
     /// Force on the body in vehicle axes, lb.
     pub(super) force: Vector3<S>,
@@ -105,15 +105,15 @@ pub(super) struct LegAction<S> {
     pub(super) loads: LegLoads<S>,
 }
 
-/// What the surface does to a footpad or block, in leg axes.
+/// Action of the surface on a footpad or block, in leg axes.
 pub(super) struct Touch<S> {
-    /// Of the place where it acts.
+    /// Velocity of the place where it acts.
     pub(super) velocity: PointVelocity<S>,
     /// Normal force N, lb.
     pub(super) normal: S,
     /// μ/S, s/ft.
     pub(super) drag: S,
-    /// n + μ t̂: against it the surface pushes with N.
+    /// n + μ t̂: the surface pushes against it with N.
     pub(super) line: Vector3<S>,
     pub(super) force: Vector3<S>,
     pub(super) moment: Vector3<S>,
@@ -137,7 +137,7 @@ impl<S: Real> Touch<S> {
         }
     }
 
-    /// Normal force N and friction along the sliding velocity of `point` (39), over ground with this inward normal.
+    /// Normal force N and friction along the sliding velocity of `point` (39), on ground with this inward normal.
     #[inline(always)]
     fn new(
         inward: &Vector3<S>,
@@ -166,7 +166,7 @@ impl<S: Real> Touch<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// The ground under footpad and block as the body sees it.
+    /// The ground under footpad and block, seen from the body.
     #[inline(always)]
     pub(super) fn seen_ground(&self, body: &BodyFrame<S>) -> [SeenGround<S>; 2] {
         if self.ground.is_even() {
@@ -229,11 +229,10 @@ impl<S: Real> LegMotion<S> {
         self.block_force_per_pressure(frame) * pieces.block.at(pose.block_interference)
     }
 
-    /// What one leg does to the body and itself, and its signals. Without `SIGNALS` nothing is
-    /// computed of elements that are not `pressed`, and their signals mean nothing; without
-    /// `FORCES` nothing but the signals means anything, and of those not the link torque; without `FULL` the leg has to stand
-    /// over the surface. The pad's turn has to be its angle (`stops`). With `FACE`, which needs `FULL`, the ground acts where it
-    /// is touched.
+    /// Action of one leg on the body and itself, and its signals. Without `SIGNALS`, elements that are not `pressed`
+    /// are not computed and their signals mean nothing. Without `FORCES`, only the signals have a meaning, except the
+    /// link torque. Without `FULL`, the leg has to stand over the surface. The pad's turn has to be its angle
+    /// (`stops`). With `FACE`, which needs `FULL`, the ground acts where it is touched.
     #[inline(always)]
     pub(super) fn action<
         const FORCES: bool,
@@ -325,7 +324,7 @@ impl<S: Real> LegMotion<S> {
             .strut
             .force(pose.stroke, leg.link_rate, pose.strut_lever);
         let pivot_torque = link_length * pose.link_normal.dot(&pad.force);
-        // A pad on a stop is one with its link, and damping of its hinge drags the link along.
+        // A pad on a stop is one with its link; damping of its hinge drags the link along.
         let swings = pieces.hinge.swings();
         let damping = self.hinge_damping * (swings * leg.pad_rate);
         let surface_torque = if FACE {
@@ -356,7 +355,7 @@ impl<S: Real> LegMotion<S> {
                 unclipped,
             )
         };
-        // What does not accelerate the link its stop takes, or the turning of the pad.
+        // The stop, or the turning of the pad, takes the torque that does not accelerate the link.
         let stop_power = if FACE {
             let bare_torque = pivot_torque + strut * pose.strut_lever;
             (bare_torque - self.link_inertia * link_acceleration) * leg.link_rate
@@ -387,7 +386,7 @@ impl<S: Real> LegMotion<S> {
                 stop_power,
             ],
         };
-        // The laws take the pivot to swing with the rate state; a frozen link does not.
+        // The laws let the pivot swing with the rate state; a frozen link does not swing.
         let pivot_rate = if FACE {
             let swing = link_length * leg.link_rate;
             frame.pivot_velocity(&pose, swing).inward
@@ -404,7 +403,7 @@ impl<S: Real> LegMotion<S> {
             pad_speed,
         );
         let (outer, outer_rate) = if FULL {
-            // On its edge the depth of the edge stands for the interference of the outboard section.
+            // On the edge, its depth stands for the interference of the outboard section.
             let on_edge = pieces.edge.is_active;
             let turning = derivative.link_angle - pad_speed;
             let tilting = frame.inclination_rate(&pose, turning);

@@ -12,12 +12,12 @@ use crate::response::{Coordinates, ForceDerivative, LegResponse, Response};
 use crate::scalar::Real;
 use crate::state::{LegState, State};
 
-/// Share of the error of a pad's rate that counts where the ground acts at its face. Friction makes it follow body and link
-/// at once; on them and on its angle, whose errors count whole, it has hardly any influence.
+/// Share of the error of a pad's rate that counts where the ground acts at its face. Friction makes the rate follow
+/// body and link at once; it hardly influences them or the pad's angle, whose errors count in full.
 const PAD_ERROR_SHARE: f64 = 0.1;
 
 impl<S: Real> Motion<S> {
-    /// The response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
+    /// Response of a vehicle that hangs in the air, to be overwritten by [`Self::respond`].
     pub fn response(&self) -> Response<S> {
         let (zero, one) = (S::zero(), S::one());
         Response {
@@ -41,7 +41,7 @@ impl<S: Real> Motion<S> {
         let frame = self.frame(&body);
         response.rotation = frame.rotation;
         response.quaternion = body.quaternion;
-        // Landings come and go in lanes, and their bodies with them.
+        // Landings in lanes change, and their bodies with them.
         response.mass = self.mass;
         response.inertia = self.inertia;
         for leg in 0..self.legs.len() {
@@ -58,8 +58,8 @@ impl<S: Real> Motion<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Writes the derivatives of the forces on this leg, the pad's turn being its angle: those of what
-    /// [`Self::action`] computes, but for attitude factors and for levers of the body.
+    /// Writes the derivatives of the forces on this leg, with the pad's turn as its angle: those of the results of
+    /// [`Self::action`], but for attitude factors and levers of the body.
     #[inline(always)]
     pub(super) fn respond<const FACE: bool>(
         &self,
@@ -110,8 +110,7 @@ impl<S: Real> LegMotion<S> {
         self.strut_responds(&posture, response);
     }
 
-    /// Footpad: normal force (29), friction (39), torque about its hinge (52), (69), and what the link bears of it
-    /// (49), (68).
+    /// Footpad: normal force (29), friction (39), torque about its hinge (52), (69), and the link's share (49), (68).
     #[inline(always)]
     fn footpad_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture { pose, pieces, .. } = *posture;
@@ -164,7 +163,7 @@ impl<S: Real> LegMotion<S> {
         );
     }
 
-    /// The same where the ground acts at the face of the footpad.
+    /// The same for ground that acts at the face of the footpad.
     #[inline(always)]
     fn face_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {
@@ -181,7 +180,7 @@ impl<S: Real> LegMotion<S> {
         let line = contact.line();
         let force = line * -press.normal;
         let by_hinge = turned(&press.place);
-        // Of the torque (52), the forces being what they are: its levers turn with the pad, and the forces with the ground.
+        // Torque (52) under constant forces: its levers turn with the pad, and the forces with the ground.
         let mut on_hinge = contact.turned(&force.cross(&by_hinge), S::zero());
         let per_pressure = self.pad_force_per_pressure(pose);
         let pressures = self.pad_pressures(pose, pieces);
@@ -277,11 +276,11 @@ impl<S: Real> LegMotion<S> {
         let per_depth = self.block_force_per_pressure(frame) * pieces.block.slope();
         let along_line = contact.along(&contact.line());
         let mut deeper = contact.along(&frame.block.normal);
-        // An interference grows by so much per depth.
+        // Change of an interference per depth.
         deeper.body *= frame.block.upright;
         let mut push = contact.force(&along_line, -per_depth, S::zero());
         if FACE {
-            // A block gets shorter, and leans on the ground.
+            // A block gets shorter and leans on the ground.
             let (zero, n) = (S::zero(), &frame.block.normal);
             let shorter = Vector3::new(zero, zero, -force);
             push.add(S::one(), &contact.displaced(frame, &shorter, &shorter));
@@ -303,7 +302,7 @@ impl<S: Real> LegMotion<S> {
         });
     }
 
-    /// Strut (42)-(45) on the link (68), which may not be free to move.
+    /// Strut (42)-(45) on the link (68), which may be held.
     #[inline(always)]
     fn strut_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {

@@ -1,4 +1,4 @@
-//! The coefficients that the equations of motion work with.
+//! Coefficients for the equations of motion.
 
 use crate::lanes::{Lanes, PerLane};
 use crate::leg_pieces::LegPieces;
@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use crate::strut::StrutPiece;
 use crate::thrust::ThrustLine;
 
-/// What presses on a leg, in any lane.
+/// Elements of a leg that press, in any lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pressed {
     /// A footpad on the surface.
@@ -19,7 +19,7 @@ pub(super) struct Pressed {
 }
 
 impl Pressed {
-    /// Of a leg with these coefficients.
+    /// Those pressed by these coefficients.
     #[inline(always)]
     pub(super) fn of<S: Real>(legs: &LegPieces<S>) -> Self {
         let [outer, inner] = &legs.pad;
@@ -31,7 +31,7 @@ impl Pressed {
     }
 }
 
-/// Coefficients in force on a leg.
+/// Active coefficients of a leg.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ActivePieces<S> {
     pub(super) leg: LegPieces<S>,
@@ -47,7 +47,7 @@ impl<S: Real> ActivePieces<S> {
     }
 }
 
-/// Coefficients in force on all legs.
+/// Active coefficients of all legs.
 #[derive(Debug, Clone, Copy)]
 pub struct Pieces<S> {
     legs: PerLeg<ActivePieces<S>>,
@@ -55,19 +55,19 @@ pub struct Pieces<S> {
 }
 
 impl<S: Real> Pieces<S> {
-    /// Whether any pad presses on a stop.
+    /// Returns whether any pad presses on a stop.
     #[inline(always)]
     pub fn press_stops(&self) -> bool {
         self.legs.iter().any(|leg| leg.pressed.stops)
     }
 
-    /// Whether any pad is on its edge.
+    /// Returns whether any pad is on its edge.
     #[inline(always)]
     pub fn has_edges(&self) -> bool {
         !self.legs.iter().all(|leg| leg.leg.edge.is_active.is_zero())
     }
 
-    /// Of the strut of leg `leg`.
+    /// Strut of leg `leg`.
     #[inline(always)]
     pub fn strut(&self, leg: usize) -> &StrutPiece<S> {
         &self.legs[leg].leg.strut
@@ -79,7 +79,7 @@ impl<S: Real> Pieces<S> {
         &self.thrust
     }
 
-    /// Of leg `leg`.
+    /// Leg `leg`.
     #[inline(always)]
     pub(super) fn leg(&self, leg: usize) -> &ActivePieces<S> {
         &self.legs[leg]
@@ -110,7 +110,7 @@ impl Pieces<f64> {
 }
 
 impl<const N: usize> Pieces<Lanes<N>> {
-    /// So many legs in the air, in all lanes.
+    /// This many legs in the air, in all lanes.
     pub fn absent(legs: usize) -> Self {
         Self {
             legs: PerLeg::same(legs, ActivePieces::new(LegPieces::absent().splat())),

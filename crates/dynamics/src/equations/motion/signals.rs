@@ -16,11 +16,11 @@ pub struct Signals<S> {
     legs: PerLeg<LegSignals<S>>,
 }
 
-/// Leading signals of a leg, in whole quads, that hold all that have ranges.
+/// Number of leading signals of a leg, in whole quads, that hold all with ranges.
 const RANGED: usize = Signal::RANGED.next_multiple_of(LANES);
 
 impl<S: Real> Signals<S> {
-    /// All signals of so many legs zero.
+    /// Zero signals of this many legs.
     pub fn blank(legs: usize) -> Self {
         Self {
             legs: PerLeg::same(legs, [S::zero(); Signal::COUNT]),
@@ -33,7 +33,7 @@ impl<S: Real> Signals<S> {
         self.legs.len()
     }
 
-    /// Becomes another set of signals of as many legs.
+    /// Takes over other signals of as many legs.
     #[inline(always)]
     pub fn assign(&mut self, other: &Self) {
         self.legs.copy_from_slice(&other.legs);
@@ -65,18 +65,18 @@ impl<S: Real> Signals<S> {
 }
 
 impl Signals<f64> {
-    /// Quads of signals that hold all of a leg that have ranges.
+    /// Number of quads that hold all signals of a leg with ranges.
     pub const RANGED_QUADS: usize = RANGED / LANES;
-    /// Leading quads that hold signals whose rates are signals too.
+    /// Number of leading quads whose signals have rates among the signals.
     pub const RATED_QUADS: usize = Signal::RATED / LANES;
 
-    /// The signals of leg `leg` that have ranges, four at a time.
+    /// The signals of leg `leg` with ranges, four at a time.
     #[inline(always)]
     pub fn ranged(&self, leg: usize) -> &[[f64; LANES]] {
         self.legs[leg][..RANGED].as_chunks().0
     }
 
-    /// Index of a signal of leg `leg` among all.
+    /// Index of a signal of leg `leg` among all legs' signals.
     #[inline(always)]
     pub fn index(leg: usize, signal: Signal) -> usize {
         leg * Signal::COUNT + signal as usize

@@ -1,4 +1,4 @@
-//! Factors of the equations of an implicit stage. Legs touch the body but not each other, so eliminating them leaves six
+//! Factors of the equations of an implicit stage. Legs touch the body but not each other: eliminating them leaves six
 //! equations.
 
 use nalgebra::{Matrix6, Vector6};
@@ -17,7 +17,7 @@ pub struct Factors<S> {
 }
 
 impl<S: Real> Factors<S> {
-    /// A place for those of a vehicle with so many legs.
+    /// Room for those of a vehicle with this many legs.
     pub fn none(legs: usize) -> Self {
         let zero = S::zero();
         Self {
@@ -34,7 +34,7 @@ impl<S: Real> Factors<S> {
         }
     }
 
-    /// Becomes those of the equations of weight τ (s).
+    /// Factors the equations of weight τ (s).
     #[inline(always)]
     pub(super) fn set(&mut self, response: &Response<S>, tau: S) {
         let mut matrix = Matrix6::from([[S::zero(); 6]; 6]);
@@ -79,14 +79,14 @@ impl<S: Real> Factors<S> {
 pub(super) struct Eliminated<S> {
     /// Forces on the body, times τ, per rate of link and of the pad against it.
     pub(super) columns: [Vector6<S>; 2],
-    /// Inverse of what is between link and pad.
+    /// Inverse of the matrix of link and pad.
     pub(super) inverse: [[S; 2]; 2],
-    /// What they move at per velocity of the body, the other way round.
+    /// Rates of link and pad per velocity of the body, negated.
     pub(super) rows: [Vector6<S>; 2],
 }
 
 impl<S: Real> Eliminated<S> {
-    /// Eliminates a leg; what that leaves of it in the equations of the body is written to `body`.
+    /// Eliminates a leg and writes its part of the equations of the body to `body`.
     #[inline(always)]
     fn set(&mut self, leg: &LegResponse<S>, tau: S, body: &mut Matrix6<S>) {
         let [follows, bends] = leg.pad_turn;

@@ -12,8 +12,8 @@ use crate::scalar::Real;
 use crate::state::{Body, LegState, State, quaternion_rate};
 
 impl<S: Real> Response<S> {
-    /// The equations of an implicit stage of weight τ (s), their factors in the place that is given: there is much of
-    /// them to be copied.
+    /// The equations of an implicit stage of weight τ (s), with their factors in the given place, as they are long to
+    /// copy.
     #[inline(always)]
     pub fn over<'a>(&'a self, tau: S, factors: &'a mut Factors<S>) -> System<'a, S> {
         factors.set(self, tau);
@@ -24,8 +24,8 @@ impl<S: Real> Response<S> {
     }
 }
 
-/// The equations (1/τ − J) u = r of an implicit stage, factored: J is the derivative of the motion as far as
-/// the forces' derivatives are known, u and r are states.
+/// The equations (1/τ − J) u = r of an implicit stage, factored. J is the derivative of the motion, as far as
+/// derivatives of the forces are known; u and r are states.
 #[derive(Debug, Clone, Copy)]
 pub struct System<'a, S> {
     response: &'a Response<S>,
@@ -111,8 +111,8 @@ impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
 }
 
 impl<S: Real> System<'_, S> {
-    /// Forces of a leg on the body, with the body's velocities yet to be found, over τ, and what link
-    /// and pad would move at if the body did not.
+    /// Forces of a leg on the body over τ, with the body's velocities yet to be found, and rates of link and pad if the
+    /// body stood still.
     #[inline(always)]
     fn leg_pushes(
         &self,
@@ -147,7 +147,7 @@ impl<S: Real> System<'_, S> {
         (forces, rates)
     }
 
-    /// What link and pad do as the body does this.
+    /// Motion of link and pad for this motion of the body.
     #[inline(always)]
     fn leg_follows(
         &self,
@@ -175,8 +175,7 @@ impl<S: Real> System<'_, S> {
     }
 }
 
-/// Rotation (vehicle axes) that a change of the quaternion (w, x, y, z) amounts to: twice the vector part of
-/// q⁻¹ ∘ δq.
+/// Rotation (vehicle axes) that a change of the quaternion (w, x, y, z) amounts to: twice the vector part of q⁻¹ ∘ δq.
 #[inline(always)]
 fn turn<S: Real>(quaternion: &Vector4<S>, change: &Vector4<S>) -> Vector3<S> {
     let (w, x, y, z) = (quaternion.x, quaternion.y, quaternion.z, quaternion.w);

@@ -1,4 +1,4 @@
-//! Sums of weighted states and their errors, number by number, as integrators need them.
+//! Sums of weighted states and their errors, number by number, for integrators.
 
 use super::{BODY_NUMBERS, LEG, LEG_MOTION, State};
 use crate::integrator::step::StateVector;
@@ -76,8 +76,8 @@ impl<S: Real> StateVector<S> for State<S> {
         }
     }
 
-    /// What moves is weighed by itself or one, whichever is greater; works are in ft·lb and follow from the motion,
-    /// so that they do not count in the first.
+    /// The motion is weighed by its own magnitude or one, whichever is greater. Works are in ft·lb and follow from the
+    /// motion, so they do not count in the first error.
     #[inline(always)]
     fn greatest_error<const TERMS: usize>(
         weights: [S; TERMS],
@@ -86,7 +86,7 @@ impl<S: Real> StateVector<S> for State<S> {
         after: &Self,
     ) -> [S; 2] {
         let mut worst = S::zero();
-        // A maximum drops what is not a number, a sum keeps it.
+        // A maximum drops NaN, a sum keeps it.
         let mut all = S::zero();
         for i in 0..BODY_NUMBERS {
             S::keep_rounds_apart();
@@ -134,7 +134,7 @@ fn sum<S: Real, const TERMS: usize>(weights: [S; TERMS], numbers: [S; TERMS]) ->
     sum
 }
 
-/// An error over what it is weighed by: the number before or after, or one.
+/// An error over its weight: the number before or after, or one.
 #[inline(always)]
 fn scaled<S: Real>(error: S, before: S, after: S) -> S {
     error.abs() / before.abs().max(after.abs()).max(S::one())
@@ -156,7 +156,7 @@ impl<S: Real> State<S> {
             }
             result.body[i] = sum;
         }
-        // Within the room that there is, no index has to be checked.
+        // Within the available room, no index has to be checked.
         for j in 0..self.legs.len().min(MOST_LEGS) {
             for i in 0..LAST {
                 S::keep_rounds_apart();

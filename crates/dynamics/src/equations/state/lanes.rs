@@ -1,4 +1,4 @@
-//! States of several landings, a lane for each.
+//! States of several landings, one per lane.
 
 use super::{BODY_NUMBERS, LEG, State};
 use crate::lanes::Lanes;
@@ -21,7 +21,7 @@ impl<const N: usize> State<Lanes<N>> {
         );
     }
 
-    /// In lanes whose `mark` is zero, the numbers of another.
+    /// Takes over the numbers of another in lanes whose `mark` is zero.
     #[inline(always)]
     pub fn replace(&mut self, mark: Lanes<N>, other: &Self) {
         for i in 0..BODY_NUMBERS {

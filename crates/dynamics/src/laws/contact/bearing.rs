@@ -1,4 +1,4 @@
-//! What a leg stands on: gaps to the ground, elements that give way, and how far a footpad is crushed.
+//! Support of a leg: gaps to the ground, elements that give way, and crush of the footpad.
 
 use super::leg_laws::Heights;
 use super::{LEAST_INCLINATION, LegLaws, LegMode};
@@ -6,7 +6,7 @@ use crate::crush::{Crush, CrushLaw};
 use crate::signal::{LegSignals, Signal};
 
 impl LegMode {
-    /// How far the footpad is over its ground, along the ground's normal, ft.
+    /// Gap between the footpad and its ground, along the ground's normal, ft.
     pub fn pad_gap(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> f64 {
         let (outer, law) = self.outer(laws);
         let gap = |element: &Crush, law: &CrushLaw, signal: Signal| {
@@ -22,7 +22,7 @@ impl LegMode {
         outer.min(inner).max(0.0) * inclination
     }
 
-    /// The same of the block, if there is one, at the cosine of its inclination.
+    /// The same for the block, if there is one, at the cosine of its inclination.
     pub fn block_gap(
         &self,
         laws: &LegLaws,
@@ -34,7 +34,7 @@ impl LegMode {
         (!laws.block.is_absent()).then(|| (set - interference).max(0.0) * inclination)
     }
 
-    /// Whether the footpad is crushed faster than `limit`, ft/s.
+    /// Returns whether the footpad is crushed faster than `limit`, ft/s.
     pub fn pad_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
         if self.is_on_edge {
             return crushes(&self.edge, Signal::OuterRate, limit, signals);
@@ -44,17 +44,17 @@ impl LegMode {
             || crushes(inner, Signal::InnerRate, limit, signals)
     }
 
-    /// Whether the block is crushed faster than `limit`, ft/s.
+    /// Returns whether the block is crushed faster than `limit`, ft/s.
     pub fn block_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
         crushes(&self.block, Signal::BlockRate, limit, signals)
     }
 
-    /// Whether the strut's cartridge is crushed faster than `limit`, ft/s.
+    /// Returns whether the strut's cartridge is crushed faster than `limit`, ft/s.
     pub fn strut_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
         crushes(&self.cartridge, Signal::StrokeRate, limit, signals)
     }
 
-    /// Whether the strut comes to rest before its stop under so much force, lb.
+    /// Returns whether the strut comes to rest before its stop under this force, lb.
     pub fn strut_bears(&self, laws: &LegLaws, force: f64) -> bool {
         let stop = laws.bottoming_stroke();
         let greatest = if laws.cartridge.is_absent() {
@@ -65,8 +65,8 @@ impl LegMode {
         force < greatest
     }
 
-    /// Greatest interference at which the pad was crushed up to these signals, ft, and that at which its hinge is on the
-    /// ground: of its sections or, where it is on its edge and that has less left, of its edge.
+    /// Greatest interference to which the pad was crushed up to these signals, ft, and that with its hinge on the
+    /// ground: of its sections or, if it is on its edge and the edge has less left, of its edge.
     pub fn pad_crush(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 2] {
         let [outer, inner] = [Signal::OuterInterference, Signal::InnerInterference]
             .map(|signal| signals[signal as usize]);
@@ -90,7 +90,7 @@ impl LegMode {
     }
 }
 
-/// Whether an element is crushed faster than `limit`, ft/s.
+/// Returns whether an element is crushed faster than `limit`, ft/s.
 fn crushes(element: &Crush, rate: Signal, limit: f64, signals: &LegSignals<f64>) -> bool {
     element.is_on_front() && signals[rate as usize] > limit
 }

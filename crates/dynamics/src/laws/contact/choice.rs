@@ -14,23 +14,23 @@ use crate::strut::Stance;
 /// The pieces that a leg's laws choose at one state.
 #[derive(Debug, Clone, Copy)]
 pub struct Choice {
-    /// Plastic sets that they leave.
+    /// Plastic sets after the choice.
     pub sets: Sets,
-    /// Whether a section of the footpad is in contact.
+    /// True if a section of the footpad is in contact.
     pub pad_in_contact: bool,
-    /// Whether the block is in contact.
+    /// True if the block is in contact.
     pub block_in_contact: bool,
     stance: Stance,
 }
 
 impl Choice {
-    /// Whether the leg rests on its extension stop on the surface: the torque of the surface on
-    /// whether the link is pushed in is not yet known.
+    /// Returns whether the leg rests on its extension stop on the surface: it is not yet known whether the torque of
+    /// the surface pushes the link in.
     pub fn awaits_torque(&self) -> bool {
         self.stance == Stance::Stopped { pushed: false }
     }
 
-    /// The torque of the surface pushes the link off its stop.
+    /// Lets the torque of the surface push the link off its stop.
     pub fn push(&mut self, laws: &LegLaws, pieces: &mut LegPieces<f64>) {
         self.stance.cross_torque(Exit::Below);
         pieces.link = self.stance.pieces(&laws.strut, &PressureLine::slack()).1;
@@ -38,7 +38,7 @@ impl Choice {
 }
 
 impl LegLaws {
-    /// Writes into `pieces` those that hold at these signals, given that the elements have kept `sets`.
+    /// Writes the pieces that hold at these signals into `pieces`, given the kept `sets` of the elements.
     pub fn choose(
         &self,
         sets: Sets,
@@ -98,8 +98,8 @@ impl LegLaws {
         }
     }
 
-    /// How leg `leg` ends the landing, if it does: bottomed, or its loaded footpad inclined beyond
-    /// what the model has a law for.
+    /// Outcome of the landing by leg `leg`, if any: bottomed, or its loaded footpad inclined beyond the laws of the
+    /// model.
     pub fn end(
         &self,
         leg: usize,

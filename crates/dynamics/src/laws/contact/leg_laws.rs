@@ -10,7 +10,7 @@ use crate::parts::{LegDesign, StrutElement};
 use crate::rules::{ContactRule, CrushRule};
 use crate::strut::{STOP_STROKE, StrutLaw};
 
-/// cos 65 deg: a loaded pad inclined further has no law in the model.
+/// cos 65 deg: the model has no law for a loaded pad inclined further.
 const LEAST_PAD_INCLINATION: f64 = 0.422_618_261_740_699_4;
 
 /// Distance from its resting place on a stop at which a pad counts as arrived, rad: at least this,
@@ -24,17 +24,18 @@ pub struct LegLaws {
     pub(super) pad: CrushLaw,
     pub(super) block: CrushLaw,
     pub(super) strut: StrutLaw,
-    /// Of the strut: absent in a shock absorber.
+    /// Cartridge of the strut: absent in a shock absorber.
     pub(super) cartridge: CrushLaw,
     pub(super) stops: Stops,
-    /// Of the footpad on its edge: absent where such a landing ends.
+    /// Footpad on its edge: absent where such a landing ends.
     pub(super) edge: CrushLaw,
     /// cos ξ below which a footpad is on its edge, or has no law.
     pub(super) least_inclination: f64,
     pub(super) rule: CrushRule,
     pub(super) friction: FrictionProfile,
     pub(super) heights: Heights,
-    /// What a strut pushes its link back with before its stroke counts, ft·lb: by less a pad would not stay pushed.
+    /// Torque by which a strut pushes its link back before its stroke counts, ft·lb; a pad would not stay pushed by
+    /// less.
     pub(super) torque_on_stop: f64,
     /// Torque of the surface that pushes a link off its extension stop, ft·lb.
     pub(super) least_push: f64,
@@ -49,7 +50,7 @@ fn torque_on_stop(design: &LegDesign) -> f64 {
     stiffness * STOP_STROKE * design.linkage.hardpoint_distance
 }
 
-/// What elements can be crushed by until their hinge or hardpoint is on the ground, ft.
+/// Heights by which elements can be crushed until their hinge or hardpoint is on the ground, ft.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Heights {
     pub(super) pad: f64,
@@ -60,7 +61,7 @@ pub(super) struct Heights {
 impl Heights {
     fn of(design: &LegDesign) -> Self {
         let footpad = &design.footpad;
-        // Its hardpoint is the end of a block only where it hangs below it.
+        // A hardpoint is the end of a block only if the block hangs below it.
         let block = (design.block.as_ref()).filter(|block| block.height > 0.0);
         Self {
             pad: footpad.height,
@@ -74,7 +75,7 @@ impl Heights {
 }
 
 impl LegLaws {
-    /// The laws of a leg that is designed like this, under the default rule.
+    /// The laws of a leg of this design, under the default rules.
     pub fn of(design: &LegDesign) -> Self {
         Self {
             pad: CrushLaw::new(&design.footpad.profile, CrushLaw::PAD_PRESSURE_THRESHOLD),
@@ -110,7 +111,7 @@ impl LegLaws {
 
     /// The same laws under another contact rule.
     pub fn with_contact_rule(self, rule: ContactRule) -> Self {
-        // What acts all at once makes a light pad chatter.
+        // Forces that set in all at once make a light pad chatter.
         let [pad, block, least_push] = match rule {
             ContactRule::Pivot => [
                 CrushLaw::PAD_PRESSURE_THRESHOLD,
@@ -128,8 +129,8 @@ impl LegLaws {
         }
     }
 
-    /// Greatest interference at which a section of the pad was crushed that leaves these sets, ft, and that at which its hinge is
-    /// on the ground: for methods that keep no more.
+    /// Greatest interference to which a section of the pad with these sets was crushed, ft, and that with its hinge on
+    /// the ground: for methods that keep no more.
     pub fn pad_crush(&self, sets: &Sets) -> [f64; 2] {
         let [outer, inner] = sets.pad.map(|set| self.pad.deepest(set));
         [outer.max(inner), self.heights.pad]
@@ -150,12 +151,12 @@ impl LegLaws {
         self.strut.bottoming_stroke()
     }
 
-    /// Whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
+    /// Returns whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
     pub fn is_viscous(&self, speed_squared: f64) -> bool {
         Sliding::at(self.friction, speed_squared) == Sliding::Viscous
     }
 
-    /// The same laws with their changes no more exact than landings at this tolerance need.
+    /// The same laws, with changes no more exact than landings at this tolerance need.
     pub fn within(self, tolerance: f64) -> Self {
         let arrival = PAD_ARRIVAL.max(PAD_ARRIVAL_SHARE * tolerance);
         Self {

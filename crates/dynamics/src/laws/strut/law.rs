@@ -1,5 +1,5 @@
-//! The law of one strut, cut into stretches of stroke over which it keeps one piece: the Surveyor's shock absorber (42)-(45),
-//! or friction alone where a cartridge, which has a law of its own ([`crate::crush`]), carries the load.
+//! The law of one strut, cut into stretches of stroke over which it keeps one piece: the Surveyor's shock absorber
+//! (42)-(45), or friction alone if a cartridge with its own law ([`crate::crush`]) carries the load.
 
 use std::sync::Arc;
 
@@ -12,11 +12,11 @@ use crate::profile::Profile;
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct StrokeSegment {
     upper: f64,
-    /// Beyond the elastic limit.
+    /// True beyond the elastic limit.
     is_plastic: bool,
-    /// Whether the law only bends a little at the upper end.
+    /// True if the law bends only a little at the upper end.
     is_gentle_above: bool,
-    /// Whether it does not even bend there.
+    /// True if it does not bend there at all.
     goes_on_above: bool,
     /// S_K = offset + slope δ.
     multiplier: [f64; 2],
@@ -31,7 +31,7 @@ pub struct StrutLaw {
     spring: Spring,
     friction_fraction: f64,
     bottoming_stroke: f64,
-    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
+    /// Rate past standstill up to which a link counts as not turned, rad/s.
     turning_slack: f64,
 }
 
@@ -70,14 +70,13 @@ impl Spring {
     }
 }
 
-/// Turning slack: at least this (rad/s), and this times the tolerance. Where the link turns round,
-/// force and damping are continuous and only curvature jumps: a link that trembles about standstill
-/// by less does not turn.
+/// Turning slack: at least this (rad/s), and this times the tolerance. Where the link turns round, force and damping
+/// are continuous and only curvature jumps. A link that trembles about standstill by less does not turn.
 const TURNING_SLACK: f64 = 1e-11;
 const TURNING_SLACK_PER_TOLERANCE: f64 = 10.0;
 
 impl StrutLaw {
-    /// The law of a strut, cut where any of its pieces changes.
+    /// The law of a strut, cut at every change of its pieces.
     pub fn new(strut: &parts::Strut) -> Self {
         let (segments, spring) = match &strut.element {
             StrutElement::Damper(damper) => {
@@ -85,7 +84,7 @@ impl StrutLaw {
                 (segments_of(damper, spring.elastic_limit), spring)
             }
             StrutElement::Honeycomb(_) => {
-                // A cartridge bears from the first stroke on, however little: it is on its stop only without any.
+                // A cartridge bears from the first stroke on, however little: only at zero stroke is it on its stop.
                 let uppers = [0.0, f64::INFINITY];
                 (uppers.map(StrokeSegment::slack).into(), Spring::NONE)
             }
@@ -99,7 +98,7 @@ impl StrutLaw {
         }
     }
 
-    /// The same law with turns of the link no more exact than landings at this tolerance need.
+    /// The same law, with turns of the link no more exact than landings at this tolerance need.
     pub fn within(self, tolerance: f64) -> Self {
         Self {
             turning_slack: TURNING_SLACK.max(TURNING_SLACK_PER_TOLERANCE * tolerance),
@@ -107,7 +106,7 @@ impl StrutLaw {
         }
     }
 
-    /// Rate past standstill up to which a link is not taken to have turned, rad/s.
+    /// Rate past standstill up to which a link counts as not turned, rad/s.
     pub(super) fn turning_slack(&self) -> f64 {
         self.turning_slack
     }
@@ -117,7 +116,7 @@ impl StrutLaw {
         self.bottoming_stroke
     }
 
-    /// Force of the spring (42)(43) at rest at a stroke (ft), lb.
+    /// Force of the resting spring (42)(43) at a stroke (ft), lb.
     pub fn static_force(&self, stroke: f64) -> f64 {
         let spring = &self.spring;
         let segment = &self.segments[self.segment_at(stroke)];
@@ -151,22 +150,22 @@ impl StrutLaw {
         self.segments[segment].upper
     }
 
-    /// Whether a leg that extends in this segment is on its stop.
+    /// Returns whether a leg that extends in this segment is on its stop.
     pub(super) fn is_on_stop(&self, segment: usize) -> bool {
         self.segments[segment].upper <= STOP_STROKE
     }
 
-    /// Whether the law continues unchanged above the upper end of this segment.
+    /// Returns whether the law continues unchanged above the upper end of this segment.
     pub(super) fn goes_on_above(&self, segment: usize) -> bool {
         self.segments[segment].goes_on_above
     }
 
-    /// Whether a step may run over the lower end of this segment.
+    /// Returns whether a step may run over the lower end of this segment.
     pub(super) fn is_gentle_below(&self, segment: usize) -> bool {
         segment > 0 && self.segments[segment - 1].is_gentle_above
     }
 
-    /// Whether the law only bends a little at the upper end of this segment.
+    /// Returns whether the law bends only a little at the upper end of this segment.
     pub(super) fn is_gentle_above(&self, segment: usize) -> bool {
         self.segments[segment].is_gentle_above
     }
@@ -192,7 +191,7 @@ impl StrutLaw {
         }
     }
 
-    /// Coefficients over a segment of a strut whose cartridge, if it has one, is on this line of load (lb) against stroke.
+    /// Coefficients over a segment. The strut's cartridge, if any, is on this line of load (lb) against stroke.
     pub(super) fn piece(&self, segment: usize, load: &PressureLine<f64>) -> StrutPiece<f64> {
         let spring = &self.spring;
         let ([offset, slope], growth) = if self.segments[segment].is_plastic {
@@ -213,7 +212,7 @@ impl StrutLaw {
 }
 
 impl StrokeSegment {
-    /// Without spring and damper.
+    /// No spring and no damper.
     fn slack(upper: f64) -> Self {
         Self {
             upper,

@@ -1,4 +1,4 @@
-//! What a strut and its link are doing: hanging, on the extension stop, or working.
+//! Stances of a strut and its link: hanging, on the extension stop, or working.
 
 use super::law::StrutLaw;
 use super::{LinkPiece, RESIDUAL_RATE, SMOOTHING_RATE, STOP_STROKE, StrutPiece};
@@ -12,33 +12,32 @@ const STROKE_SLACK: f64 = 1e-13;
 const RATE_SLACK: f64 = 1e-11;
 const TORQUE_SLACK: f64 = 1e-9;
 
-/// What the strut and its link are doing.
+/// Stance of the strut and its link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stance {
-    /// Extended and off the surface: the link is frozen, its rate state runs down while it is
-    /// above 0.001 rad/s.
+    /// Extended and off the surface: the link is frozen, and its rate state runs down while it is above 0.001 rad/s.
     Hanging {
-        /// Whether the rate is running down.
+        /// True while the rate runs down.
         running_down: bool,
     },
-    /// Extended, on the surface and not stroking: the stop carries what would extend it further.
+    /// Extended, on the surface and not stroking: the stop carries the load that would extend it further.
     Stopped {
-        /// Whether the surface pushes the link in.
+        /// True if the surface pushes the link in.
         pushed: bool,
     },
     /// The strut law holds.
     Working {
-        /// The segment the stroke is in or, across a gentle kink, next to.
+        /// Segment of the stroke or, across a gentle kink, the one next to it.
         segment: usize,
     },
 }
 
-/// Between which gentle kinks of the strut law a leg is.
+/// Gentle kinks of the strut law on either side of a leg's state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GentleKinks {
     /// Strokes δ at which a table bends, ft.
     pub strokes: Bounds,
-    /// Link rates γ̇ at which the link turns or resistance is fully there, rad/s.
+    /// Link rates γ̇ at which the link turns or resistance is complete, rad/s.
     pub link_rates: Bounds,
 }
 
@@ -54,8 +53,8 @@ impl Stance {
         }
     }
 
-    /// What a leg does, on or off the surface, at a stroke δ (ft) and link rate γ̇ (rad/s). On its
-    /// stop on the surface it is not pushed: the sign of the torque decides.
+    /// Stance of a leg, on or off the surface, at a stroke δ (ft) and link rate γ̇ (rad/s). On its stop on the surface
+    /// it is not pushed: the sign of the torque decides.
     pub fn at(law: &StrutLaw, on_surface: bool, stroke: f64, link_rate: f64) -> Self {
         if link_rate >= 0.0 && stroke <= STOP_STROKE {
             return Self::extended(on_surface, link_rate);
@@ -65,17 +64,17 @@ impl Stance {
         }
     }
 
-    /// Whether the link hangs still.
+    /// Returns whether the link hangs still.
     pub fn is_hanging(&self) -> bool {
         matches!(self, Self::Hanging { .. })
     }
 
-    /// Whether the leg is on its extension stop.
+    /// Returns whether the leg is on its extension stop.
     pub fn is_extended(&self) -> bool {
         !matches!(self, Self::Working { .. })
     }
 
-    /// Coefficients of the active pieces, the cartridge, if there is one, on this line of load (lb) against stroke.
+    /// Coefficients of the active pieces. The cartridge, if any, is on this line of load (lb) against stroke.
     pub fn pieces(
         &self,
         law: &StrutLaw,
@@ -152,9 +151,8 @@ impl Stance {
         })
     }
 
-    /// Follows the stroke over a gentle kink or off the stop: the law stays the same, its coefficients are centred
-    /// on the segment the stroke is in.
-    /// Whether they changed.
+    /// Follows the stroke over a gentle kink or off the stop. The law stays the same; its coefficients are centred on
+    /// the segment of the stroke. Returns whether they changed.
     pub fn follow(&mut self, law: &StrutLaw, stroke: f64) -> bool {
         let Self::Working { segment } = self else {
             return false;
@@ -173,8 +171,8 @@ impl Stance {
         }
     }
 
-    /// Range of the surface's torque on the link over which the stop keeps carrying, or not. So great a torque (ft·lb) does not
-    /// yet push the link in.
+    /// Range of the surface's torque on the link over which the stop keeps carrying, or not. A torque up to `least`
+    /// (ft·lb) does not yet push the link in.
     pub fn torque_bounds(&self, least: f64) -> Bounds {
         match self {
             Self::Stopped { pushed: true } => Bounds::below(0.0).widened(TORQUE_SLACK),
@@ -183,7 +181,7 @@ impl Stance {
         }
     }
 
-    /// The stroke left its range (other than by bottoming).
+    /// Handles a stroke that left its range (other than by bottoming).
     pub fn cross_stroke(&mut self, law: &StrutLaw, exit: Exit, on_surface: bool, link_rate: f64) {
         if let Self::Working { segment } = self {
             let [first, last] = span(law, *segment);
@@ -197,7 +195,7 @@ impl Stance {
         }
     }
 
-    /// The link rate left its range.
+    /// Handles a link rate that left its range.
     pub fn cross_rate(&mut self, law: &StrutLaw, on_surface: bool, stroke: f64, link_rate: f64) {
         match self {
             Self::Stopped { .. } => {
@@ -215,7 +213,7 @@ impl Stance {
         }
     }
 
-    /// The surface's torque on the link changed sign on the stop.
+    /// Handles a change of sign of the surface's torque on the link on the stop.
     pub fn cross_torque(&mut self, exit: Exit) {
         if let Self::Stopped { pushed } = self {
             *pushed = exit == Exit::Below;
@@ -223,8 +221,8 @@ impl Stance {
     }
 }
 
-/// First and last of the segments over which a strut that works in `segment` has one law: across gentle kinks,
-/// and while it leaves the stop, where only the link must not turn.
+/// First and last segment of one law for a strut that works in `segment`: across gentle kinks, and while it leaves the
+/// stop, where only the link must not turn.
 fn span(law: &StrutLaw, segment: usize) -> [usize; 2] {
     let first = segment - usize::from(law.is_gentle_below(segment));
     let mut last = segment + usize::from(law.is_gentle_above(segment));
@@ -234,8 +232,7 @@ fn span(law: &StrutLaw, segment: usize) -> [usize; 2] {
     [first, last]
 }
 
-/// Range of a link rate between standstill, but for `slack` past it, and the rate at which resistance is
-/// fully there, rad/s.
+/// Range of a link rate between standstill, with `slack` past it, and the rate at which resistance is complete, rad/s.
 fn between_turns(link_rate: f64, slack: f64) -> Bounds {
     if link_rate < -SMOOTHING_RATE {
         Bounds::below(-SMOOTHING_RATE)

@@ -4,9 +4,9 @@ use crate::frame::Scale;
 use crate::number::label;
 use crate::ticks::round_values;
 
-/// What a curve of two equal values is spread to.
+/// Extent given to a curve of two equal values.
 const LEAST_EXTENT: f64 = 1e-9;
-/// Space beyond the values of an axis by doublings, in doublings.
+/// Space beyond the values of an axis of doublings, in doublings.
 const DOUBLINGS_BEYOND: f64 = 0.68;
 
 /// An axis.
@@ -17,7 +17,7 @@ pub struct Axis {
     division: Division,
 }
 
-/// How an axis is divided.
+/// Division of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Division {
     Linear,
@@ -40,7 +40,7 @@ impl Axis {
         Self::new(title, Division::Linear)
     }
 
-    /// An axis divided by powers of ten; values then are greater than zero.
+    /// An axis divided by powers of ten, for values greater than zero.
     pub fn logarithmic(title: &str) -> Self {
         Self::new(title, Division::Decades)
     }
@@ -50,7 +50,7 @@ impl Axis {
         Self::new(title, Division::Doublings)
     }
 
-    /// Where a value lies along the axis.
+    /// Position of a value along the axis.
     pub(super) fn place(&self, value: f64) -> f64 {
         match self.division {
             Division::Linear => value,
@@ -59,7 +59,7 @@ impl Axis {
         }
     }
 
-    /// What is written at a place.
+    /// Label at a position.
     fn label(&self, place: f64) -> String {
         let power = place.round();
         match self.division {
@@ -92,13 +92,13 @@ impl Axis {
         }
     }
 
-    /// The axis around its values, with a title or without.
+    /// The axis around its values, with or without a title.
     pub(super) fn scale(&self, values: impl Iterator<Item = f64>, is_titled: bool) -> Scale {
         let (from, to) = self.extent(values);
         let places = match self.division {
             Division::Linear => round_values(from, to, 7),
             Division::Decades | Division::Doublings => {
-                // Powers, or every second one and so on where there are many.
+                // Powers, or only every second and so on if there are many.
                 let mut powers = round_values(from, to, 12);
                 powers.retain(|power| power.fract() == 0.0);
                 powers
