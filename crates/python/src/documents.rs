@@ -57,9 +57,9 @@ fn document(text: &str) -> Result<Document, InputError> {
 #[pyclass(frozen, module = "touchdown._engine")]
 #[derive(Debug)]
 pub struct Vehicle {
-    /// The vehicle and its document.
+    /// The vehicle file.
     pub file: VehicleFile,
-    /// The vehicle.
+    /// The vehicle, shared.
     pub vehicle: Arc<vehicle::Vehicle>,
 }
 

@@ -1,8 +1,8 @@
 //! Sweeps of lander touchdowns: from input files to result tables.
 //!
-//! The crate has layers; each uses only those below it (checked by `scripts/floors.py`):
+//! The crate has floors; each uses only those below it (checked by `scripts/floors.py`):
 //!
-//! | layer | content |
+//! | floor | content |
 //! |---|---|
 //! | `threads` | landings and searches on all cores |
 //! | `output` | result tables, records, histories; tables of cases |

@@ -98,7 +98,7 @@ impl<M: Medium> Writer<M> {
 mod tests {
     use super::*;
 
-    /// A disk with room for so many bytes, on which syncing may fail.
+    /// A disk with limited room, on which syncing may fail.
     struct Disk {
         bytes: Vec<u8>,
         room: usize,

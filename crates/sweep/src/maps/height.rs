@@ -1,4 +1,4 @@
-//! What refinement uses of a point: its first transition and number of bands.
+//! First transition and number of bands of a point, as used by refinement.
 
 use crate::findings::Finding;
 

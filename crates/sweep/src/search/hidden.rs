@@ -9,8 +9,8 @@
 //! for the least margin. The factor of two allows for a new contact that bends the course of a margin within a scan
 //! step.
 //!
-//! `docs/notes/skips.md` lists the finds and the missed bands. Those missed show in no margin: all margins run smoothly
-//! from one side of the band to the other.
+//! `docs/notes/skips.md` lists the bands found and those missed. Missed bands show in no margin: all margins run
+//! smoothly from one side of the band to the other.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -67,7 +67,7 @@ fn others(class: Class) -> &'static [Class] {
 /// Speed and the margin against ending as `otherwise`, if there is one.
 fn coordinates(sample: &Sample, otherwise: Class) -> Option<[f64; 2]> {
     let margin = match otherwise {
-        // What such a landing has in excess.
+        // The excess of such a landing.
         Class::Stable => -sample.trial.margin([Class::Stable, sample.class()])?,
         _ => sample.trial.margin([Class::Stable, otherwise])?,
     };
@@ -104,7 +104,7 @@ pub(crate) async fn look<Stop>(
     let mut landings: Vec<Sample> = Vec::with_capacity(LANDINGS);
     let mut inner: [Option<[f64; 2]>; 2] = [None, None];
     while landings.len() < LANDINGS {
-        // Of the two inner points of the interval, one is known after the first round.
+        // After the first round one of the two inner points is known.
         let (index, speed) = match inner {
             [None, _] => (0, b - golden * (b - a)),
             [_, None] => (1, a + golden * (b - a)),

@@ -57,7 +57,7 @@ impl Search {
         (self.from + index as f64 * self.scan_step).min(self.to)
     }
 
-    /// Upper estimate of the landings of one search.
+    /// Most landings of a full scan and one bisection.
     pub fn most_landings(&self) -> u64 {
         let halvings = libm::log2(self.scan_step / self.tolerance).ceil().max(0.0);
         self.scan_count() + halvings as u64

@@ -161,7 +161,7 @@ pub fn under_headings(cells: &[Cell], legs: usize) -> Vec<String> {
     names(legs).into_iter().map(told).collect()
 }
 
-/// Columns of so many results of a landing in a table for `legs` legs; its vehicle may have fewer.
+/// Columns for the results of a landing in a table for `legs` legs; its vehicle may have fewer.
 pub fn places(results: usize, legs: usize) -> Vec<usize> {
     let own_legs = legs_of(results);
     if own_legs == legs {

@@ -34,7 +34,7 @@ pub struct Picture {
     jump_words: Option<String>,
     /// Lines where V_H bisects the leading feet, as places.
     bisector: Vec<Vec<[f64; 2]>>,
-    /// What a refined map without triangles lacks.
+    /// Note on a refined map without triangles.
     missing: Option<String>,
     /// Words for points without a transition.
     gap_words: String,
@@ -120,8 +120,7 @@ impl Picture {
     }
 }
 
-/// Note that a refined map of which only the points are present needs its surface for contours: it is written from the
-/// journal of a sweep, not from the table.
+/// Note on a refined map with points only: contours need its surface, which a sweep writes from its journal.
 fn missing(results: &Results) -> Option<String> {
     let heading = results.table.lines().next().unwrap_or_default();
     let is_refined = heading.split(',').any(|column| column == LEVEL);
