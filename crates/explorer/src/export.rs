@@ -1,5 +1,5 @@
-//! The page as one file that needs neither a server nor a network: with all its scripts, the interface as WebAssembly, and
-//! what it is about.
+//! Exports the page as one file that needs neither a server nor a network: with all scripts, the interface as
+//! WebAssembly, and the input.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -9,24 +9,24 @@ use thiserror::Error;
 use crate::named::Named;
 use crate::page::{INDEX, PageFile};
 
-/// The module of the interface among the files of the page.
+/// Path of the interface's module among the files of the page.
 const MODULE: &str = "wasm/explorer.wasm";
-/// Under which name before their paths scripts import each other in an exported page.
+/// Prefix of the names under which scripts import each other in an exported page.
 const SCOPE: &str = "page/";
-/// What the element is called that holds module and input.
+/// Id of the element that holds module and input.
 const ELEMENT: &str = "touchdown-engine";
-/// What stands before the path of a script that another imports.
+/// Text before the path of an imported script.
 const IMPORTS: [&str; 3] = ["from", "import", "import("];
 
-/// Why there is no exported page: a fault of the program.
+/// Reason why the page cannot be exported: a fault of the program.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("the page cannot be exported: {0}")]
 pub struct ExportError(String);
 
-/// The page with everything inside.
+/// The page with everything embedded.
 ///
 /// # Errors
-/// When the program lacks a part of its page.
+/// If the program lacks a part of its page.
 pub fn page(named: &Named) -> Result<String, ExportError> {
     let index = text(&file(INDEX)?)?;
     let with_styles = replaced(index, "<link rel=\"stylesheet\" href=\"", "\">", |path| {
@@ -52,7 +52,7 @@ pub fn page(named: &Named) -> Result<String, ExportError> {
     )
 }
 
-/// What scripts need before they start: each other, the module, and what is explored.
+/// Data that scripts need before they start: each other, the module and the input.
 fn inside(named: &Named) -> Result<String, ExportError> {
     let module = file(MODULE)?;
     if !module.is_gzip {
@@ -80,12 +80,12 @@ fn inside(named: &Named) -> Result<String, ExportError> {
     ))
 }
 
-/// JSON that nothing in it ends the script that it stands in.
+/// JSON with escapes, so that nothing in it ends the enclosing script.
 fn in_script(json: &Value) -> String {
     json.to_string().replace('<', "\\u003c")
 }
 
-/// A script whose imports are names instead of paths relative to it.
+/// A script with its relative import paths replaced by names.
 fn imports_by_name(path: &str, source: &str) -> String {
     let mut parts = source.split_inclusive(['"', '\'']).peekable();
     let mut named = String::with_capacity(source.len());
@@ -102,7 +102,7 @@ fn imports_by_name(path: &str, source: &str) -> String {
     named
 }
 
-/// A path that is relative to a file.
+/// Resolves a path relative to a file.
 fn joined(file: &str, relative: &str) -> String {
     let mut steps: Vec<&str> = file.split('/').collect();
     steps.pop();
@@ -116,7 +116,7 @@ fn joined(file: &str, relative: &str) -> String {
     steps.join("/")
 }
 
-/// A text in which everything between `begin` and `end`, these included, is replaced.
+/// Replaces everything from `begin` to `end`, inclusive.
 fn replaced(
     mut rest: &str,
     begin: &str,

@@ -1,6 +1,6 @@
-//! What a page can ask: a name and a JSON text, answered by a JSON text.
+//! The requests of a page: a name and a JSON text, answered by a JSON text.
 //!
-//! An answer depends on the request and on what was named, and on nothing else: no files, clocks or threads.
+//! An answer depends only on the request and the named files: not on other files, clocks or threads.
 
 mod bands;
 mod classes;
@@ -35,13 +35,13 @@ pub const NAMES: [&str; 11] = [
     "command",
 ];
 
-/// Asked before every step of a landing, and between those of a strip: whether the answer is no longer wanted.
+/// Asked before every step of a landing and between those of a strip; true once the answer is no longer wanted.
 pub type IsOver<'a> = &'a dyn Fn() -> bool;
 
 /// Answers a request.
 ///
 /// # Errors
-/// Says what cannot be answered, in the words of the command line.
+/// The reason why there is no answer, in the words of the command line.
 pub fn answer(
     named: &Named,
     name: &str,

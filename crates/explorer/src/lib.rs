@@ -1,7 +1,7 @@
 //! An explorer of landings in the browser.
 //!
-//! [`interface`] answers what a page asks, from what was [`named`]. The `page` itself is part of the program, and `server` has both
-//! for a browser on this machine, `export` in one file. The engine knows nothing of all this.
+//! [`interface`] answers the requests of a page from the [`named`] files. The `page` itself is part of the program;
+//! `server` provides both to a browser on this machine, `export` in one file. The engine is independent of all this.
 
 #[cfg(feature = "server")]
 pub mod export;

@@ -1,4 +1,4 @@
-//! What there is to explore: the files that were named, read once.
+//! The named input files, read once.
 
 mod reading;
 mod record;
@@ -15,31 +15,31 @@ use reading::Reading;
 pub use results::{Results, ResultsKind};
 pub use source::{Source, SourceKind};
 
-/// The vehicle to begin with where none is named.
+/// Default vehicle if no file is named.
 const SURVEYOR: &str = "sweeps/vehicles/surveyor-table-4-1.toml";
 const SURVEYOR_TEXT: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
-/// Everything that requests can name.
+/// Everything that requests can refer to.
 #[derive(Debug, Clone)]
 pub struct Named {
-    /// Touchdowns to start from, at least one.
+    /// Starting touchdowns, at least one.
     pub sources: Vec<Source>,
     /// Tables of results.
     pub results: Vec<Results>,
-    /// Units of answers that ask for none.
+    /// Default units of answers.
     pub units: OutputUnits,
-    /// The files as they were named.
+    /// The files as named.
     pub files: Vec<PathBuf>,
-    /// Copies of all files that were read.
+    /// Copies of all files read.
     pub copies: Vec<library::Source>,
 }
 
 impl Named {
-    /// Reads files: vehicles, scenes, sweeps, tables of results. Without any, the Surveyor. Units are those of the first file
-    /// unless others are given.
+    /// Reads files: vehicles, scenes, sweeps, tables of results; the Surveyor without any. Units default to those of
+    /// the first file.
     ///
     /// # Errors
-    /// Names the first file that is none of these, or what is wrong in it.
+    /// Names the first file that is none of these, or the fault in it.
     pub fn read(
         files: &[PathBuf],
         library: Library,
@@ -95,7 +95,7 @@ impl Named {
         Ok(())
     }
 
-    /// Adds a source under a name that no other has.
+    /// Adds a source under a unique name.
     fn add_source(&mut self, mut source: Source) -> String {
         source.name = unnamed(&source.name, |name| self.source(Some(name)).is_some());
         let name = source.name.clone();
@@ -103,7 +103,7 @@ impl Named {
         name
     }
 
-    /// The source of a name.
+    /// The source with a name, or the first.
     pub fn source(&self, name: Option<&str>) -> Option<&Source> {
         match name {
             None => self.sources.first(),
@@ -111,7 +111,7 @@ impl Named {
         }
     }
 
-    /// Name of the source that the landings of a table start from: the first of all, where the table has no record.
+    /// Name of the source of the landings of a table: the first of all if the table has no record.
     pub fn source_of<'n>(&'n self, results: &'n Results) -> &'n str {
         match &results.source {
             Some(source) => source,
@@ -119,13 +119,13 @@ impl Named {
         }
     }
 
-    /// The table of results of a name.
+    /// Finds a table of results by name.
     pub fn results(&self, name: &str) -> Option<&Results> {
         self.results.iter().find(|results| results.name == name)
     }
 }
 
-/// A name, with a number where it is taken.
+/// A name, with a number appended if taken.
 fn unnamed(name: &str, is_taken: impl Fn(&str) -> bool) -> String {
     let mut free = name.to_owned();
     let mut number = 1;

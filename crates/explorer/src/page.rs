@@ -1,19 +1,19 @@
-//! The files of the page, which are part of the program.
+//! The files of the page, embedded in the program.
 
-/// All files with their paths. One that ends with `.gz` is sent as it is, under its name without that ending.
+/// All files with their paths. Files that end with `.gz` are sent compressed, under the name without this ending.
 const FILES: &[(&str, &[u8])] = &include!(concat!(env!("OUT_DIR"), "/page_files.rs"));
-/// What is sent for the address alone.
+/// File sent for the bare address.
 pub const INDEX: &str = "index.html";
 const GZIP: &str = ".gz";
 
 /// A file of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PageFile {
-    /// Its path, without `.gz`.
+    /// Path, without `.gz`.
     pub path: &'static str,
-    /// What it holds.
+    /// Content.
     pub bytes: &'static [u8],
-    /// Whether that is compressed.
+    /// True if the content is compressed.
     pub is_gzip: bool,
 }
 
@@ -32,13 +32,13 @@ impl PageFile {
         FILES.iter().copied().map(Self::of)
     }
 
-    /// The file at a path; the page itself at none.
+    /// The file at a path; the page itself for an empty path.
     pub fn at(path: &str) -> Option<Self> {
         let path = if path.is_empty() { INDEX } else { path };
         Self::all().find(|file| file.path == path)
     }
 
-    /// Its media type.
+    /// Media type.
     pub fn media_type(&self) -> &'static str {
         match self.path.rsplit('.').next().unwrap_or_default() {
             "html" => "text/html; charset=utf-8",

@@ -1,4 +1,4 @@
-//! The page and its interface over HTTP, for this machine.
+//! Serves the page and its interface over HTTP on this machine.
 
 mod calls;
 mod gate;
@@ -25,12 +25,12 @@ use limits::Limits;
 use random::random_digits;
 use service::Service;
 
-/// Where it listens unless told otherwise: this machine alone.
+/// Default address: this machine only.
 pub const LOOPBACK: Ipv4Addr = Ipv4Addr::LOCALHOST;
-/// Rest after a connection could not be taken, as when there are too many files open.
+/// Pause after a connection could not be accepted, e.g. with too many open files.
 const REST: Duration = Duration::from_millis(50);
 
-/// A server that is bound to its port.
+/// A server bound to its port.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
@@ -40,10 +40,10 @@ pub struct Server {
 }
 
 impl Server {
-    /// Takes a port; 0 is any that is free.
+    /// Binds to a port; 0 selects a free one.
     ///
     /// # Errors
-    /// When the address cannot be had, or the system gives no random numbers.
+    /// If the address is unavailable, or the system provides no random numbers.
     pub fn bind(address: SocketAddr, named: Named) -> io::Result<Self> {
         let listener = TcpListener::bind(address)?;
         listener.set_nonblocking(true)?;
@@ -55,7 +55,7 @@ impl Server {
         })
     }
 
-    /// The address of the page. Whoever has it can ask.
+    /// Address of the page. Anyone who has it may send requests.
     pub fn url(&self) -> String {
         let mut address = self.address;
         if address.ip().is_unspecified() {
@@ -67,7 +67,7 @@ impl Server {
     /// Serves until the program ends.
     ///
     /// # Errors
-    /// When the system gives no means to.
+    /// If the system cannot start the server.
     pub fn run(self) -> io::Result<()> {
         let limits = Limits::of_this_machine();
         let runtime = Builder::new_current_thread()
@@ -93,12 +93,12 @@ impl Server {
                 tokio::time::sleep(REST).await;
                 continue;
             };
-            // Answers are written whole: nothing is gained by waiting for more. Should this fail, they only come later.
+            // Answers are written in one piece, so there is no point in waiting for more. A failure only delays them.
             let _ = stream.set_nodelay(true);
             let service = Arc::clone(&service);
             tokio::spawn(async move {
                 let answer = service_fn(|request| service.answer(request));
-                // What becomes of a connection is the client's business.
+                // Failures of a connection concern only the client.
                 let _ = http1::Builder::new()
                     .timer(TokioTimer::new())
                     .header_read_timeout(limits::HEADER_TIME)

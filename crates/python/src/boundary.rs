@@ -1,4 +1,4 @@
-//! The bands of one point.
+//! Bands of a single point.
 
 use std::num::NonZeroUsize;
 
@@ -16,7 +16,7 @@ use crate::errors::Failure;
 use crate::interruptible;
 use crate::sweeps::Sweep;
 
-/// Searches the boundary at the first point of a sweep: what is found, and warnings of it.
+/// Searches the boundary at the first point of a sweep; returns the result and its warnings.
 #[pyfunction]
 pub fn boundary<'py>(
     py: Python<'py>,

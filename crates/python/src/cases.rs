@@ -1,4 +1,4 @@
-//! Many landings, from columns to columns.
+//! Many landings, from input columns to result columns.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -28,11 +28,12 @@ use crate::documents::{Scene, Solver, Vehicle, output_units};
 use crate::errors::{Failure, in_the_way};
 use crate::interruptible::{self, Work};
 
-/// Columns of results by name, as Python takes them.
+/// Result columns by name, as passed to Python.
 type PyColumns<'py> = Vec<(String, Bound<'py, PyTuple>)>;
 
-/// Lands every row of a table of columns, each an array of numbers or a list of texts; the scene has the conditions of rows that say
-/// nothing else. With `out` results go to this file too, as the command line writes it, and to a journal beside it until then.
+/// Lands every row of a table of columns, each an array of numbers or a list of texts; `scene` has the default
+/// conditions of rows. With `out`, results also go to this file, in the format of the command line, and until then to a
+/// journal beside it.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "Python gives them by name")]
 pub fn land_many<'py>(
@@ -110,7 +111,7 @@ fn landed(
     Ok(results)
 }
 
-/// Results of all rows, which are also written to a file, and what is to be said of its journal.
+/// Computes the results of all rows and writes them to a file; also returns the warnings of its journal.
 fn landed_into(
     out: &Path,
     table: &CaseTable,
@@ -139,7 +140,8 @@ fn landed_into(
     Ok((results, of_journal))
 }
 
-/// Results of all rows, which are to be those of a file that is there. It tells nothing of its input, so that they are computed anew.
+/// Computes the results of all rows, which must equal those of an existing file. The file does not contain its input,
+/// so they are computed anew.
 fn landed_again(
     out: &Path,
     there: &str,
@@ -169,7 +171,7 @@ fn landed_again(
     Ok(results)
 }
 
-/// A byte that no text contains.
+/// A byte that occurs in no text.
 const END_OF_CELL: u8 = 0xff;
 
 /// The values of a column of cases.
@@ -188,7 +190,7 @@ impl Values {
     }
 }
 
-/// Columns as a table of cases.
+/// Columns that form a table of cases.
 #[derive(Debug)]
 struct ColumnsOfCases {
     names: Vec<String>,
@@ -234,13 +236,13 @@ impl CaseCells for ColumnsOfCases {
     }
 }
 
-/// Results of all rows, column by column.
+/// Results of all rows, by column.
 #[derive(Debug)]
 struct Results {
     columns: Vec<(Quantity, Column)>,
-    /// Classes of the outcomes, which tables of the command line have not.
+    /// Classes of the outcomes, absent from tables of the command line.
     classes: Column,
-    /// Of the rows that have any.
+    /// Warnings by row.
     warnings: BTreeMap<usize, ContactWarnings>,
     legs: usize,
     units: OutputUnits,
@@ -267,21 +269,21 @@ impl Results {
         }
     }
 
-    /// Keeps the warnings of a row, if it has any.
+    /// Stores the warnings of a row, if any.
     fn warn(&mut self, row: usize, warnings: ContactWarnings) {
         if warnings != ContactWarnings::default() {
             self.warnings.insert(row, warnings);
         }
     }
 
-    /// The warnings of all rows, in words.
+    /// Warnings of all rows, in words.
     fn warnings(&self) -> Vec<String> {
         let rows = self.warnings.iter();
         let rows = rows.map(|(row, warnings)| (format!("row {row}"), *warnings));
         warnings::of_cases(rows, self.units)
     }
 
-    /// Sets the results of all rows, and gives the table of them as the command line writes it.
+    /// Sets the results of all rows; returns their table in the format of the command line.
     fn set_all(
         &mut self,
         table: &CaseTable,

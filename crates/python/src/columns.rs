@@ -1,4 +1,4 @@
-//! Columns of numbers and words on their way to NumPy.
+//! Columns of numbers and words for NumPy.
 
 use std::collections::HashMap;
 
@@ -9,16 +9,16 @@ use pyo3::types::{PyByteArray, PyTuple};
 /// A column of results.
 #[derive(Debug)]
 pub enum Column {
-    /// Numbers; NaN where there is none.
+    /// Numbers; NaN if missing.
     Numbers(Vec<f64>),
     /// Counts.
     Counts(Vec<i64>),
-    /// Words, by their places in a list; -1 where there is none.
+    /// Words, as indices into a list; -1 if missing.
     Words(Vec<i32>, WordList),
 }
 
 impl Column {
-    /// A column of words that has none yet.
+    /// A column of words, all missing.
     pub fn no_words(rows: usize) -> Self {
         Self::Words(vec![-1; rows], WordList::default())
     }
@@ -30,7 +30,7 @@ impl Column {
         }
     }
 
-    /// The column as Python takes it: bytes, the type of their numbers, and words.
+    /// The column as passed to Python: bytes, number type, and words.
     pub fn into_python<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         match self {
             Self::Numbers(numbers) => (array(py, &numbers), "f8", None::<Vec<String>>),
@@ -41,7 +41,7 @@ impl Column {
     }
 }
 
-/// Words in the order in which they came up.
+/// Words in order of appearance.
 #[derive(Debug, Default)]
 pub struct WordList {
     words: Vec<String>,
@@ -60,7 +60,7 @@ impl WordList {
     }
 }
 
-/// Numbers as bytes that NumPy makes an array of without copying them again.
+/// Numbers as bytes, from which NumPy makes an array without another copy.
 pub fn array<'py, T: NoUninit>(py: Python<'py>, numbers: &[T]) -> Bound<'py, PyByteArray> {
     PyByteArray::new(py, cast_slice(numbers))
 }

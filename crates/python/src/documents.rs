@@ -21,7 +21,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::errors::{Failure, guarded};
 
-/// Vehicles that come with the package.
+/// Vehicles shipped with the package.
 const OWN_VEHICLES: [(&str, &str); 4] = [
     (
         "surveyor-table-4-1",
@@ -40,15 +40,15 @@ const OWN_VEHICLES: [(&str, &str); 4] = [
         include_str!("../../../sweeps/vehicles/six-legs.toml"),
     ),
 ];
-/// What a value of a dictionary may be.
+/// Allowed values of a dictionary.
 const VALUES: &str = "a number, a text, a list or a dictionary";
-/// Longest value that a complaint tells, bytes; of a longer one it tells the type.
+/// Longest value quoted in an error, bytes; of a longer one only the type is given.
 const LONGEST_TOLD: usize = 80;
-/// Most dictionaries and lists within each other: more than any input has, and fewer than the stack holds. One may contain
+/// Greatest nesting of dictionaries and lists: more than any input has, and less than the stack holds. One may contain
 /// itself.
 const DEEPEST: usize = 32;
 
-/// A document that stands in no file.
+/// A document without a file.
 fn document(text: &str) -> Result<Document, InputError> {
     Document::parse(Path::new(""), text)
 }
@@ -57,15 +57,15 @@ fn document(text: &str) -> Result<Document, InputError> {
 #[pyclass(frozen, module = "touchdown._engine")]
 #[derive(Debug)]
 pub struct Vehicle {
-    /// With the document that describes it.
+    /// The vehicle file.
     pub file: VehicleFile,
-    /// What lands.
+    /// The vehicle, shared.
     pub vehicle: Arc<vehicle::Vehicle>,
 }
 
 #[pymethods]
 impl Vehicle {
-    /// Reads TOML text. `path` is the file that complaints name; without, they name none.
+    /// Parses TOML text. `path` is the file named in errors; if empty, none is.
     #[new]
     fn new(text: &str, path: &str) -> Result<Self, Failure> {
         guarded(|| {
@@ -75,24 +75,24 @@ impl Vehicle {
         })
     }
 
-    /// Its name.
+    /// Name.
     #[getter]
     fn name(&self) -> &str {
         &self.file.name
     }
 
-    /// Number of its legs.
+    /// Number of legs.
     #[getter]
     fn legs(&self) -> usize {
         self.vehicle.legs().len()
     }
 
-    /// All of it in the units of the program, as JSON.
+    /// The whole vehicle in program units, as JSON.
     fn resolved(&self) -> String {
         resolved_input::vehicle(&self.file.document).to_string()
     }
 
-    /// Its TOML text with other values of parameters, which are named with `vehicle.` before them.
+    /// Its TOML text with values of parameters replaced; names start with `vehicle.`.
     fn replaced(&self, values: Vec<(String, String)>) -> Result<String, Failure> {
         guarded(|| {
             let set = values
@@ -113,65 +113,65 @@ pub struct Scene(pub Touchdown);
 
 #[pymethods]
 impl Scene {
-    /// Reads TOML text with the keys of a table `[scene]`.
+    /// Parses TOML text with the keys of a table `[scene]`.
     #[new]
     fn new(text: &str) -> Result<Self, Failure> {
         guarded(|| Touchdown::from_document(document(text)?).map(Self))
     }
 
-    /// All numbers in the units of the program, with defaults.
+    /// All numbers in program units, with defaults.
     fn resolved(&self) -> Vec<(&'static str, f64)> {
         self.0.conditions().resolved()
     }
 }
 
-/// How landings are computed.
+/// Settings of landings.
 #[pyclass(frozen, module = "touchdown._engine")]
 #[derive(Debug)]
 pub struct Solver(pub Settings);
 
 #[pymethods]
 impl Solver {
-    /// Reads TOML text with a table `[solver]`.
+    /// Parses TOML text with a table `[solver]`.
     #[new]
     fn new(text: &str) -> Result<Self, Failure> {
         guarded(|| single_landing::settings(&document(text)?).map(Self))
     }
 }
 
-/// The text of a vehicle that comes with the package.
+/// Text of a vehicle shipped with the package.
 #[pyfunction]
 pub fn own_vehicle(name: &str) -> Option<&'static str> {
     let mut own = OWN_VEHICLES.iter();
     own.find_map(|(known, text)| (*known == name).then_some(*text))
 }
 
-/// A dictionary as TOML text.
+/// Writes a dictionary as TOML text.
 #[pyfunction]
 pub fn toml(values: &Bound<PyMapping>) -> PyResult<String> {
     Ok(toml_text::text(&entries(values, "", 0)?))
 }
 
-/// The name of a parameter in the unit of the program; `None` where there is no such parameter.
+/// Name of a parameter in program units; `None` if there is no such parameter.
 #[pyfunction]
 pub fn program_name(name: &str) -> Option<String> {
     Parameter::named(name, MOST_LEGS).map(|parameter| parameter.program_name().to_owned())
 }
 
-/// A name without the unit that it ends with, and this unit in words; "1" for pure numbers.
+/// Splits a name into the name without unit, and the unit in words; "1" for pure numbers.
 #[pyfunction]
 pub fn bare_name_and_unit(name: &str) -> (&str, &'static str) {
     (unit::bare_name_and_unit(name).0, unit::unit(name))
 }
 
-/// A result in other units: the name and the number that it has there.
+/// Name and value of a result in other units.
 #[pyfunction]
 pub fn in_units(name: &str, value: f64, units: &str) -> PyResult<(String, f64)> {
     let quantity = output_units(units)?.quantity(name);
     Ok((quantity.name().to_owned(), quantity.number(value)))
 }
 
-/// Units of results by their word.
+/// Finds units of results by their word.
 pub fn output_units(word: &str) -> Result<OutputUnits, Failure> {
     let refuse = || InputError::value("units", format!("{word:?}"), "\"US\" or \"SI\"").into();
     OutputUnits::named(word).ok_or_else(refuse)

@@ -12,10 +12,10 @@ use touchdown_sweep::journal::JournalError;
 use touchdown_sweep::run::RunError;
 use touchdown_sweep::tables::TablesError;
 
-/// Why a call has no result.
+/// Reason why a call has no result.
 #[derive(Debug)]
 pub enum Failure {
-    /// The input cannot be used.
+    /// The input is invalid.
     Input(InputError),
     /// Files cannot be read or written.
     Files(String),
@@ -24,12 +24,12 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// Anything that the engine is to blame for.
+    /// A fault of the engine.
     pub fn engine(error: impl fmt::Display) -> Self {
         Self::Engine(error.to_string())
     }
 
-    /// What a panic said.
+    /// The message of a panic.
     pub fn of_panic(panic: &(dyn Any + Send)) -> Self {
         let said = (panic.downcast_ref::<String>().map(String::as_str))
             .or_else(|| panic.downcast_ref::<&str>().copied());
@@ -40,7 +40,7 @@ impl Failure {
     }
 }
 
-/// The complaint about a file that may not be written, with the option as Python has it.
+/// Error about a file that must not be overwritten, with the option as spelled in Python.
 pub fn in_the_way(error: InputError) -> InputError {
     match error.to_string() {
         said if said.contains("--overwrite") => {
@@ -50,12 +50,12 @@ pub fn in_the_way(error: InputError) -> InputError {
     }
 }
 
-/// Does work whose panic is a failure.
+/// Runs work and turns a panic into a failure.
 pub fn guarded<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<T, Failure>
 where
     Failure: From<E>,
 {
-    // Nothing outlives the work that it could have left half done.
+    // Nothing that the work could leave half done outlives it.
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(result) => Ok(result?),
         Err(panic) => Err(Failure::of_panic(&*panic)),

@@ -1,11 +1,11 @@
-//! A fault of the engine on purpose.
+//! A deliberate fault of the engine.
 
 use pyo3::prelude::*;
 
 use crate::errors::{Failure, guarded};
 use crate::interruptible;
 
-/// Panics where the engine may, so that tests of the very wheel see what becomes of it: while something is read (`"reading"`),
+/// Panics where the engine might, so that tests of the built wheel can check the effect: while reading (`"reading"`),
 /// in a landing (`"in place"`), or on a thread of a long call (`"on a thread"`).
 #[pyfunction]
 pub fn fault(py: Python, place: &str) -> PyResult<()> {

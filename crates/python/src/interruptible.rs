@@ -1,5 +1,5 @@
-//! Work that Ctrl-C ends: on a thread of its own, while the thread that called tells how far it is, or in place, where it asks
-//! now and then whether to go on.
+//! Work that Ctrl-C interrupts: on its own thread, while the calling thread reports progress, or in place, where it
+//! checks now and then whether to continue.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -12,21 +12,20 @@ use touchdown_sweep::run::Observer;
 
 use crate::errors::{Failure, guarded};
 
-/// Time between two looks at signals.
+/// Interval between checks for signals.
 const LOOK_INTERVAL: Duration = Duration::from_millis(50);
-/// Longest wait for work that was told to stop, and so for its journal to be free again: a landing that takes longer is left to
-/// end on its own.
+/// Longest wait for stopped work to end and release its journal; a landing that takes longer is left to end by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Questions whether to go on for one look at the clock.
+/// Checks for continuation per look at the clock.
 const QUESTIONS_PER_LOOK: u32 = 64;
 
 const NO_RESULT: &str = "the engine gave no result";
 
-/// How far work is, and whether it is to go on.
+/// Progress of work, and its stop flag.
 #[derive(Debug, Default)]
 pub struct Work {
-    /// Whether it is to stop.
+    /// True once it should stop.
     pub cancel: AtomicBool,
     wanted: AtomicU64,
     done: AtomicU64,
@@ -34,7 +33,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// So many points are done already.
+    /// Counts points that were done before.
     pub fn skip(&self, points: usize) {
         self.done.fetch_add(points as u64, Ordering::Relaxed);
     }
@@ -58,11 +57,11 @@ impl Observer for Work {
     }
 }
 
-/// Does `work` without the interpreter. `watch` is called with the points done, the points wanted and the landings so far
-/// whenever that has changed.
+/// Runs `work` without the interpreter. Calls `watch` with the points done, the points wanted and the landings so far
+/// whenever these change.
 ///
 /// # Errors
-/// What the work failed with, a signal, or what `watch` raised.
+/// An error of the work, a signal, or an exception of `watch`.
 pub fn run<T: Send + 'static>(
     py: Python,
     watch: Option<&Bound<PyAny>>,
@@ -72,7 +71,7 @@ pub fn run<T: Send + 'static>(
     let (sender, mut results) = channel();
     let own = Arc::clone(&shared);
     let thread = thread::spawn(move || {
-        // Whoever waited for it may be gone.
+        // The receiver may be gone.
         let _ = sender.send(work(&own));
     });
     let mut told = [0; 3];
@@ -98,18 +97,18 @@ pub fn run<T: Send + 'static>(
         }
         if let Err(error) = looked {
             shared.cancel.store(true, Ordering::Relaxed);
-            // What it comes to now is of no interest.
+            // Its result is no longer of interest.
             let _ = wait(py, &mut results, PATIENCE);
             return Err(error);
         }
     }
 }
 
-/// Does `work` in place without the interpreter, for what takes no longer as a rule than a thread takes to start. It asks the
-/// function that it is given whether to go on, and has no result where it is not to.
+/// Runs `work` in place without the interpreter, if it is usually shorter than starting a thread. The work calls the
+/// function it is given to ask whether to continue; if not, it returns no result.
 ///
 /// # Errors
-/// A signal, or that the work panicked.
+/// A signal, or a panic of the work.
 pub fn in_place<T: Send>(
     py: Python,
     work: impl FnOnce(&mut dyn FnMut() -> bool) -> Option<T> + Send,

@@ -16,10 +16,10 @@ use crate::documents::{Scene, Solver, Vehicle, output_units};
 use crate::errors::{Failure, guarded};
 use crate::interruptible;
 
-/// Most instants in a history, as on the command line.
+/// Most instants of a history, as on the command line.
 const LONGEST_HISTORY: f64 = 1e7;
 
-/// Computes a landing: its results by name, and what they are to be warned of, in these units.
+/// Computes a landing: results by name and an optional warning, in these units.
 #[pyfunction]
 pub fn land<'py>(
     py: Python<'py>,
@@ -32,7 +32,7 @@ pub fn land<'py>(
     let touchdown = scene_for(vehicle, scene, solver)?;
     let settings = solver.0;
     let landed = match settings.method() {
-        // At once, for a thread would take longer than many a landing.
+        // In place: starting a thread takes longer than many landings.
         Method::Located => interruptible::in_place(py, |goes_on| {
             let (lander, none) = (&vehicle.vehicle, &mut |_: &Instant| {});
             land_located_while(lander, &touchdown, &settings, f64::INFINITY, none, goes_on)
@@ -48,7 +48,7 @@ pub fn land<'py>(
     Ok((results(py, &landed)?, warning(&landed, units)))
 }
 
-/// Computes a landing: columns of its history, every `interval` seconds, by name.
+/// Computes the history of a landing: columns by name, with an instant every `interval` seconds.
 #[pyfunction]
 pub fn history<'py>(
     py: Python<'py>,
@@ -100,7 +100,7 @@ fn scene_for(
     guarded(|| scene.0.scene_for(&vehicle.vehicle, &solver.0))
 }
 
-/// Results of a landing in the units of the program, by name.
+/// Results of a landing in program units, by name.
 fn results<'py>(py: Python<'py>, landing: &Landing) -> PyResult<Bound<'py, PyDict>> {
     let energies = &landing.energies;
     let work = |of: fn(&LegWork) -> f64| PyTuple::new(py, energies.legs.iter().map(of));

@@ -1,8 +1,7 @@
-//! The engine behind the Python package `touchdown`, which makes of it the shapes that people expect
-//! (`python/touchdown`).
+//! The engine behind the Python package `touchdown`, which wraps it in Pythonic form (`python/touchdown`).
 //!
-//! Input comes as TOML text, read by the same code as files, so that keys, units and complaints are those of the command
-//! line. Columns come and go as the bytes of NumPy's arrays. Whatever takes long runs on a thread of its own
+//! Input is passed as TOML text and read by the same code as files, so that keys, units and errors are those of the
+//! command line. Columns are passed as the bytes of NumPy arrays. Long calls run on their own threads
 //! (`interruptible`).
 
 mod boundary;

@@ -1,4 +1,4 @@
-//! Whole sweeps, from a document or a file to the files of their results.
+//! Whole sweeps, from a document or file to result files.
 
 use std::collections::HashMap;
 use std::fs;
@@ -29,15 +29,15 @@ use crate::interruptible::{self, Work};
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// A sweep that is ready to run.
+/// A sweep ready to run.
 #[pyclass(frozen, module = "touchdown._engine")]
 #[derive(Debug)]
 pub struct Sweep(pub sweep_file::Sweep);
 
 #[pymethods]
 impl Sweep {
-    /// Reads the text of a sweep file that names its vehicle `vehicle.toml`, and other `files` as it pleases. Results are called
-    /// `name`.
+    /// Reads the text of a sweep file; it names its vehicle `vehicle.toml` and may use any other `files`. `name` is the
+    /// name of the results.
     #[new]
     fn new(
         name: &str,
@@ -65,7 +65,7 @@ impl Sweep {
         })
     }
 
-    /// Reads a sweep file, and replaces some of it as the options of the command line do.
+    /// Reads a sweep file and replaces some of its values, like the options of the command line.
     #[staticmethod]
     fn from_file(
         path: PathBuf,
@@ -83,14 +83,15 @@ impl Sweep {
         guarded(|| sweep_file::Sweep::read(&path)?.with(&overrides).map(Self))
     }
 
-    /// What its files are named after.
+    /// Name used for its files.
     #[getter]
     fn name(&self) -> String {
         self.0.stem()
     }
 
-    /// Runs the sweep into a folder, as the command line does, with a journal beside the results: warnings of the journal, and of the
-    /// results. Results of the same input that are there already stay; those of another are refused, unless to be overwritten.
+    /// Runs the sweep into a folder, as the command line does, with a journal beside the results; returns warnings of
+    /// the journal and of the results. Keeps existing results of the same input; refuses to replace others unless
+    /// `overwrite` is set.
     fn run(
         &self,
         py: Python,
@@ -112,10 +113,10 @@ impl Sweep {
     }
 }
 
-/// Whether results of this input are there already.
+/// True if results of this input exist already.
 ///
 /// # Errors
-/// When those of another are.
+/// If results of other input exist.
 fn is_there(
     sweep: &sweep_file::Sweep,
     folder: &Folder,
@@ -123,7 +124,7 @@ fn is_there(
 ) -> Result<bool, InputError> {
     let [table, record, parquet] =
         ["csv", "json", "parquet"].map(|form| folder.path(&format!("{}.{form}", sweep.stem())));
-    // It is written last.
+    // The table is written last.
     if !table.exists() {
         return Ok(false);
     }
@@ -137,7 +138,7 @@ fn is_there(
     Ok(!is_parquet || parquet.exists())
 }
 
-/// What a record says of everything but the results and the names of files.
+/// The content of a record except results and file names.
 fn input_of(record: &str) -> Value {
     let mut record: Value = serde_json::from_str(record).unwrap_or_default();
     for (part, key) in [
@@ -165,7 +166,7 @@ fn run(
     let path = folder.path(&journal_files::name(&sweep.stem(), Shard::WHOLE));
     let mut opened = Journal::open(&path, &header)?;
     let of_journal = std::mem::take(&mut opened.warnings);
-    // How many points a map has is found out round by round.
+    // The number of points of a map emerges round by round.
     let known_before = sweep.map().is_none().then(|| sweep.design.count());
     work.more(known_before.unwrap_or(0));
     work.skip(opened.done.len());

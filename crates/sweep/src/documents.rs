@@ -1,4 +1,4 @@
-//! Documents: TOML read key by key with places, complaints that name them, and files written whole or not at all.
+//! Documents: TOML read by key with line numbers, errors that name them, and files written completely or not at all.
 
 pub(crate) mod csv_rows;
 pub mod document;

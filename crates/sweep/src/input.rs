@@ -1,4 +1,4 @@
-//! The tables of input documents, each turned into a type that cannot be wrong.
+//! The tables of input documents, each parsed into a type that is always valid.
 
 pub mod choice;
 pub mod deck;

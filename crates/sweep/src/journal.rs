@@ -1,8 +1,8 @@
-//! The journal of a sweep: every finished point, from the moment it is finished.
+//! The journal of a sweep: every point is recorded as soon as it is finished.
 //!
-//! An append-only file beside the results. Its first frame is the [`Header`]; every other frame is
-//! the number of a point and what the point came to. Whatever happened to the file, what is read
-//! from it was written by a run of the same input with the same program.
+//! An append-only file beside the results. Its first frame is the [`Header`]; every other frame is the number of a
+//! point and its result. Even from a damaged file, only records written by the same program from the same input are
+//! read.
 
 pub(crate) mod early_stop;
 mod error;
@@ -36,7 +36,7 @@ use head::{Head, ensure_head};
 use scan::{Piece, Scan};
 use writer::Writer;
 
-/// A journal open for more points; no other process can open it meanwhile.
+/// A journal open for adding points; meanwhile no other process can open it.
 #[derive(Debug)]
 pub struct Journal {
     path: PathBuf,
@@ -45,19 +45,19 @@ pub struct Journal {
     head: Head,
 }
 
-/// A journal, and what was in it already.
+/// An opened journal and its existing content.
 #[derive(Debug)]
 pub struct Opened {
     /// The journal.
     pub journal: Journal,
-    /// Which points of its shard it holds, by their index in the shard; of a map, by their numbers.
+    /// Points of its shard already present, by index in the shard; for a map, by number.
     pub done: PointSet,
-    /// What was found damaged and what became of it.
+    /// Damage found, and its treatment.
     pub warnings: Vec<String>,
 }
 
 impl Opened {
-    /// What the points came to that are there, by their numbers below `points`.
+    /// Findings of the points present, by their numbers below `points`.
     pub(crate) fn findings(&self, points: usize) -> Result<HashMap<usize, Finding>, JournalError> {
         let mut found = HashMap::new();
         if self.done.is_empty() {
@@ -74,10 +74,10 @@ impl Opened {
 }
 
 impl Journal {
-    /// Opens the journal at `path`, or begins it.
+    /// Opens the journal at `path`, or creates it.
     ///
     /// # Errors
-    /// When it is locked or belongs to something else, and whatever the file system says.
+    /// If it is locked or belongs to other input; errors of the file system.
     pub fn open(path: &Path, header: &Header) -> Result<Opened, JournalError> {
         let refuse = |error| io_error(path, error);
         let mut warnings = Vec::new();
@@ -87,7 +87,7 @@ impl Journal {
                 .try_clone()
                 .and_then(Handle::from_file)
                 .map_err(refuse)?;
-            // Whoever held the lock may have removed the file and gone.
+            // The holder of the lock may have removed the file before it exited.
             if Handle::from_path(path).ok().as_ref() != Some(&identity) {
                 continue;
             }
@@ -117,10 +117,10 @@ impl Journal {
         }
     }
 
-    /// Adds what a point came to.
+    /// Adds the result of a point.
     ///
     /// # Errors
-    /// Whatever the file system says; what was added before stays good.
+    /// Errors of the file system; earlier records stay valid.
     pub fn add(&mut self, point: usize, result: &[u8]) -> Result<(), JournalError> {
         let mut payload = (point as u64).to_le_bytes().to_vec();
         payload.extend(result);
@@ -130,11 +130,10 @@ impl Journal {
             .map_err(|error| io_error(&self.path, error))
     }
 
-    /// Makes everything added survive a loss of power if that was not done for a second; to be
-    /// called often.
+    /// Syncs added records to disk, if due, so that they survive a loss of power. To be called often.
     ///
     /// # Errors
-    /// Whatever the file system says, and when the file is no longer where it was.
+    /// Errors of the file system; also if the file was moved or removed.
     pub fn tick(&mut self) -> Result<(), JournalError> {
         let is_due = self.writer.sync_if_due();
         match is_due.map_err(|error| io_error(&self.path, error))? {
@@ -143,7 +142,7 @@ impl Journal {
         }
     }
 
-    /// Makes everything added survive a loss of power.
+    /// Syncs all added records, to survive a loss of power.
     ///
     /// # Errors
     /// As [`Journal::tick`].
@@ -154,10 +153,10 @@ impl Journal {
         self.is_in_place()
     }
 
-    /// The records that are there, for reading while nothing is added.
+    /// The records present, for reading while none are added.
     ///
     /// # Errors
-    /// Whatever the file system says.
+    /// Errors of the file system.
     pub(crate) fn so_far(&self, points: usize) -> Result<InOrder, JournalError> {
         let refuse = |error| io_error(&self.path, error);
         let records = Records {
@@ -169,7 +168,7 @@ impl Journal {
         InOrder::new(vec![records], points, &folder.join("."))
     }
 
-    /// Ends writing; the records are there to be read, and the file is still nobody else's.
+    /// Ends writing and returns the records for reading; the file stays locked.
     ///
     /// # Errors
     /// As [`Journal::tick`].
@@ -205,8 +204,7 @@ fn lock(path: &Path) -> Result<File, JournalError> {
     }
 }
 
-/// Reads what points are there and cuts off an unfinished end; the points, and the length that is
-/// left.
+/// Reads the points present and cuts off an unfinished end; returns the points and the remaining length.
 fn recover(
     file: &File,
     path: &Path,
@@ -250,12 +248,12 @@ fn recover(
     Ok((done, length))
 }
 
-/// Bytes that a record takes whose result takes so many.
+/// Length of a record, bytes, for a result of `result` bytes.
 pub fn record_length(result: usize) -> usize {
     frame::OVERHEAD + size_of::<u64>() + result
 }
 
-/// A point and what it came to, from a payload.
+/// Splits a payload into a point and its result.
 fn record(payload: &[u8]) -> Option<(usize, &[u8])> {
     let (point, result) = payload.split_first_chunk()?;
     Some((usize::try_from(u64::from_le_bytes(*point)).ok()?, result))

@@ -1,23 +1,22 @@
 //! Sweeps of lander touchdowns: from input files to result tables.
 //!
-//! The crate has floors, each of which knows only those below it (`scripts/floors.py` checks that):
+//! The crate has floors; each uses only those below it (checked by `scripts/floors.py`):
 //!
-//! | floor | what |
+//! | floor | content |
 //! |---|---|
 //! | `threads` | landings and searches on all cores |
 //! | `output` | result tables, records, histories; tables of cases |
-//! | `maps` | which points a map wants next, its surface and its edges |
-//! | [`journal`] | every finished point on the disk at once: resumed, sharded, merged |
-//! | `summary` | what is found at a point, and what all points come to |
-//! | [`sensitivity`] | how a transition depends on the input |
-//! | `sweeps` | a whole sweep, the cases of a scene file, the input of every point |
-//! | `points` | what varies, over which values, in which order |
-//! | `input` | tables of input documents, turned into types |
-//! | `search` | where landings begin to topple: scan, brackets, bands, certainty |
-//! | `documents` | TOML with places, complaints, files written whole |
+//! | `maps` | choice of the next points of a map, its surface and edges |
+//! | [`journal`] | every finished point stored at once; resuming, shards, merging |
+//! | `summary` | results of points, and their summary |
+//! | [`sensitivity`] | dependence of transitions on the input |
+//! | `sweeps` | sweeps, cases of a scene file, the input of every point |
+//! | `points` | axes, their values and their order |
+//! | `input` | tables of input documents, parsed into types |
+//! | `search` | search for the onset of toppling: scan, brackets, bands, certainty |
+//! | `documents` | TOML with line numbers, input errors, atomic writing of files |
 //!
-//! Nothing here prints: progress goes to a [`run::Observer`], complaints are
-//! [`input_error::InputError`]s.
+//! Nothing here prints: progress goes to a [`run::Observer`], input errors are [`input_error::InputError`]s.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

@@ -1,4 +1,4 @@
-//! Maps that refine themselves: which points are wanted, and the surface through them.
+//! Self-refining maps: the choice of points, and the surface through them.
 
 pub(crate) mod cell;
 pub(crate) mod cell_refinement;

@@ -1,4 +1,4 @@
-//! The tables and records that results are written to, and tables of cases.
+//! Tables and records of results, and tables of cases.
 
 pub mod bands_table;
 pub mod cases;

@@ -1,4 +1,4 @@
-//! The points of a sweep: what varies, over which values, in which order.
+//! The points of a sweep: the axes, their values and their order.
 
 pub mod assignment;
 pub(crate) mod axis_input;

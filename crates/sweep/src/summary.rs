@@ -1,4 +1,4 @@
-//! What a sweep finds at a point, and what all points come to.
+//! Results of single points, and their summary over all points.
 
 pub mod findings;
 pub mod landing_table;

@@ -1,4 +1,4 @@
-//! A whole sweep, the cases of a scene file, and the input of every point.
+//! Sweeps, the cases of a scene file, and the input of every point.
 
 pub mod case;
 mod input_in_units;

@@ -1,4 +1,4 @@
-//! `bands`: the bands of a range of V_H with their certainty, as a sweep finds them.
+//! `bands`: bands over a range of V_H with their certainty, as found by a sweep.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ use super::strip::{range, settings};
 use super::touchdown::Touchdown;
 use crate::named::Named;
 
-/// Steps of the scan, and width of a bracket, ft/s.
+/// Number of scan steps, and width of a bracket, ft/s.
 const SCAN: f64 = 100.0;
 const TOLERANCE: f64 = 1e-3;
 

@@ -1,4 +1,4 @@
-//! How landings end, in the words and colours of the pictures.
+//! Classes of outcomes, in the words and colours of the pictures.
 
 use serde::Serialize;
 use touchdown_dynamics::outcome::Class;
@@ -6,20 +6,20 @@ use touchdown_figures::boundary_table::Kind;
 use touchdown_figures::palette;
 use touchdown_figures::style::{Colour, WHITE};
 
-/// A class of outcomes as it is told and drawn.
+/// Words and colours of a class.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ClassWords {
-    /// Its word in tables.
+    /// Word in tables.
     pub class: String,
-    /// Its word in pictures.
+    /// Word in pictures.
     pub word: &'static str,
     /// Colour of its marks.
     pub mark: String,
-    /// Colour of the region in which landings end so.
+    /// Colour of its region.
     pub region: String,
 }
 
-/// A class in words and colours.
+/// Words and colours of a class.
 pub fn class_words(class: Class) -> ClassWords {
     let kind = Kind::from_name(&class.to_string());
     ClassWords {
@@ -30,14 +30,14 @@ pub fn class_words(class: Class) -> ClassWords {
     }
 }
 
-/// The class of a word of a table.
+/// Finds a class by its word in tables.
 pub fn class_named(word: &str) -> Option<Class> {
     Class::ALL
         .into_iter()
         .find(|class| class.to_string() == word)
 }
 
-/// A colour as pages write it.
+/// A colour as written in pages.
 pub fn hex(colour: Colour) -> String {
     colour.hex().to_lowercase()
 }

@@ -1,38 +1,38 @@
-//! Why a request has no answer.
+//! Reasons why a request has no answer.
 
 use serde_json::json;
 use touchdown_sweep::input_error::InputError;
 
-/// What kind of complaint it is.
+/// Kind of error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
-    /// The request cannot be used.
+    /// The request is invalid.
     Request,
-    /// There is no request of that name.
+    /// No request has this name.
     Unknown,
-    /// Nobody waits for the answer any longer.
+    /// The answer is no longer wanted.
     Over,
-    /// The program is to blame.
+    /// A fault of the program.
     Engine,
 }
 
-/// Why a request has no answer.
+/// Reason why a request has no answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Complaint {
-    /// What kind it is.
+    /// Kind.
     pub fault: Fault,
-    /// What is wrong, in the words of the command line.
+    /// Message, in the words of the command line.
     pub message: String,
-    /// The number that it is about, if it is about one.
+    /// Name of the number concerned, if any.
     pub key: Option<String>,
     /// Its value.
     pub value: Option<String>,
-    /// What is allowed.
+    /// Allowed values.
     pub allowed: Option<String>,
 }
 
 impl Complaint {
-    /// Anything that is wrong with a request.
+    /// Any fault of a request.
     pub fn request(message: impl Into<String>) -> Self {
         Self {
             fault: Fault::Request,
@@ -48,7 +48,7 @@ impl Complaint {
         InputError::value(key, value, allowed).into()
     }
 
-    /// There is no request of that name.
+    /// No request has this name.
     pub fn unknown(name: &str, known: &[&str]) -> Self {
         Self {
             fault: Fault::Unknown,
@@ -60,7 +60,7 @@ impl Complaint {
         }
     }
 
-    /// Nobody waits any longer.
+    /// The answer is no longer wanted.
     pub fn over() -> Self {
         Self {
             fault: Fault::Over,
@@ -68,7 +68,7 @@ impl Complaint {
         }
     }
 
-    /// The program is to blame.
+    /// A fault of the program.
     pub fn engine(said: impl std::fmt::Display) -> Self {
         Self {
             fault: Fault::Engine,
@@ -76,7 +76,7 @@ impl Complaint {
         }
     }
 
-    /// The same about a number of this name.
+    /// The same, about a number with this name.
     #[must_use]
     pub fn about(self, key: &str) -> Self {
         Self {
@@ -85,7 +85,7 @@ impl Complaint {
         }
     }
 
-    /// The complaint as pages read it.
+    /// The error as sent to pages.
     pub fn json(&self) -> String {
         let error = json!({
             "message": self.message,

@@ -1,4 +1,4 @@
-//! `inputs`: what there is to explore.
+//! `inputs`: lists the named sources and results.
 
 use serde::Deserialize;
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! `landing`: one landing, its history, and what it takes to draw it.
+//! `landing`: one landing with its history and drawing data.
 
 mod drawing;
 mod energies;
@@ -25,7 +25,7 @@ use energies::Energies;
 use events::Event;
 use history::History;
 
-/// Time between instants where none is asked for, s, and most instants of a landing.
+/// Default interval of instants, s, and greatest number of instants.
 pub const INTERVAL: f64 = 0.01;
 const MOST_INSTANTS: f64 = 20_000.0;
 
@@ -120,10 +120,10 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
     })
 }
 
-/// Checks the time between instants, s.
+/// Checks the interval of instants, s.
 ///
 /// # Errors
-/// When there would be too many.
+/// If there would be too many instants.
 pub fn interval(touchdown: &Touchdown, seconds: f64) -> Result<f64, Complaint> {
     let least = touchdown.settings.time_limit() / MOST_INSTANTS;
     match seconds >= least {

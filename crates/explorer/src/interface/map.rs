@@ -1,4 +1,4 @@
-//! `map` and `at`: transitions over one or more axes, as our pictures show them.
+//! `map` and `at`: transitions over one or more axes, as in the pictures.
 
 mod picture;
 mod table;
@@ -102,7 +102,7 @@ pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
     let touchdown = |speed: f64| {
         let mut values = place.clone();
         values.insert(speed_name.clone(), json!(speed));
-        // What a sweep varies of its search is no number of a landing.
+        // Search parameters varied by a sweep are not numbers of a landing.
         values.retain(|name, _| !name.starts_with("search."));
         json!({"source": source, "values": values})
     };
@@ -118,10 +118,10 @@ pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
     written(&told)
 }
 
-/// The table of results of a name.
+/// Finds a table of results by name.
 ///
 /// # Errors
-/// When there is none.
+/// If there is none.
 pub fn results_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Complaint> {
     named.results(name).ok_or_else(|| {
         let known: Vec<&str> = named.results.iter().map(|one| one.name.as_str()).collect();
@@ -145,12 +145,12 @@ fn transitions_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Compl
     }
 }
 
-/// A complaint about a table.
+/// An error about a table.
 pub fn of_table(results: &Results, error: impl std::fmt::Display) -> Complaint {
     Complaint::request(format!("{}: {error}", results.file))
 }
 
-/// The title in the record of a table, or else its name.
+/// Title in the record of a table, else its name.
 pub fn title(results: &Results) -> String {
     match caption(results) {
         Ok(caption) => caption.title,
@@ -188,7 +188,7 @@ fn bands_at(bands: &BandsTable, place: f64) -> Value {
         .collect()
 }
 
-/// An axis or a column in words.
+/// Description of an axis or a column.
 pub fn words_of(name: &str, values: Vec<Value>) -> Value {
     described(name, split_unit(name).1, values)
 }

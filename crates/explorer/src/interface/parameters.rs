@@ -1,4 +1,4 @@
-//! `parameters`: every number of scene, attitude, vehicle and solver, with what a slider needs.
+//! `parameters`: every number of scene, attitude, vehicle and solver, with slider data.
 
 mod groups;
 mod ranges;
@@ -37,14 +37,14 @@ struct Told {
     title: String,
     unit: &'static str,
     value: Value,
-    /// Whether the input gives it, or it follows by default.
+    /// True if the input gives it; false for a default.
     is_given: bool,
     slider: Option<Slider>,
     si: Option<InSi>,
     allowed: Allowed,
     group: &'static str,
     leg: Option<usize>,
-    /// Of a leg's number: whether the leg has its own.
+    /// For a leg's number: true if the leg has its own.
     is_own: bool,
     words: Vec<&'static str>,
 }
@@ -104,7 +104,7 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
     })
 }
 
-/// The value of a condition, and whether it is given; none where it does not belong to this touchdown.
+/// Value of a condition, and whether it is given; `None` if it does not apply to this touchdown.
 fn of_scene(touchdown: &Touchdown, name: &str) -> Option<(f64, bool)> {
     let conditions = &touchdown.conditions;
     if let Some(value) = conditions.get(name) {
@@ -135,7 +135,7 @@ fn of_scene(touchdown: &Touchdown, name: &str) -> Option<(f64, bool)> {
     Some((in_other_form(&attitude, name)?, false))
 }
 
-/// An angle of the form in which the attitude is not given, deg.
+/// An angle of the attitude in the form not given, deg.
 fn in_other_form(attitude: &Attitude, name: &str) -> Option<f64> {
     let (euler, tip) = (attitude.euler(), attitude.tip());
     let angle = match name {
@@ -147,16 +147,16 @@ fn in_other_form(attitude: &Attitude, name: &str) -> Option<f64> {
         "nominal_roll_deg" => tip.nominal_roll,
         _ => return None,
     };
-    // Rounding of the way to radians and back is no part of it.
+    // Removes rounding errors of the conversion to radians and back.
     const STEPS: f64 = 1e9;
     Some((angle.to_degrees() * STEPS).round() / STEPS + 0.0)
 }
 
-/// The value of a number of the vehicle; none where it has no such part.
+/// Value of a number of the vehicle; `None` if it has no such part.
 fn of_vehicle(touchdown: &Touchdown, parameter: &Parameter) -> Option<f64> {
     let file = &touchdown.vehicle;
     let value = vehicle_file::number(&file.document, parameter.path())?;
-    // A scale is 1 by default, also that of a table that this vehicle lacks: it takes none.
+    // A scale defaults to 1 even for a table that this vehicle lacks, but cannot be set there.
     if parameter.program_name().ends_with(".scale") {
         let same = Assignment::new(parameter.program_name(), &value.to_string()).ok()?;
         let document = assignment::vehicle_document(file, &[same]).ok()?;

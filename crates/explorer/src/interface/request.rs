@@ -11,20 +11,20 @@ use super::complaint::Complaint;
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Asked {
-    /// Where to start.
+    /// Name of the source.
     pub source: Option<String>,
-    /// Text of a vehicle file in place of the source's own.
+    /// Text of a vehicle file that replaces the source's.
     pub vehicle: Option<String>,
     /// Numbers and words by dotted names.
     pub values: Map<String, Value>,
 }
 
-/// Reads a request.
+/// Parses a request.
 ///
 /// # Errors
-/// Says what is not as the interface has it.
+/// The deviation from the form of the request.
 pub fn read<R: DeserializeOwned>(request: &str) -> Result<R, Complaint> {
-    // A list of its members would be taken for an object too.
+    // Serde would also accept a list of the members.
     if !request.trim_start().starts_with('{') {
         return Err(Complaint::request("not a request: expected an object"));
     }
@@ -32,18 +32,18 @@ pub fn read<R: DeserializeOwned>(request: &str) -> Result<R, Complaint> {
         .map_err(|error| Complaint::request(format!("not a request: {error}")))
 }
 
-/// Writes an answer.
+/// Serializes an answer.
 ///
 /// # Errors
-/// None but a fault of the program.
+/// Only a fault of the program.
 pub fn written(answer: &impl Serialize) -> Result<String, Complaint> {
     serde_json::to_string(answer).map_err(Complaint::engine)
 }
 
-/// A number of a request that lies in a range.
+/// Checks that a number of a request is in a range.
 ///
 /// # Errors
-/// When it does not.
+/// If it is not.
 pub fn within(key: &str, number: f64, [least, greatest]: [f64; 2]) -> Result<f64, Complaint> {
     match (least..=greatest).contains(&number) {
         true => Ok(number),
@@ -57,7 +57,7 @@ pub fn within(key: &str, number: f64, [least, greatest]: [f64; 2]) -> Result<f64
 /// Units of an answer.
 ///
 /// # Errors
-/// When there are no such units.
+/// If the word names no units.
 pub fn units(word: Option<&str>, default: OutputUnits) -> Result<OutputUnits, Complaint> {
     let refuse = |word| Complaint::value("units", format!("{word:?}"), "\"US\" or \"SI\"");
     word.map_or(Ok(default), |word| {

@@ -71,7 +71,7 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     }))
 }
 
-/// Place of the class of an outcome among all classes.
+/// Index of the class of an outcome among all classes.
 fn class_place(outcome: &str) -> usize {
     let class = Class::of_outcome(outcome).unwrap_or(Class::Undecided);
     let place = Class::ALL.iter().position(|known| *known == class);

@@ -10,10 +10,10 @@ use touchdown_dynamics::vehicle::Vehicle;
 use super::IsOver;
 use super::complaint::Complaint;
 
-/// Lands at all of these speeds (ft/s): in lanes, which changes no bit.
+/// Lands at all these speeds (ft/s), in lanes, which changes no bit.
 ///
 /// # Errors
-/// When the answer is no longer wanted, or a speed is not allowed.
+/// If the answer is no longer wanted, or a speed is not allowed.
 pub fn land_at(
     vehicle: &Arc<Vehicle>,
     scene: &Scene,

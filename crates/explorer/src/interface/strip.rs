@@ -1,4 +1,4 @@
-//! `strip`: how landings end over a range of V_H, a few landings at a time.
+//! `strip`: outcomes over a range of V_H, a few landings at a time.
 
 use std::sync::Arc;
 
@@ -14,12 +14,12 @@ use super::speeds::land_at;
 use super::touchdown::Touchdown;
 use crate::named::Named;
 
-/// Landings that are asked for at a time where nothing is said, and at most.
+/// Default and greatest number of landings per request.
 const FEW: usize = 16;
 const MOST: usize = 64;
-/// Landings that a request may know already.
+/// Greatest number of known landings in a request.
 const MOST_KNOWN: usize = 2000;
-/// Steps of the first scan, and parts of the range between neighbours that differ at the end.
+/// Steps of the first scan; final resolution between differing neighbours, as a division of the range.
 const SCAN: usize = 32;
 const RESOLUTION: f64 = 500.0;
 /// Greatest speed, ft/s.
@@ -66,7 +66,7 @@ struct Band {
     class: ClassWords,
 }
 
-/// A speed, ft/s, and how landings end there.
+/// A speed, ft/s, and the class of the landing there.
 type Ended = (f64, Class);
 
 pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, Complaint> {
@@ -105,10 +105,10 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
     })
 }
 
-/// The range of a request, ft/s: that of the source where it is left out.
+/// The range of a request, ft/s; defaults to that of the source.
 ///
 /// # Errors
-/// When it is none.
+/// If it is not a valid range.
 pub fn range(
     touchdown: &Touchdown,
     from: Option<f64>,
@@ -127,11 +127,11 @@ pub fn range(
     }
 }
 
-/// Settings of landings of which only the class is asked for: they end at the verdict, at the tolerance of searches unless
-/// another is given.
+/// Settings of landings of which only the class is needed: they end at the verdict, with the tolerance of searches
+/// unless another is given.
 ///
 /// # Errors
-/// None but a fault of the program.
+/// Only a fault of the program.
 pub fn settings(touchdown: &Touchdown) -> Result<Settings, Complaint> {
     let settings = touchdown.settings;
     let tolerance = match touchdown.gives_solver("tolerance") {
@@ -157,7 +157,7 @@ fn known(known: &[Known], [from, to]: [f64; 2]) -> Result<Vec<Ended>, Complaint>
     Ok(ended)
 }
 
-/// Speeds that would tell something new: those of the first scan, then the middles between neighbours that differ.
+/// Informative speeds: those of the first scan, then the middles between differing neighbours.
 fn wanted(ended: &[Ended], [from, to]: [f64; 2], resolution: f64) -> Vec<f64> {
     let step = (to - from) / SCAN as f64;
     let scan = (0..=SCAN).map(|index| {
@@ -181,7 +181,7 @@ fn wanted(ended: &[Ended], [from, to]: [f64; 2], resolution: f64) -> Vec<f64> {
     differ.map(|pair| 0.5 * (pair[0].0 + pair[1].0)).collect()
 }
 
-/// So many of these speeds at most, evenly spread.
+/// At most `most` of these speeds, evenly spread.
 fn spread(speeds: &[f64], most: usize) -> Vec<f64> {
     if speeds.len() <= most {
         return speeds.to_vec();
@@ -191,7 +191,7 @@ fn spread(speeds: &[f64], most: usize) -> Vec<f64> {
     (0..most).map(|index| speeds[place(index)]).collect()
 }
 
-/// Runs of landings that end alike, which meet half-way.
+/// Runs of like landings, which meet half-way.
 fn bands(ended: &[Ended], [from, to]: [f64; 2]) -> Vec<Band> {
     let runs: Vec<&[Ended]> = ended.chunk_by(|a, b| a.1 == b.1).collect();
     let mut low = from;

@@ -1,4 +1,4 @@
-//! `scene_file`, `history_file` and `command`: a landing to be computed again elsewhere.
+//! `scene_file`, `history_file` and `command`: export a landing for use elsewhere.
 
 use serde::Deserialize;
 use serde_json::json;
@@ -18,7 +18,7 @@ use crate::named::{Named, SourceKind};
 
 const SCENE_FILE: &str = "touchdown.toml";
 const VEHICLE_FILE: &str = "vehicle.toml";
-/// Options of `touchdown land` that give conditions.
+/// Options of `touchdown land` for conditions.
 const OPTIONS: [(&str, &str); 12] = [
     ("vertical_velocity_fps", "--vertical-velocity"),
     ("horizontal_velocity_fps", "--horizontal-velocity"),
@@ -33,7 +33,7 @@ const OPTIONS: [(&str, &str); 12] = [
     ("tip_azimuth_deg", "--tip-azimuth"),
     ("nominal_roll_deg", "--nominal-roll"),
 ];
-/// Options that give the solver.
+/// Options for the solver.
 const SOLVER_OPTIONS: [(&str, &str); 9] = [
     ("tolerance", "--tolerance"),
     ("time_limit_s", "--time-limit"),
@@ -106,7 +106,7 @@ pub fn command(named: &Named, request: &str) -> Result<String, Complaint> {
     let source = touchdown.source;
     let vehicle_file = source.vehicle.document.path().display().to_string();
     let is_own_vehicle = request.touchdown.vehicle.is_some();
-    // A sweep's vehicle may have values of axes, and a scene file's those of its cases.
+    // The vehicle of a sweep may have values of axes, that of a scene file values of a case.
     let is_as_in_file = matches!(source.kind, SourceKind::Vehicle);
     let has_thrust = !touchdown.conditions.thrust_knots().is_empty();
     if is_own_vehicle || !is_as_in_file || has_thrust {
@@ -139,7 +139,7 @@ pub fn command(named: &Named, request: &str) -> Result<String, Complaint> {
     written(&json!({"command": words.join(" "), "needs": []}))
 }
 
-/// The conditions that are given, by name.
+/// The given conditions, by name.
 fn given(touchdown: &Touchdown) -> Vec<(&'static str, f64)> {
     let conditions = &touchdown.conditions;
     let resolved = conditions.resolved().into_iter();
@@ -203,7 +203,7 @@ fn node(value: Value) -> Node {
     }
 }
 
-/// A word for a shell.
+/// Quotes a word for a shell.
 fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=+:,".contains(c);
     match !word.is_empty() && word.chars().all(is_plain) {

@@ -1,4 +1,4 @@
-//! The touchdown of a request: a source with other numbers.
+//! The touchdown of a request: a source with replaced numbers.
 
 use std::path::Path;
 
@@ -18,28 +18,28 @@ use super::complaint::Complaint;
 use super::request::Asked;
 use crate::named::{Named, Source};
 
-/// Longest time limit of a landing here, s: a page waits for it.
+/// Greatest time limit of a landing here, s, as a page waits for it.
 const LONGEST: f64 = 1000.0;
 
-/// A touchdown that is ready to be computed.
+/// A touchdown ready to be computed.
 #[derive(Debug)]
 pub struct Touchdown<'n> {
-    /// Where it starts from.
+    /// Starting point.
     pub source: &'n Source,
-    /// What was set in place of the source's numbers.
+    /// Assignments that replace numbers of the source.
     pub set: Vec<Assignment>,
-    /// What lands.
+    /// Vehicle.
     pub vehicle: VehicleFile,
-    /// How it touches down, by name.
+    /// Touchdown conditions by name.
     pub conditions: NamedConditions,
     /// The table `[solver]`.
     pub solver: Document,
-    /// How that is computed.
+    /// Settings of the landing.
     pub settings: Settings,
 }
 
 impl<'n> Touchdown<'n> {
-    /// The touchdown of a request.
+    /// Reads the touchdown of a request.
     ///
     /// # Errors
     /// Names the first value that is unknown or not allowed.
@@ -115,7 +115,7 @@ impl<'n> Touchdown<'n> {
         }
     }
 
-    /// Whether a key of the solver is given.
+    /// True if a key of the solver is given.
     pub fn gives_solver(&self, key: &str) -> bool {
         self.solver_entries().iter().any(|entry| entry.key == key)
     }
@@ -136,10 +136,10 @@ impl<'n> Touchdown<'n> {
     }
 }
 
-/// The source of a name.
+/// Finds a source by name.
 ///
 /// # Errors
-/// When there is none.
+/// If there is none.
 pub fn source<'n>(named: &'n Named, name: Option<&str>) -> Result<&'n Source, Complaint> {
     named.source(name).ok_or_else(|| {
         let known: Vec<&str> = named.sources.iter().map(|one| one.name.as_str()).collect();
@@ -148,7 +148,7 @@ pub fn source<'n>(named: &'n Named, name: Option<&str>) -> Result<&'n Source, Co
     })
 }
 
-/// Whether a parameter belongs to the solver.
+/// True for a parameter of the solver.
 pub fn is_of_solver(parameter: &Parameter) -> bool {
     parameter.program_name().starts_with("solver.")
 }
@@ -209,7 +209,7 @@ fn vehicle(
         .map_err(|error| under_names(error.nowhere(), "vehicle.", set))
 }
 
-/// A complaint of a document about a key, under the name by which the request gave the number.
+/// Converts an error of a document about a key to the name that the request used.
 fn under_names(error: InputError, home: &str, set: &[Assignment]) -> Complaint {
     let complaint = Complaint::from(error);
     let Some(key) = &complaint.key else {

@@ -1,4 +1,4 @@
-//! Files as they are read, with a copy of each.
+//! Reads files and keeps a copy of each.
 
 use std::path::Path;
 
@@ -6,17 +6,17 @@ use touchdown_sweep::document::Document;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::library::{Library, Source};
 
-/// A library, and copies of what was read from it.
+/// A library, with copies of the files read from it.
 #[derive(Debug)]
 pub struct Reading<'l> {
-    /// Where files are read.
+    /// Source of files.
     pub library: Library<'l>,
-    /// What was read.
+    /// Copies of them.
     pub copies: Vec<Source>,
 }
 
 impl<'l> Reading<'l> {
-    /// From a library.
+    /// Reads from a library.
     pub fn of(library: Library<'l>) -> Self {
         Self {
             library,
@@ -49,7 +49,7 @@ impl<'l> Reading<'l> {
         }
     }
 
-    /// A file that is TOML.
+    /// Reads a TOML file.
     pub fn document(&mut self, path: &Path) -> Result<Document, InputError> {
         Document::parse(path, &self.text(path)?)
     }

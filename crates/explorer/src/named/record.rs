@@ -1,4 +1,4 @@
-//! The input in the record beside a table of results, as a touchdown to start from.
+//! Reads the input in the record beside a table of results as a starting touchdown.
 
 use std::path::Path;
 
@@ -15,13 +15,13 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use super::source::{SEARCHED, Source, SourceKind, nothing, stem};
 
-/// Lists of the thrust, which a record keeps beside its numbers.
+/// Lists of the thrust, stored in a record beside its numbers.
 const THRUST: [&str; 2] = ["thrust.time_s", "thrust.force_lb"];
 
-/// The touchdown of a record, without the values of its axes: those that are missing have to be given.
+/// The touchdown of a record, without the values of its axes, which must be added.
 ///
 /// # Errors
-/// When the record is none, or has input that this version does not take.
+/// If the file is not a record, or has input that this version does not support.
 pub fn source(record: &str, path: &Path) -> Result<Source, InputError> {
     let at = |error: InputError| error.nowhere().at(Place::file(path));
     let refuse = |complaint: String| at(InputError::other(complaint));

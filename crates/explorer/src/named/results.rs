@@ -1,4 +1,4 @@
-//! Tables of results, with what stands beside them.
+//! Tables of results, with their accompanying files.
 
 use std::path::Path;
 
@@ -8,11 +8,11 @@ use super::reading::Reading;
 use super::record;
 use super::source::{Source, stem};
 
-/// The column that follows the axes in tables of transitions, and in tables of landings.
+/// Column after the axes in tables of transitions, and in tables of landings.
 const TRANSITIONS: &str = "first_transition_to";
 const LANDINGS: &str = "outcome";
 
-/// What a table tells.
+/// Kind of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ResultsKind {
     /// Transitions over two or more axes.
@@ -24,7 +24,7 @@ pub enum ResultsKind {
 }
 
 impl ResultsKind {
-    /// Its word in answers.
+    /// Word in answers.
     pub fn word(self) -> &'static str {
         match self {
             Self::Map => "map",
@@ -37,17 +37,17 @@ impl ResultsKind {
 /// A table of results.
 #[derive(Debug, Clone)]
 pub struct Results {
-    /// Its name in requests.
+    /// Name in requests.
     pub name: String,
-    /// The file.
+    /// File.
     pub file: String,
-    /// What it tells.
+    /// Kind.
     pub kind: ResultsKind,
-    /// Names of its axes.
+    /// Names of the axes.
     pub axes: Vec<String>,
-    /// Number of its rows.
+    /// Number of rows.
     pub points: usize,
-    /// Name of the source that its landings start from, where there is a record of its input.
+    /// Name of the source of its landings, if there is a record of its input.
     pub source: Option<String>,
     /// The table.
     pub table: String,

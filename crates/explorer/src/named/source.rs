@@ -1,4 +1,4 @@
-//! Touchdowns to start from: of vehicle, scene and sweep files.
+//! Starting touchdowns, from vehicle, scene and sweep files.
 
 use std::path::Path;
 
@@ -14,11 +14,11 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 
 use super::reading::Reading;
 
-/// The table of an input file that says how landings are computed.
+/// The table of solver settings in an input file.
 const SOLVER: &str = "solver";
-/// Where V_H is searched if nothing says so, ft/s.
+/// Default range of V_H, ft/s.
 pub const SEARCHED: [f64; 2] = [0.0, 25.0];
-/// The baseline of the report: the touchdown of a vehicle alone.
+/// Baseline of the report: the touchdown of a vehicle file.
 const BASELINE: [(&str, f64); 5] = [
     ("vertical_velocity_fps", 14.0),
     (HORIZONTAL_VELOCITY, 8.0),
@@ -27,7 +27,7 @@ const BASELINE: [(&str, f64); 5] = [
     ("friction", 1.0),
 ];
 
-/// Where a source comes from.
+/// Origin of a source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SourceKind {
     /// A vehicle file.
@@ -41,7 +41,7 @@ pub enum SourceKind {
 }
 
 impl SourceKind {
-    /// Its word in answers.
+    /// Word in answers.
     pub fn word(self) -> &'static str {
         match self {
             Self::Vehicle => "vehicle",
@@ -52,31 +52,31 @@ impl SourceKind {
     }
 }
 
-/// A touchdown to start from.
+/// A starting touchdown.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// Its name in requests.
+    /// Name in requests.
     pub name: String,
-    /// What people read.
+    /// Title for display.
     pub title: String,
-    /// The file.
+    /// File.
     pub file: String,
-    /// Where it comes from.
+    /// Origin.
     pub kind: SourceKind,
-    /// What lands.
+    /// Vehicle.
     pub vehicle: VehicleFile,
-    /// How it touches down.
+    /// Touchdown conditions.
     pub conditions: NamedConditions,
     /// The table `[solver]` alone.
     pub solver: Document,
     /// Range of V_H, ft/s.
     pub search: [f64; 2],
-    /// Units in which its file wants results.
+    /// Units of results that its file requests.
     pub units: OutputUnits,
 }
 
 impl Source {
-    /// What a file of any kind describes.
+    /// Reads a file of any kind.
     pub fn read(reading: &mut Reading, file: &Path) -> Result<Vec<Self>, InputError> {
         let document = reading.document(file)?;
         let has = |key: &str| document.root().iter().any(|entry| entry.key == key);
@@ -159,7 +159,7 @@ impl Source {
         source.with(first.map(|(axis, text)| (axis.name(), text.as_str())))
     }
 
-    /// The same with other values of parameters, as tables write them.
+    /// Replaces values of parameters, given as written in tables.
     pub(super) fn with<'t>(
         mut self,
         values: impl Iterator<Item = (&'t str, &'t str)>,
@@ -176,12 +176,12 @@ impl Source {
     }
 }
 
-/// A document that says nothing.
+/// An empty document.
 pub(super) fn nothing() -> Result<Document, InputError> {
     Document::parse(Path::new(""), "")
 }
 
-/// The table `[solver]` of a document, alone.
+/// Extracts the table `[solver]` of a document.
 fn solver_of(document: &Document) -> Result<Document, InputError> {
     let is_solver = |entry: &&_| {
         let entry: &touchdown_sweep::document::Entry = entry;
@@ -191,7 +191,7 @@ fn solver_of(document: &Document) -> Result<Document, InputError> {
     Document::parse(document.path(), &toml_text::text(&solver))
 }
 
-/// Name of a file without folder and ending.
+/// Name of a file without folder and extension.
 pub(super) fn stem(file: &Path) -> String {
     let stem = file.file_stem().unwrap_or(file.as_os_str());
     stem.to_string_lossy().into_owned()

@@ -1,4 +1,4 @@
-//! Calls of the interface, each on a thread that computes, for as long as somebody waits.
+//! Calls of the interface, each computed on a thread for as long as the client waits.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,7 +13,7 @@ use super::reply::{self, Reply};
 use crate::interface::{self, Complaint};
 use crate::named::Named;
 
-/// Tells the thread that computes once nobody waits: also when the connection is closed, which drops what waits for it.
+/// Tells the computing thread that the client no longer waits, also when a closed connection drops the waiting task.
 struct Wanted(Arc<AtomicBool>);
 
 impl Drop for Wanted {
@@ -37,7 +37,7 @@ pub async fn answer(named: &Arc<Named>, limits: &Limits, name: &str, request: St
     let _wanted = Wanted(Arc::clone(&over));
     let (named, name) = (Arc::clone(named), name.to_owned());
     let answered = spawn_blocking(move || {
-        // Its turn is taken until it has noticed that nobody waits.
+        // Keeps its turn until it has noticed that nobody waits.
         let _turn = turn;
         let is_over = || over.load(Ordering::Relaxed) || Instant::now() > deadline;
         interface::answer(&named, &name, &request, &is_over)

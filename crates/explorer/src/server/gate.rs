@@ -1,13 +1,13 @@
-//! Who may ask: whoever has the token, from a page of this server.
+//! Access control: only requests with the token and from a page of this server pass.
 
 use std::net::{IpAddr, SocketAddr};
 
 use hyper::header::{HOST, HeaderMap, ORIGIN};
 
-/// Header by which browsers tell where a request comes from.
+/// Header in which browsers state the origin of a request.
 const FETCH_SITE: &str = "sec-fetch-site";
 
-/// What requests have to bring.
+/// Requirements on requests.
 #[derive(Debug)]
 pub struct Gate {
     token: String,
@@ -15,20 +15,20 @@ pub struct Gate {
 }
 
 impl Gate {
-    /// For requests to this address with this token.
+    /// A gate for requests to this address with this token.
     pub fn new(token: String, address: SocketAddr) -> Self {
         Self { token, address }
     }
 
-    /// The path behind the token, if a request may pass.
+    /// The path behind the token, if the request may pass.
     pub fn admit<'p>(&self, headers: &HeaderMap, path: &'p str) -> Option<&'p str> {
         let (token, rest) = path.strip_prefix('/')?.split_once('/')?;
         let may_pass = is_same(token, &self.token) && self.is_own(headers);
         may_pass.then_some(rest)
     }
 
-    /// Whether a request is meant for this server and comes from a page of it: neither a name that somebody made point
-    /// here, nor another site.
+    /// True if a request is meant for this server and comes from one of its pages: neither from another site, nor to a
+    /// foreign name that resolves here.
     fn is_own(&self, headers: &HeaderMap) -> bool {
         let text = |name: &str| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
         let Some(host) = text(HOST.as_str()).filter(|host| self.is_own_host(host)) else {
@@ -46,7 +46,7 @@ impl Gate {
         is_single && is_own_origin && is_own_site
     }
 
-    /// Whether this is a name of this server: an address in digits, or localhost, with its port.
+    /// True for names of this server: a numeric address or localhost, with its port.
     fn is_own_host(&self, host: &str) -> bool {
         let listens_beyond = !self.address.ip().is_loopback();
         if let Ok(named) = host.parse::<SocketAddr>() {
@@ -62,7 +62,7 @@ impl Gate {
     }
 }
 
-/// Compares without telling by the time how much is alike.
+/// Compares in a time that does not depend on how much agrees.
 fn is_same(given: &str, token: &str) -> bool {
     let bytes = given.bytes().zip(token.bytes());
     let different = bytes.fold(0, |different, (a, b)| different | (a ^ b));

@@ -1,4 +1,4 @@
-//! How much of everything a client may have.
+//! Limits on the resources of clients.
 
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -6,25 +6,25 @@ use std::time::{Duration, Instant};
 
 use tokio::sync::Semaphore;
 
-/// Connections at a time, below the number of files that a program may have open.
+/// Simultaneous connections, below the limit of open files of a program.
 pub const CONNECTIONS: usize = 512;
 /// Time for the head of a request, and for its body.
 pub const HEADER_TIME: Duration = Duration::from_secs(5);
 pub const BODY_TIME: Duration = Duration::from_secs(10);
-/// Headers of a request, and all their bytes.
+/// Headers of a request, and their total bytes.
 pub const HEADERS: usize = 64;
 pub const HEADER_BYTES: usize = 32 * 1024;
-/// Bytes of a request's body.
+/// Bytes of the body of a request.
 pub const BODY_BYTES: usize = 256 * 1024;
-/// Time for an answer, what it waits included.
+/// Time for an answer, including waiting.
 pub const ANSWER_TIME: Duration = Duration::from_secs(30);
-/// Requests that wait for their turn.
+/// Requests waiting for their turn.
 const WAITING: usize = 64;
-/// Requests in a second, on average, and at once.
+/// Requests per second on average, and in a burst.
 const RATE: f64 = 500.0;
 const BURST: f64 = 1000.0;
 
-/// Turns at computing. Long answers never keep a landing waiting: they have turns of their own.
+/// Turns at computing. Long answers have their own turns, so that they never delay a landing.
 #[derive(Debug)]
 pub struct Limits {
     quick: Arc<Semaphore>,
@@ -41,7 +41,7 @@ struct Allowance {
 }
 
 impl Limits {
-    /// Half of the cores for long answers, a quarter for quick ones: whatever else runs here keeps the rest.
+    /// Half of the cores for long answers and a quarter for quick ones; the rest is left to other programs.
     pub fn of_this_machine() -> Self {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let counts = [cores.div_ceil(4), cores.div_ceil(2)];
@@ -57,12 +57,12 @@ impl Limits {
         }
     }
 
-    /// Threads that compute.
+    /// Number of computing threads.
     pub fn threads(&self) -> usize {
         self.counts.iter().sum()
     }
 
-    /// Turns of requests like this.
+    /// Turns for a kind of request.
     pub fn turns(&self, name: &str) -> Arc<Semaphore> {
         Arc::clone(match name {
             "strip" | "bands" => &self.long,
@@ -70,12 +70,12 @@ impl Limits {
         })
     }
 
-    /// Places to wait in.
+    /// Waiting places.
     pub fn waiting(&self) -> &Semaphore {
         &self.waiting
     }
 
-    /// Whether one more request is within the rate.
+    /// Counts a request; returns whether it is within the rate.
     pub fn allow(&self) -> bool {
         let Ok(mut allowance) = self.allowance.lock() else {
             return false;

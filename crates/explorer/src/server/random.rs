@@ -1,17 +1,17 @@
-//! Random digits that nobody can guess: tokens and nonces.
+//! Unguessable random digits for tokens and nonces.
 
 use std::io;
 
 use rand::TryRng;
 use rand::rngs::SysRng;
 
-/// Random bytes of a text.
+/// Number of random bytes.
 const BYTES: usize = 16;
 
-/// Digits from the random numbers of the system.
+/// Hexadecimal digits from the random numbers of the system.
 ///
 /// # Errors
-/// When it gives none.
+/// If the system provides none.
 pub fn random_digits() -> io::Result<String> {
     let mut bytes = [0; BYTES];
     SysRng

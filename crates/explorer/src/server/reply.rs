@@ -1,4 +1,4 @@
-//! Replies, each with what keeps a browser from doing more than it should.
+//! Replies, with headers that restrict the browser.
 
 use http_body_util::Full;
 use hyper::body::Bytes;
@@ -15,7 +15,7 @@ use crate::page::{INDEX, PageFile};
 pub type Reply = Response<Full<Bytes>>;
 
 const JSON: &str = "application/json";
-/// What a page may load: nothing but what this server has, and the scripts that stand in the page itself under its nonce.
+/// Content policy of a page: only files of this server, and scripts in the page itself that carry its nonce.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' NONCE; style-src 'self' 'unsafe-inline'; \
     img-src 'self' data: blob:; font-src 'self'; media-src blob:; connect-src 'self'; worker-src 'self' blob:; \
     base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -25,7 +25,7 @@ pub fn answer(json: String) -> Reply {
     reply(StatusCode::OK, JSON, Bytes::from(json))
 }
 
-/// A complaint of the interface.
+/// An error reply of the interface.
 pub fn complaint(complaint: &Complaint) -> Reply {
     let status = match complaint.fault {
         Fault::Request => StatusCode::BAD_REQUEST,
@@ -36,13 +36,13 @@ pub fn complaint(complaint: &Complaint) -> Reply {
     reply(status, JSON, Bytes::from(complaint.json()))
 }
 
-/// A refusal of another status.
+/// A refusal with another status.
 pub fn refusal(status: StatusCode, said: &str) -> Reply {
     let body = Complaint::request(said).json();
     reply(status, JSON, Bytes::from(body))
 }
 
-/// A file of the page. The page itself is told this nonce, which no page has a second time.
+/// A file of the page. The page itself gets this nonce, which is used only once.
 pub fn file(file: PageFile, nonce: &str) -> Reply {
     let text = std::str::from_utf8(file.bytes)
         .ok()

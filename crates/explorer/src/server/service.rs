@@ -1,4 +1,4 @@
-//! One request after the other: through the gate, to the page or to the interface.
+//! Handles single requests: through the gate, to the page or the interface.
 
 use std::convert::Infallible;
 use std::sync::Arc;
@@ -18,17 +18,17 @@ use crate::interface::Complaint;
 use crate::named::Named;
 use crate::page::PageFile;
 
-/// Where the interface is.
+/// Path of the interface.
 const API: &str = "api/";
 
-/// What all connections share.
+/// State shared by all connections.
 #[derive(Debug)]
 pub struct Service {
-    /// Who may ask.
+    /// Access control.
     pub gate: Gate,
-    /// What is asked about.
+    /// The named inputs.
     pub named: Arc<Named>,
-    /// How much of it.
+    /// Resource limits.
     pub limits: Limits,
 }
 

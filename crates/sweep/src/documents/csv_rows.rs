@@ -1,13 +1,13 @@
-//! Tables of comma-separated values as they are read.
+//! Reads tables of comma-separated values.
 
 use csv::StringRecord;
 
 use crate::input_error::{InputError, Place};
 
-/// Heading and rows of the text of a file, without spaces about cells.
+/// Heading and rows of the text of a file; spaces around cells are removed.
 ///
 /// # Errors
-/// Names the line that is none of a table.
+/// Names a line that does not belong to a table.
 pub(crate) fn read(
     file: &Place,
     text: &str,
@@ -27,7 +27,7 @@ pub(crate) fn read(
     Ok((heading, rows))
 }
 
-/// Where a row, counted from 0, stands in its file.
+/// Place of a row, counted from 0, in its file.
 pub(crate) fn place(file: &Place, row: usize, record: &StringRecord) -> Place {
     let line = record.position().map_or(0, |position| position.line());
     file.line(line as usize).row(row + 1)

@@ -1,7 +1,7 @@
-//! TOML files as trees of numbers, texts, lists and tables, each with the line where it stands.
+//! TOML files as trees of numbers, texts, lists and tables, each with its line.
 //!
-//! TOML's integers and floats are both numbers here; `nan` and `inf` are refused wherever they
-//! stand, because no quantity of a landing can have them.
+//! TOML's integers and floats are both numbers here; `nan` and `inf` are rejected everywhere, as no quantity of a
+//! landing can have them.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::key_path::KeyPath;
 use crate::source::Source;
 use crate::spelling::{Conversion, conversion};
 
-/// A file and what it says.
+/// A file and its content.
 #[derive(Debug, Clone)]
 pub struct Document {
     path: PathBuf,
@@ -31,18 +31,18 @@ pub struct Entry {
     pub node: Node,
 }
 
-/// A value and where it stands.
+/// A value with its line.
 #[derive(Debug, Clone)]
 pub struct Node {
     /// Line of the key (of the value itself inside a list), from 1.
     pub line: usize,
-    /// The value as the file writes it; tables and long lists in short.
+    /// The value as written in the file; tables and long lists abbreviated.
     pub written: String,
     /// The value.
     pub value: Value,
 }
 
-/// What a key can stand for.
+/// Value of a key.
 #[derive(Debug, Clone)]
 pub enum Value {
     /// A finite number.
@@ -51,17 +51,17 @@ pub enum Value {
     Text(String),
     /// Values in square brackets, or the entries of an array of tables.
     List(Vec<Node>),
-    /// Keys with values, in the order of the file.
+    /// Keys with values, in file order.
     Table(Vec<Entry>),
-    /// A boolean, date or time, which no key of these files is.
+    /// A boolean, date or time; no key of these files takes one.
     Foreign,
 }
 
 impl Document {
-    /// Takes `text` for the content of the file `path`.
+    /// Parses `text` as the content of the file `path`.
     ///
     /// # Errors
-    /// When it is not TOML, or holds a number that is not finite.
+    /// If it is not TOML, or holds a number that is not finite.
     pub fn parse(path: &Path, text: &str) -> Result<Self, InputError> {
         let reader = Reader {
             text,
@@ -76,12 +76,12 @@ impl Document {
         })
     }
 
-    /// The file.
+    /// Path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// A copy of the file, word for word.
+    /// A verbatim copy of the file.
     pub fn source(&self) -> Source {
         Source {
             path: self.path.clone(),
@@ -94,12 +94,12 @@ impl Document {
         Place::file(&self.path)
     }
 
-    /// Keys outside of any table, and the tables.
+    /// Keys outside any table, and the tables.
     pub fn root(&self) -> &[Entry] {
         &self.root
     }
 
-    /// The number at `path` in the program's unit, if there is one.
+    /// The number at `path` in the program's unit, if any.
     pub fn number(&self, path: &KeyPath) -> Option<f64> {
         let (last, tables) = path.steps.split_last()?;
         let mut entries = self.root.as_slice();
@@ -126,8 +126,8 @@ impl Document {
         }
     }
 
-    /// Puts a value, in the program's unit, in the place of the one at `path`, or adds it there. Tables on the way are
-    /// made when they are missing, entries of arrays are not: whether there was a place for it.
+    /// Replaces or adds the value at `path`, in the program's unit. Creates missing tables on the way, but not entries
+    /// of arrays; returns false if such an entry is missing.
     pub fn write(&mut self, path: &KeyPath, value: Value) -> bool {
         let Some((last, tables)) = path.steps.split_last() else {
             return false;
@@ -162,13 +162,13 @@ impl Document {
     }
 }
 
-/// The entry of a key under any of its spellings, and the conversion of its numbers.
+/// The entry of a key in any spelling, and the conversion of its numbers.
 pub(crate) fn spelled<'e>(entries: &'e [Entry], key: &str) -> Option<(&'e Entry, Conversion)> {
     let find = |entry: &'e Entry| Some((entry, conversion(&entry.key, key)?));
     entries.iter().find_map(find)
 }
 
-/// The entry of a key in the program's unit, added as an empty table when it is not there.
+/// The entry of a key, converted to the program's unit; added as an empty table if missing.
 fn entry<'e>(entries: &'e mut Vec<Entry>, key: &str, line: usize) -> &'e mut Entry {
     let place = |entry: &Entry| conversion(&entry.key, key);
     let index = match entries.iter().position(|entry| place(entry).is_some()) {
@@ -195,7 +195,7 @@ fn entry<'e>(entries: &'e mut Vec<Entry>, key: &str, line: usize) -> &'e mut Ent
     &mut entries[index]
 }
 
-/// Brings all numbers of a value to the program's unit.
+/// Converts all numbers of a value to the program's unit.
 fn convert(node: &mut Node, conversion: Conversion) {
     match &mut node.value {
         Value::Number(number) => {
@@ -212,7 +212,7 @@ fn convert(node: &mut Node, conversion: Conversion) {
     }
 }
 
-/// Turns the parser's tree into ours.
+/// Converts the parser's tree into entries.
 struct Reader<'t> {
     text: &'t str,
     place: Place,
@@ -247,7 +247,7 @@ impl Reader<'_> {
 
     fn entries(&self, table: &DeTable<'_>, path: &str) -> Result<Vec<Entry>, InputError> {
         let mut spanned: Vec<_> = table.iter().collect();
-        // The parser sorts by key, but the order of the axes is the order in the file.
+        // The parser sorts by key; axes need the order of the file.
         spanned.sort_by_key(|(key, _)| key.span().start);
         spanned
             .into_iter()
@@ -330,7 +330,7 @@ impl Reader<'_> {
     }
 }
 
-/// `table.key`, or `key` outside of any table.
+/// `table.key`, or `key` outside any table.
 pub(crate) fn dotted(path: &str, key: &str) -> String {
     if path.is_empty() {
         key.to_owned()

@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all: written beside their place, then renamed into it.
+//! Writes files completely or not at all: beside their place first, then renamed.
 
 use std::fs;
 use std::io::{self, Write};
@@ -9,17 +9,17 @@ use thiserror::Error;
 
 use crate::input_error::InputError;
 
-/// A folder in which files can be written.
+/// A writable folder.
 #[derive(Debug, Clone)]
 pub struct Folder {
     path: PathBuf,
 }
 
 impl Folder {
-    /// Makes the folder if it is not there, and makes sure that files can be written in it.
+    /// Creates the folder if needed and checks that files can be written in it.
     ///
     /// # Errors
-    /// Names the folder and what is in the way.
+    /// Names the folder and the obstacle.
     pub fn open(path: &Path) -> Result<Self, InputError> {
         let refuse = |error: io::Error| {
             InputError::in_file(
@@ -31,15 +31,15 @@ impl Folder {
         let folder = Self {
             path: path.to_owned(),
         };
-        // Permissions, quotas and read-only mounts show only when a file is really made.
+        // Permissions, quotas and read-only mounts show only when a file is actually created.
         folder.beside().map_err(refuse)?;
         Ok(folder)
     }
 
-    /// The folder of a file that is to be written, checked as in [`Folder::open`].
+    /// The folder of a file to be written, checked as in [`Folder::open`].
     ///
     /// # Errors
-    /// Also when `file` is a folder.
+    /// Also if `file` is a folder.
     pub fn of(file: &Path) -> Result<Self, InputError> {
         if file.is_dir() || file.file_name().is_none() {
             let complaint = "is a folder: expected the name of a file";
@@ -51,13 +51,13 @@ impl Folder {
         }
     }
 
-    /// The path that a file has in this folder.
+    /// Path of a file in this folder.
     pub fn path(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }
 
-    /// Writes files: all of them beside their places first, and only then renames them, so that a
-    /// full disk leaves none of them and old ones untouched.
+    /// Writes files: first all of them beside their places, then renames them, so that a full disk leaves old files
+    /// untouched and no new ones.
     ///
     /// # Errors
     /// Names the file that could not be written.
@@ -66,7 +66,7 @@ impl Folder {
         Draft::put_in_place(drafts.collect::<Result<_, _>>()?)
     }
 
-    /// Begins a file that is to stand in this folder.
+    /// Starts a file for this folder.
     ///
     /// # Errors
     /// Names the file that cannot be written.
@@ -78,7 +78,7 @@ impl Folder {
         }
     }
 
-    /// Begins a file and fills it.
+    /// Starts a file and writes its content.
     ///
     /// # Errors
     /// Names the file that cannot be written.
@@ -92,14 +92,14 @@ impl Folder {
     fn beside(&self) -> io::Result<NamedTempFile> {
         let mut builder = Builder::new();
         builder.prefix(".touchdown-");
-        // Temporary files are private by default, but results are for all to read.
+        // Temporary files are private by default; results are for everyone to read.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         builder.tempfile_in(&self.path)
     }
 }
 
-/// A file that is written beside its place; it vanishes unless it is put there.
+/// A file written beside its place; it is deleted unless put in place.
 #[derive(Debug)]
 pub struct Draft {
     path: PathBuf,
@@ -107,7 +107,7 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Puts files in their places, when all of them are written to the disk.
+    /// Syncs all files to disk, then puts them in their places.
     ///
     /// # Errors
     /// Names the file that could not be put in its place.
@@ -126,15 +126,15 @@ impl Draft {
         drafts.into_iter().map(rename).collect()
     }
 
-    /// Where the file will stand.
+    /// Final path of the file.
     pub fn place(&self) -> &Path {
         &self.path
     }
 
-    /// What was written so far, if it is a text of at most `most` bytes.
+    /// The content so far, if it is text of at most `most` bytes.
     ///
     /// # Errors
-    /// When the file cannot be read.
+    /// If the file cannot be read.
     pub fn text(&self, most: u64) -> Result<Option<String>, WriteError> {
         let read = || {
             let length = self.file.as_file().metadata()?.len();
@@ -168,7 +168,7 @@ impl Write for Draft {
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
-    /// What was in the way.
+    /// The cause.
     pub error: io::Error,
 }
 

@@ -1,11 +1,11 @@
-//! Fingerprints: alike for the same text, and different for any two that ever meet.
+//! Fingerprints: equal for equal texts, different in practice for different ones.
 
 /// FNV-1a of 128 bits, in hexadecimal digits.
 pub fn fingerprint(text: &str) -> String {
     fingerprint_of_bytes(text.bytes())
 }
 
-/// [`fingerprint`] of bytes that need not lie side by side.
+/// [`fingerprint`] of bytes that need not be contiguous.
 pub fn fingerprint_of_bytes(bytes: impl IntoIterator<Item = u8>) -> String {
     const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;

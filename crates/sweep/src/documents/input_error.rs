@@ -31,7 +31,7 @@ impl Place {
         }
     }
 
-    /// The same line, being a table's row, counted from 1 below the heading.
+    /// The same line as a table row, counted from 1 below the heading.
     pub fn row(&self, row: usize) -> Self {
         Self {
             row: Some(row),
@@ -53,10 +53,10 @@ impl fmt::Display for Place {
     }
 }
 
-/// Longest number that is written without an exponent: any with all its digits, but not 1e300.
+/// Longest number written without an exponent: any with all its digits, but not 1e300.
 const LONGEST_NUMBER: usize = 24;
 
-/// Input that cannot be used: its place, key and value, and what was expected.
+/// Unusable input: its place, key and value, and the expected values.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InputError {
     place: Option<Place>,
@@ -64,14 +64,14 @@ pub struct InputError {
     subject: Option<Box<Subject>>,
 }
 
-/// What an error is about, for programs.
+/// Subject of an error, for programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Subject {
-    /// The key, dotted where it stands in a table.
+    /// The key, dotted if in a table.
     pub key: String,
-    /// Its value as it was written; `None` where it is missing.
+    /// Its value as written; `None` if missing.
     pub value: Option<String>,
-    /// What is allowed.
+    /// Allowed values.
     pub allowed: String,
 }
 
@@ -82,12 +82,12 @@ impl InputError {
         Self::other(format!("{key} = {value}: expected {allowed}")).about(key, Some(value), allowed)
     }
 
-    /// `key` is not there.
+    /// `key` is missing.
     pub fn missing(key: &str, allowed: &str) -> Self {
         Self::other(format!("{key} is missing: expected {allowed}")).about(key, None, allowed)
     }
 
-    /// `key` is no spelling of the `known` keys; names the nearest of them.
+    /// `key` is not a spelling of any `known` key; names the most similar one.
     pub fn unknown(key: &str, value: impl fmt::Display, known: &[&str]) -> Self {
         let last = key.rsplit('.').next().unwrap_or(key);
         let guess = did_you_mean(&meant(last, known));
@@ -107,7 +107,7 @@ impl InputError {
         }
     }
 
-    /// Anything that is wrong with a file.
+    /// Any fault of a file.
     pub fn in_file(file: &Path, complaint: impl Into<String>) -> Self {
         Self::other(complaint).at(Place::file(file))
     }
@@ -129,7 +129,7 @@ impl InputError {
         }
     }
 
-    /// The key, value and what is allowed, where the error is about a single key.
+    /// The key, value and allowed values, if the error is about a single key.
     pub fn subject(&self) -> Option<&Subject> {
         self.subject.as_deref()
     }
@@ -163,7 +163,7 @@ impl InputError {
 impl fmt::Display for InputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {
-            // Documents that stand in no file have no name.
+            // A document without a file has no name.
             Some(place) if !place.file.is_empty() => write!(f, "{place}: {}", self.complaint),
             _ => f.write_str(&self.complaint),
         }
@@ -172,7 +172,7 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-/// A value as it was written, but with an exponent where it is a number with too many digits.
+/// A value as written, but with an exponent if it is a number with too many digits.
 pub(crate) fn short(value: String) -> String {
     match value.parse::<f64>() {
         Ok(number) if value.len() > LONGEST_NUMBER => format!("{number:e}"),

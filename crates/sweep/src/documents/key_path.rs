@@ -1,4 +1,4 @@
-//! Dotted keys such as `legs[2].strut.preload_lb`: tables within tables, entries of arrays from 1.
+//! Dotted keys such as `legs[2].strut.preload_lb`: nested tables, with array entries counted from 1.
 
 /// A dotted key.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -10,18 +10,18 @@ pub struct KeyPath {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Step {
     pub(crate) key: String,
-    /// Index of the entry of an array, from 0, if the key names one.
+    /// Index of an array entry, from 0, if given.
     pub(crate) entry: Option<usize>,
 }
 
 impl KeyPath {
-    /// Reads a dotted key; `None` when it is not of that form.
+    /// Parses a dotted key; `None` if it is not of that form.
     pub fn parse(dotted: &str) -> Option<Self> {
         let steps = dotted.split('.').map(step).collect::<Option<_>>()?;
         Some(Self { steps })
     }
 
-    /// The same key of all legs, if it is one leg's own.
+    /// The same key for all legs, if it is one leg's own.
     pub(crate) fn of_all_legs(&self) -> Option<Self> {
         let (first, rest) = self.steps.split_first()?;
         (first.key == "legs" && first.entry.is_some()).then(|| Self {

@@ -1,4 +1,4 @@
-//! Where the text of input files comes from: the disk, or a copy that was kept of it.
+//! Source of the text of input files: the disk, or a stored copy.
 
 use std::fmt::Display;
 use std::fs;
@@ -9,17 +9,17 @@ pub use crate::source::Source;
 use crate::document::Document;
 use crate::input_error::InputError;
 
-/// Where files are read.
+/// Source of files.
 #[derive(Debug, Clone, Copy)]
 pub enum Library<'l> {
-    /// On this machine.
+    /// The disk of this machine.
     Disk,
-    /// Among copies.
+    /// Stored copies.
     Copies(&'l [Source]),
 }
 
 impl Library<'_> {
-    /// Whether there is a file.
+    /// True if a file exists.
     pub fn has(self, path: &Path) -> bool {
         match self {
             Self::Disk => path.is_file(),
@@ -27,7 +27,7 @@ impl Library<'_> {
         }
     }
 
-    /// What is wrong with the path of a file that is to be read: that there is none, or that it is a folder.
+    /// Reason why the path of an input file cannot be read: it does not exist, or is a folder.
     pub fn refusal(self, path: &Path) -> Option<String> {
         match self {
             _ if self.has(path) => None,
@@ -36,10 +36,10 @@ impl Library<'_> {
         }
     }
 
-    /// The text of a file.
+    /// Reads the text of a file.
     ///
     /// # Errors
-    /// When it cannot be read.
+    /// If it cannot be read.
     pub fn text(self, path: &Path) -> Result<String, InputError> {
         let refuse = |what: &dyn Display| InputError::unreadable(path, what);
         match self {
@@ -51,10 +51,10 @@ impl Library<'_> {
         }
     }
 
-    /// A file that is TOML.
+    /// Reads a TOML file.
     ///
     /// # Errors
-    /// When it cannot be read, is not TOML, or holds a number that is not finite.
+    /// If it cannot be read, is not TOML, or holds a number that is not finite.
     pub fn document(self, path: &Path) -> Result<Document, InputError> {
         Document::parse(path, &self.text(path)?)
     }

@@ -1,4 +1,4 @@
-//! Files that a command may write: none that it reads, and none that is there already and not its own, unless it is told
+//! Guards output files: a command must not overwrite its inputs, nor existing files that are not its own, unless told
 //! to.
 
 use std::fs;
@@ -7,23 +7,24 @@ use std::path::Path;
 
 use crate::input_error::InputError;
 
-/// Longest first line that is looked at, bytes.
+/// Longest first line examined, bytes.
 const LONGEST_LINE: u64 = 1 << 16;
 
-/// What a command reads, and whether it may replace what others have written.
+/// The inputs of a command, and whether it may overwrite files of others.
 #[derive(Debug, Clone, Copy)]
 pub struct OutputGuard<'a> {
-    /// Files that the command reads.
+    /// Input files of the command.
     pub inputs: &'a [&'a Path],
-    /// Whether it was told to replace files that are not its own.
+    /// True if files that are not its own may be replaced.
     pub overwrite: bool,
 }
 
 impl OutputGuard<'_> {
-    /// Checks that `file` may be written: it is not read, and either not there or with a first line that `is_own` knows.
+    /// Checks that `file` may be written: it is not an input, and either does not exist or has a first line accepted by
+    /// `is_own`.
     ///
     /// # Errors
-    /// Names the file and what is allowed.
+    /// Names the file and what is expected.
     pub fn check(&self, file: &Path, is_own: impl Fn(&str) -> bool) -> Result<(), InputError> {
         let first_line = |file| {
             let mut line = Vec::new();
@@ -35,7 +36,7 @@ impl OutputGuard<'_> {
         self.refuse(file, || first_line(file).is_some_and(|line| is_own(&line)))
     }
 
-    /// Checks that `file` may be written: it is not read, and either not there or the same already.
+    /// Checks that `file` may be written: it is not an input, and either does not exist or already has this content.
     ///
     /// # Errors
     /// As [`OutputGuard::check`].

@@ -1,4 +1,4 @@
-//! The units in which results come out.
+//! Units of results.
 
 use std::fmt;
 
@@ -9,13 +9,13 @@ use crate::section::Section;
 use crate::spelling::{Conversion, dotted_conversion, spelling_for_results};
 use crate::unit::unit;
 
-/// Key of an input file that tells them.
+/// Key of an input file for the units of results.
 pub(crate) const UNITS: &str = "units";
 
-/// What a column per unit of another quantity ends with.
+/// Suffix of columns per unit of another quantity.
 const PER_UNIT: &str = "_per_unit";
 
-/// Units of tables, records, reports and pictures. Landings are computed and journals written in those of 1966 always.
+/// Units of tables, records, reports and pictures. Landings and journals always use the units of 1966.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum OutputUnits {
     /// Foot, slug, pound, second and degree.
@@ -37,7 +37,7 @@ impl fmt::Display for OutputUnits {
 }
 
 impl OutputUnits {
-    /// Those that an input file asks for.
+    /// Reads the units from an input file.
     pub(crate) fn read(root: &Section) -> Result<Self, InputError> {
         let Some(found) = root.optional(UNITS) else {
             return Ok(Self::default());
@@ -46,14 +46,13 @@ impl OutputUnits {
         units.ok_or_else(|| found.complain("\"US\" or \"SI\""))
     }
 
-    /// The units of this name, if there are any.
+    /// Finds the units with a name.
     pub fn named(name: &str) -> Option<Self> {
         let all = [Self::Us, Self::Si];
         all.into_iter().find(|units| units.to_string() == name)
     }
 
-    /// How a quantity comes out, by its name with the unit that it has in the program. What is named in an SI unit already
-    /// keeps it.
+    /// Output form of a quantity, given by its name with the program unit. A name with an SI unit keeps it.
     pub fn quantity(self, name: &str) -> Quantity {
         let as_it_is = || Quantity {
             name: name.to_owned(),
@@ -77,7 +76,7 @@ impl OutputUnits {
     }
 }
 
-/// A quantity as it comes out.
+/// A quantity in the units of results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
     name: String,
@@ -85,32 +84,32 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// Its name, which ends with its unit.
+    /// Name, including the unit.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its unit in words; 1 for pure numbers.
+    /// Unit in words; 1 for pure numbers.
     pub fn unit(&self) -> &'static str {
         unit(&self.name)
     }
 
-    /// Whether its unit is another than that of the program.
+    /// True if its unit differs from that of the program.
     pub(crate) fn converts(&self) -> bool {
         self.conversion.converts()
     }
 
-    /// A number of the program in this unit.
+    /// Converts a number from program units to this unit.
     pub fn number(&self, number: f64) -> f64 {
         self.conversion.in_own_unit(number)
     }
 
-    /// A derivative by the quantity, per unit of the program, per this unit.
+    /// Converts a derivative by the quantity from per program unit to per this unit.
     pub(crate) fn derivative(&self, per_unit: f64) -> f64 {
         self.conversion.to_program(per_unit)
     }
 
-    /// What a cell of a table holds, in this unit; words and empty cells are what they are.
+    /// Converts a table cell to this unit; leaves words and empty cells unchanged.
     pub(crate) fn cell(&self, cell: &str) -> String {
         match cell.parse::<f64>() {
             Ok(number) if self.converts() => self.number(number).to_string(),

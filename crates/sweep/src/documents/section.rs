@@ -1,4 +1,4 @@
-//! Reading one table of a document, key by key, with complaints that say where and what.
+//! Reads one table of a document key by key; errors name place and key.
 
 use touchdown_dynamics::invalid::Invalid;
 
@@ -6,11 +6,11 @@ use crate::document::{Document, Entry, Node, Value, dotted, spelled};
 use crate::input_error::{InputError, Place};
 use crate::spelling::{Conversion, conversion};
 
-/// A table of a document, or several over each other: what the upper ones say holds, what they
-/// leave out is looked up in the lower ones. One leg's own values stand so over the vehicle's.
+/// A table of a document, or several layered on each other: keys missing from an upper layer are looked up in the lower
+/// ones. For example, a leg's own values lie on top of the vehicle's.
 ///
-/// Keys are asked for by their names in the program's units and found under any of their spellings. Numbers come in the
-/// program's units, complaints in the words of the file.
+/// Keys are requested by their names in program units and found in any spelling. Numbers are returned in program units;
+/// errors use the words of the file.
 #[derive(Debug, Clone)]
 pub struct Section<'d> {
     place: Place,
@@ -22,15 +22,15 @@ pub(crate) struct Layer<'d> {
     pub(crate) entries: &'d [Entry],
     pub(crate) path: String,
     pub(crate) line: usize,
-    /// Of the numbers of a table whose own key tells the unit.
+    /// Conversion of the numbers of a table whose own key names the unit.
     conversion: Conversion,
 }
 
 impl<'d> Section<'d> {
-    /// The whole document, which may have the `known` keys only.
+    /// The whole document, which may have only `known` keys.
     ///
     /// # Errors
-    /// Names an unknown key and the known one nearest to it.
+    /// Names an unknown key and the most similar known one.
     pub fn root(document: &'d Document, known: &[&str]) -> Result<Self, InputError> {
         let layer = Layer {
             entries: document.root(),
@@ -41,19 +41,19 @@ impl<'d> Section<'d> {
         Self::checked(document.place(), vec![layer], known)
     }
 
-    /// A table that must be there and may have the `known` keys only.
+    /// A required table, which may have only `known` keys.
     ///
     /// # Errors
-    /// When it is missing, is no table, or has an unknown key.
+    /// If it is missing, is not a table, or has an unknown key.
     pub fn section(&self, key: &str, known: &[&str]) -> Result<Section<'d>, InputError> {
         self.optional_section(key, known)?
             .ok_or_else(|| self.missing(key, &format!("a table [{}]", self.dotted(key))))
     }
 
-    /// A table that may be left out.
+    /// An optional table.
     ///
     /// # Errors
-    /// When it is no table or has an unknown key.
+    /// If it is not a table or has an unknown key.
     pub fn optional_section(
         &self,
         key: &str,
@@ -61,7 +61,7 @@ impl<'d> Section<'d> {
     ) -> Result<Option<Section<'d>>, InputError> {
         let mut layers = Vec::new();
         for found in self.all(key) {
-            // What has a word in its place further down has nothing there to be completed from.
+            // A word in place of the table in a lower layer completes nothing.
             if !layers.is_empty() && found.text().is_ok() {
                 break;
             }
@@ -73,10 +73,10 @@ impl<'d> Section<'d> {
         Self::checked(self.place.clone(), layers, known).map(Some)
     }
 
-    /// The entries of an array of tables, none when the key is not there.
+    /// The entries of an array of tables; none without the key.
     ///
     /// # Errors
-    /// When it is something else or an entry has an unknown key.
+    /// If it is something else or an entry has an unknown key.
     pub fn sections(&self, key: &str, known: &[&str]) -> Result<Vec<Section<'d>>, InputError> {
         let Some(found) = self.optional(key) else {
             return Ok(Vec::new());
@@ -89,7 +89,7 @@ impl<'d> Section<'d> {
             .collect()
     }
 
-    /// This section over another, which says what this one leaves out.
+    /// Layers this section on top of another.
     pub fn over(&self, lower: &Section<'d>) -> Section<'d> {
         let layers = [self.layers.as_slice(), lower.layers.as_slice()].concat();
         Section {
@@ -135,17 +135,17 @@ impl<'d> Section<'d> {
     }
 
     fn dotted(&self, key: &str) -> String {
-        // What no layer has is missing from the lowest, which serves all.
+        // A key missing from all layers is reported for the lowest one, common to all.
         dotted(self.layers.last().map_or("", |layer| &layer.path), key)
     }
 
-    /// The complaint that `key` is not in this section.
+    /// Error that `key` is missing from this section.
     pub fn missing(&self, key: &str, allowed: &str) -> InputError {
         let line = self.layers.last().map_or(1, |layer| layer.line);
         InputError::missing(&self.dotted(key), allowed).at(self.place.line(line))
     }
 
-    /// The value of `key`, if it is there.
+    /// The value of `key`, if any.
     pub fn optional(&self, key: &str) -> Option<LocatedValue<'d>> {
         self.all(key).next()
     }
@@ -153,36 +153,36 @@ impl<'d> Section<'d> {
     /// The value of `key`.
     ///
     /// # Errors
-    /// When it is missing; `allowed` says what it should have been.
+    /// If it is missing; `allowed` describes the expected value.
     pub fn value(&self, key: &str, allowed: &str) -> Result<LocatedValue<'d>, InputError> {
         self.optional(key).ok_or_else(|| self.missing(key, allowed))
     }
 
-    /// The number that `key` must have.
+    /// The number of a required `key`.
     ///
     /// # Errors
-    /// When it is missing or no number.
+    /// If it is missing or not a number.
     pub fn number(&self, key: &str) -> Result<f64, InputError> {
         self.value(key, "a number")?.number()
     }
 
-    /// The number that `key` may have.
+    /// The number of an optional `key`.
     ///
     /// # Errors
-    /// When it is no number.
+    /// If it is not a number.
     pub fn optional_number(&self, key: &str) -> Result<Option<f64>, InputError> {
         self.optional(key).map(|found| found.number()).transpose()
     }
 
-    /// The text that `key` must have.
+    /// The text of a required `key`.
     ///
     /// # Errors
-    /// When it is missing or no text.
+    /// If it is missing or not text.
     pub fn text(&self, key: &str) -> Result<&'d str, InputError> {
         self.value(key, "text in quotes")?.text()
     }
 
-    /// All keys as they are spelled with their values, of the uppermost layer, in the order of the file.
+    /// All keys of the uppermost layer, as spelled, with their values, in file order.
     pub fn all_values(&self) -> impl Iterator<Item = (&'d str, LocatedValue<'d>)> {
         self.layers.iter().take(1).flat_map(move |layer| {
             layer.entries.iter().map(move |entry| {
@@ -197,15 +197,15 @@ impl<'d> Section<'d> {
         })
     }
 
-    /// The complaint of the physics about a quantity, brought to the line of its key.
+    /// Converts an error of the physics about a quantity to one at the line of its key.
     ///
-    /// The quantity is a dotted key relative to this section, with an explanation in brackets
-    /// where it is not the key's own value that is wrong.
+    /// The quantity is a dotted key relative to this section, with an explanation in brackets if the fault is not in
+    /// the key's own value.
     pub fn complain(&self, invalid: &Invalid) -> InputError {
         let key = invalid.quantity.split(" (").next().unwrap_or_default();
         let explanation = &invalid.quantity[key.len()..];
         let Some(found) = self.descend(key) else {
-            // The uppermost layer is the most particular one.
+            // The uppermost layer is the most specific.
             let line = self.layers.first().map_or(1, |layer| layer.line);
             return InputError::value(
                 &self.dotted(&invalid.quantity),
@@ -215,7 +215,7 @@ impl<'d> Section<'d> {
             .at(self.place.line(line));
         };
         match found.node.value {
-            // As written, because the physics may have it in another unit.
+            // As written, since the physics may use another unit.
             Value::Number(_) if explanation.is_empty() => found.complain(&invalid.allowed),
             _ => {
                 let name = format!("{}{explanation}", found.path);
@@ -246,17 +246,17 @@ pub struct LocatedValue<'d> {
     pub(crate) place: Place,
     pub(crate) path: String,
     pub(crate) node: &'d Node,
-    /// From the unit of the file to that of the program.
+    /// Conversion from the unit of the file to that of the program.
     pub(crate) conversion: Conversion,
 }
 
 impl<'d> LocatedValue<'d> {
-    /// Where it stands.
+    /// Its place.
     pub fn here(&self) -> Place {
         self.place.line(self.node.line)
     }
 
-    /// The complaint that this value is not what is `allowed`.
+    /// Error that this value is not `allowed`.
     pub fn complain(&self, allowed: &str) -> InputError {
         let allowed = match self.node.value {
             Value::Number(number) => &self.conversion.explain(allowed, number),
@@ -265,7 +265,7 @@ impl<'d> LocatedValue<'d> {
         InputError::value(&self.path, &self.node.written, allowed).at(self.here())
     }
 
-    /// Any complaint, at the place of this value.
+    /// Any error, at the place of this value.
     pub fn complain_that(&self, complaint: &str) -> InputError {
         InputError::other(format!(
             "{} = {}: {complaint}",
@@ -274,10 +274,10 @@ impl<'d> LocatedValue<'d> {
         .at(self.here())
     }
 
-    /// The value as a number, in the program's unit.
+    /// The value as a number in the program's unit.
     ///
     /// # Errors
-    /// When it is something else.
+    /// If it is something else.
     pub fn number(&self) -> Result<f64, InputError> {
         let Value::Number(number) = self.node.value else {
             return Err(self.complain("a number"));
@@ -291,7 +291,7 @@ impl<'d> LocatedValue<'d> {
     /// The value as a text.
     ///
     /// # Errors
-    /// When it is something else.
+    /// If it is something else.
     pub fn text(&self) -> Result<&'d str, InputError> {
         match &self.node.value {
             Value::Text(text) => Ok(text),
@@ -302,7 +302,7 @@ impl<'d> LocatedValue<'d> {
     /// The value as a list.
     ///
     /// # Errors
-    /// When it is something else.
+    /// If it is something else.
     pub fn items(&self, allowed: &str) -> Result<Vec<LocatedValue<'d>>, InputError> {
         let Value::List(nodes) = &self.node.value else {
             return Err(self.complain(allowed));
@@ -316,10 +316,10 @@ impl<'d> LocatedValue<'d> {
         Ok(nodes.iter().enumerate().map(item).collect())
     }
 
-    /// The value as a table with the `known` keys, if it is a table.
+    /// The value as a table with the `known` keys; `None` if it is not a table.
     ///
     /// # Errors
-    /// When it has an unknown key.
+    /// If it has an unknown key.
     pub fn table(&self, known: &[&str]) -> Result<Option<Section<'d>>, InputError> {
         match self.layer() {
             Ok(layer) => Section::checked(self.place.clone(), vec![layer], known).map(Some),
@@ -327,10 +327,10 @@ impl<'d> LocatedValue<'d> {
         }
     }
 
-    /// The values of this table and of the tables within it, by their dotted names below it, as they are spelled.
+    /// The values of this table and of tables within it, by their dotted names below it, as spelled.
     ///
     /// # Errors
-    /// When it is no table.
+    /// If it is not a table.
     pub fn leaves(&self) -> Result<Vec<(String, LocatedValue<'d>)>, InputError> {
         let mut leaves = Vec::new();
         for entry in self.layer()?.entries {
@@ -366,7 +366,7 @@ impl<'d> LocatedValue<'d> {
     }
 }
 
-/// The complaint about the second of two spellings of one quantity.
+/// Error about the second of two spellings of one quantity.
 fn said_twice(layer: &Layer, second: &Entry, first: &Entry) -> InputError {
     let (path, value) = (dotted(&layer.path, &second.key), &second.node.written);
     let (line, other) = (first.node.line, &first.key);

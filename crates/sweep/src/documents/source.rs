@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-/// A file word for word.
+/// A file, verbatim.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
-    /// Its path, as given or as another file names it.
+    /// Path, as given or as named in another file.
     pub path: PathBuf,
-    /// Its text.
+    /// Text.
     pub text: String,
 }

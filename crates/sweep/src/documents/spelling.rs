@@ -1,37 +1,37 @@
-//! Spellings of a key: with the unit of the program, or with an SI unit in its place.
+//! Spellings of a key: with the program's unit, or with an SI unit.
 //!
-//! Keys are known by the names that end with the program's units. `mass_kg` is another spelling of `mass_slug`; its numbers
-//! are converted where they are read.
+//! Keys are known by the names with the program's units. `mass_kg` is another spelling of `mass_slug`; its numbers are
+//! converted when read.
 
 use crate::unit::{UNITS, Unit, program_unit};
 
-/// From the unit of a spelling to that of the program.
+/// Conversion from the unit of a spelling to that of the program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Conversion {
-    /// How many units of the spelling make one of the program.
+    /// Number of units of the spelling in one of the program.
     factor: f64,
-    /// The unit of the program, in words.
+    /// Unit of the program, in words.
     words: &'static str,
 }
 
 impl Conversion {
-    /// That of a key in the program's own unit.
+    /// Conversion of a key in the program's own unit.
     pub(crate) const NONE: Self = Self {
         factor: 1.0,
         words: "",
     };
 
-    /// Whether the two units differ.
+    /// True if the two units differ.
     pub(crate) fn converts(self) -> bool {
         self != Self::NONE
     }
 
-    /// This conversion, or `above` where this key has no unit of its own.
+    /// This conversion, or `above` if this key has no unit of its own.
     pub(crate) fn or(self, above: Self) -> Self {
         if self.converts() { self } else { above }
     }
 
-    /// A number as the program has it.
+    /// Converts a number to the program's unit.
     pub(crate) fn to_program(self, number: f64) -> f64 {
         match self.converts() {
             true => decimal_within_rounding(number / self.factor),
@@ -39,7 +39,7 @@ impl Conversion {
         }
     }
 
-    /// A number of the program in the unit of the spelling.
+    /// Converts a number of the program to the unit of the spelling.
     pub(crate) fn in_own_unit(self, number: f64) -> f64 {
         match self.converts() {
             true => decimal_within_rounding(number * self.factor),
@@ -47,7 +47,7 @@ impl Conversion {
         }
     }
 
-    /// What is allowed in the unit of the program, for a number in that of the spelling.
+    /// Text of the allowed values in the program's unit, for a number in that of the spelling.
     pub(crate) fn explain(self, allowed: &str, number: f64) -> String {
         match self.converts() {
             true => {
@@ -58,13 +58,13 @@ impl Conversion {
         }
     }
 
-    /// A number of the program with its unit where that is not the one of the spelling.
+    /// A number of the program, followed by its unit if the spelling has another.
     pub(crate) fn with_unit(self, number: f64) -> String {
         format!("{number} {}", self.words).trim_end().to_owned()
     }
 }
 
-/// The number of fifteen digits that a converted number is but for rounding, or else the converted number. 19.05 mm are 0.75
+/// Rounds a converted number to fifteen digits if that changes it by no more than rounding errors. 19.05 mm are 0.75
 /// inch, though neither 19.05 nor 25.4 is a binary fraction.
 fn decimal_within_rounding(converted: f64) -> f64 {
     // The number, the factor, their quotient and the decimal are rounded by half an epsilon each.
@@ -81,7 +81,7 @@ fn rounded(number: f64, digits: usize) -> f64 {
     decimal.parse().unwrap_or(number)
 }
 
-/// The conversion of a spelling, if it is one of `key`.
+/// Conversion of a spelling, if it is one of `key`.
 pub(crate) fn conversion(spelling: &str, key: &str) -> Option<Conversion> {
     if spelling == key {
         return Some(Conversion::NONE);
@@ -95,7 +95,7 @@ pub(crate) fn conversion(spelling: &str, key: &str) -> Option<Conversion> {
     })
 }
 
-/// The same of dotted keys, of which one step at most has another unit than the program.
+/// The same for dotted keys; at most one step has a unit other than the program's.
 pub(crate) fn dotted_conversion(spelling: &str, key: &str) -> Option<Conversion> {
     let (mut spelled, mut known) = (spelling.split('.'), key.split('.'));
     let mut whole = Conversion::NONE;
@@ -108,7 +108,7 @@ pub(crate) fn dotted_conversion(spelling: &str, key: &str) -> Option<Conversion>
     }
 }
 
-/// All spellings of a key; that of the program comes first.
+/// All spellings of a key, that of the program first.
 pub(crate) fn spellings(key: &str) -> Vec<String> {
     let mut all = vec![key.to_owned()];
     if let Some((bare, unit)) = program_unit(key) {
@@ -117,8 +117,8 @@ pub(crate) fn spellings(key: &str) -> Vec<String> {
     all
 }
 
-/// The spelling of a name, dotted perhaps, that results in SI have: with the first SI unit, but angles and rates of turn in
-/// degrees.
+/// Spelling of a name, possibly dotted, in SI results: with the first SI unit, but with degrees for angles and rates of
+/// turn.
 pub(crate) fn spelling_for_results(name: &str) -> String {
     let step = |key: &str| match program_unit(key) {
         Some((
@@ -136,8 +136,8 @@ pub(crate) fn spelling_for_results(name: &str) -> String {
     name.split('.').map(step).collect::<Vec<_>>().join(".")
 }
 
-/// What an unknown key may have meant: a known key with any of its units where only the unit is wrong, or the spelling most
-/// like it.
+/// Guesses the meaning of an unknown key: all spellings of a known key if only the unit is wrong, else the most similar
+/// spelling.
 pub(crate) fn meant(unknown: &str, known: &[&str]) -> Vec<String> {
     if let Some(key) = known.iter().find(|key| differ_in_unit(unknown, key)) {
         return spellings(key);
@@ -150,7 +150,7 @@ pub(crate) fn meant(unknown: &str, known: &[&str]) -> Vec<String> {
     nearest.map(str::to_owned).into_iter().collect()
 }
 
-/// The question whether one of these was meant; nothing where there are none.
+/// Asks whether one of these was meant; empty without names.
 pub(crate) fn did_you_mean(names: &[String]) -> String {
     match names {
         [] => String::new(),
@@ -158,7 +158,7 @@ pub(crate) fn did_you_mean(names: &[String]) -> String {
     }
 }
 
-/// The spelling of a key with the unit that a name ends with; if there is none, the program's.
+/// Spelling of a key with the unit that a name ends with; else the program's.
 pub(crate) fn with_unit_of(name: &str, key: &str) -> String {
     let spelled = program_unit(key).and_then(|(bare, unit)| {
         let fits = unit.si.iter().filter(|si| name.ends_with(si.ending));
@@ -168,13 +168,13 @@ pub(crate) fn with_unit_of(name: &str, key: &str) -> String {
     spelled.unwrap_or_else(|| key.to_owned())
 }
 
-/// Whether an unknown key is a known one but for its unit.
+/// True if an unknown key differs from a known one only in its unit.
 pub(crate) fn differ_in_unit(unknown: &str, key: &str) -> bool {
     let rest = program_unit(key).and_then(|(bare, _)| unknown.strip_prefix(bare));
     rest.is_some_and(is_unit)
 }
 
-/// The known name most similar to `name`, if one is similar enough.
+/// The known name most similar to `name`, if similar enough.
 fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     let likeness = |candidate: &&str| strsim::jaro_winkler(name, candidate);
     known
@@ -184,7 +184,7 @@ fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
         .filter(|candidate| likeness(candidate) > 0.7)
 }
 
-/// Whether the end of a key is that of a known unit, or a single word that may be meant for one.
+/// True if the ending of a key is that of a known unit, or a single word that may be meant as one.
 fn is_unit(ending: &str) -> bool {
     let known = |unit: &Unit| unit.ending == ending || unit.si.iter().any(|si| si.ending == ending);
     let is_word = ending.starts_with('_') && ending.matches('_').count() == 1;

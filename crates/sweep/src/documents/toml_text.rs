@@ -4,11 +4,11 @@ use std::fmt::Write;
 
 use crate::document::{Entry, Node, Value};
 
-/// Longest number that is written without an exponent.
+/// Longest number written without an exponent.
 const LONGEST_NUMBER: usize = 20;
 
-/// The entries of a document as TOML, tables under headings of their own. What [`crate::document::Document`] reads from it is what
-/// is written, number by number.
+/// Writes the entries of a document as TOML, with tables under headings. [`crate::document::Document`] reads back the
+/// same numbers.
 pub fn text(entries: &[Entry]) -> String {
     let mut text = String::new();
     write_table(&mut text, "", entries);
@@ -45,7 +45,7 @@ fn line(text: &mut String, line: &str) {
     text.push('\n');
 }
 
-/// Whether a value is a table, or a list of tables, which stand under headings.
+/// True for a table or a list of tables, which are written under headings.
 fn has_heading(node: &Node) -> bool {
     let is_table = |node: &Node| matches!(node.value, Value::Table(_));
     match &node.value {
@@ -93,7 +93,7 @@ fn quoted(text: &str) -> String {
         match c {
             '"' | '\\' => quoted.extend(['\\', c]),
             c if c.is_control() => {
-                // Writing to a text cannot fail.
+                // Writing to a string cannot fail.
                 let _ = write!(quoted, "\\u{:04x}", u32::from(c));
             }
             c => quoted.push(c),

@@ -1,21 +1,21 @@
-//! Units of columns, parameters and keys, which their names end with.
+//! Units of columns, parameters and keys, given by the endings of their names.
 
 use std::f64::consts::PI;
 
-/// A unit of the program, and the SI units that input files may have in its place; results in SI have the first of them.
+/// A unit of the program and the SI units allowed in its place in input files; results in SI use the first of them.
 pub(crate) struct Unit {
-    /// What names end with.
+    /// Ending of names.
     pub(crate) ending: &'static str,
     pub(crate) words: &'static str,
     pub(crate) si: &'static [SiUnit],
 }
 
-/// An SI unit beside one of the program.
+/// An SI unit that corresponds to one of the program.
 pub(crate) struct SiUnit {
-    /// What names end with.
+    /// Ending of names.
     pub(crate) ending: &'static str,
     words: &'static str,
-    /// How many of it the unit of the program is.
+    /// Number of these units in one program unit.
     pub(crate) factor: f64,
 }
 
@@ -31,8 +31,8 @@ const fn si(ending: &'static str, words: &'static str, factor: f64) -> SiUnit {
     }
 }
 
-/// One foot is 0.3048 m, one inch 0.0254 m and one pound-force 4.4482216152605 N. The other factors are made of these; the
-/// slug is 1 lb s2/ft.
+/// One foot is 0.3048 m, one inch 0.0254 m and one pound-force 4.4482216152605 N. The other factors follow from these;
+/// the slug is 1 lb s2/ft.
 pub(crate) const UNITS: [Unit; 16] = [
     unit_of("_slug", "slug", &[si("_kg", "kg", 14.593902937206364)]),
     unit_of(
@@ -97,8 +97,7 @@ pub(crate) const UNITS: [Unit; 16] = [
 
 /// Unit of a column or parameter, by the ending of its name; 1 for pure numbers and words.
 pub fn unit(name: &str) -> &'static str {
-    // Forces and times of one leg carry its number before their unit, moments of inertia the axes
-    // after it.
+    // The leg number of forces and times precedes the unit; the axes of moments of inertia follow it.
     let name = match name.rsplit_once('.') {
         Some((table, _)) if table.ends_with(".inertia_slug_ft2") => table,
         Some((table, _)) if table.ends_with(".inertia_kg_m2") => table,
@@ -107,7 +106,7 @@ pub fn unit(name: &str) -> &'static str {
     bare_name_and_unit(name).1
 }
 
-/// A name without the unit that it ends with, and this unit in words; 1 for pure numbers and words.
+/// Splits a name into the name without unit, and the unit in words; 1 for pure numbers and words.
 pub fn bare_name_and_unit(name: &str) -> (&str, &'static str) {
     let endings = UNITS.iter().flat_map(|unit| {
         let si = unit.si.iter().map(|si| (si.ending, si.words));
@@ -118,7 +117,7 @@ pub fn bare_name_and_unit(name: &str) -> (&str, &'static str) {
     shortest.unwrap_or((name, "1"))
 }
 
-/// A name without the unit of the program that it ends with, and this unit, if it ends with one.
+/// Splits a name that ends with a unit of the program into the name without it, and the unit.
 pub(crate) fn program_unit(name: &str) -> Option<(&str, &'static Unit)> {
     let fitting =
         (const { &UNITS }.iter()).filter_map(|unit| Some((name.strip_suffix(unit.ending)?, unit)));

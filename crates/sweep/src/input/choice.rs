@@ -1,9 +1,9 @@
-//! Keys whose values are words, one for each of several choices.
+//! Keys whose values are words, one for each choice.
 
 use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
 
-/// The choice that a key names; without the key, the default.
+/// Reads the choice of a key; the default without the key.
 pub(crate) fn choice<T: Copy + Default>(
     section: &Section,
     key: &str,
@@ -12,7 +12,7 @@ pub(crate) fn choice<T: Copy + Default>(
     (section.optional(key)).map_or(Ok(T::default()), |value| chosen_by(&value, choices))
 }
 
-/// The choice that a value names.
+/// Reads the choice of a value.
 pub(crate) fn chosen_by<T: Copy>(
     value: &LocatedValue,
     choices: &[(&str, T)],
@@ -25,19 +25,19 @@ pub(crate) fn chosen_by<T: Copy>(
     })
 }
 
-/// The choice of a word.
+/// Finds the choice of a word.
 pub fn chosen<T: Copy>(choices: &[(&str, T)], word: &str) -> Option<T> {
     let found = choices.iter().find(|(known, _)| *known == word);
     found.map(|(_, choice)| *choice)
 }
 
-/// The word for a choice.
+/// Word of a choice.
 pub fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], choice: T) -> &'static str {
     let found = choices.iter().find(|(_, known)| *known == choice);
     found.map_or("", |(word, _)| word)
 }
 
-/// The words of all choices.
+/// Words of all choices.
 pub fn words<T>(choices: &[(&'static str, T)]) -> Vec<&'static str> {
     choices.iter().map(|(word, _)| *word).collect()
 }

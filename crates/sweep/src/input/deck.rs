@@ -1,6 +1,6 @@
-//! The report's card decks (3.4.4.1, 3.4.4.2): tables in eight columns of ten, then input constants
-//! on 21 numbered cards of five columns of twelve; a blank card ends the tables and each run. Runs
-//! stacked behind the first tell only the cards that change.
+//! Card decks of the report (3.4.4.1, 3.4.4.2): tables in eight columns of ten, then input constants on 21 numbered
+//! cards of five columns of twelve. A blank card ends the tables and each run. Runs stacked behind the first contain
+//! only the cards that change.
 
 mod card;
 mod scene;
@@ -12,7 +12,7 @@ use crate::input_error::{InputError, Place};
 use card::constants;
 use tables::{Tables, tables};
 
-/// Cards of input constants, and fields of each.
+/// Number of cards of input constants, and fields on each.
 const CARDS: usize = 21;
 const FIELDS: usize = 5;
 const LEGS: usize = 3;
@@ -21,7 +21,7 @@ const LEGS: usize = 3;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deck {
     tables: Tables,
-    /// The runs, each complete.
+    /// All runs, each complete.
     pub runs: Vec<Run>,
 }
 
@@ -34,7 +34,7 @@ pub struct Run {
 /// Reads a deck.
 ///
 /// # Errors
-/// Names the card, by its line, and what is wrong with it.
+/// Names the faulty card by its line.
 pub fn parse(place: &Place, text: &str) -> Result<Deck, InputError> {
     let mut cards = text
         .lines()

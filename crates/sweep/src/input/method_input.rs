@@ -10,11 +10,11 @@ use crate::section::Section;
 /// Names of the methods.
 pub const METHODS: [&str; 5] = ["located", "report", "rk4", "trapezoidal", "milne"];
 
-/// Methods that check their errors, and methods with a fixed interval.
+/// Methods with error control, and methods with a fixed interval.
 const CHECKED: [&str; 2] = ["report", "milne"];
 const FIXED: [&str; 2] = ["rk4", "trapezoidal"];
 
-/// Keys of `[solver]` that concern a method.
+/// Keys of `[solver]` for the method.
 pub(crate) const KEYS: [&str; 6] = [
     "method",
     "error_scale",
@@ -39,22 +39,22 @@ pub(crate) const LIMITS: [&str; 7] = [
 pub struct MethodNumbers {
     /// Relative tolerance per step: `located`.
     pub tolerance: Option<f64>,
-    /// Factor of all error limits: `report`, `milne`.
+    /// Factor on all error limits: `report`, `milne`.
     pub error_scale: Option<f64>,
-    /// The first interval, s: `report`, `milne`.
+    /// First interval, s: `report`, `milne`.
     pub first_interval: Option<f64>,
-    /// The interval that is not cut further, s: `report`, `milne`.
+    /// Least interval, not cut further, s: `report`, `milne`.
     pub least_interval: Option<f64>,
-    /// The fixed interval, s: `rk4`, `trapezoidal`.
+    /// Fixed interval, s: `rk4`, `trapezoidal`.
     pub interval: Option<f64>,
     /// Error limits per second, before scaling: `report`, `milne`.
     pub limits: Option<ErrorLimits>,
 }
 
-/// The method with a name, one of [`METHODS`], and numbers.
+/// Builds the method with a name, one of [`METHODS`], and numbers.
 ///
 /// # Errors
-/// Names the first number that is out of its range or of no use to the method.
+/// Names the first number that is out of range or not used by the method.
 pub fn method(name: &str, numbers: &MethodNumbers) -> Result<Method, Invalid> {
     let used = [
         ("tolerance", numbers.tolerance, &["located"][..]),
@@ -129,7 +129,7 @@ pub fn method_words(method: &Method, tolerance: f64) -> String {
     }
 }
 
-/// Without what a change of units leaves in the last digits.
+/// Removes rounding errors of a unit conversion.
 fn rounded(value: f64) -> f64 {
     let scale = libm::exp10(12.0 - libm::log10(value.abs()).floor());
     (value * scale).round() / scale
@@ -163,7 +163,7 @@ pub(crate) fn read(solver: &Section, tolerance: Option<f64>) -> Result<Method, I
     method(name, &numbers).map_err(|invalid| solver.complain(&invalid))
 }
 
-/// Reads error limits; what is left out has the report's.
+/// Reads error limits; missing ones default to the report's.
 fn error_limits(table: &Section) -> Result<ErrorLimits, InputError> {
     let mut limits = ErrorLimits::default();
     let angle = |key| -> Result<Option<f64>, InputError> {

@@ -1,7 +1,7 @@
 //! Touchdown conditions as named numbers.
 //!
-//! Sweep files, tables of cases and the command line all fill the same table of named numbers and
-//! build a scene from it; an axis of a sweep replaces one of the numbers.
+//! Sweep files, tables of cases and the command line all fill the same table of named numbers and build a scene from
+//! it. An axis of a sweep replaces one of the numbers.
 
 mod attitude;
 mod footing;
@@ -24,8 +24,8 @@ pub(crate) use footing::{FOOTING, FOOTING_KEYS};
 use thrust::THRUST_NAMES;
 pub(crate) use thrust::{THRUST, THRUST_KEYS};
 
-/// Names of the touchdown conditions of the whole vehicle, with their units; those of the ground under each leg are
-/// `footing[1].height_ft` and its kin.
+/// Names of the touchdown conditions of the whole vehicle, with units. Those of the ground under each leg are
+/// `footing[1].height_ft` etc.
 pub const NAMES: [&str; 16] = [
     "vertical_velocity_fps",
     "horizontal_velocity_fps",
@@ -44,28 +44,28 @@ pub const NAMES: [&str; 16] = [
     "angular_velocity_z_dps",
     "gravity_fps2",
 ];
-/// In place of the acceleration of gravity: the body on which the vehicle lands.
+/// Alternative to the acceleration of gravity: the body on which the vehicle lands.
 const GRAVITY: &str = "gravity";
-/// Bodies by name, each with its acceleration of gravity in m/s²: standard gravity, and surface gravities of NASA's planetary
-/// fact sheets and of the Dawn mission.
+/// Bodies, each with its acceleration of gravity, m/s²: standard gravity, and surface gravities from NASA's planetary
+/// fact sheets and the Dawn mission.
 pub(crate) const BODIES: [(&str, f64); 4] = [
     ("moon", 1.62),
     ("mars", 3.71),
     ("earth", 9.80665),
     ("ceres", 0.284),
 ];
-/// The condition that a boundary search varies.
+/// The condition varied by a boundary search.
 pub const HORIZONTAL_VELOCITY: &str = "horizontal_velocity_fps";
 
 const METRES_PER_FOOT: f64 = 0.3048;
 
-/// Greatest angle, a hundred turns, deg: beyond it digits are lost.
+/// Greatest angle, a hundred turns, deg: precision is lost beyond it.
 const GREATEST_ANGLE: f64 = 36_000.0;
 
 /// Number of all conditions.
 const COUNT: usize = NAMES.len() + THRUST_NAMES.len() + MOST_LEGS * FOOTING_KEYS.len();
 
-/// Names of all conditions of vehicles with so many legs.
+/// Names of all conditions of vehicles with `legs` legs.
 pub(crate) fn names(legs: usize) -> impl Iterator<Item = &'static str> {
     let of_legs = FOOTING_NAMES.iter().take(legs).flatten();
     NAMES.iter().chain(&THRUST_NAMES).chain(of_legs).copied()
@@ -80,7 +80,7 @@ pub(crate) fn scene_keys() -> Vec<&'static str> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedConditions {
     values: [Option<f64>; COUNT],
-    /// Knots of the thrust, s and lb, and how many.
+    /// Knots of the thrust, s and lb, and their number.
     thrust: ([[f64; 2]; MOST_KNOTS], usize),
 }
 
@@ -93,27 +93,27 @@ impl Default for NamedConditions {
     }
 }
 
-/// Where a condition stands in a table [scene], if it is there.
+/// Finds a condition in a table [scene].
 pub(crate) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
     let of_ground = || footing::find(scene, name);
     let of_thrust = || thrust::find(scene, name);
     scene.optional(name).or_else(of_ground).or_else(of_thrust)
 }
 
-/// A condition that is missing or not allowed.
+/// A missing or invalid condition.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{name}: expected {allowed}")]
 pub struct SceneFault {
     /// Name of the condition.
     pub name: &'static str,
-    /// Its value; `None` when it is missing.
+    /// Its value; `None` if missing.
     pub value: Option<f64>,
-    /// What is allowed.
+    /// Allowed values.
     pub allowed: String,
 }
 
 impl SceneFault {
-    /// The complaint about the condition under this name.
+    /// Error about the condition under this name.
     pub fn error(&self) -> InputError {
         match self.value {
             Some(value) => InputError::value(self.name, value, &self.allowed),
@@ -123,7 +123,7 @@ impl SceneFault {
 }
 
 impl NamedConditions {
-    /// These conditions, by name.
+    /// A table of conditions by name.
     pub fn of<'n>(given: impl IntoIterator<Item = (&'n str, f64)>) -> Self {
         let mut conditions = Self::default();
         for (name, value) in given {
@@ -132,7 +132,7 @@ impl NamedConditions {
         conditions
     }
 
-    /// Takes conditions from a table [scene].
+    /// Reads conditions from a table [scene].
     pub(crate) fn read(scene: &Section) -> Result<Self, InputError> {
         let mut conditions = Self::default();
         for name in NAMES {
@@ -158,24 +158,24 @@ impl NamedConditions {
         Ok(conditions)
     }
 
-    /// Index of the name of a condition, if it is one.
+    /// Index of the condition with a name, if any.
     pub fn position(name: &str) -> Option<usize> {
         names(MOST_LEGS).position(|known| known == name)
     }
 
-    /// Gives a condition a value; the name of none changes nothing.
+    /// Sets a condition; ignores unknown names.
     pub fn set(&mut self, name: &str, value: f64) {
         if let Some(index) = Self::position(name) {
             self.values[index] = Some(value);
         }
     }
 
-    /// The value of a condition, if it was given one.
+    /// Value of a condition, if given.
     pub fn get(&self, name: &str) -> Option<f64> {
         self.values[Self::position(name)?]
     }
 
-    /// The conditions given, and those that follow from them by default, by name.
+    /// The given conditions and those that default from them, by name.
     pub fn resolved(&self) -> Vec<(&'static str, f64)> {
         names(MOST_LEGS)
             .filter_map(|name| Some((name, self.get(name).or_else(|| self.default_of(name))?)))
@@ -194,7 +194,7 @@ impl NamedConditions {
         }
     }
 
-    /// The value of a condition, given or by default.
+    /// Value of a condition, given or default.
     fn need(&self, name: &'static str) -> Result<f64, SceneFault> {
         let fault = |value, allowed: &str| SceneFault {
             name,
@@ -211,11 +211,11 @@ impl NamedConditions {
         }
     }
 
-    /// The scene that these conditions describe for a vehicle, to be computed with these settings.
+    /// Builds the scene of these conditions for a vehicle and settings.
     ///
     /// # Errors
-    /// As [`NamedConditions::scene`], and when there is ground under a leg that the vehicle does not have, when the method
-    /// does not know thrust or the edges of footpads, or the contact rule damping of their hinges.
+    /// As [`NamedConditions::scene`]; also if there is ground under a leg that the vehicle lacks, if the method does
+    /// not support thrust or the edges of footpads, or if the contact rule does not support hinge damping.
     pub fn scene_for(&self, vehicle: &Vehicle, settings: &Settings) -> Result<Scene, SceneFault> {
         let is_located = settings.method() == Method::Located;
         if !self.thrust_knots().is_empty() && !is_located {
@@ -256,10 +256,10 @@ impl NamedConditions {
         self.scene()
     }
 
-    /// The scene that these conditions describe.
+    /// Builds the scene of these conditions.
     ///
     /// # Errors
-    /// Names the first condition that is missing, not allowed, or at odds with another.
+    /// Names the first condition that is missing, not allowed, or in conflict with another.
     pub fn scene(&self) -> Result<Scene, SceneFault> {
         let conditions = Conditions {
             vertical_velocity: self.need("vertical_velocity_fps")?,
@@ -287,7 +287,7 @@ impl NamedConditions {
     }
 
     fn fault(&self, invalid: Invalid) -> SceneFault {
-        // Block friction that follows from friction is wrong where friction is.
+        // Block friction that defaults to friction is reported as friction.
         let named = match names(MOST_LEGS).find(|name| *name == invalid.quantity) {
             Some("block_friction") if self.get("block_friction").is_none() => Some("friction"),
             named => named,
@@ -295,14 +295,14 @@ impl NamedConditions {
         let name = named.unwrap_or("angular_velocity_x_dps");
         SceneFault {
             name,
-            // As given, which the way to radians and back may have changed in the last digit.
+            // The value as given: conversion to radians and back may change its last digit.
             value: self.get(name).or(Some(invalid.value)),
             allowed: invalid.allowed,
         }
     }
 }
 
-/// What a condition that has no default means.
+/// Meaning of a condition without default.
 fn meaning(name: &str) -> &'static str {
     match name {
         "vertical_velocity_fps" => "the downward velocity, ft/s, ≥ 0",

@@ -1,4 +1,4 @@
-//! Where to search: the table `[search]` of a sweep file.
+//! Reads the table `[search]` of a sweep file.
 
 use crate::boundary::{Extent, Search};
 use crate::certainty::Doubt;
@@ -20,7 +20,7 @@ pub(crate) const SEARCH: [&str; 10] = [
     "certainty",
     "keep_deg",
 ];
-/// Words of the choices, and what they mean.
+/// Words of the choices, and their meaning.
 pub(crate) const EXTENTS: [(&str, Extent); 2] = [("first", Extent::First), ("all", Extent::All)];
 pub(crate) const SCANS: [(&str, Scan); 2] = [("full", Scan::Full), ("skipping", Scan::Skipping)];
 pub(crate) const REFINEMENTS: [(&str, Refinement); 2] = [
@@ -41,9 +41,10 @@ pub(crate) const NUMBERS: [&str; 6] = [
     "scan_looseness",
     "keep_deg",
 ];
-/// Greatest stability angle that landings can be asked to keep, deg: less than that of landings between which scans look no closer.
+/// Greatest stability angle that landings can be asked to keep, deg. It is less than that of landings between which scans
+/// look no closer.
 const GREATEST_KEPT: f64 = 30.0;
-/// Finest bracket, ft/s: ten times finer than landings are determined at the least tolerance.
+/// Finest bracket, ft/s: a tenth of the precision of landings at the least tolerance.
 const LEAST_BRACKET: f64 = 1e-9;
 /// Greatest factor on the solver's tolerance in a scan.
 const LOOSEST_SCAN: f64 = 100.0;

@@ -1,4 +1,4 @@
-//! How landings are computed: the table `[solver]` of input files, and the words in it.
+//! Settings of landings: the table `[solver]` of input files and its words.
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::method::Method;
@@ -25,44 +25,44 @@ pub const SOLVER: [&str; 9] = [
     "friction_profile",
     "stop",
 ];
-/// Sets of rules by which vehicles land.
+/// Rule sets for landings.
 pub const RULES: [(&str, Rules); 2] = [("1966", Rules::REPORT), ("physical", Rules::PHYSICAL)];
-/// When an element may crush further.
+/// Rules for when an element may crush further.
 pub const CRUSH_RULES: [(&str, CrushRule); 2] = [
     ("pivot-rate", CrushRule::PivotRate),
     ("section", CrushRule::Section),
 ];
-/// Where the ground acts on footpads and blocks.
+/// Rules for where the ground acts on footpads and blocks.
 pub const CONTACT_RULES: [(&str, ContactRule); 2] =
     [("pivot", ContactRule::Pivot), ("face", ContactRule::Face)];
-/// When a landing counts as stable.
+/// Rules for when a landing counts as stable.
 pub const REST_RULES: [(&str, RestRule); 2] =
     [("limits", RestRule::Limits), ("energy", RestRule::Energy)];
-/// When a vehicle counts as toppled.
+/// Rules for when a vehicle counts as toppled.
 pub const TOPPLING_RULES: [(&str, TopplingRule); 2] = [
     ("critical-feet", TopplingRule::CriticalFeet),
     ("hull", TopplingRule::Hull),
 ];
-/// How friction sets in near rest.
+/// Profiles of friction near rest.
 pub const FRICTION_PROFILES: [(&str, FrictionProfile); 3] = [
     ("A", FrictionProfile::A),
     ("B", FrictionProfile::B),
     ("C", FrictionProfile::C),
 ];
-/// When a landing ends: at its verdict, or at the time limit.
+/// Ends of a landing: at its verdict, or at the time limit.
 pub const STOPS: [(&str, Stop); 2] = [("verdict", Stop::Verdict), ("time", Stop::Time)];
 
-/// When a landing ends.
+/// End of a landing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Stop {
     /// At its verdict.
     #[default]
     Verdict,
-    /// At the time limit, its verdict noted.
+    /// At the time limit; the verdict is recorded.
     Time,
 }
 
-/// Keys of `[solver]` whose values are words, and these.
+/// Keys of `[solver]` whose values are words, with these words.
 pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 8] {
     [
         ("rules", words(&RULES)),
@@ -76,7 +76,7 @@ pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 8] {
     ]
 }
 
-/// The rules in force by their keys: the set that they are of, or most of them, then each by itself.
+/// The rules in force by key: the best-matching set, then each rule.
 pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 5] {
     let single = |rules: Rules| {
         [
@@ -96,14 +96,14 @@ pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 5] {
     [("rules", set), crush, contact, rest, toppling]
 }
 
-/// How landings of a vehicle are computed, as a report or a record tells it.
+/// Settings of a vehicle's landings, as written to a report or record.
 pub fn solver_in_record(settings: &Settings, vehicle: &Vehicle) -> Value {
     let mut solver = json!({
         "tolerance": settings.tolerance(),
         "time_limit_s": settings.time_limit(),
         "friction_profile": word(&FRICTION_PROFILES, settings.friction_profile()),
         "method": method_name(&settings.method()),
-        // All its numbers, to the last digit.
+        // All numbers of the method, to the last digit.
         "method_in_full": format!("{:?}", settings.method()),
     });
     for (key, word) in rules_in_record(settings.rules(vehicle)) {
@@ -115,7 +115,7 @@ pub fn solver_in_record(settings: &Settings, vehicle: &Vehicle) -> Value {
     solver
 }
 
-/// The rules in force: by their keys, and in words.
+/// The rules in force, by key and in words.
 fn rules_in_record(rules: Rules) -> Map<String, Value> {
     let keys = rules_by_key(rules).into_iter();
     keys.map(|(key, word)| (key.to_owned(), json!(word)))
@@ -123,7 +123,7 @@ fn rules_in_record(rules: Rules) -> Map<String, Value> {
         .collect()
 }
 
-/// The rules in force in words: their set, and what differs from it.
+/// The rules in force in words: the set, and deviations from it.
 pub fn rules_in_words(rules: Rules) -> String {
     let [(_, set), single @ ..] = rules_by_key(rules);
     let whole = RULES.iter().find(|(word, _)| *word == set);
@@ -134,7 +134,7 @@ pub fn rules_in_words(rules: Rules) -> String {
     format!("{set} rules{}", others.collect::<String>())
 }
 
-/// Keys and words of `[solver]` that make these choices of rules.
+/// Keys and words of `[solver]` for these choices of rules.
 pub(crate) fn chosen_rules(choices: RuleChoices) -> Vec<(&'static str, &'static str)> {
     let RuleChoices {
         set,
@@ -161,7 +161,7 @@ pub(crate) fn chosen_rules(choices: RuleChoices) -> Vec<(&'static str, &'static 
         .collect()
 }
 
-/// What `[solver]` says of rules.
+/// Reads the choices of rules from `[solver]`.
 fn rule_choices(solver: &Section) -> Result<RuleChoices, InputError> {
     fn chosen<T: Copy>(
         solver: &Section,
@@ -180,7 +180,7 @@ fn rule_choices(solver: &Section) -> Result<RuleChoices, InputError> {
     })
 }
 
-/// Reads `[solver]` of a sweep; whatever it leaves out has the program's default.
+/// Reads `[solver]` of a sweep; missing keys have the program's defaults.
 pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
     settings_from(root, Settings::BOUNDARY_TOLERANCE)
 }
@@ -190,7 +190,7 @@ pub(crate) fn settings_of_landing(root: &Section) -> Result<Settings, InputError
     settings_from(root, Settings::DEFAULT_TOLERANCE)
 }
 
-/// Where `[solver]` says when landings end.
+/// Location of the `stop` key in `[solver]`.
 pub(crate) fn stop<'d>(root: &Section<'d>) -> Result<Option<LocatedValue<'d>>, InputError> {
     let known = [&SOLVER[..], &method_input::KEYS].concat();
     let solver = root.optional_section("solver", &known)?;
@@ -224,10 +224,10 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
     })
 }
 
-/// The same settings for landings that end so.
+/// Changes settings so that landings end at `stop`.
 ///
 /// # Errors
-/// Says why the method of the settings cannot.
+/// The reason why the method of the settings does not allow it.
 pub fn stopping(settings: Settings, stop: Stop) -> Result<Settings, &'static str> {
     match (stop, settings.method()) {
         (Stop::Verdict, _) => Ok(settings),

@@ -44,14 +44,14 @@ pub(crate) const LINKAGE: [&str; 5] = [
     "hardpoint_angle_deg",
     "inertia_slug_ft2",
 ];
-/// Keys of struts of all kinds.
+/// Keys of struts of every kind.
 const STRUT: [&str; 4] = [
     "kind",
     "extended_length_ft",
     "minimum_length_ft",
     "friction_fraction",
 ];
-/// Kinds of struts, and the keys that only struts of this kind have. The first is the default.
+/// Kinds of struts, each with the keys that only it has. The first is the default.
 pub(crate) const STRUT_KINDS: [(&str, &[&str]); 2] =
     [("damper", &DAMPER), ("honeycomb", &HONEYCOMB)];
 const DAMPER: [&str; 8] = [
@@ -77,7 +77,7 @@ pub(crate) const FOOTPAD: [&str; 10] = [
     EDGE[0],
     EDGE[1],
 ];
-/// What a footpad bears that has turned over; both or none.
+/// Load capacity of a footpad that has turned over; both keys or none.
 const EDGE: [&str; 2] = ["edge_angle_deg", "edge_load_lb"];
 pub(crate) const BLOCK: [&str; 5] = [
     "radius_ft",
@@ -101,22 +101,21 @@ pub(crate) const KEYS: [&[&str]; 12] = [
     &PRESSURE,
     &LOAD,
 ];
-/// Where the CG is off the centreline; 0 when they are left out.
+/// Offset of the CG from the centreline; 0 if missing.
 const OFFSET: [&str; 2] = [
     "center_of_gravity_offset_x_ft",
     "center_of_gravity_offset_y_ft",
 ];
 /// Tables of a strut, footpad or block.
 const TABLES: [&str; 4] = ["spring_profile", "damping_profile", "profile", "crush_load"];
-/// What stands in place of a table `[block]` where there is none.
+/// Word in place of a table `[block]` for a leg without a block.
 const NO_BLOCK: &str = "none";
-/// Keys of a table [strut], whatever its kind.
+/// Keys of a table [strut] of any kind.
 pub(crate) fn strut_keys() -> Vec<&'static str> {
     [&STRUT[..], &DAMPER, &HONEYCOMB].concat()
 }
 
-/// Dotted names of all numbers of a vehicle file with `legs` legs; those of the tables are their
-/// scales.
+/// Dotted names of all numbers of a vehicle file with `legs` legs; tables count by their scales.
 pub(crate) fn numbers(legs: usize) -> Vec<String> {
     let parts: [(&str, &[&str]); 4] = [
         ("linkage", &LINKAGE),
@@ -146,8 +145,8 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
         .collect()
 }
 
-/// The number of a vehicle file under a dotted key: a leg's own or else that of all legs. When they are left out the
-/// scale of a table is 1 and the offset of the CG 0.
+/// Finds the number of a vehicle file under a dotted key: a leg's own, else that for all legs. If missing, the scale of
+/// a table is 1 and the offset of the CG 0.
 pub fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     let of_all = || document.number(&path.of_all_legs()?);
     let by_default = || match path.steps.last()?.key.as_str() {
@@ -158,7 +157,7 @@ pub fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     document.number(path).or_else(of_all).or_else(by_default)
 }
 
-/// Number of legs that the vehicle of a document has, as far as a vehicle can have so many.
+/// Number of legs in the document of a vehicle, clamped to the possible range.
 pub(crate) fn leg_count(document: &Document) -> usize {
     let legs = document.root().iter().find(|entry| entry.key == "legs");
     let count = legs.map_or(0, |entry| match &entry.node.value {
@@ -171,7 +170,7 @@ pub(crate) fn leg_count(document: &Document) -> usize {
 /// Writes the value of a parameter `name` into the document of a vehicle.
 ///
 /// # Errors
-/// When the vehicle has no such leg.
+/// If the vehicle has no such leg.
 pub(crate) fn write(
     document: &mut Document,
     name: &str,
@@ -187,12 +186,12 @@ pub(crate) fn write(
     }
 }
 
-/// A vehicle with the file that describes it.
+/// A vehicle and its file.
 #[derive(Debug, Clone)]
 pub struct VehicleFile {
-    /// The file as it was read.
+    /// The file as read.
     pub document: Document,
-    /// Its name for the vehicle.
+    /// Name of the vehicle in the file.
     pub name: String,
     /// The vehicle.
     pub vehicle: Vehicle,
@@ -202,7 +201,7 @@ impl VehicleFile {
     /// Reads a vehicle.
     ///
     /// # Errors
-    /// Names file, line, key and value of the first thing wrong, and what is allowed.
+    /// Names file, line, key and value of the first fault, and the allowed values.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         Self::read_from(path, Library::Disk)
     }
@@ -215,7 +214,7 @@ impl VehicleFile {
         Self::from_document(library.document(path)?)
     }
 
-    /// Takes the vehicle from a document.
+    /// Builds the vehicle of a document.
     ///
     /// # Errors
     /// As [`VehicleFile::read`].
@@ -261,7 +260,7 @@ impl VehicleFile {
     }
 }
 
-/// The index of the leg that a complaint is about, from 0, and the complaint in the words of its table.
+/// Index of the leg that an error is about, from 0, and the error in terms of its table.
 fn of_a_leg(invalid: &Invalid) -> Option<(usize, Invalid)> {
     let (number, key) = invalid.quantity.strip_prefix("legs[")?.split_once("].")?;
     let leg = number.parse::<usize>().ok()?.checked_sub(1)?;
@@ -279,7 +278,7 @@ fn inertia(section: &Section) -> Result<Inertia, InputError> {
     })
 }
 
-/// A leg from its own table, and from `entry`: its own table over what holds for all legs.
+/// Builds a leg from its own table, and from `entry`: its own table on top of the values for all legs.
 fn leg(own: &Section, entry: &Section) -> Result<Leg, InputError> {
     let design = LegDesign {
         azimuth: own.number("azimuth_deg")?.to_radians(),

@@ -147,7 +147,7 @@ fn one_leg_may_have_other_units_than_the_rest() {
     assert_eq!((preload(0), preload(2)), (185.0, 100.0));
 }
 
-/// What is replaced in the Surveyor's file, by what, and what the complaint must contain.
+/// Replaced text of the Surveyor's file, its replacement, and text that the error must contain.
 const WRONG: [(&str, &str, &[&str]); 28] = [
     (
         "mass_slug = 20",
@@ -401,7 +401,7 @@ fn vehicles_that_cannot_be_are_refused_where_they_say_so() {
     );
 }
 
-/// The Surveyor with honeycomb struts with this table.
+/// The Surveyor with honeycomb struts that have this table.
 fn with_cartridge(table: &str) -> Result<VehicleFile, InputError> {
     let (before, rest) = SURVEYOR.split_once("[strut]").unwrap();
     let (_, after) = rest.split_once("[footpad]").unwrap();

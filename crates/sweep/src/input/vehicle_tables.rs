@@ -7,17 +7,17 @@ use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
 
 const INCHES_PER_FOOT: f64 = 12.0;
-/// No number of a table is greater, and its abscissas are no closer: what follows from them stays finite.
+/// Greatest number in a table, and least step of its abscissas, so that derived quantities stay finite.
 const GREATEST: f64 = 1e9;
 const LEAST_STEP: f64 = 1e-6;
 
 pub(crate) const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
 pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
 pub(crate) const LOAD: [&str; 3] = ["stroke_in", "load_lb", SCALE];
-/// Factor on the ordinates of a table, 1 when it is left out.
+/// Factor on the ordinates of a table; 1 if missing.
 pub(crate) const SCALE: &str = "scale";
 
-/// The table of a honeycomb cartridge: strokes may repeat, where its load steps.
+/// Reads the table of a honeycomb cartridge. Strokes may repeat at a step of the load.
 pub(crate) fn crush_load(section: &Section) -> Result<CrushLoad, InputError> {
     let table = section.section("crush_load", &LOAD)?;
     let scale = scale(&table)?;
@@ -49,7 +49,7 @@ pub(crate) fn crush_load(section: &Section) -> Result<CrushLoad, InputError> {
     CrushLoad::new(knots.collect()).map_err(|invalid| items.complain(&invalid.allowed))
 }
 
-/// A table whose abscissas are in inches, as the report prints them.
+/// Reads a table whose abscissas are in inches, as printed in the report.
 pub(crate) fn profile(
     section: &Section,
     key: &str,
@@ -101,8 +101,8 @@ pub(crate) fn profile(
     Profile::new(knots.collect()).map_err(|invalid| list.complain(&invalid.allowed))
 }
 
-/// Pressure begins at zero, and no later segment falls or is steeper than the first, which is the elastic line: otherwise
-/// crushing would heal.
+/// Checks that pressure starts at zero, and that no later segment falls or is steeper than the first, the elastic line:
+/// otherwise crushing would heal.
 fn check_pressure(x: &[f64], y: &[f64], items: &[LocatedValue]) -> Result<(), InputError> {
     if y[0] != 0.0 {
         return Err(items[0].complain("0, the pressure at no interference"));

@@ -1,8 +1,6 @@
-//! What is known of a sample while it is computed: whether the landings from the first on, without
-//! a gap, tell enough.
+//! Decides early whether the landings of a sample computed so far, from the first on without a gap, are enough.
 //!
-//! Points come as they are finished, but count in their order, so that where a run stops does not
-//! depend on threads or interruptions.
+//! Points arrive as they finish but count in order, so that the stop does not depend on threads or interruptions.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +10,10 @@ use crate::shard::Shard;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
 
-/// The landings from the first on.
+/// The first landings without a gap.
 #[derive(Debug)]
 pub(crate) struct EarlyStop {
-    /// Whether a run ends when enough is known; a shard alone cannot tell.
+    /// True if the run ends once enough is known; a shard alone cannot decide that.
     ends_early: bool,
     pub(crate) is_enough: bool,
     counts: SweepCounts,
@@ -24,7 +22,7 @@ pub(crate) struct EarlyStop {
 }
 
 impl EarlyStop {
-    /// What the journal of a shard tells so far.
+    /// Initializes it from the journal of a shard.
     pub(crate) fn of(sweep: &Sweep, shard: Shard, opened: &Opened) -> Result<Self, JournalError> {
         let ends_early =
             shard == Shard::WHOLE && matches!(sweep.job, Job::Outcome { enough: Some(_) });
@@ -49,7 +47,7 @@ impl EarlyStop {
         Ok(known)
     }
 
-    /// Adds a point; whether enough is known now.
+    /// Adds a point; returns whether enough is known now.
     pub(crate) fn is_enough_with(&mut self, sweep: &Sweep, point: usize, finding: Finding) -> bool {
         if !self.ends_early || self.is_enough {
             return self.is_enough;

@@ -1,29 +1,29 @@
-//! Why a journal cannot be used.
+//! Reasons why a journal cannot be used.
 
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a journal cannot be used.
+/// Reasons why a journal cannot be used.
 #[derive(Debug)]
 pub enum JournalError {
-    /// The file system says no.
+    /// Error of the file system.
     Io {
         /// The journal.
         path: PathBuf,
-        /// What it says.
+        /// The error.
         error: io::Error,
     },
-    /// Another process is at work on it.
+    /// Another process is using it.
     Locked(PathBuf),
-    /// It belongs to another input or program.
+    /// It belongs to other input or another program.
     Different {
         /// The journal.
         path: PathBuf,
-        /// What differs.
+        /// The differences.
         differences: Vec<String>,
     },
-    /// It was moved or removed, or its folder was.
+    /// It, or its folder, was moved or removed.
     Gone(PathBuf),
     /// It has no readable header.
     NoHeader(PathBuf),
@@ -68,13 +68,13 @@ impl fmt::Display for JournalError {
 impl std::error::Error for JournalError {}
 
 impl JournalError {
-    /// The index of points cannot be read.
+    /// Error in reading the index of points.
     pub(crate) fn index(error: io::Error) -> Self {
         io_error(Path::new("index of points"), error)
     }
 }
 
-/// The file system says no to a journal.
+/// Error of the file system with a journal.
 pub(super) fn io_error(path: &Path, error: io::Error) -> JournalError {
     JournalError::Io {
         path: path.to_owned(),

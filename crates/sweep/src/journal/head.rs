@@ -1,4 +1,4 @@
-//! The head of a journal, by which it belongs to one input and one program.
+//! The head of a journal, which ties it to one input and one program.
 
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
@@ -14,12 +14,12 @@ use crate::header::Header;
 pub(super) struct Head {
     /// Seed of the records.
     pub seed: u32,
-    /// Where they begin.
+    /// Start of the records.
     pub length: u64,
 }
 
 impl Head {
-    /// The head with a payload.
+    /// The head for a payload.
     pub fn of(payload: &[u8]) -> Self {
         Self {
             seed: crc32fast::hash(payload),
@@ -28,8 +28,7 @@ impl Head {
     }
 }
 
-/// The head of a file, if it is that of this sweep, or was made so; `None` when the file is none
-/// of ours.
+/// Reads, writes or repairs the head of a file for this sweep; `None` if the file is not one of this program.
 pub(super) fn ensure_head(
     file: &File,
     path: &Path,
@@ -72,7 +71,7 @@ pub(super) fn ensure_head(
     Ok(None)
 }
 
-/// Checks that a journal with the head `there` is one of `header`.
+/// Checks that a journal with the head `there` belongs to `header`.
 pub(super) fn same(path: &Path, header: &Header, there: &Header) -> Result<(), JournalError> {
     let mut differences = header.differences(there);
     if there.shard() != header.shard() {
@@ -88,7 +87,7 @@ pub(super) fn same(path: &Path, header: &Header, there: &Header) -> Result<(), J
     }
 }
 
-/// The payload of the head, if it is whole.
+/// Payload of the head, if intact.
 pub(super) fn read_head(file: &File, end: u64) -> io::Result<Option<Vec<u8>>> {
     let piece = Scan::new(file, HEADER_SEED, 0, end)?.next()?;
     Ok(match piece {
@@ -107,9 +106,9 @@ fn has_records(file: &File, head: Head, end: u64) -> io::Result<bool> {
     Ok(false)
 }
 
-/// Makes a new file's name survive a loss of power, where folders can be synced.
+/// Makes the name of a new file survive a loss of power, if folders can be synced.
 fn sync_folder(path: &Path) {
     let folder = path.parent().filter(|folder| *folder != Path::new(""));
-    // Not all systems let folders be opened, and none need it for anything but a loss of power.
+    // Not all systems let folders be opened; a sync matters only for a loss of power.
     let _ = File::open(folder.unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all());
 }

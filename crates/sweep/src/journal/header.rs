@@ -1,5 +1,5 @@
-//! What stands at the head of a journal: everything that determines its records, and the input
-//! files of a sweep, so that its results can be written from the journal alone.
+//! The header of a journal: everything that determines its records, and the input files of a sweep, so that the results
+//! can be written from the journal alone.
 
 use std::path::{Path, PathBuf};
 
@@ -20,46 +20,45 @@ use crate::sweep::OverrideNames;
 use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 
-/// Version of the journals that this program writes.
+/// Version of the journals written by this program.
 const FORMAT: u32 = 5;
 
-/// What lands, how, and how that is computed.
+/// A landing: vehicle, scene and settings.
 pub type Landed<'l> = (&'l Vehicle, &'l Scene, &'l Settings);
 
-/// The head of a journal.
+/// The header of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     format: u32,
     /// Version of the program.
     pub program: String,
     model: u32,
-    /// What one landing of the sweep comes to, bit for bit: programs and machines that agree in it
-    /// compute alike.
+    /// Result of one landing of the sweep, bit for bit: programs and machines that agree in it compute alike.
     probe: String,
     /// Number of points of the whole sweep, or of rows of a table of cases.
     pub points: usize,
     shard: [usize; 2],
     /// All input with defaults filled in.
     input: Value,
-    /// `None` where no sweep is run.
+    /// `None` if the journal is not of a sweep.
     origin: Option<Origin>,
 }
 
-/// The files that the input was read from.
+/// The files from which the input was read.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct Origin {
     sweep: PathBuf,
-    // As journals have called it from the first.
+    // Name in the files since the first version.
     #[serde(rename = "instead")]
     overrides: OverrideNames,
     sources: Vec<Source>,
 }
 
 impl Header {
-    /// The head of a shard's journal.
+    /// Builds the header of a shard's journal.
     ///
     /// # Errors
-    /// When the first point of the sweep cannot be landed.
+    /// If the first point of the sweep has no valid input.
     pub fn new(sweep: &Sweep, program: &str, shard: Shard) -> Result<Self, CaseFault> {
         let case = sweep.case(0)?;
         Ok(Self {
@@ -78,7 +77,7 @@ impl Header {
         })
     }
 
-    /// The head of the journal of `count` cases that follow from `input`.
+    /// Builds the header of the journal of `count` cases defined by `input`.
     pub fn of_cases(input: Value, count: usize, first: Landed, program: &str) -> Self {
         Self {
             format: FORMAT,
@@ -92,17 +91,17 @@ impl Header {
         }
     }
 
-    /// Which part of the sweep the journal holds.
+    /// The shard of the sweep in the journal.
     pub fn shard(&self) -> Shard {
         Shard::new(self.shard[0], self.shard[1]).unwrap_or(Shard::WHOLE)
     }
 
-    /// Whether the points are chosen from results: then every shard may have any of them.
+    /// True if points are chosen from results, as in a map; then every shard may have any of them.
     fn is_map(&self) -> bool {
         self.input.get("map").is_some()
     }
 
-    /// How many points the journal can hold.
+    /// Greatest number of points in the journal.
     pub(crate) fn most_points(&self) -> usize {
         match self.is_map() {
             true => self.points,
@@ -110,7 +109,7 @@ impl Header {
         }
     }
 
-    /// Which of these a point is, if it is one.
+    /// Index of a point among these, if it is one.
     pub(crate) fn index(&self, point: usize) -> Option<usize> {
         match self.is_map() {
             true => Some(point),
@@ -128,7 +127,7 @@ impl Header {
         Some(header)
     }
 
-    /// What determines results and differs between this head and another, the shard aside.
+    /// Lists what determines results and differs between two headers, except the shard.
     pub fn differences(&self, other: &Self) -> Vec<String> {
         let facts = |header: &Self| {
             let mut facts = vec![
@@ -138,7 +137,7 @@ impl Header {
                 ("number of points".to_owned(), header.points.to_string()),
             ];
             flatten("", &header.input, &mut facts);
-            // Said only where nothing else explains it.
+            // Listed last: often explained by a difference above.
             facts.push((
                 "landing computed as a probe".to_owned(),
                 header.probe.clone(),
@@ -161,10 +160,10 @@ impl Header {
             .collect()
     }
 
-    /// The sweep that the journal belongs to, from the copies of its files; `None` where it belongs to a table of cases.
+    /// Reads the sweep of the journal from the copies of its files; `None` for a table of cases.
     ///
     /// # Errors
-    /// When the copies are not what they were.
+    /// If the copies were altered.
     pub fn sweep(&self) -> Result<Option<Sweep>, InputError> {
         let Some(Origin {
             sweep,
@@ -191,13 +190,14 @@ impl Header {
         Sweep::read_from(sweep, library)?.with(&with).map(Some)
     }
 
-    /// The sweep file, as it was named.
+    /// The sweep file, as named on the command line.
     pub fn sweep_file(&self) -> Option<&Path> {
         self.origin.as_ref().map(|origin| origin.sweep.as_path())
     }
 }
 
-/// A landing, of the first point at the lowest speed or of the first case: every digit that tells it from another.
+/// Computes a landing, of the first point at the lowest speed or of the first case, and writes every digit that
+/// distinguishes it.
 fn probe((vehicle, scene, settings): Landed) -> String {
     let landing = land(vehicle, scene, settings);
     format!(
@@ -206,7 +206,7 @@ fn probe((vehicle, scene, settings): Landed) -> String {
     )
 }
 
-/// All leaves of a tree with their dotted names.
+/// Collects all leaves of a tree with their dotted names.
 fn flatten(path: &str, value: &Value, leaves: &mut Vec<(String, String)>) {
     match value {
         Value::Object(fields) => {
@@ -220,7 +220,7 @@ fn flatten(path: &str, value: &Value, leaves: &mut Vec<(String, String)>) {
 
 #[cfg(test)]
 impl Header {
-    /// A short head of a journal for `points` points of a sweep over `friction`.
+    /// A short header for `points` points of a sweep over `friction`.
     pub(crate) fn example(points: usize, shard: Shard, friction: f64) -> Self {
         Self {
             format: FORMAT,

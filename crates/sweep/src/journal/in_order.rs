@@ -1,7 +1,7 @@
-//! The records of one or several journals in the order of their points, without holding them.
+//! Reads the records of one or more journals in point order without holding them in memory.
 //!
-//! A temporary file keeps for every point where its record stands: eight bytes each, seen through
-//! one page in memory. Points are computed nearly in order, so that pages seldom change.
+//! A temporary file stores the location of every point's record, eight bytes each, accessed through one page in memory.
+//! Points are computed nearly in order, so pages seldom change.
 
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
@@ -13,9 +13,9 @@ use super::record;
 use super::records::Records;
 use super::scan::{Piece, Scan};
 
-/// Bits of an entry of the index for the offset, the rest counting journals from 1.
+/// Bits of an index entry for the offset; the rest count journals from 1.
 const OFFSET_BITS: u32 = 48;
-/// Entries in a page of the index.
+/// Entries per page of the index.
 const PAGE: usize = 1 << 13;
 
 /// Results by point.
@@ -34,10 +34,10 @@ struct Reader {
 }
 
 impl InOrder {
-    /// HiddenBandChecks through journals for the records of `points` points; `folder` holds the index.
+    /// Scans journals for the records of `points` points; the index is kept in `folder`.
     ///
     /// # Errors
-    /// Whatever the file system says.
+    /// Errors of the file system.
     pub fn new(journals: Vec<Records>, points: usize, folder: &Path) -> Result<Self, JournalError> {
         let refuse = |error| io_error(folder, error);
         let mut index = Index::new(points, folder).map_err(refuse)?;
@@ -83,15 +83,15 @@ impl InOrder {
         })
     }
 
-    /// Number of points of which there is no record.
+    /// Number of points without a record.
     pub fn missing(&self) -> usize {
         self.points - self.found
     }
 
-    /// The first of the points of which there is no record, `most` of them.
+    /// The first points without a record, at most `most` of them.
     ///
     /// # Errors
-    /// Whatever the file system says.
+    /// Errors of the file system.
     pub fn first_missing(&mut self, most: usize) -> io::Result<Vec<usize>> {
         let mut missing = Vec::new();
         for point in 0..self.points {
@@ -105,10 +105,10 @@ impl InOrder {
         Ok(missing)
     }
 
-    /// Removes the journals when results are written from them; they are locked until then.
+    /// Removes the journals once results are written from them; they stay locked until then.
     ///
     /// # Errors
-    /// Whatever the file system says.
+    /// Errors of the file system.
     pub fn remove_journals(self) -> Result<(), JournalError> {
         for Reader { records, .. } in &self.journals {
             let path = &records.path;
@@ -117,10 +117,10 @@ impl InOrder {
         Ok(())
     }
 
-    /// What a point came to; `None` if there is no record of it.
+    /// Reads the result of a point; `None` without a record.
     ///
     /// # Errors
-    /// Whatever the file system says, and when the journal has changed since it was looked through.
+    /// Errors of the file system; also if the journal has changed since it was scanned.
     pub fn result(&mut self, point: usize) -> Result<Option<Vec<u8>>, JournalError> {
         let entry = *self.index.entry(point).map_err(JournalError::index)?;
         let offset = entry & ((1 << OFFSET_BITS) - 1);
@@ -158,11 +158,11 @@ impl Reader {
     }
 }
 
-/// A number for every point, zero at first, in a file.
+/// A number for every point, initially zero, in a file.
 #[derive(Debug)]
 struct Index {
     file: File,
-    /// The page that is in memory, and which it is.
+    /// The page in memory, followed by its number.
     page: Vec<u64>,
     number: usize,
 }

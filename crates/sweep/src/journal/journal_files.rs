@@ -1,4 +1,4 @@
-//! Names of journals in a folder of results.
+//! Names of journals in a results folder.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -16,10 +16,10 @@ pub fn name(stem: &str, shard: Shard) -> String {
     format!("{stem}.{number}-of-{count}.{ENDING}")
 }
 
-/// The journals in a folder, in the order of their names.
+/// The journals in a folder, sorted by name.
 ///
 /// # Errors
-/// When the folder cannot be read.
+/// If the folder cannot be read.
 pub fn in_folder(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in folder.read_dir()? {

@@ -1,4 +1,4 @@
-//! Shards of sweeps, computed anywhere, put together again.
+//! Merges the shards of sweeps.
 
 use std::path::{Path, PathBuf};
 
@@ -10,15 +10,15 @@ use crate::journal::{Access, JournalError, Records};
 /// The journals of one sweep.
 #[derive(Debug)]
 pub struct Shards {
-    /// What all of them belong to.
+    /// Their common header.
     pub header: Header,
     /// The journals.
     pub journals: Vec<Records>,
-    /// Numbers of the shards of which there is no journal.
+    /// Numbers of the shards without a journal.
     pub absent: Vec<usize>,
 }
 
-/// Why journals do not make a sweep.
+/// Reason why journals do not make up a sweep.
 #[derive(Debug, Error)]
 pub enum MergeError {
     /// One of them cannot be read.
@@ -30,19 +30,19 @@ pub enum MergeError {
         .other.display(), .one.display(), .differences.join("\n  ")
     )]
     Strangers {
-        /// The first of the sweep.
+        /// The first journal of the sweep.
         one: PathBuf,
-        /// The one that does not belong to it.
+        /// The journal that does not belong to it.
         other: PathBuf,
-        /// In what they differ.
+        /// The differences.
         differences: Vec<String>,
     },
 }
 
-/// Sorts journals by their sweeps, whose names are those of the sweep files; those of tables of cases are left out.
+/// Groups journals by sweep, which is identified by the name of its file. Skips those of tables of cases.
 ///
 /// # Errors
-/// When a journal cannot be read, is being written where that matters, or differs from others of its sweep in
+/// If a journal cannot be read, is being written although `access` forbids it, or differs from others of its sweep in
 /// anything that determines results.
 pub fn by_sweep(paths: &[PathBuf], access: Access) -> Result<Vec<Shards>, MergeError> {
     let mut sweeps: Vec<(PathBuf, Shards)> = Vec::new();

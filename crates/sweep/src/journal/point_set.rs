@@ -1,4 +1,4 @@
-//! Which points are done: a bit each.
+//! The set of finished points, one bit each.
 
 /// A set of the numbers below a count.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub struct PointSet {
 }
 
 impl PointSet {
-    /// None of the numbers below `count`.
+    /// The empty set of numbers below `count`.
     pub fn none(count: usize) -> Self {
         Self {
             bits: vec![0; count.div_ceil(64)],
@@ -18,7 +18,7 @@ impl PointSet {
         }
     }
 
-    /// Adds a number below the count; whether it was new.
+    /// Adds a number below the count; returns whether it was new.
     pub fn insert(&mut self, number: usize) -> bool {
         let (word, bit) = (number / 64, 1 << (number % 64));
         let is_new = number < self.count && self.bits[word] & bit == 0;
@@ -29,22 +29,22 @@ impl PointSet {
         is_new
     }
 
-    /// How many numbers are in it.
+    /// Number of members.
     pub fn len(&self) -> usize {
         self.members
     }
 
-    /// Whether no number is in it.
+    /// True if it has no members.
     pub fn is_empty(&self) -> bool {
         self.members == 0
     }
 
-    /// Whether a number is in it.
+    /// True if a number is a member.
     pub fn contains(&self, number: usize) -> bool {
         number < self.count && self.bits[number / 64] >> (number % 64) & 1 == 1
     }
 
-    /// The numbers in it, upward.
+    /// Members in ascending order.
     pub fn members(&self) -> impl Iterator<Item = usize> {
         let words = self.bits.iter().enumerate();
         words.flat_map(|(word, bits)| {
@@ -53,7 +53,7 @@ impl PointSet {
         })
     }
 
-    /// The numbers below the count that are not in it, upward.
+    /// Numbers below the count that are not members, in ascending order.
     pub fn missing(&self) -> impl Iterator<Item = usize> {
         (0..self.count).filter(|number| !self.contains(*number))
     }

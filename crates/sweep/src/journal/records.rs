@@ -1,4 +1,4 @@
-//! A journal for reading.
+//! Journals opened for reading.
 
 use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
@@ -10,16 +10,16 @@ use super::scan::{Piece, Scan};
 use crate::header::Header;
 use crate::point_set::PointSet;
 
-/// Who else may be at work on a journal that is read.
+/// Permitted concurrent access to a journal being read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Access {
-    /// Nobody.
+    /// None.
     Alone,
-    /// Whoever adds points: those added later are not seen.
+    /// Another process may add points; later ones are not seen.
     Shared,
 }
 
-/// A journal for reading.
+/// A journal opened for reading.
 #[derive(Debug)]
 pub struct Records {
     pub(super) path: PathBuf,
@@ -28,11 +28,10 @@ pub struct Records {
 }
 
 impl Records {
-    /// Opens a journal with its header.
+    /// Opens a journal and reads its header.
     ///
     /// # Errors
-    /// When it has no readable header or is being written although `access` is for oneself alone, and whatever the file
-    /// system says.
+    /// If it has no readable header, or is being written under [`Access::Alone`]; errors of the file system.
     pub fn open(path: &Path, access: Access) -> Result<(Self, Header), JournalError> {
         let refuse = |error| io_error(path, error);
         let file = File::open(path).map_err(refuse)?;
@@ -57,11 +56,10 @@ impl Records {
         Ok((records, header))
     }
 
-    /// Which points a run with `header` would find done in the journal at `path`, by their index in its shard; nothing is
-    /// written.
+    /// Points that a run with `header` would find done in the journal at `path`, by index in its shard. Writes nothing.
     ///
     /// # Errors
-    /// When the journal is another's, and whatever the file system says.
+    /// If the journal belongs to other input; errors of the file system.
     pub fn done(path: &Path, header: &Header) -> Result<PointSet, JournalError> {
         let (records, there) = Self::open(path, Access::Shared)?;
         same(path, header, &there)?;

@@ -1,32 +1,32 @@
-//! Reading frames from a file in which anything may have happened.
+//! Reads frames from a file with arbitrary damage.
 //!
-//! After bytes that are no frame the next mark is looked for, so that damage costs the records
-//! that it touches and no others.
+//! After bytes that are not a frame the scan skips to the next mark, so that damage costs only the records that it
+//! touches.
 
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 
 use super::frame::{self, MARK, OVERHEAD};
 
-/// What stands at an offset of a journal.
+/// A piece of a journal.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Piece {
     /// A whole frame.
     Frame {
-        /// Where it begins.
+        /// Start.
         offset: u64,
-        /// What is in it.
+        /// Content.
         payload: Vec<u8>,
     },
-    /// Bytes that are no frame.
+    /// Bytes that are not a frame.
     Damage {
-        /// Where they begin.
+        /// Start.
         offset: u64,
-        /// How many there are.
+        /// Number of bytes.
         length: u64,
     },
 }
 
-/// Goes through the frames of a file from an offset on.
+/// Iterates over the frames of a file from an offset on.
 pub(crate) struct Scan<F> {
     reader: BufReader<F>,
     seed: u32,
@@ -35,7 +35,7 @@ pub(crate) struct Scan<F> {
 }
 
 impl<F: Read + Seek> Scan<F> {
-    /// Scans a file that ends at `end`, from `offset` on, for frames of a seed.
+    /// Scans a file that ends at `end`, from `offset` on, for frames with a seed.
     pub(crate) fn new(file: F, seed: u32, offset: u64, end: u64) -> io::Result<Self> {
         let mut reader = BufReader::with_capacity(1 << 16, file);
         reader.seek(SeekFrom::Start(offset))?;
@@ -74,7 +74,7 @@ impl<F: Read + Seek> Scan<F> {
         }
     }
 
-    /// The payload of the frame that begins at `offset`, if one does.
+    /// Payload of the frame that starts at `offset`, if any.
     fn frame_at(&mut self, offset: u64) -> io::Result<Option<Vec<u8>>> {
         let left = self.end - offset;
         if left < OVERHEAD as u64 {
@@ -106,7 +106,7 @@ impl<F: Read + Seek> Scan<F> {
             }
             let read = buffer.len();
             for (index, byte) in buffer.iter().enumerate() {
-                // No byte of the mark repeats its first, so that a failed match starts anew here.
+                // No byte of the mark repeats its first, so a failed match restarts here.
                 matched = match *byte {
                     byte if byte == MARK[matched] => matched + 1,
                     byte if byte == MARK[0] => 1,
@@ -122,7 +122,7 @@ impl<F: Read + Seek> Scan<F> {
         Ok(self.end)
     }
 
-    /// Goes to an offset, within what is buffered if possible.
+    /// Seeks an offset, within the buffer if possible.
     fn seek(&mut self, offset: u64) -> io::Result<()> {
         let here = self.reader.stream_position()?;
         self.reader.seek_relative(offset as i64 - here as i64)

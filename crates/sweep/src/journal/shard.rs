@@ -1,4 +1,4 @@
-//! Every so-manieth point of a sweep: what one of several machines computes.
+//! Shards: interleaved points of a sweep for one of several machines.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,9 +6,9 @@ use std::str::FromStr;
 /// One of `count` interleaved parts of the points of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Shard {
-    /// Which part, from 1.
+    /// Number of the part, from 1.
     number: usize,
-    /// How many parts there are.
+    /// Number of parts.
     count: usize,
 }
 
@@ -28,7 +28,7 @@ impl Shard {
         is_one.then_some(Self { number, count })
     }
 
-    /// Which part, from 1.
+    /// Number of the part, from 1.
     pub fn number(self) -> usize {
         self.number
     }
@@ -38,7 +38,7 @@ impl Shard {
         self.count
     }
 
-    /// Number of its points, of `points` in all.
+    /// Number of its points, out of `points` in all.
     pub fn len(self, points: usize) -> usize {
         (points + self.count - self.number) / self.count
     }
@@ -48,7 +48,7 @@ impl Shard {
         self.number - 1 + index * self.count
     }
 
-    /// Which of its points `point` is, if it is one.
+    /// Index of `point` in the shard, if it belongs to it.
     pub fn index(self, point: usize) -> Option<usize> {
         (point % self.count == self.number - 1).then_some(point / self.count)
     }

@@ -40,7 +40,7 @@ impl Bench {
         fs::read(self.path()).unwrap()
     }
 
-    /// Results of all points, as far as there are any.
+    /// Results of all points, where present.
     fn results(&self) -> Vec<Option<Vec<u8>>> {
         let (records, _) = Records::open(&self.path(), Access::Alone).unwrap();
         let mut results = InOrder::new(vec![records], POINTS, self.folder.path()).unwrap();
@@ -73,7 +73,7 @@ fn results_are_read_in_the_order_of_points() {
     );
 }
 
-/// After any damage the journal opens, tells the truth, and can be completed.
+/// Checks that after damage the journal opens, reads correctly and can be completed.
 fn survives(damaged: &[u8], most_lost: usize) {
     let bench = Bench::new();
     fs::write(bench.path(), damaged).unwrap();

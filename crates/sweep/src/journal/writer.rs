@@ -1,19 +1,19 @@
-//! Appending to a journal: every frame goes to the system at once, and to the disk within a second.
+//! Appends to a journal: every frame reaches the system at once, and the disk within a second.
 
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::time::{Duration, Instant};
 
-/// Longest time between two writes to the disk.
+/// Greatest interval between two syncs to disk.
 pub(crate) const SYNC_INTERVAL: Duration = Duration::from_millis(900);
 
-/// What a journal is written to: a file, or a fault to be tested.
+/// Target of a journal: a file, or a fault to be tested.
 pub(crate) trait Medium {
-    /// Adds bytes at the end.
+    /// Appends bytes.
     fn append(&mut self, bytes: &[u8]) -> io::Result<()>;
-    /// Makes what was added survive a loss of power.
+    /// Syncs the bytes, to survive a loss of power.
     fn sync(&mut self) -> io::Result<()>;
-    /// Takes away what stands beyond a length.
+    /// Truncates to a length.
     fn cut(&mut self, length: u64) -> io::Result<()>;
 }
 
@@ -42,7 +42,7 @@ pub(crate) struct Writer<M> {
 }
 
 impl<M: Medium> Writer<M> {
-    /// Writes on at `length`, where the medium ends.
+    /// Continues at `length`, the end of the medium.
     pub(crate) fn new(medium: M, length: u64) -> Self {
         Self {
             medium,
@@ -52,10 +52,10 @@ impl<M: Medium> Writer<M> {
         }
     }
 
-    /// Appends a frame; all of it, or nothing as far as that is still possible.
+    /// Appends a frame: all of it, or nothing as far as still possible.
     pub(crate) fn append(&mut self, frame: &[u8]) -> io::Result<()> {
         if let Err(error) = self.medium.append(frame) {
-            // What stays of half a frame if this fails too is cut back by the next reader.
+            // If this fails too, the next reader cuts off the partial frame.
             let _ = self.medium.cut(self.length);
             return Err(error);
         }
@@ -64,7 +64,7 @@ impl<M: Medium> Writer<M> {
         Ok(())
     }
 
-    /// Writes to the disk if it was not done for a while, and says whether it was.
+    /// Syncs to disk if due; returns whether it did.
     pub(crate) fn sync_if_due(&mut self) -> io::Result<bool> {
         if self.synced.elapsed() < SYNC_INTERVAL {
             return Ok(false);
@@ -73,17 +73,17 @@ impl<M: Medium> Writer<M> {
         Ok(true)
     }
 
-    /// What is written to.
+    /// The medium.
     pub(crate) fn medium(&self) -> &M {
         &self.medium
     }
 
-    /// What was written to.
+    /// Returns the medium.
     pub(crate) fn into_medium(self) -> M {
         self.medium
     }
 
-    /// Writes to the disk.
+    /// Syncs to disk.
     pub(crate) fn sync(&mut self) -> io::Result<()> {
         if self.is_dirty {
             self.medium.sync()?;
@@ -98,7 +98,7 @@ impl<M: Medium> Writer<M> {
 mod tests {
     use super::*;
 
-    /// A disk with room for so many bytes, on which syncing may fail.
+    /// A disk with limited room, on which syncing may fail.
     struct Disk {
         bytes: Vec<u8>,
         room: usize,

@@ -2,7 +2,7 @@
 
 use crate::refined_grid::Place;
 
-/// A position on a map, in steps of its places, which may lie between them.
+/// A position on a map in steps of its places; it may lie between places.
 pub(crate) type Position = [f64; 2];
 
 /// The position of a place.
@@ -48,7 +48,7 @@ impl Cell {
         [[a, b], [b, c], [c, d], [d, a]]
     }
 
-    /// Its area in steps.
+    /// Area in steps.
     pub(crate) fn area(&self) -> f64 {
         self.size[0] as f64 * self.size[1] as f64
     }
@@ -62,7 +62,7 @@ impl Cell {
         self.sides().map(|[a, b]| half_way(a, b))
     }
 
-    /// The four quarters; `None` where they would be too small.
+    /// The four quarters; `None` if they would be too small.
     pub(crate) fn quarters(&self) -> Option<[Self; 4]> {
         let size = self.size.map(|steps| steps / 2);
         if size.iter().any(|steps| *steps < LEAST_SIZE) {
@@ -75,7 +75,7 @@ impl Cell {
         Some([at(0, 0), at(0, 1), at(1, 1), at(1, 0)])
     }
 
-    /// Whether a place lies within, not on a side.
+    /// True if a place lies inside, not on a side.
     pub(crate) fn encloses(&self, place: Place) -> bool {
         (0..2).all(|axis| {
             let low = self.low[axis];
@@ -84,7 +84,7 @@ impl Cell {
     }
 }
 
-/// The place in the middle between two on one line.
+/// The place half-way between two on one line.
 pub(crate) fn half_way(a: Place, b: Place) -> Place {
     [0, 1].map(|axis| (a[axis] + b[axis]) / 2)
 }

@@ -1,8 +1,9 @@
-//! Which places of a first-level cell are wanted next, from those that are known in it.
+//! Chooses the next wanted places of a first-level cell from its known ones.
 //!
-//! A cell whose centre lies in the plane of its corners is fine enough. Any other is searched for edges on its sides;
-//! one edge through it is followed to its middle, the surface is checked on both sides of it, and what else does not fit is quartered. What is wanted of a cell
-//! depends on the places in it alone, so that the order in which places become known changes nothing.
+//! A cell whose centre lies in the plane of its corners is fine enough. Any other is searched for edges on its sides.
+//! One edge through it is followed to its middle, and the surface is checked on both sides of it; if that does not fit,
+//! the cell is quartered. The wanted places of a cell depend on its known places alone, so the order in which they
+//! become known does not matter.
 
 use std::collections::BTreeMap;
 
@@ -12,30 +13,30 @@ use crate::located_side::{BRACKET, edges, located};
 use crate::pieces::{Around, Crossing, Known, Piece};
 use crate::refined_grid::{MapRules, Place};
 
-/// What an unlocated end of transitions counts for, beside the square root of an error in ft/s, when the most urgent places
-/// are chosen.
+/// Weight of an unlocated end of transitions, compared with the square root of an error in ft/s, in choosing the most
+/// urgent places.
 pub(crate) const END: f64 = 0.3;
-/// Error that a first-level cell may have before its centre is known, ft/s.
+/// Assumed error of a first-level cell before its centre is known, ft/s.
 pub(crate) const UNKNOWN: f64 = 1.0;
-/// Least part of a cell that a side of its edge takes up to be checked by itself.
+/// Least part of a cell on one side of its edge for that side to be checked separately.
 const CHECKED: f64 = 0.125;
 
 /// A cell that is not divided (or not yet).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Leaf {
     pub(crate) cell: Cell,
-    /// Estimated error of interpolation, ft/s; `None` where nothing tells it yet.
+    /// Estimated error of interpolation, ft/s; `None` if not known yet.
     pub(crate) error: Option<f64>,
     /// Places on either side of an edge in the middle of the cell.
     pub(crate) bend: Option<[Place; 2]>,
-    /// Where the surface was checked beyond the edge, seen from the centre.
+    /// Place where the surface was checked beyond the edge, seen from the centre.
     pub(crate) check: Option<Place>,
 }
 
-/// A first-level cell as far as it is known.
+/// A first-level cell as refined so far.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Refined {
-    /// Wanted places, with how much depends on them.
+    /// Wanted places with their urgencies.
     pub(crate) wanted: BTreeMap<Place, f64>,
     pub(crate) leaves: Vec<Leaf>,
 }
@@ -66,7 +67,7 @@ struct Refinement<'r> {
 }
 
 impl Refinement<'_> {
-    /// Places with what is known of them, or `None` where some have to be known first.
+    /// Known places with their heights; `None` if some must be known first.
     fn ask(&mut self, places: &[Place], urgency: f64) -> Option<Vec<Known>> {
         let known = places.iter().map(|place| {
             let height = (self.height)(*place);
@@ -76,7 +77,7 @@ impl Refinement<'_> {
             }
             Some((*place, height?))
         });
-        // All of them, so that what is missing is wanted at once.
+        // Asks for all of them, so that missing ones are wanted at once.
         let known: Vec<Option<Known>> = known.collect();
         known.into_iter().collect()
     }
@@ -90,8 +91,8 @@ impl Refinement<'_> {
         });
     }
 
-    /// Goes through a cell whose corners are known; `parent` is the error of the cell that it is a quarter of. Returns
-    /// over how many steps ends of transitions on its sides are not located.
+    /// Visits a cell with known corners; `parent` is the error of the cell it is a quarter of. Returns the steps within
+    /// which ends of transitions on its sides are not located.
     fn visit(&mut self, cell: Cell, parent: Option<f64>) -> usize {
         let side = cell.size[0].max(cell.size[1]);
         let Some(corners) = self.ask(&cell.corners(), 0.0) else {
@@ -99,10 +100,10 @@ impl Refinement<'_> {
         };
         let are_alike = corners.iter().all(|known| known.1.is_like(corners[0].1));
         let share = self.share(cell);
-        // Errors count between their part of the length and of the area, unlocated ends their part of the length. The root keeps
-        // steps of V_H, which hardly fall with the size of cells, from drawing all the points.
+        // Errors weigh between the cell's parts of length and of area, unlocated ends its part of the length. The root
+        // keeps steps of V_H, which hardly shrink with the cells, from attracting all points.
         let urgency = |error: f64| error.sqrt() * share * share.sqrt();
-        // A smooth surface would be four times closer to the planes of quarters. Where nothing is known to end comes last.
+        // A smooth surface is four times closer to the planes of quarters. Cells without a known transition come last.
         let expected = match corners.iter().all(|(_, height)| height.speed.is_none()) {
             true => 0.0,
             false => parent.map_or(UNKNOWN, |error| 0.5 * error),
@@ -156,9 +157,9 @@ impl Refinement<'_> {
         let before = self.refined.leaves.len();
         let is_divided = match cell.quarters() {
             Some(quarters) if self.ask(&cell.side_middles(), urgency).is_some() => {
-                // All of them, so that what is missing is wanted at once.
+                // All of them, so that missing places are wanted at once.
                 let gaps = quarters.map(|quarter| self.visit(quarter, Some(error)));
-                // The edge of the undivided cell is known on its sides, and mostly in its middle.
+                // The edge is known on the sides of the undivided cell, and usually in its middle.
                 let known_to = match undivided.bend {
                     Some(_) => BRACKET,
                     None => side / 4,
@@ -168,24 +169,24 @@ impl Refinement<'_> {
             _ => false,
         };
         if !is_divided {
-            // What its own sides tell of an edge is closer than what is known of some quarter.
+            // Its own sides locate an edge better than what is known of some quarters.
             self.refined.leaves.truncate(before);
             self.refined.leaves.push(undivided);
         }
         0
     }
 
-    /// A cell's part of the length of a first-level cell.
+    /// Length of a cell as a part of that of a first-level cell.
     fn share(&self, cell: Cell) -> f64 {
         let part = |axis: usize| cell.size[axis] as f64 / self.whole.size[axis] as f64;
         (part(0) * part(1)).sqrt()
     }
 
-    /// The places around a cell once its sides have been searched for edges. Where ends of transitions cross the cell,
+    /// The places around a cell, once its sides have been searched for edges. If ends of transitions cross the cell,
     /// other sides are not searched.
     ///
     /// # Errors
-    /// The greatest number of steps over which an end is not located yet.
+    /// The greatest number of steps within which an end is not located yet.
     fn ring(
         &mut self,
         corners: &[Known],
@@ -209,7 +210,7 @@ impl Refinement<'_> {
                 }
                 Err((place, gap)) => {
                     is_known = false;
-                    // What looks like a jump may be a slope.
+                    // An apparent jump may be a slope.
                     if !corner.1.is_like(next.1) {
                         widest = widest.max(gap);
                     }
@@ -258,7 +259,7 @@ impl Refinement<'_> {
             return Followed::DoesNotFit(bend.map(places));
         }
         let bend = bend.map(places);
-        // The centre tells of its own side of the edge only.
+        // The centre checks only its own side of the edge.
         let beyond = pieces
             .iter()
             .filter(|piece| piece.speed_at(position(centre.0)).is_none())
@@ -290,34 +291,34 @@ impl Refinement<'_> {
     }
 }
 
-/// What became of an edge through a cell.
+/// Result of following an edge through a cell.
 enum Followed {
-    /// It passes the middle where it was expected, and the centre lies in the surface beside it, by so much off, or where
-    /// there is none.
+    /// It passes the middle where expected, and the centre fits the surface beside it within this error, or has no
+    /// transition either.
     Fits {
         error: Option<f64>,
         bend: Option<[Place; 2]>,
         check: Option<Place>,
     },
-    /// There is no edge, there are several, or it passes elsewhere; or the surface beside it is off, with the places on
-    /// either side of the edge in the middle.
+    /// There is no edge, there are several, or it passes elsewhere; or the surface beside it is off: then with the
+    /// places on either side of the edge in the middle.
     DoesNotFit(Option<[Place; 2]>),
-    /// Some places have to be known first.
+    /// Some places must be known first.
     Unknown,
 }
 
-/// Where an edge passes half-way between two crossings.
+/// Passage of an edge half-way between two crossings.
 enum Middle {
-    /// Between these places; `None` where the crossings are hardly apart.
+    /// Between these places; `None` if the crossings are too close.
     At(Option<Crossing>),
-    /// This place has to be known first.
+    /// This place must be known first.
     Wanted(Place),
-    /// Too far from the line that joins the crossings.
+    /// Too far from the line between the crossings.
     Elsewhere,
 }
 
-/// Searches an edge half-way between two crossings, whose first places lie on the same side of it. It may lie off the line
-/// that joins them by so much that two lines by way of the middle are a quarter of that off.
+/// Searches for an edge half-way between two crossings, whose first places lie on the same side of it. It may be off
+/// the line between them by so much that two lines via the middle are off by a quarter of that.
 fn middle_of_edge(
     ends: [Crossing; 2],
     cell: &Cell,
@@ -331,7 +332,7 @@ fn middle_of_edge(
         return Middle::At(None);
     }
     let across = usize::from(along[0] >= along[1]);
-    // Whether the second side lies above the line, seen across it.
+    // True if the second side lies above the line, seen across it.
     let second = position(ends[0][1].0);
     let slope = (other[across] - one[across]) / (other[1 - across] - one[1 - across]);
     let rises = second[across] - one[across] > slope * (second[1 - across] - one[1 - across]);

@@ -1,9 +1,9 @@
-//! First transitions between known places of a map, on the quadratic surface nearest to those around.
+//! First transitions between known places of a map, on a quadratic fitted to the surroundings.
 //!
-//! Planes between places are off by the curvature between them. Within each triangle of the surface the middles of its sides
-//! are therefore lifted to the quadratic that fits the nearest known transitions best, nearer places counting more. It leaves
-//! the least sum of deviations, not of their squares: where a step too small for an edge parts the places, it follows
-//! the side that most of them lie on. A middle is lifted alike from either triangle beside it.
+//! Planes between places are wrong by the curvature between them. So within each triangle of the surface the middles of
+//! its sides are lifted to the quadratic that best fits the nearest known transitions, with nearer places weighted
+//! more. The fit minimizes the sum of deviations, not of their squares: where a step too small for an edge separates
+//! the places, it follows the side with most of them. Both triangles at a side lift its middle equally.
 
 use std::collections::HashMap;
 
@@ -12,21 +12,21 @@ use nalgebra::{Matrix6, Vector6};
 use crate::cell::{Position, middle};
 use crate::pieces::Corner;
 
-/// Places that a quadratic is fitted to: at most, and at least, which is twice its coefficients.
+/// Greatest and least number of places in a fit; the least is twice the number of coefficients.
 const NEAREST: usize = 16;
 const LEAST: usize = 12;
-/// Least squares by which least deviations are approached, each with the weights that the deviations of the last call for, and
-/// the deviation below which all count alike, ft/s.
+/// Number of least-squares fits that approach least deviations, each weighted by the deviations of the last, and the
+/// deviation below which all weigh the same, ft/s.
 const FITS: usize = 5;
 const DEVIATION: f64 = 0.02;
-/// Bins around one that are searched for them.
+/// Bins searched to each side for such places.
 const BINS: usize = 2;
-/// Least part that is left of a diagonal element in the factorization of the normal equations.
+/// Least remaining part of a diagonal element in the factorization of the normal equations.
 const DEFINITE: f64 = 1e-9;
-/// How far each place is taken to be at least, in bins.
+/// Least distance assumed of a place, in bins.
 const SOFTENED: f64 = 0.06;
 
-/// How often sides are halved, and how far the surface is off a side that is, ft/s.
+/// Number of halvings of a side, and the error of the surface at which a side is halved, ft/s.
 const HALVINGS: usize = 2;
 const OFF: f64 = 0.02;
 
@@ -34,7 +34,7 @@ const OFF: f64 = 0.02;
 #[derive(Debug, Clone, Copy)]
 struct Vertex {
     corner: Corner,
-    /// Whether it lies on one side of every edge, as known places and what is fitted to them do.
+    /// True if it is on one side of every edge, like known places and fits to them.
     is_beside_edges: bool,
 }
 
@@ -42,22 +42,22 @@ struct Vertex {
 #[derive(Debug, Clone, Copy)]
 struct Side {
     from: Vertex,
-    /// How often it may be halved.
+    /// Remaining halvings.
     halvings: usize,
 }
 
-/// Known transitions by where they lie.
+/// Known transitions, sorted into bins.
 #[derive(Debug)]
 pub(crate) struct CurvedSurface {
     /// Steps of a bin along each axis: a first-level cell.
     size: [f64; 2],
     bins: HashMap<[usize; 2], Vec<Corner>>,
-    /// Pieces of the lines along which transitions jump.
+    /// Segments of the lines along which transitions jump.
     jumps: Vec<[Position; 2]>,
 }
 
 impl CurvedSurface {
-    /// The surface through some transitions, parted along some lines; a first-level cell has so many steps along each axis.
+    /// Builds the surface through transitions, split along lines; `cell` is the number of steps of a first-level cell.
     pub(crate) fn new(
         known: impl Iterator<Item = Corner>,
         jumps: Vec<[Position; 2]>,
@@ -71,7 +71,7 @@ impl CurvedSurface {
         Self { size, bins, jumps }
     }
 
-    /// The triangles of a triangle, whose sides are halved where the surface is off them.
+    /// Divides a triangle by halving sides that are off the surface.
     pub(crate) fn triangles(&self, corners: [Corner; 3]) -> Vec<[Corner; 3]> {
         let mut triangles = Vec::new();
         let sides = corners.map(|corner| Side {
@@ -85,7 +85,7 @@ impl CurvedSurface {
         triangles
     }
 
-    /// Halves the first of three sides that is to be. Either triangle beside a side halves it alike.
+    /// Halves the first eligible side. Both triangles at a side halve it equally.
     fn divide(&self, sides: [Side; 3], triangles: &mut Vec<[Corner; 3]>) {
         for first in 0..3 {
             let [a, b, c] = [0, 1, 2].map(|next| sides[(first + next) % 3]);
@@ -101,13 +101,13 @@ impl CurvedSurface {
         triangles.push(sides.map(|side| side.from.corner));
     }
 
-    /// The surface half-way along a side, where it is to be halved and the surface is off it.
+    /// The surface at the middle of a side, if the side may be halved and is off it.
     fn off_side(&self, Side { from: a, halvings }: Side, b: Vertex) -> Option<Vertex> {
-        // What joins two points of an edge lies on neither side of it.
+        // The line between two points of an edge lies on neither side of it.
         if halvings == 0 || !(a.is_beside_edges || b.is_beside_edges) {
             return None;
         }
-        // In one order, so that every bit is the same from either side.
+        // A fixed order, so that every bit is the same from either side.
         let (a, b) = match a.corner.at <= b.corner.at {
             true => (a.corner, b.corner),
             false => (b.corner, a.corner),
@@ -126,7 +126,7 @@ impl CurvedSurface {
         there.is_some_and(|there| there.contains(&corner))
     }
 
-    /// Whether a jump passes between two positions.
+    /// True if a jump passes between two positions.
     fn is_parted(&self, one: Position, other: Position) -> bool {
         let side = |[p, q]: [Position; 2], at: Position| {
             (q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0]) > 0.0
@@ -137,7 +137,7 @@ impl CurvedSurface {
         })
     }
 
-    /// The quadratic through the places around one, there; `None` where too few are near.
+    /// Value at a position of the quadratic through the nearest places; `None` if too few are near.
     fn fitted(&self, at: Position) -> Option<f64> {
         let near = self.nearest(at);
         if near.len() < LEAST {
@@ -163,7 +163,7 @@ impl CurvedSurface {
             }
             let factor = matrix.cholesky()?;
             let left = factor.l_dirty().diagonal();
-            // Not so where it is not a number.
+            // False for NaN too.
             let is_definite = (0..6).all(|k| left[k] * left[k] > DEFINITE * matrix[(k, k)]);
             if !is_definite {
                 return None;
@@ -176,7 +176,7 @@ impl CurvedSurface {
         Some(quadratic[0])
     }
 
-    /// The nearest known places, with the squares of their distances in bins.
+    /// The nearest known places, with squared distances in bins.
     fn nearest(&self, at: Position) -> Vec<(f64, Corner)> {
         let [i, j] = bin(at, self.size);
         let mut near: Vec<(f64, Corner)> = Vec::new();

@@ -1,4 +1,4 @@
-//! The edges of a map as lines: where transitions end, jump, or their bands change in number.
+//! Edges of a map as lines: where transitions end or jump, or the number of bands changes.
 
 use std::collections::HashMap;
 
@@ -7,19 +7,19 @@ use crate::pieces::{Crossing, Known};
 use crate::refined_grid::Place;
 use crate::surface_pieces::MapSurface;
 
-/// What an edge parts.
+/// Kind of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EdgeKind {
-    /// There is a transition on one side only.
+    /// A transition on one side only.
     End,
-    /// The first transition differs.
+    /// Different first transitions.
     Jump,
-    /// There are more bands on one side.
+    /// More bands on one side.
     Bands,
 }
 
 impl EdgeKind {
-    /// Its word in tables.
+    /// Word in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::End => "end",
@@ -42,22 +42,22 @@ impl EdgeKind {
 pub struct EdgePoint {
     /// Coordinates along the two refined axes.
     pub at: [f64; 2],
-    /// Half the distance between the points on either side of the edge, along each axis.
+    /// Half the distance along each axis between the points on either side of the edge.
     pub within: [f64; 2],
-    /// The first transitions found there, ft/s, the lower first; `None` where there is none.
+    /// First transitions of these points, ft/s, lower first; `None` without one.
     pub speeds: [Option<f64>; 2],
 }
 
 /// An edge from end to end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeLine {
-    /// What it parts.
+    /// Kind.
     pub kind: EdgeKind,
-    /// Its points in order.
+    /// Points in order.
     pub points: Vec<EdgePoint>,
 }
 
-/// Between which places an edge passes.
+/// The places between which an edge passes.
 type Key = [Place; 2];
 
 impl MapSurface<'_> {
@@ -66,7 +66,7 @@ impl MapSurface<'_> {
         let mut pieces: Vec<(EdgeKind, Vec<Crossing>)> = Vec::new();
         for cut in self.parts.iter().flat_map(|part| &part.cuts) {
             let kinds = cut.crossings.iter().map(|crossing| EdgeKind::of(*crossing));
-            // Where ends of transitions and jumps meet in one cell, the line is what it is at its beginning.
+            // If ends of transitions and jumps meet in one cell, the first point decides the kind of the line.
             if let Some(kind) = kinds.into_iter().next() {
                 pieces.push((kind, cut.crossings.clone()));
             }
@@ -131,7 +131,7 @@ fn ends(crossings: &[Crossing]) -> Vec<Key> {
     ends
 }
 
-/// The points by which another piece continues a line at its end.
+/// Continues a line at its end by the points of another piece.
 fn continued(
     line: &[Crossing],
     kind: EdgeKind,

@@ -1,18 +1,18 @@
-//! What refinement knows of a point: its first transition, and how many bands it has.
+//! First transition and number of bands of a point, as used by refinement.
 
 use crate::findings::Finding;
 
-/// What a point came to, as far as maps follow it.
+/// Result of a point as used by maps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Height {
-    /// First transition, ft/s; `None` where there is none in the range that was searched.
+    /// First transition, ft/s; `None` if there is none in the range searched.
     pub speed: Option<f64>,
-    /// Bands, where all were searched.
+    /// Number of bands, if all were searched.
     pub bands: usize,
 }
 
 impl Height {
-    /// What a point came to; `None` where no transition was searched.
+    /// Height of a finding; `None` if it is not of a boundary search.
     pub fn of(finding: &Finding) -> Option<Self> {
         let boundary = finding.boundary()?;
         Some(Self {
@@ -21,12 +21,12 @@ impl Height {
         })
     }
 
-    /// Whether both have a transition, or neither, and as many bands.
+    /// True if both or neither have a transition, and the numbers of bands agree.
     pub fn is_like(self, other: Self) -> bool {
         self.speed.is_some() == other.speed.is_some() && self.bands == other.bands
     }
 
-    /// Difference of the first transitions, ft/s; infinite where the two are not alike.
+    /// Difference of the first transitions, ft/s; infinite if the heights are not alike.
     pub fn leap(self, other: Self) -> f64 {
         match (self.speed, other.speed) {
             _ if !self.is_like(other) => f64::INFINITY,

@@ -1,8 +1,8 @@
-//! How an interval of the first level of a map over one axis is refined.
+//! Refines a first-level interval of a map over one axis.
 //!
-//! An interval is halved where its ends do not have the same bands, down to the width of an edge, and where the transitions at
-//! its middle are off the straight lines between those at its ends. What is wanted of an interval depends on the places in it
-//! alone, so that the order in which places become known changes nothing.
+//! An interval is halved if its ends have different bands, down to the width of an edge, or if the transitions at its
+//! middle are off the straight lines between those at its ends. The wanted places of an interval depend on its known
+//! places alone, so the order in which they become known does not matter.
 
 use crate::cell::Cell;
 use crate::cell_refinement::{END, Leaf, Refined, UNKNOWN};
@@ -38,7 +38,7 @@ struct Refinement<'r, F> {
 }
 
 impl<'k, F: Fn(usize) -> Option<&'k SpeedBands>> Refinement<'_, F> {
-    /// The bands of a place, or `None` where they have to be known first.
+    /// Bands of a place; `None` if they must be known first.
     fn ask(&mut self, place: usize, urgency: f64) -> Option<&'k SpeedBands> {
         let known = (self.bands)(place);
         if known.is_none() {
@@ -59,15 +59,15 @@ impl<'k, F: Fn(usize) -> Option<&'k SpeedBands>> Refinement<'_, F> {
         });
     }
 
-    /// Goes through an interval between two places whose bands are known; `parent` is the error of the interval that it is a
-    /// half of, ft/s, if that is known.
+    /// Visits an interval between two places with known bands; `parent` is the error of the interval it is a half of,
+    /// ft/s, if known.
     fn visit(&mut self, [low, size]: [usize; 2], [a, b]: [&'k SpeedBands; 2], parent: Option<f64>) {
         if size <= BRACKET {
             return self.leaf([low, size], parent);
         }
         let share = size as f64 / self.whole as f64;
         let leap = a.leap(b);
-        // Lines half as long are four times closer to a smooth curve. Where there is no transition comes last.
+        // Lines half as long are four times closer to a smooth curve. Intervals without a transition come last.
         let expected = match parent {
             _ if a.are_one() => 0.0,
             None => UNKNOWN,

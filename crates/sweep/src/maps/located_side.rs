@@ -1,21 +1,19 @@
-//! Where an edge crosses the side of a cell.
+//! Locates the crossing of an edge with the side of a cell.
 //!
-//! The side is halved towards its greater part of the difference. A jump stays in one half, so that it shows in the second
-//! difference of every halving; a slope shares itself out between the halves and a bend fades with their length, and
-//! either ends the search.
+//! The side is halved towards the half with the greater difference. A jump stays in one half, so it shows in every
+//! second difference. A slope spreads over both halves, and a bend fades with their length; either ends the search.
 
 use crate::cell::{half_way, steps};
 use crate::height::Height;
 use crate::refined_grid::Place;
 
-/// Steps over which an edge is located.
+/// Steps between which an edge counts as located.
 pub(crate) const BRACKET: usize = 2;
 
-/// Halves a side until an edge on it is located or there is none; the places that took, in their order, or the one that
-/// has to be known first.
+/// Halves a side until an edge on it is located or ruled out. Returns the places used, in order.
 ///
 /// # Errors
-/// That place, and the steps over which the edge is not located.
+/// The place that must be known first, and the steps within which the edge is not located.
 pub(crate) fn located(
     ends: [(Place, Height); 2],
     jump: f64,
@@ -54,8 +52,8 @@ fn second_difference(low: Height, middle: Height, high: Height) -> f64 {
     }
 }
 
-/// Where edges pass between neighbours on a ring of places around a cell: the index of the place before each. Where
-/// transitions end between some, nothing else counts.
+/// Finds edges between neighbours on a ring of places around a cell; returns the index of the place before each. If
+/// transitions end between some, only those count.
 pub(crate) fn edges(ring: &[(Place, Height)], jump: f64) -> Vec<usize> {
     let count = ring.len();
     let is_end = |index: &usize| {
@@ -78,7 +76,7 @@ fn jumps(ring: &[(Place, Height)], jump: f64) -> Vec<usize> {
         if leap < jump || steps(a.0, b.0) > BRACKET {
             return false;
         }
-        // A jump is steeper than what lies beside it on the same side of the cell.
+        // A jump is steeper than its neighbours on the same side of the cell.
         let slope = |[a, b]: [(Place, Height); 2]| a.1.leap(b.1) / steps(a.0, b.0) as f64;
         let beside = [pair(index + count - 1), pair(index + 1)];
         let mut beside = (beside.into_iter())
@@ -91,7 +89,7 @@ fn jumps(ring: &[(Place, Height)], jump: f64) -> Vec<usize> {
     (0..count).filter(is_jump).collect()
 }
 
-/// How many times steeper than its surroundings a jump is at least.
+/// Least steepness of a jump as a multiple of that of its surroundings.
 const STEEPER: f64 = 3.0;
 
 fn is_one_line(places: [Place; 4]) -> bool {
@@ -102,7 +100,7 @@ fn is_one_line(places: [Place; 4]) -> bool {
 mod tests {
     use super::*;
 
-    /// The places of a side of 64 steps over which a function is known.
+    /// The places of a side of 64 steps at which a function is computed.
     fn places(jump: f64, speed: impl Fn(f64) -> Option<f64>) -> Vec<usize> {
         let height = |place: Place| {
             let speed = speed(place[1] as f64);

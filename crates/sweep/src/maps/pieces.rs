@@ -1,7 +1,7 @@
-//! The surface over a cell: one piece without edges, two on either side of an edge, more where several pass.
+//! The surface over a cell: one piece without edges, two on either side of an edge, more with several edges.
 //!
 //! A piece is a ring of corners around an apex; over each triangle of the apex and two neighbours on the ring the
-//! surface is a plane. Cells side by side share the places on their common side, so that pieces fit each other.
+//! surface is a plane. Adjacent cells share the places on their common side, so their pieces fit together.
 
 use crate::cell::{Position, middle, position};
 use crate::height::Height;
@@ -15,28 +15,28 @@ pub(crate) struct Corner {
     pub(crate) speed: f64,
 }
 
-/// A part of the surface without edges.
+/// A part of the surface without edges inside.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Piece {
     pub(crate) ring: Vec<Corner>,
     pub(crate) apex: Corner,
 }
 
-/// A place and what was found there.
+/// A place and its height.
 pub(crate) type Known = (Place, Height);
 
-/// Where an edge leaves a cell, or passes a place within it: the known places on either side of it.
+/// A point where an edge crosses a side of a cell, or passes a place inside: the known places on either side.
 pub(crate) type Crossing = [Known; 2];
 
 /// An edge through a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Cut {
-    /// From side to side; the first of each crossing lies on the same side of the edge.
+    /// Crossings from side to side; the first places of all lie on the same side of the edge.
     pub(crate) crossings: Vec<Crossing>,
 }
 
 impl Cut {
-    /// The pieces of its line on both sides of which there are transitions.
+    /// Segments of its line with transitions on both sides.
     pub(crate) fn jumps(&self) -> Vec<[Position; 2]> {
         let at = |[a, b]: &Crossing| middle(position(a.0), position(b.0));
         let is_jump = |[a, b]: &Crossing| a.1.speed.is_some() && b.1.speed.is_some();
@@ -46,13 +46,13 @@ impl Cut {
     }
 }
 
-/// What is known of a cell.
+/// Known places of a cell.
 pub(crate) struct Around<'k> {
-    /// Places on its sides, around it.
+    /// Places on its sides, in order around it.
     pub(crate) ring: &'k [Known],
-    /// Places within it: the centre first, then where the surface was checked beyond an edge.
+    /// Places inside: the centre first, then the check of the surface beyond an edge.
     pub(crate) within: &'k [Known],
-    /// Places on either side of an edge half-way through the cell, in the order of its first crossing on the ring.
+    /// Places on either side of an edge at its middle, in the order of its first crossing on the ring.
     pub(crate) bend: Option<Crossing>,
 }
 
@@ -74,7 +74,7 @@ impl Piece {
         sides.map(|(a, b)| [self.apex, *a, *b])
     }
 
-    /// Its area in steps.
+    /// Area in steps.
     pub(crate) fn area(&self) -> f64 {
         let next = self.ring.iter().cycle().skip(1);
         let sides = self.ring.iter().zip(next);
@@ -84,14 +84,14 @@ impl Piece {
         0.5 * twice.abs()
     }
 
-    /// The first transition at a position, ft/s, if the piece lies there.
+    /// First transition at a position, ft/s, if the position is within the piece.
     pub(crate) fn speed_at(&self, at: Position) -> Option<f64> {
         self.triangles()
             .find_map(|corners| speed_within(&corners, at))
     }
 }
 
-/// The height of a triangle at a position, if it lies there.
+/// Height of a triangle at a position, if the position is within it.
 pub(crate) fn speed_within([a, b, c]: &[Corner; 3], at: Position) -> Option<f64> {
     const SLACK: f64 = 1e-9;
     let cross = |p: Position, q: Position, r: Position| {
@@ -125,7 +125,7 @@ impl Around<'_> {
                 crossings.push([b, a]);
                 self.parted(one, other, crossings)
             }
-            // Several jumps come from cells beside this one, in which the surface was found to be smooth.
+            // Several jumps stem from adjacent cells, in which the surface was found to be smooth.
             _ if self
                 .ring
                 .iter()
@@ -160,7 +160,7 @@ impl Around<'_> {
     /// The two pieces on either side of an edge.
     fn parted(&self, one: usize, other: usize, crossings: Vec<Crossing>) -> (Vec<Piece>, Vec<Cut>) {
         let mut pieces = Vec::new();
-        // Seen from the ring, what follows the first crossing lies on the second side of it.
+        // Seen from the ring, the places after the first crossing lie on its second side.
         for (arc, side) in [
             (self.arc(one + 1, other), 1),
             (self.arc(other + 1, one + self.ring.len()), 0),
@@ -185,14 +185,14 @@ impl Around<'_> {
         (pieces, vec![Cut { crossings }])
     }
 
-    /// The places of the ring from one index to another, which may lie a turn further on.
+    /// Places of the ring from one index to another; indices may exceed one turn.
     fn arc(&self, from: usize, to: usize) -> Vec<Known> {
         let count = self.ring.len();
         (from..=to).map(|index| self.ring[index % count]).collect()
     }
 }
 
-/// The piece between two edges close to each other, and the one edge that both make.
+/// The piece between two edges close to each other, and the single edge made of both.
 fn cut_off(arc: Vec<Known>, [from, to]: [Crossing; 2]) -> (Vec<Piece>, Vec<Cut>) {
     let corner = |[outer, inner]: Crossing| {
         let at = middle(position(outer.0), position(inner.0));
@@ -207,7 +207,7 @@ fn cut_off(arc: Vec<Known>, [from, to]: [Crossing; 2]) -> (Vec<Piece>, Vec<Cut>)
     (piece.into_iter().collect(), vec![Cut { crossings }])
 }
 
-/// Of the edges around a ring, the two that follow each other and are the least apart.
+/// The two consecutive edges on a ring that are closest to each other.
 fn nearest_together(ring: &[Known], edges: &[usize]) -> Option<(usize, usize)> {
     let count = ring.len();
     let at = |index: usize| {
@@ -224,7 +224,7 @@ fn nearest_together(ring: &[Known], edges: &[usize]) -> Option<(usize, usize)> {
     pairs.min_by(|a, b| square(a.0, a.1).total_cmp(&square(b.0, b.1)))
 }
 
-/// The crossing whose first place is like the first of another.
+/// Orients a crossing so that its first place is like the first of another.
 fn turned(crossing: Crossing, like: Crossing) -> Crossing {
     let [a, b] = crossing;
     let apart = |one: Known, other: Known| one.1.leap(other.1);
@@ -238,12 +238,12 @@ fn corner((place, height): Known) -> Option<Corner> {
     height.speed.map(|speed| Corner { at, speed })
 }
 
-/// Corners at places, if all of them have a transition.
+/// Corners at places, if all have a transition.
 fn corners(places: &[Known]) -> Option<Vec<Corner>> {
     places.iter().copied().map(corner).collect()
 }
 
-/// Whether a position is seen from all sides of a ring that runs as the corners of cells do.
+/// True if a position is seen from all sides of a ring with the orientation of cell corners.
 fn is_left_of_all(ring: &[Corner], at: Position) -> bool {
     let next = ring.iter().cycle().skip(1);
     ring.iter().zip(next).all(|(a, b)| {

@@ -1,4 +1,4 @@
-//! The edges of a map over one axis: places at which the bands over V_H are others, or jump.
+//! Edges of a map over one axis: places where the bands over V_H change in class or jump.
 
 use crate::edge_lines::EdgeKind;
 use crate::located_side::BRACKET;
@@ -9,15 +9,15 @@ use crate::rounds::Rounds;
 pub(crate) struct ProfileEdge {
     /// Value of the axis.
     pub(crate) at: f64,
-    /// Half the distance of the points on either side.
+    /// Half the distance between the points on either side.
     pub(crate) within: f64,
-    /// What it parts.
+    /// Kind.
     pub(crate) kind: EdgeKind,
-    /// The first transitions found there, ft/s, the lower first; `None` where there is none.
+    /// First transitions of these points, ft/s, lower first; `None` without one.
     pub(crate) speeds: [Option<f64>; 2],
 }
 
-/// The edges of all maps, with the number of the map that each belongs to.
+/// The edges of all maps, each with the number of its map.
 pub(crate) fn all(rounds: &Rounds) -> impl Iterator<Item = (usize, ProfileEdge)> {
     let grid = rounds.map();
     rounds.leaves().filter_map(move |(map, leaf)| {

@@ -1,4 +1,4 @@
-//! Maps over one axis of bands that are known.
+//! Maps over one axis with known bands.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -25,7 +25,7 @@ const RULES: MapRules = MapRules {
     grid_steps: 1,
 };
 
-/// Where the transition jumps, a stable band begins above it, and both end.
+/// Places where the transition jumps, where a stable band begins above it, and where both end.
 const JUMP: f64 = 7.3;
 const BAND: f64 = 18.9;
 const END: f64 = 31.7;
@@ -47,8 +47,8 @@ fn bands(x: f64) -> SpeedBands {
     }
 }
 
-/// Refines until nothing is wanted or the budget is spent, at ten landings a point; the points in the order in which they
-/// were asked for.
+/// Refines until no points are wanted or the budget is spent, at ten landings a point; returns the points in the order
+/// of the requests.
 fn refine(rounds: &mut Rounds) -> Vec<usize> {
     let mut asked = Vec::new();
     loop {
@@ -69,7 +69,7 @@ fn refine(rounds: &mut Rounds) -> Vec<usize> {
     }
 }
 
-/// Places that are known, in order.
+/// Known places, in order.
 fn known(rounds: &Rounds) -> Vec<f64> {
     let points = rounds.points().into_iter();
     points

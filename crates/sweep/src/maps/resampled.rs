@@ -9,14 +9,14 @@ use crate::surface_pieces::MapSurface;
 pub struct Resampled {
     /// Coordinates along the two refined axes.
     pub at: [f64; 2],
-    /// First transition, ft/s; `None` where there is none.
+    /// First transition, ft/s; `None` without one.
     pub speed: Option<f64>,
-    /// Estimated error of interpolation, ft/s, as far as anything tells it.
+    /// Estimated error of interpolation, ft/s, if known.
     pub error: Option<f64>,
 }
 
 impl MapSurface<'_> {
-    /// The surface at even steps, row by row of the slower axis.
+    /// Samples the surface at even steps, row by row of the slower axis.
     pub fn resampled(&self) -> Vec<Resampled> {
         let steps = self.grid.rules.grid_steps;
         let counts = self.grid.cells().map(|cells| cells * steps + 1);
@@ -25,7 +25,7 @@ impl MapSurface<'_> {
             [0, 1].map(|axis| index[axis] as f64 * parts[axis] as f64 / steps as f64)
         };
         let mut found: Vec<(Option<f64>, Option<f64>)> = vec![(None, None); counts[0] * counts[1]];
-        // The rows or columns within two bounds in steps of places.
+        // Rows or columns between two bounds in steps of places.
         let range = |axis: usize, low: f64, high: f64| {
             let scale = steps as f64 / parts[axis] as f64;
             let first = (low * scale - 1e-9).ceil().max(0.0) as usize;

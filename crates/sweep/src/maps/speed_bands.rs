@@ -1,10 +1,10 @@
-//! How landings end over V_H at a place of a map over one axis.
+//! Bands over V_H at a place of a map over one axis.
 
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::Boundary;
 
-/// The bands of a place from below: as many as were searched, the lowest two where that is the first transition alone.
+/// The bands of a place, lowest first: all that were searched, or the lowest two if only the first transition was.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SpeedBands {
     classes: Vec<Class>,
@@ -13,7 +13,7 @@ pub(crate) struct SpeedBands {
 }
 
 impl SpeedBands {
-    /// What a search found.
+    /// Bands found by a search.
     pub(crate) fn of(boundary: &Boundary) -> Self {
         if let [below @ .., _] = boundary.bands.as_slice() {
             return Self {
@@ -36,12 +36,12 @@ impl SpeedBands {
         }
     }
 
-    /// Whether there is no transition.
+    /// True if there is no transition.
     pub(crate) fn are_one(&self) -> bool {
         self.transitions.is_empty()
     }
 
-    /// Greatest difference of a transition, ft/s; infinite where landings do not end alike one after another.
+    /// Greatest difference of a transition, ft/s; infinite if the sequences of classes differ.
     pub(crate) fn leap(&self, other: &Self) -> f64 {
         if self.classes != other.classes {
             return f64::INFINITY;
@@ -54,8 +54,8 @@ impl SpeedBands {
         )
     }
 
-    /// Greatest distance of a transition from half-way between those of two others, ft/s; infinite where landings do not end
-    /// alike one after another.
+    /// Greatest distance of a transition from the mean of those of two others, ft/s; infinite if the sequences of
+    /// classes differ.
     pub(crate) fn off_halfway(&self, low: &Self, high: &Self) -> f64 {
         if self.classes != low.classes || self.classes != high.classes {
             return f64::INFINITY;

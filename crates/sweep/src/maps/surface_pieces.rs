@@ -1,4 +1,4 @@
-//! The surface of a map: pieces between its points, cut along its edges, of triangles that follow its curvature.
+//! The surface of a map: pieces between its points, cut along its edges, made of triangles that follow its curvature.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -22,7 +22,7 @@ pub struct MapSurface<'m> {
 #[derive(Debug)]
 pub(crate) struct CellSurface {
     pub(crate) cell: Cell,
-    /// Estimated error of interpolation, ft/s, as far as anything tells it.
+    /// Estimated error of interpolation, ft/s, if known.
     pub(crate) error: Option<f64>,
     pub(crate) pieces: Vec<Piece>,
     pub(crate) cuts: Vec<Cut>,
@@ -88,7 +88,7 @@ impl<'m> MapSurface<'m> {
         [0, 1].map(|axis| self.grid.value(axis, at[axis]))
     }
 
-    /// The triangles of which the surface consists.
+    /// The triangles of the surface.
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
         let corner = |corner: Corner| (self.coordinates(corner.at), corner.speed);
         let triangles = self.parts.iter().flat_map(|part| self.triangles_of(part));
@@ -102,7 +102,7 @@ impl<'m> MapSurface<'m> {
     }
 }
 
-/// The known places of a map by their lines along either axis.
+/// The known places of a map, sorted into lines along either axis.
 #[derive(Default)]
 struct KnownPlaces {
     lines: [HashMap<usize, BTreeSet<usize>>; 2],
@@ -125,7 +125,7 @@ impl KnownPlaces {
         rows.iter().flat_map(row)
     }
 
-    /// Known places between two on one line, the first included, the last not.
+    /// Known places between two on one line, including the first but not the last.
     fn between(&self, from: Place, to: Place) -> Vec<Place> {
         let axis = usize::from(from[0] == to[0]);
         let (a, b) = (from[axis], to[axis]);
@@ -143,7 +143,7 @@ impl KnownPlaces {
         }
     }
 
-    /// Known places on the sides of a cell, around it.
+    /// Known places on the sides of a cell, in order around it.
     fn around(&self, cell: &Cell) -> impl Iterator<Item = Place> {
         let sides = cell.sides();
         sides.into_iter().flat_map(|[a, b]| self.between(a, b))

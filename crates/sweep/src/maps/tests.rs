@@ -1,4 +1,4 @@
-//! Maps of surfaces that are known.
+//! Maps of known surfaces.
 
 use crate::grid::Grid;
 use crate::height::Height;
@@ -9,7 +9,7 @@ use crate::rounds::Rounds;
 use crate::shard::Shard;
 use crate::surface_pieces::MapSurface;
 
-/// Four by four cells of ten units, their sides divided down to an eighth of a unit and less.
+/// Four by four cells of ten units, with sides divided down to an eighth of a unit or less.
 fn grid(rules: MapRules) -> RefinedGrid {
     let axis = || (Levels::range(0.0, 40.0, 10.0).unwrap(), None);
     let first = Grid::new(vec![axis(), axis()]).unwrap();
@@ -40,7 +40,7 @@ fn beyond_line([x, y]: [f64; 2]) -> f64 {
     (y - 22.3 - 0.4 * (x - 18.0)) / 1.0f64.hypot(0.4)
 }
 
-/// Refines until nothing is wanted; the points in the order in which they were asked for.
+/// Refines until no points are wanted; returns the points in the order of the requests.
 fn refine(rounds: &mut Rounds, surface: impl Fn([f64; 2]) -> Option<f64>) -> Vec<usize> {
     let mut asked = Vec::new();
     loop {

@@ -1,4 +1,4 @@
-//! The bands of a sweep as a table.
+//! Table of the bands of a sweep.
 
 use crate::bands::Band;
 use crate::boundary::Boundary;
@@ -6,7 +6,7 @@ use crate::certainty::tolerance_cell;
 use crate::results::optional;
 use crate::sweep_file::Sweep;
 
-/// Columns of the table after those of the axes.
+/// Columns of the table after the axes.
 pub const COLUMNS: [&str; 10] = [
     "band",
     "from_fps",
@@ -25,11 +25,11 @@ pub fn heading(sweep: &Sweep) -> Vec<String> {
     sweep.heading(COLUMNS)
 }
 
-/// Rows of a point: one for each band, from below.
+/// Rows of a point: one for each band, lowest first.
 ///
-/// `outcome` is the class that the band's landings share, `kind` how the one nearest to its middle
-/// ended; `bracket_width_fps`, `certainty` and what follows belong to `to_fps` and are empty at the end of the range.
-/// Where `certainty` is `disputed`, small changes decide between the two speeds that follow.
+/// `outcome` is the class of the band's landings, `kind` the outcome of the one nearest to its middle.
+/// `bracket_width_fps`, `certainty` and the following columns refer to `to_fps`; they are empty at the end of the
+/// range. If `certainty` is `disputed`, small changes decide between the two speeds that follow.
 pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>> {
     let coordinates = sweep.coordinates_written(point);
     let row = |(index, band): (usize, &Band)| {

@@ -1,4 +1,4 @@
-//! Tables of cases: one landing per row, each of which may change the vehicle and the solver.
+//! Tables of cases: one landing per row; each row may change the vehicle and the solver.
 
 mod cells;
 mod columns;
@@ -25,7 +25,7 @@ use crate::scene_input::NamedConditions;
 use crate::settings_input::solver_in_record;
 use crate::vehicle_file::{self, VehicleFile};
 
-/// Columns that every table of cases must have.
+/// Required columns of a table of cases.
 pub(crate) const REQUIRED: [&str; 5] = [
     "vertical_velocity_fps",
     "horizontal_velocity_fps",
@@ -33,21 +33,21 @@ pub(crate) const REQUIRED: [&str; 5] = [
     "slope_deg",
     "friction",
 ];
-/// Columns that are no parameters: the name of the case, its vehicle file, and a remark that nothing depends on.
+/// Columns that are not parameters: the name of the case, its vehicle file, and a remark without effect.
 pub(crate) const OWN: [&str; 3] = ["case", "vehicle", "note"];
 
 /// A row of a table of cases.
 #[derive(Debug, Clone)]
 pub struct CaseRow {
-    /// What lands.
+    /// The vehicle.
     pub vehicle: Arc<Vehicle>,
-    /// How it touches down.
+    /// The touchdown.
     pub scene: Scene,
-    /// How that is computed.
+    /// Settings of the landing.
     pub settings: Settings,
 }
 
-/// A table of cases. Of its rows nothing is kept but the cells.
+/// A table of cases. Only the cells of its rows are kept.
 #[derive(Debug)]
 pub struct CaseTable {
     cells: Box<dyn CaseCells>,
@@ -56,16 +56,16 @@ pub struct CaseTable {
     settings: Settings,
     first: CaseRow,
     most_legs: usize,
-    /// What determines the results of all rows: the table and the vehicle files that it names by their fingerprints, the
-    /// vehicle and the settings of rows that say nothing else.
+    /// Everything that determines the results: fingerprints of the table and of its vehicle files, and the default
+    /// vehicle and settings.
     pub input: serde_json::Value,
 }
 
-/// Reads and checks a whole table. Every key of a case of a scene file may be a column, dotted where it is one of the
-/// vehicle or the solver; what a cell leaves empty is that of `vehicle`, of `settings` or the default.
+/// Reads and checks a whole table. Columns may be all keys of a case of a scene file, dotted for the vehicle and the
+/// solver. Empty cells take their values from `vehicle`, from `settings` or the defaults.
 ///
 /// # Errors
-/// Names file, line, row, column and value of the first thing wrong, and what is allowed.
+/// Names file, line, row, column and value of the first fault, and the allowed values.
 pub fn read(
     path: &Path,
     vehicle: &VehicleFile,
@@ -95,7 +95,7 @@ fn parse(
 const NO_ROWS: &str = "has no rows: expected at least one case";
 
 impl CaseTable {
-    /// Checks a whole table with this heading, where `shared` are the conditions of rows that say nothing else.
+    /// Checks a whole table with this heading; `shared` are the default conditions of its rows.
     ///
     /// # Errors
     /// As [`read`].
@@ -170,18 +170,18 @@ impl CaseTable {
         self.cells.len()
     }
 
-    /// Number of legs of the vehicle that has the most.
+    /// Greatest number of legs among the vehicles.
     pub fn most_legs(&self) -> usize {
         self.most_legs
     }
 
-    /// The name of a row, from the column `case`, or else its number.
+    /// Name of a row from the column `case`, else its number.
     pub fn name(&self, row: usize) -> String {
         let name = self.row(row).text(self.columns.name);
         name.unwrap_or_else(|| (row + 1).to_string())
     }
 
-    /// What a row describes.
+    /// Builds the input of a row.
     ///
     /// # Errors
     /// None: all rows have been checked.
@@ -190,7 +190,7 @@ impl CaseTable {
         case.map_err(|error| self.cells.at_row(row, error))
     }
 
-    /// The head of the journal of these cases.
+    /// Header of the journal of these cases.
     pub fn header(&self, program: &str) -> Header {
         let CaseRow {
             vehicle,
@@ -225,17 +225,17 @@ fn case(
     })
 }
 
-/// The vehicles of the rows.
+/// Vehicles of the rows.
 #[derive(Debug)]
 struct Vehicles {
-    /// The one of rows that name no other.
+    /// Vehicle of rows without a vehicle file.
     own: VehicleFile,
     shared: Arc<Vehicle>,
     files: BTreeMap<String, VehicleFile>,
 }
 
 impl Vehicles {
-    /// Reads the vehicle file that a row names, unless one before it did.
+    /// Reads the vehicle file of a row, unless read already.
     fn read(&mut self, name: Option<String>, folder: &Path) -> Result<(), InputError> {
         if let Some(name) = name.filter(|name| !self.files.contains_key(name)) {
             let file = VehicleFile::read_from(&folder.join(&name), Library::Disk)?;
@@ -244,7 +244,7 @@ impl Vehicles {
         Ok(())
     }
 
-    /// The vehicle of this file, or of rows that name none, with these values in place of its own.
+    /// The vehicle of this file, or the default one, with these values replaced.
     fn with(&self, file: Option<&str>, values: &[Given]) -> Result<Arc<Vehicle>, InputError> {
         let file = file.and_then(|name| self.files.get(name));
         if values.is_empty() && file.is_none() {

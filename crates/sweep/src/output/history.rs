@@ -4,12 +4,12 @@ use touchdown_dynamics::landing::{Instant, LegInstant};
 
 use crate::output_units::{OutputUnits, Quantity};
 
-/// A history in the making.
+/// A history being written.
 #[derive(Debug)]
 pub struct History {
     writer: csv::Writer<Vec<u8>>,
     units: OutputUnits,
-    /// Of the columns, once there is an instant.
+    /// Quantities of the columns, known from the first instant.
     quantities: Vec<Quantity>,
     written: Result<(), csv::Error>,
 }
@@ -48,7 +48,7 @@ impl History {
     /// The table as CSV.
     ///
     /// # Errors
-    /// None but those of memory.
+    /// Only out of memory.
     pub fn table(self) -> Result<Vec<u8>, csv::Error> {
         self.written?;
         self.writer
@@ -57,7 +57,7 @@ impl History {
     }
 }
 
-/// Headings with units of the program, and values in them.
+/// Headings and values in program units.
 pub fn columns(instant: &Instant) -> Vec<(String, f64)> {
     let euler = instant.attitude.euler();
     let [position, velocity, rate] = [

@@ -1,4 +1,4 @@
-//! Every key of every input file, table by table: what `docs/reference.md` is checked against.
+//! All keys of all input files, by table; `docs/reference.md` is checked against them.
 
 use crate::choice::words;
 use crate::sensitivity_input::SENSITIVITY;
@@ -8,16 +8,16 @@ use crate::{
     scene_input, search_input, settings_input, vehicle_file, vehicle_tables,
 };
 
-/// A table of an input file and the keys that it may have.
+/// A table of an input file and its allowed keys.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeyTable {
-    /// Name of the table: the file, then the table within it.
+    /// Name: the file, then the table within it.
     pub name: &'static str,
     /// Its keys.
     pub keys: Vec<&'static str>,
 }
 
-/// A key of an input file whose value is one of a few words.
+/// A key of an input file with a fixed set of words as values.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WordChoice {
     /// The key.
@@ -26,8 +26,8 @@ pub struct WordChoice {
     pub words: Vec<&'static str>,
 }
 
-/// All tables of all input files. A case may have every parameter of the scene, the vehicle and the
-/// solver beside the keys listed here.
+/// All tables of all input files. Besides the keys listed, a case may have every parameter of scene, vehicle and
+/// solver.
 pub fn tables() -> Vec<KeyTable> {
     let table = |name, keys: &[&'static str]| KeyTable {
         name,

@@ -1,4 +1,4 @@
-//! The report of one landing as JSON.
+//! JSON report of one landing.
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::Landing;
@@ -15,29 +15,29 @@ use crate::scene_input::NamedConditions;
 use crate::settings_input::solver_in_record;
 use crate::vehicle_file::VehicleFile;
 
-/// What is told of a landing.
+/// Content of the report of a landing.
 #[derive(Debug, Clone, Copy)]
 pub struct LandingReport<'r> {
     /// Version of the program.
     pub version: &'r str,
-    /// What landed.
+    /// The vehicle.
     pub vehicle: &'r VehicleFile,
-    /// What was set in place of numbers of the input.
+    /// Assignments that replaced numbers of the input.
     pub set: &'r [Assignment],
-    /// How it touched down.
+    /// The touchdown conditions.
     pub conditions: &'r NamedConditions,
-    /// How the landing was computed.
+    /// Settings of the landing.
     pub settings: &'r Settings,
-    /// How it went.
+    /// The landing.
     pub landing: &'r Landing,
-    /// The account of its integration.
+    /// Summary of the integration.
     pub integration: &'r IntegrationSummary,
-    /// The units in which it is told.
+    /// Units of the report.
     pub units: OutputUnits,
 }
 
 impl LandingReport<'_> {
-    /// The touchdown, by name.
+    /// Touchdown conditions by name.
     pub fn scene(&self) -> impl Iterator<Item = (String, f64)> {
         let told = |(name, value): (&str, f64)| {
             let quantity = self.units.quantity(name);
@@ -98,7 +98,7 @@ impl LandingReport<'_> {
     }
 }
 
-/// The account of an integration; null for a method that keeps none.
+/// Summary of an integration; null for a method without one.
 fn integration(summary: &IntegrationSummary, legs: usize) -> Value {
     if summary.critical.is_empty() {
         return Value::Null;
@@ -125,14 +125,14 @@ fn integration(summary: &IntegrationSummary, legs: usize) -> Value {
     })
 }
 
-/// When the verdict fell, s.
+/// Time of the verdict, s.
 pub fn verdict_time(landing: &Landing) -> f64 {
     let beyond = landing.beyond.as_ref();
     beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }
 
-/// The warnings of a landing whose account closes: elements that gave back more than they took, and footpads that were crushed
-/// beyond their hinges.
+/// Warnings of a landing whose energy balance closes: elements that gave back more energy than they took, and footpads
+/// crushed beyond their hinges.
 pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
     let ContactWarnings {
         given,
@@ -148,11 +148,11 @@ pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
     (!told.is_empty()).then(|| told.join("; "))
 }
 
-/// The warning that the ground reached beyond hinges of footpads.
+/// Warning that footpads were crushed beyond their hinges.
 pub const CRUSHED_THROUGH: &str = "footpads were crushed beyond their hinges: the contact rule \"face\" ends such \
      landings as bottomed";
 
-/// The warning that the ground reached beyond the hinge of a footpad, as it may under the contact rule of 1966.
+/// Warning that a footpad was crushed beyond its hinge, as the contact rule of 1966 allows.
 fn crushed_through(landing: &Landing, units: OutputUnits) -> Option<String> {
     let quantity = units.quantity("crush_ft");
     let shares = landing.max_pad_crush_share.iter();
@@ -167,7 +167,7 @@ fn crushed_through(landing: &Landing, units: OutputUnits) -> Option<String> {
     ))
 }
 
-/// The warning that crushing elements gave so much energy, ft·lb, told in these units.
+/// Warning that crushing elements gave this energy, ft·lb, stated in these units.
 pub fn given_by_contact(energy: f64, units: OutputUnits) -> String {
     let quantity = units.quantity("energy_ftlb");
     let (energy, unit) = (quantity.number(energy), quantity.unit());

@@ -1,4 +1,4 @@
-//! The surface and the edges of a map as tables.
+//! Tables of the surface and edges of a map.
 
 use crate::edge_lines::EdgeLine;
 use crate::profile_edges::{self, ProfileEdge};
@@ -8,11 +8,11 @@ use crate::rounds::Rounds;
 use crate::surface_pieces::MapSurface;
 use crate::sweep_file::Sweep;
 
-/// Columns of the regular table after those of the axes.
+/// Columns of the regular table after the axes.
 pub const GRID_COLUMNS: [&str; 2] = ["first_transition_fps", "estimated_error_fps"];
-/// Columns of the table of triangles after those of the axes.
+/// Columns of the table of triangles after the axes.
 pub const SURFACE_COLUMNS: [&str; 2] = ["triangle", "first_transition_fps"];
-/// Columns of the table of edges after those of the axes, but for the widths.
+/// Columns of the table of edges after the axes, without the widths.
 pub const EDGE_COLUMNS: [&str; 4] = [
     "edge",
     "edge_kind",
@@ -22,13 +22,13 @@ pub const EDGE_COLUMNS: [&str; 4] = [
 
 /// A table of a map.
 pub(crate) struct MapTable {
-    /// What follows the sweep's name in its name.
+    /// Suffix of its name after that of the sweep.
     pub(crate) end: &'static str,
     pub(crate) heading: Vec<String>,
     pub(crate) rows: Vec<Vec<String>>,
 }
 
-/// The tables of a map: edges, and over two axes a regular table and triangles.
+/// The tables of a map: edges, and over two axes also the regular table and the triangles.
 pub(crate) fn all(sweep: &Sweep, rounds: &Rounds) -> Vec<MapTable> {
     let within = rounds.map().axes().iter();
     let within = within.map(|&axis| format!("within_{}", sweep.axes[axis].name()));
@@ -118,7 +118,7 @@ fn triangles(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<String>> {
     rows
 }
 
-/// All coordinates of a place on a map, as results write them.
+/// All coordinates of a place on a map, as written in results.
 fn coordinates(sweep: &Sweep, grid: &RefinedGrid, map: usize, at: &[f64]) -> Vec<String> {
     let mut all = grid.coordinates(grid.number(map, [0, 0]));
     for (axis, value) in grid.axes().iter().zip(at) {

@@ -1,7 +1,7 @@
-//! Result tables as Parquet files, row group by row group.
+//! Result tables as Parquet files, one row group at a time.
 //!
-//! The columns are those of the CSV file, with their types; an empty cell is null. The file's
-//! metadata carry the units of the columns, the whole input of the sweep, as JSON, and the program that wrote them.
+//! The columns are those of the CSV file, with types; an empty cell is null. The metadata hold the units of the columns
+//! and the full input of the sweep, as JSON, and the program that wrote them.
 
 use std::io;
 use std::sync::Arc;
@@ -21,9 +21,9 @@ use crate::results;
 use crate::sweep_file::Sweep;
 use crate::unit::unit;
 
-/// Rows of a group: what is in memory at once.
+/// Rows of a group, which are held in memory.
 const GROUP: usize = 1 << 16;
-/// Columns of words and of counts; all others hold numbers.
+/// Columns of words; all columns not listed here or in `COUNTS` hold numbers.
 const WORDS: [&str; 10] = [
     "first_transition_to",
     "outcome",
@@ -52,7 +52,7 @@ const COUNTS: [&str; 14] = [
     "edge",
     "triangle",
 ];
-/// A table under way.
+/// A table being written.
 pub(crate) struct ParquetTable {
     writer: SerializedFileWriter<Draft>,
     kinds: Vec<Physical>,
@@ -60,13 +60,13 @@ pub(crate) struct ParquetTable {
 }
 
 impl ParquetTable {
-    /// Begins a table with a heading.
+    /// Starts a table with a heading.
     pub(crate) fn begin(draft: Draft, sweep: &Sweep, heading: &[String]) -> io::Result<Self> {
         let has_words = |name: &str| {
             let axis = sweep.axes.iter().find(|axis| axis.name() == name);
             axis.is_some_and(|axis| !axis.words().is_empty())
         };
-        // The ends of bins are words where an axis has words.
+        // Bin ends are words for an axis with words.
         let has_bins = heading.iter().any(|name| name == "axis");
         let has_word_bins = has_bins && sweep.axes.iter().any(|axis| !axis.words().is_empty());
         let kind = |name: &String| match name.as_str() {
@@ -124,7 +124,7 @@ impl ParquetTable {
         }
     }
 
-    /// Ends the table.
+    /// Finishes the table.
     pub(crate) fn end(mut self) -> io::Result<Draft> {
         self.write_group().map_err(failed)?;
         self.writer.into_inner().map_err(failed)

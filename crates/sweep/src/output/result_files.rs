@@ -1,4 +1,4 @@
-//! The files that a sweep leaves: tables, record, and pictures where they are drawn.
+//! The files written by a sweep: tables, record, and pictures if drawn.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use crate::tables::{Tables, TablesError};
 /// Files by name.
 pub type NamedFiles = Vec<(String, Vec<u8>)>;
 
-/// What follows the name of a sweep in the names of its tables, and a column that each of them has.
+/// Suffixes of the names of tables, each with a column that the table always has.
 const TABLES: [(&str, &str); 9] = [
     ("", "first_transition_to"),
     ("-bands", "bracket_width_fps"),
@@ -28,7 +28,7 @@ const TABLES: [(&str, &str); 9] = [
     ("-grid", "estimated_error_fps"),
     ("-surface", "triangle"),
 ];
-/// What follows it in the names of pictures.
+/// Suffixes of the names of pictures.
 const PICTURES: [&str; 7] = [
     "",
     "-contours",
@@ -39,7 +39,7 @@ const PICTURES: [&str; 7] = [
     "-distribution",
 ];
 
-/// Whether a file that begins with this line is a table of a sweep: the one of its points is one of landings too.
+/// True if a file with this first line is a table of a sweep. The table of its points may also be one of landings.
 fn is_table(line: &str, column: &str) -> bool {
     let has = |name: &str| {
         let in_si = OutputUnits::Si.quantity(name);
@@ -48,10 +48,10 @@ fn is_table(line: &str, column: &str) -> bool {
     has(column) || column == TABLES[0].1 && has("outcome") && has("end_time_s")
 }
 
-/// Checks that the results of a sweep may be written: what is in their places is earlier results.
+/// Checks that the results of a sweep may be written: files in their places must be earlier results.
 ///
 /// # Errors
-/// Names the file that is not.
+/// Names a file that is not.
 pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(), InputError> {
     let inputs: Vec<&Path> = [sweep.path.as_path(), sweep.vehicle.document.path()].into();
     let guard = OutputGuard {
@@ -68,8 +68,8 @@ pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(
     guard.check(&record, |_| text.contains("\"name\": \"touchdown\""))
 }
 
-/// Removes what an earlier run of a sweep of this name has written and this one has not, so that no results of two runs
-/// stand side by side.
+/// Removes files that an earlier run of a sweep of this name wrote and this one did not, so that results of two runs
+/// never mix.
 fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), WriteError> {
     let tables = TABLES.iter().flat_map(|(end, _)| {
         [".csv", ".parquet"].map(|form| folder.path(&format!("{stem}{end}{form}")))
@@ -86,11 +86,11 @@ fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), Wr
     Ok(())
 }
 
-/// Writes all results of a sweep into a folder, with the pictures that `draw` makes of the tables and the record: the points in
-/// numbers, and the files.
+/// Writes all results of a sweep into a folder, with the pictures that `draw` makes from the tables and the record.
+/// Returns the counts and the files.
 ///
 /// # Errors
-/// When a result is missing, something cannot be read or written, or a picture cannot be drawn.
+/// If a result is missing, something cannot be read or written, or a picture cannot be drawn.
 pub fn write<E: From<TablesError> + From<WriteError>>(
     sweep: &Sweep,
     results: &mut InOrder,
@@ -119,7 +119,7 @@ pub fn write<E: From<TablesError> + From<WriteError>>(
     ];
     drafts.extend(beside.into_iter().flatten());
     drafts.extend(tables.of_map);
-    // The table comes last: where it stands, the others do too.
+    // The table of points comes last: if it exists, so do the others.
     drafts.push(tables.points);
     let places: Vec<&Path> = drafts.iter().map(Draft::place).collect();
     remove_stale(&sweep.stem(), folder, &places)?;

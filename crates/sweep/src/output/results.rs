@@ -1,4 +1,4 @@
-//! The result table of a sweep and the record of how it came about.
+//! The result table of a sweep, and the record of its input and counts.
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::model_version::MODEL_VERSION;
@@ -14,7 +14,7 @@ use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
 use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
 
-/// Columns of the table after those of the axes.
+/// Columns of the table after the axes.
 pub const COLUMNS: [&str; 10] = [
     "first_transition_to",
     "first_transition_fps",
@@ -28,29 +28,29 @@ pub const COLUMNS: [&str; 10] = [
     "solver_tolerance",
 ];
 
-/// Column of the points of a map beside those of other sweeps.
+/// Additional column for the points of a map.
 pub const LEVEL: &str = "level";
 
-/// How a sweep was run, which its input does not tell.
+/// Circumstances of a run that its input does not determine.
 #[derive(Debug, Clone, Copy)]
 pub struct Circumstances<'a> {
     /// Version of the program.
     pub version: &'a str,
-    /// Threads used, where there was one run.
+    /// Threads used, if there was a single run.
     pub threads: Option<usize>,
-    /// Time from first to last landing of it, s.
+    /// Time from its first to its last landing, s.
     pub wall_time: Option<f64>,
 }
 
-/// The commit that the program was built from, where whoever built it said so in `TOUCHDOWN_COMMIT`.
+/// The commit the program was built from, if given at build time in `TOUCHDOWN_COMMIT`.
 pub const COMMIT: Option<&str> = option_env!("TOUCHDOWN_COMMIT");
 
-/// The program in records: its version and that of the model, with which every bit of a landing goes.
+/// The program in records: its version and that of the model, which fixes every bit of a landing.
 pub fn program(version: &str) -> Value {
     json!({ "name": "touchdown", "version": version, "model": MODEL_VERSION })
 }
 
-/// Fingerprint of all of a sweep's input with defaults filled in: alike where results are.
+/// Fingerprint of a sweep's full input with defaults; equal for equal results.
 pub fn input_fingerprint(sweep: &Sweep) -> String {
     fingerprint(&sweep.resolved().to_string())
 }
@@ -76,7 +76,7 @@ pub fn heading(sweep: &Sweep) -> Vec<String> {
 
 /// Row of a point in the table of a sweep.
 ///
-/// Numbers have as many digits as it takes to read the same number back, and no more.
+/// Numbers have just the digits needed to read back the same number.
 pub fn row(sweep: &Sweep, point: usize, finding: &Finding) -> Vec<String> {
     let mut row = sweep.coordinates_written(point);
     match finding {
@@ -89,7 +89,7 @@ pub fn row(sweep: &Sweep, point: usize, finding: &Finding) -> Vec<String> {
     row
 }
 
-/// A number as tables have it, or an empty cell.
+/// A number as written in tables; empty for `None`.
 pub(crate) fn optional(number: Option<f64>) -> String {
     Cell::from(number).to_string()
 }
@@ -121,8 +121,8 @@ fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
     ]
 }
 
-/// The record of a sweep: all of its input with defaults filled in, the program's version, and counts. The same for
-/// every run: neither times nor threads.
+/// The record of a sweep: its full input with defaults, the version of the program, and counts. It contains neither
+/// times nor threads, so it is the same for every run.
 pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
     let mut input = json!({
         "sweep_file": sweep.path.display().to_string(),
@@ -167,7 +167,7 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
     record
 }
 
-/// Landings by how they ended, where that is asked, with intervals of their probabilities where they are a sample.
+/// Counts of outcomes for sweeps of single landings, with intervals of their probabilities for a sample.
 fn outcomes(counts: &SweepCounts) -> Value {
     let Some(count) = counts.outcomes else {
         return Value::Null;

@@ -1,8 +1,9 @@
-//! Sensitivities as a table: one row for each point and parameter.
+//! Table of sensitivities: one row for each point and parameter.
 //!
-//! `vh_change_fps` is what the derivative makes of a change by `span`: 10 % of the parameter, or 1 deg
-//! (deg/s) of an angle (rate of turn), or the step of a parameter that is 0. The numbers of a dependence that is not `smooth` are empty. What is told of the
-//! parameter is in the units of results, what is told of V_H in those of the program until the table is written.
+//! `vh_change_fps` is the change of V_H, by the derivative, for a change of the parameter by `span`: 10 % of it, 1 deg
+//! (deg/s) for an angle (rate of turn), or the step for a parameter that is 0. The numbers are empty unless the
+//! dependence is `smooth`. Cells about the parameter are in the units of results; those about V_H are in program units
+//! until the table is written.
 
 use crate::boundary::Boundary;
 use crate::parameter::Parameter;
@@ -10,7 +11,7 @@ use crate::results::{optional, transition_name};
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::sweep_file::Sweep;
 
-/// Columns of the table after those of the axes.
+/// Columns of the table after the axes.
 pub const COLUMNS: [&str; 12] = [
     "parameter",
     "unit",
@@ -26,9 +27,9 @@ pub const COLUMNS: [&str; 12] = [
     "vh_change_error_fps",
 ];
 
-/// Change of a parameter for which the change of V_H is listed, as a fraction of the parameter.
+/// Span: the change of a parameter for which the change of V_H is listed, as a fraction of the parameter.
 const SPAN: f64 = 0.1;
-/// The same for angles and rates of turn, deg and deg/s.
+/// Span of angles and rates of turn, deg and deg/s.
 const ANGULAR_SPAN: f64 = 1.0;
 
 /// Heading of the table.

@@ -19,22 +19,22 @@ use crate::sweep_file::Sweep;
 use crate::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS, TransitionStatistics};
 use crate::{bands_table, map_tables, probabilities, results};
 
-/// Tables that are written but not yet in their places.
+/// Tables that are written but not yet in place.
 #[derive(Debug)]
 pub struct Tables {
     /// Results of the points.
     pub points: Draft,
-    /// Bands, where all were searched.
+    /// Bands, if all were searched.
     pub bands: Option<Draft>,
-    /// Probabilities of outcomes, of a sample of single landings.
+    /// Probabilities of outcomes, for a sample of single landings.
     pub probabilities: Option<Draft>,
-    /// Quantiles and distribution of the transition velocity, of a sample.
+    /// Quantiles of the transition velocity, for a sample.
     pub quantiles: Option<Draft>,
-    /// See `quantiles`.
+    /// Their distribution.
     pub distribution: Option<Draft>,
-    /// Sensitivities, if there are any.
+    /// Sensitivities, if any.
     pub sensitivity: Option<Draft>,
-    /// Edges of a map, and over two axes its regular table and its triangles.
+    /// Edges of a map, and over two axes also its regular table and triangles.
     pub of_map: Vec<Draft>,
     /// The same tables as Parquet files, if requested.
     pub parquet: Vec<Draft>,
@@ -42,7 +42,7 @@ pub struct Tables {
     pub counts: SweepCounts,
 }
 
-/// Why tables could not be written.
+/// Reason why tables could not be written.
 #[derive(Debug, Error)]
 pub enum TablesError {
     /// A journal cannot be read.
@@ -51,17 +51,17 @@ pub enum TablesError {
     /// A table cannot be written.
     #[error(transparent)]
     Deposit(#[from] WriteError),
-    /// No journal has a readable result of this point.
+    /// No journal has a readable result for this point.
     #[error("there is no result of point {0}")]
     Point(usize),
 }
 
 impl Tables {
-    /// Writes the tables of a sweep beside their places in `folder`, points in grid order; of a sweep in part, those that
-    /// have a result.
+    /// Writes the tables of a sweep beside their places in `folder`, points in grid order; for a partial sweep, only
+    /// points with a result.
     ///
     /// # Errors
-    /// When a result is missing or something cannot be read or written.
+    /// If a result is missing, or something cannot be read or written.
     pub fn write(
         sweep: &Sweep,
         results: &mut InOrder,
@@ -183,10 +183,10 @@ impl Tables {
     }
 }
 
-/// The points of a map as far as there are results, and those that are missing.
+/// Collects the points of a map that have results, and the missing ones.
 ///
 /// # Errors
-/// When a journal cannot be read.
+/// If a journal cannot be read.
 pub fn rounds<'m>(
     map: &'m RefinedGrid,
     results: &mut InOrder,
@@ -197,7 +197,7 @@ pub fn rounds<'m>(
     })
 }
 
-/// A table under way. Rows come in the units of the program and are written in those of results.
+/// A table being written. Rows are given in program units and written in those of results.
 struct Table {
     quantities: Vec<Quantity>,
     writer: csv::Writer<Draft>,
@@ -249,7 +249,7 @@ impl Table {
         written.map_err(|error| refuse(&self.path, error.into()))
     }
 
-    /// The table as CSV, and as Parquet.
+    /// Ends the table; its CSV and Parquet files.
     fn end(self) -> Result<(Draft, Vec<Draft>), WriteError> {
         let csv = self.writer.into_inner();
         let csv = csv.map_err(|error| refuse(&self.path, error.into_error()))?;

@@ -1,4 +1,4 @@
-//! Values set on the command line: `vehicle.strut.preload_lb=200`, by the names that axes have.
+//! Values set on the command line: `vehicle.strut.preload_lb=200`, with the names that axes have.
 
 use crate::document::{Document, Value};
 use crate::input_error::InputError;
@@ -8,7 +8,7 @@ use crate::scene_input::NamedConditions;
 use crate::vehicle_file::{self, VehicleFile};
 use touchdown_dynamics::per_leg::MOST_LEGS;
 
-/// A parameter and the value that replaces the one of the input files.
+/// A parameter and the value that replaces the one in the input files.
 #[derive(Debug, Clone)]
 pub struct Assignment {
     parameter: Parameter,
@@ -17,11 +17,11 @@ pub struct Assignment {
 }
 
 impl Assignment {
-    /// Reads `KEY=VALUE`.
+    /// Parses `KEY=VALUE`.
     ///
     /// # Errors
-    /// Names an unknown key with those most like it, or a value that is neither a finite number nor one of the
-    /// parameter's words.
+    /// Names an unknown key with similar ones, or a value that is neither a finite number nor one of the parameter's
+    /// words.
     pub fn parse(text: &str) -> Result<Self, InputError> {
         let Some((name, value)) = text.split_once('=') else {
             return Err(InputError::other("expected KEY=VALUE"));
@@ -32,7 +32,7 @@ impl Assignment {
     /// Sets the parameter `name` to the value in `text`.
     ///
     /// # Errors
-    /// As [`Assignment::parse`].
+    /// See [`Assignment::parse`].
     pub fn new(name: &str, text: &str) -> Result<Self, InputError> {
         let Some(parameter) = Parameter::named(name, MOST_LEGS) else {
             let complaint = Parameter::unknown(name, MOST_LEGS);
@@ -46,23 +46,23 @@ impl Assignment {
         })
     }
 
-    /// What is set.
+    /// The parameter set.
     pub fn parameter(&self) -> &Parameter {
         &self.parameter
     }
 
-    /// The value as it was typed.
+    /// The value as typed.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The complaint that this assignment is not possible.
+    /// Error that this assignment is not possible.
     pub fn refuse(&self, complaint: &str) -> InputError {
         let name = self.parameter.name();
         InputError::other(format!("--set {name}={}: {complaint}", self.text))
     }
 
-    /// The complaint that the value is not what is `allowed` in the unit of the program.
+    /// Error that the value is not `allowed`, which is in program units.
     pub fn refuse_value(&self, allowed: &str) -> InputError {
         let allowed = match self.text.parse() {
             Ok(number) => self.parameter.explain(allowed, number),
@@ -71,12 +71,12 @@ impl Assignment {
         self.refuse(&format!("expected {allowed}"))
     }
 
-    /// The key within the part of the input that the parameter belongs to.
+    /// Key within the parameter's part of the input.
     pub fn path(&self) -> &KeyPath {
         self.parameter.path()
     }
 
-    /// The value in the unit of the program.
+    /// The value in program units.
     pub fn value(&self) -> Value {
         self.value.clone()
     }
@@ -96,7 +96,7 @@ pub fn check_once(set: &[Assignment]) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Sets conditions of a touchdown.
+/// Sets the conditions of a touchdown.
 pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
     for one in set {
         if let (Home::Scene, Value::Number(number)) = (one.parameter.home(), &one.value) {
@@ -105,10 +105,10 @@ pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
     }
 }
 
-/// The document of a vehicle with the set values in place of those of its file. It is yet to be read.
+/// The document of a vehicle with set values in place of those in its file, not yet read.
 ///
 /// # Errors
-/// When the vehicle has no such leg.
+/// If the vehicle has no such leg.
 pub fn vehicle_document(file: &VehicleFile, set: &[Assignment]) -> Result<Document, InputError> {
     let mut document = file.document.clone();
     let of_vehicle = (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
@@ -124,10 +124,10 @@ pub fn vehicle_document(file: &VehicleFile, set: &[Assignment]) -> Result<Docume
     Ok(document)
 }
 
-/// The vehicle with the set values in place of those of its file.
+/// The vehicle with set values in place of those in its file.
 ///
 /// # Errors
-/// When that is no vehicle.
+/// If the result is not a valid vehicle.
 pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile, InputError> {
     let document = vehicle_document(file, set)?;
     let of_vehicle = || (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);

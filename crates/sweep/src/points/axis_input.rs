@@ -1,8 +1,8 @@
-//! What varies: the table `[axes]` of a sweep file.
+//! Reads the table `[axes]` of a sweep file.
 //!
-//! Keys are names of parameters, dotted ones in quotes or as tables within tables. Values are a
-//! list, or a table: a range by `step` or by `count`, listed `values`, the `spacing` of counted
-//! ones, and the group (`zip`) of axes that move together.
+//! Keys are names of parameters; dotted ones are quoted or given as nested tables. Values are a list, or a table: a
+//! range by `step` or by `count`, listed `values`, the `spacing` of counted ones, and the group (`zip`) of axes that
+//! move together.
 
 use crate::choice::choice;
 use crate::document::{Entry, Value};
@@ -14,7 +14,7 @@ use crate::section::{Layer, Section};
 use crate::spelling::Conversion;
 
 pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
-/// Keys of an axis that is sampled.
+/// Keys of a sampled axis.
 const SAMPLED: [&str; 7] = [
     "distribution",
     "mean",
@@ -25,18 +25,18 @@ const SAMPLED: [&str; 7] = [
     "column",
 ];
 const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";
-/// Stands for each leg in the name of an axis.
+/// Stands for every leg in the name of an axis.
 const ANY_LEG: &str = "[*]";
 const NEEDED: &str = "a table [axes] with at least one condition that varies";
 
-/// A parameter and the place of its values.
+/// A parameter and the location of its values.
 #[derive(Debug, Clone)]
 pub(crate) struct AxisEntry<'d> {
     pub(crate) parameter: Parameter,
     pub(crate) found: LocatedValue<'d>,
 }
 
-/// What varies in `[axes]`, in the order of the file.
+/// Reads the entries of `[axes]`, in file order.
 pub(crate) fn entries<'d>(
     root: &Section<'d>,
     legs: usize,
@@ -62,7 +62,7 @@ pub(crate) fn entries<'d>(
     Ok(entries)
 }
 
-/// An axis of its own for each leg where the name leaves the leg open: `footing[*].height_ft`.
+/// Splits an axis whose name leaves the leg open, such as `footing[*].height_ft`, into one per leg.
 fn leg_by_leg<'d>(
     (name, found): (String, LocatedValue<'d>),
     legs: usize,
@@ -76,7 +76,7 @@ fn leg_by_leg<'d>(
         .collect()
 }
 
-/// Collects what is no table of axes, with its dotted name.
+/// Collects all entries that are not tables of axes, with their dotted names.
 fn descend<'d>(
     above: &LocatedValue<'d>,
     layer: &Layer<'d>,
@@ -101,7 +101,7 @@ fn descend<'d>(
     }
 }
 
-/// Whether a table holds further names, and not the form of an axis.
+/// True if a table holds further names rather than the form of an axis.
 fn is_table_of_axes(entries: &[Entry]) -> bool {
     let says_form = |entry: &Entry| {
         let key = entry.key.as_str();
@@ -111,7 +111,7 @@ fn is_table_of_axes(entries: &[Entry]) -> bool {
 }
 
 impl AxisEntry<'_> {
-    /// The levels of an axis of a grid, and the group of axes with which it moves.
+    /// The levels of a grid axis, and its group.
     pub(crate) fn levels(&self) -> Result<(Levels, Option<String>), InputError> {
         let Some(form) = self.found.table(&FORM)? else {
             return Ok((self.list(&self.found)?, None));
@@ -146,12 +146,12 @@ impl AxisEntry<'_> {
         levels.map_err(complaint(form, from, to))
     }
 
-    /// A range by its step, which must not pass over its end.
+    /// A range by its step, which must meet its end.
     fn range(&self, form: &Section, from: f64, to: f64) -> Result<Levels, InputError> {
         let found = form.value("step", "a number")?;
         let levels = Levels::range(from, to, found.number()?).map_err(complaint(form, from, to))?;
         let [last, beyond] = [levels.count() - 1, levels.count()].map(|index| levels.value(index));
-        // Where rounding has it, the end is met.
+        // The end is met within rounding.
         if (last - to).abs() > 1e-6 * (beyond - last).abs() {
             let span = (to - from).abs();
             return Err(found.complain_that(&format!(
@@ -168,7 +168,7 @@ impl AxisEntry<'_> {
             .ok_or_else(|| found.complain("a list of at least one value"))
     }
 
-    /// The number of an item of a list, or the place of its word among those of the parameter.
+    /// The number of a list item, or the index of its word among those of the parameter.
     fn coordinate(&self, item: &LocatedValue) -> Result<f64, InputError> {
         let words = self.parameter.words();
         if words.is_empty() {
@@ -193,7 +193,7 @@ impl AxisEntry<'_> {
     }
 }
 
-/// The complaint about a wrong number of an axis, at its key.
+/// Error about a wrong number of an axis, at its key.
 fn complaint(form: &Section, from: f64, to: f64) -> impl Fn(Fault) -> InputError {
     move |(key, allowed)| match form.optional(key) {
         Some(found) => found.complain(&format!("{allowed} (from {from} to {to})")),
@@ -201,12 +201,12 @@ fn complaint(form: &Section, from: f64, to: f64) -> impl Fn(Fault) -> InputError
     }
 }
 
-/// Whether the spacing of an axis is logarithmic.
+/// True if the spacing of an axis is logarithmic.
 pub(crate) fn is_logarithmic(form: &Section) -> Result<bool, InputError> {
     choice(form, "spacing", &[("linear", false), ("log", true)])
 }
 
-/// Complains about the first key of a form that is not one of the `usable` ones.
+/// Rejects the first key of a form that is not among the `usable` ones.
 pub(crate) fn only(form: &Section, usable: &[&str]) -> Result<(), InputError> {
     match form.all_values().find(|(key, _)| !usable.contains(key)) {
         Some((_, found)) => Err(found.complain_that(&format!(

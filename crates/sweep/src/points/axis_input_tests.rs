@@ -5,7 +5,7 @@ use std::path::Path;
 /// Name, values and group.
 type Axis = (String, Vec<f64>, Option<String>);
 
-/// Names of the axes of a file, with their values and groups, or the complaint.
+/// Reads the axes of a file: names, values and groups, or the error.
 fn read(axes: &str) -> Result<Vec<Axis>, String> {
     let document = Document::parse(Path::new("f.toml"), axes).unwrap();
     let root = Section::root(&document, &["axes"]).unwrap();
@@ -61,7 +61,7 @@ fn every_form_gives_its_values() {
     assert_eq!(rules[0].1, [1.0, 0.0]);
 }
 
-/// The value of an axis, and what the complaint must contain.
+/// The value of an axis, and text that the error must contain.
 #[rustfmt::skip]
 const WRONG: [(&str, &[&str]); 14] = [
     ("rol_deg = [0]", &["f.toml:2: axes.rol_deg = [0]", "did you mean roll_deg?"]),

@@ -4,22 +4,22 @@ use crate::grid::Grid;
 use crate::refined_grid::RefinedGrid;
 use crate::sample::Sample;
 
-/// Where the points of a sweep lie.
+/// Arrangement of the points of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Design {
     /// The outer product of axes.
     Grid(Grid),
     /// Drawn from distributions.
     Sample(Sample),
-    /// Chosen among the places of a map from what was found before.
+    /// Chosen among the places of a map from earlier results.
     Map(RefinedGrid),
 }
 
-/// Points of a sample that are checked before a run.
+/// Points of a sample checked before a run.
 const MOST_PROBES: usize = 1000;
 
 impl Design {
-    /// Number of points, at least one; of a map, of all places that points may take.
+    /// Number of points, at least one; for a map, of all possible places.
     pub fn count(&self) -> usize {
         match self {
             Self::Grid(grid) => grid.count(),
@@ -37,8 +37,8 @@ impl Design {
         }
     }
 
-    /// Coordinates to check before a run: values and corners of a grid ([`Grid::probes`]), the first points of a sample, or
-    /// the first level of a map.
+    /// Coordinates to check before a run: values and corners of a grid ([`Grid::probes`]), the first points of a
+    /// sample, or probes of the first level of a map.
     pub fn probes(&self) -> Vec<Vec<f64>> {
         match self {
             Self::Grid(grid) => grid.probes(),

@@ -1,4 +1,4 @@
-//! Distributions over which a parameter is sampled, by their quantiles.
+//! Distributions of sampled parameters, by their quantiles.
 //!
 //! Every design draws numbers between 0 and 1 and takes their quantiles, so any distribution works with any design.
 
@@ -6,7 +6,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 
 use crate::levels::{Fault, rounded};
 
-/// How a parameter is distributed.
+/// Distribution of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Distribution {
     /// Uniform between two ends.
@@ -30,7 +30,7 @@ pub enum Distribution {
         /// Standard deviation.
         deviation: f64,
     },
-    /// Normal, given that it lies between two ends.
+    /// Normal, truncated to two ends.
     Truncated {
         /// Mean of the normal distribution.
         mean: f64,
@@ -57,24 +57,23 @@ pub enum Distribution {
     Triangular {
         /// Lower end.
         from: f64,
-        /// Where the density is greatest.
+        /// Place of the greatest density.
         mode: f64,
         /// Upper end.
         to: f64,
     },
-    /// The values of a column, equally likely, in the order of its rows.
+    /// Values of a column, equally likely, in row order.
     Column(Vec<f64>),
 }
 
-/// Farthest a truncated normal distribution may lie from its mean, standard deviations: beyond it
-/// nothing of it is left to draw from.
+/// Greatest distance of a truncation range from the mean, in standard deviations: nothing is left to draw beyond it.
 const FARTHEST: f64 = 6.0;
 
 impl Distribution {
     /// A uniform distribution, of the number or of its logarithm.
     ///
     /// # Errors
-    /// Names the number that is wrong and what is allowed.
+    /// Names the wrong number and the allowed values.
     pub fn uniform(from: f64, to: f64, is_logarithmic: bool) -> Result<Self, Fault> {
         if from >= to {
             return Err(("from", "a number below to"));
@@ -86,10 +85,10 @@ impl Distribution {
         }
     }
 
-    /// A normal distribution, between ends if they are given.
+    /// A normal distribution, truncated to ends if given.
     ///
     /// # Errors
-    /// Names the number that is wrong and what is allowed.
+    /// Names the wrong number and the allowed values.
     pub fn normal(mean: f64, deviation: f64, ends: Option<[f64; 2]>) -> Result<Self, Fault> {
         if deviation <= 0.0 {
             return Err(("sd", "a number > 0"));
@@ -114,7 +113,7 @@ impl Distribution {
     /// A lognormal distribution by the mean and the standard deviation of the number itself.
     ///
     /// # Errors
-    /// Names the number that is wrong and what is allowed.
+    /// Names the wrong number and the allowed values.
     pub fn lognormal(mean: f64, deviation: f64) -> Result<Self, Fault> {
         for (key, value) in [("mean", mean), ("sd", deviation)] {
             if value <= 0.0 {
@@ -127,7 +126,7 @@ impl Distribution {
     /// A Rayleigh distribution.
     ///
     /// # Errors
-    /// Names the number that is wrong and what is allowed.
+    /// Names the wrong number and the allowed values.
     pub fn rayleigh(sigma: f64) -> Result<Self, Fault> {
         match sigma > 0.0 {
             true => Ok(Self::Rayleigh { sigma }),
@@ -138,7 +137,7 @@ impl Distribution {
     /// A triangular distribution.
     ///
     /// # Errors
-    /// Names the number that is wrong and what is allowed.
+    /// Names the wrong number and the allowed values.
     pub fn triangular(from: f64, mode: f64, to: f64) -> Result<Self, Fault> {
         if from >= to {
             return Err(("from", "a number below to"));
@@ -149,8 +148,7 @@ impl Distribution {
         }
     }
 
-    /// The number that a share `u` of the distribution, 0 < u < 1, lies below; to twelve digits,
-    /// on which every platform's functions agree.
+    /// The quantile of `u`, 0 < u < 1, rounded to twelve digits, to which the functions of all platforms agree.
     pub fn quantile(&self, u: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => rounded(from + u * (to - from)).clamp(from, to),
@@ -165,7 +163,7 @@ impl Distribution {
                 to,
             } => {
                 let [low, high] = [from, to].map(|end| (end - mean) / deviation);
-                // In the upper tail shares next to 1 would run together: they are counted from above there.
+                // In the upper tail shares near 1 lose precision: there they are counted from above.
                 let z = if low > 0.0 {
                     let [above, beyond] = [low, high].map(|end| standard().cdf(-end));
                     -standard_quantile(above - u * (above - beyond))
@@ -203,7 +201,7 @@ fn standard() -> Normal {
     Normal::standard()
 }
 
-/// The number that a share `u` of the standard normal distribution lies below.
+/// Quantile of `u` in the standard normal distribution.
 pub(crate) fn standard_quantile(u: f64) -> f64 {
     standard().inverse_cdf(u)
 }

@@ -1,6 +1,6 @@
 //! The outer product of axes, the first varying slowest; axes of one group move together.
 //!
-//! A grid is never written out: the coordinates of a point follow from its index.
+//! A grid is never stored in full: the coordinates of a point follow from its index.
 
 use crate::levels::Levels;
 
@@ -13,26 +13,26 @@ pub struct Grid {
     count: usize,
 }
 
-/// Most points of a sweep: those that are done take a bit each.
+/// Most points of a sweep: each completed point takes one bit.
 pub const MOST_POINTS: usize = 1_000_000_000;
 
-/// Why axes span no grid.
+/// Reasons why axes span no grid.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GridFault {
     /// There are no axes.
     Empty,
     /// More points than [`MOST_POINTS`].
     TooMany,
-    /// Two axes, by their indices, move together but have different numbers of values.
+    /// Two axes (by index) move together but have different numbers of values.
     Uneven([usize; 2]),
 }
 
 impl Grid {
-    /// The grid over axes, each with the name of the group that it moves with, if any; a group
-    /// varies where its first axis stands.
+    /// Builds the grid over axes, each with the name of its group, if any. A group varies at the place of its first
+    /// axis.
     ///
     /// # Errors
-    /// As [`GridFault`] says.
+    /// See [`GridFault`].
     pub fn new(axes: Vec<(Levels, Option<String>)>) -> Result<Self, GridFault> {
         let (axes, groups): (Vec<Levels>, Vec<Option<String>>) = axes.into_iter().unzip();
         let mut dimensions: Vec<Vec<usize>> = Vec::new();
@@ -64,7 +64,7 @@ impl Grid {
         })
     }
 
-    /// The axes, in the order in which they were given.
+    /// The axes, in the given order.
     pub fn axes(&self) -> &[Levels] {
         &self.axes
     }
@@ -74,7 +74,7 @@ impl Grid {
         self.count
     }
 
-    /// Axes that move together, as indices; each group of them is one dimension, slowest first.
+    /// Dimensions, slowest first: each a group of axes, as indices, that move together.
     pub fn dimensions(&self) -> &[Vec<usize>] {
         &self.dimensions
     }
@@ -93,8 +93,8 @@ impl Grid {
         coordinates
     }
 
-    /// Coordinates that show every value of every axis, the others at their first, and every
-    /// corner: of longer axes, and of grids of many dimensions, an even choice.
+    /// Coordinates that show every value of every axis, with the others at their first, and every corner. Long axes and
+    /// grids of many dimensions are thinned evenly.
     pub fn probes(&self) -> Vec<Vec<f64>> {
         const MOST_VALUES: usize = 1000;
         const MOST_DIMENSIONS: u32 = 10;
@@ -113,7 +113,7 @@ impl Grid {
             let count = self.axes[together[0]].count();
             let shown = count.min(MOST_VALUES);
             for value in 0..shown {
-                // The last shown is the last.
+                // The last probe is the last value.
                 let index = value * (count - 1) / shown.max(2).saturating_sub(1);
                 probes.push(at(&|dimension, _| {
                     if dimension == varied { index } else { 0 }

@@ -9,15 +9,15 @@ use crate::section::{LocatedValue, Section};
 pub(crate) const COVARIANCE: [&str; 2] = ["axes", "matrix"];
 const AXES: &str = "a list of at least two axes, each in one covariance only";
 const MATRIX: &str = "a symmetric, positive definite matrix with a row for each of its axes";
-/// Largest difference, relative to the geometric mean of the variances, of two numbers that have to be the same.
+/// Greatest difference between two equal elements, relative to the geometric mean of the variances.
 const SYMMETRIC: f64 = 1e-9;
-/// Least pivot of a positive definite matrix over its variance.
+/// Least pivot of a positive definite matrix, relative to its variance.
 const DEFINITE: f64 = 1e-12;
 
 /// Axes that are jointly normal.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct JointNormal {
-    /// The axes, by their index among all axes.
+    /// Indices of the axes among all axes.
     pub(crate) axes: Vec<usize>,
     pub(crate) covariance: Vec<Vec<f64>>,
     /// Lower triangle.
@@ -78,7 +78,7 @@ fn square(matrix: &LocatedValue, size: usize) -> Result<Vec<Vec<f64>>, InputErro
     rows.iter().map(row).collect()
 }
 
-/// L of a symmetric, positive definite matrix L Lᵀ; `None` of any other.
+/// Cholesky factor L of a symmetric, positive definite matrix L Lᵀ; `None` for any other.
 fn cholesky(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let size = matrix.len();
     let mut factor = vec![vec![0.0; size]; size];
@@ -89,7 +89,7 @@ fn cholesky(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
             let sum: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
             let rest = matrix[i][j] - sum;
             let is_definite = i != j || rest > DEFINITE * scale;
-            // A negated comparison: not-a-number fails too.
+            // The comparison is negated so that NaN fails too.
             if !(asymmetry <= SYMMETRIC * scale && is_definite) {
                 return None;
             }

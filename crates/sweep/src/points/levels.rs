@@ -1,50 +1,50 @@
-//! The values that a quantity goes through, known without being written out.
+//! The values of an axis, computed on demand.
 
-/// Values of one axis of a grid, in their order.
+/// Values of one axis of a grid, in order.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Levels {
     /// `from`, `from + step`, …
     Range {
-        /// The first.
+        /// First value.
         from: f64,
-        /// From one to the next; may be negative.
+        /// Step; may be negative.
         step: f64,
         /// Number of values.
         count: usize,
     },
-    /// `count` values from `from` to `to` at equal differences.
+    /// `count` values from `from` to `to` at equal steps.
     Even {
-        /// The first.
+        /// First value.
         from: f64,
-        /// The last.
+        /// Last value.
         to: f64,
         /// Number of values, at least two.
         count: usize,
     },
     /// `count` values from `from` to `to` at equal ratios.
     Logarithmic {
-        /// The first.
+        /// First value.
         from: f64,
-        /// The last.
+        /// Last value.
         to: f64,
         /// Number of values, at least two.
         count: usize,
     },
-    /// One after the other.
+    /// Explicit values.
     List(Vec<f64>),
 }
 
 /// Most values of one axis.
 const MOST_VALUES: f64 = 1e7;
 
-/// The key of a wrong number of an axis, and what is allowed for it.
+/// Key of a wrong number of an axis, and the allowed values.
 pub type Fault = (&'static str, &'static str);
 
 impl Levels {
     /// `from`, `from + step`, … up (or, with a negative step, down) to and including `to`.
     ///
     /// # Errors
-    /// Names the number that is wrong (`from`, `to` or `step`) and what is allowed.
+    /// Names the wrong number (`from`, `to` or `step`) and the allowed values.
     pub fn range(from: f64, to: f64, step: f64) -> Result<Self, Fault> {
         ends_differ(from, to)?;
         if step == 0.0 || (step > 0.0) != (to > from) {
@@ -62,8 +62,7 @@ impl Levels {
         Ok(Self::Range { from, step, count })
     }
 
-    /// `count` values from `from` to and including `to`, at equal differences but for rounding to
-    /// decimals of a billionth of the difference.
+    /// `count` values from `from` to and including `to` at equal steps, rounded to decimals of a billionth of the step.
     ///
     /// # Errors
     /// As [`Levels::range`].
@@ -124,7 +123,7 @@ impl Levels {
         }
     }
 
-    /// These values with each interval between neighbours divided into equal `parts`; `None` for more than `most`.
+    /// These values with each interval divided into equal `parts`; `None` if there are more than `most`.
     pub fn divided(&self, parts: usize, most: usize) -> Option<Self> {
         let count = (self.count() - 1).checked_mul(parts)?.checked_add(1)?;
         if count > most {
@@ -164,7 +163,7 @@ fn whole_count(count: f64) -> Result<usize, Fault> {
     Ok(count as usize)
 }
 
-/// Nearest decimal to `value` at a resolution far below `step`, so that 0.1 + 2 · 0.1 is 0.3.
+/// The decimal nearest to `value` at a resolution far below `step`, so that 0.1 + 2 · 0.1 is 0.3.
 fn snapped(value: f64, step: f64) -> f64 {
     let digits = (9.0 - libm::log10(step.abs()).floor()).clamp(0.0, 300.0) as usize;
     let decimal = format!("{value:.digits$}").parse().unwrap_or(value);
@@ -172,7 +171,7 @@ fn snapped(value: f64, step: f64) -> f64 {
     decimal + 0.0
 }
 
-/// `value` to twelve digits, which every platform's power function and logarithm agree on.
+/// `value` rounded to twelve digits, to which the power functions and logarithms of all platforms agree.
 pub(crate) fn rounded(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value) + 0.0
 }

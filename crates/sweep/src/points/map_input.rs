@@ -1,4 +1,4 @@
-//! How a map refines itself: the table `[map]` of a sweep file.
+//! Reads the table `[map]` of a sweep file, which sets the refinement of a map.
 
 use crate::axis_input::AxisEntry;
 use crate::grid::Grid;
@@ -14,16 +14,16 @@ pub(crate) const MAP: [&str; 5] = [
     "grid_steps",
 ];
 const EDGE_WIDTH: &str = "a table with one or two of the axes and a width in the unit of each, such as { roll_deg = 0.5, friction = 0.01 }";
-/// Least difference that makes an edge without a word: in errors sought, and in ft/s at least.
+/// Default of the least jump that makes an edge: in multiples of the error sought, and its minimum, ft/s.
 const JUMP_IN_ERRORS: f64 = 4.0;
 const JUMP: f64 = 0.5;
-/// Steps of the resampled table along a first-level cell: what holds without a word, and the most.
+/// Steps of the resampled table along a first-level cell: default and greatest.
 const GRID_STEPS: usize = 8;
 const MOST_GRID_STEPS: f64 = 1000.0;
 /// Greatest budget that TOML keeps exactly.
 const GREATEST_BUDGET: f64 = 9_007_199_254_740_992.0;
 
-/// Reads `[map]` for the axes of a grid; `None` when there is no such table.
+/// Reads `[map]` for the axes of a grid; `None` without the table.
 pub(crate) fn map(
     root: &Section,
     entries: &[AxisEntry],
@@ -59,7 +59,7 @@ pub(crate) fn map(
         })
 }
 
-/// The axis of a name, and into how many parts its intervals are divided: half a width or less.
+/// Finds the axis of a name, and the number of parts of its intervals that makes them half a width or less.
 fn refined_axis(
     name: &str,
     width: &LocatedValue,
@@ -98,7 +98,7 @@ fn refined_axis(
         return Err(width.complain(&allowed));
     }
     let mut parts = 2;
-    // Beyond the greatest number of places no finer division is of use.
+    // A division finer than the greatest number of places is useless.
     while greatest / parts as f64 > 0.5 * number && parts < 1 << 26 {
         parts *= 2;
     }

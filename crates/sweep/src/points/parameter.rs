@@ -1,9 +1,9 @@
-//! Everything in the input that can vary over a sweep, by name.
+//! The parameters of a sweep: every input that can vary, by name.
 //!
 //! A parameter is a dotted key of the input: `vehicle.strut.compression_damping`, one leg's own
-//! `vehicle.legs[2].strut.preload_lb`, `vehicle.footpad.profile.scale`, `solver.tolerance`. Keys of
-//! the scene go by their short names too, and are always called by them in results. A parameter that is asked for in an SI
-//! unit has its values, and its columns in results, in that unit.
+//! `vehicle.legs[2].strut.preload_lb`, `vehicle.footpad.profile.scale`, `solver.tolerance`. Keys of the scene also have
+//! short names, which results always use. A parameter named in an SI unit has its values and result columns in that
+//! unit.
 
 use crate::document::Value;
 use crate::input_error::InputError;
@@ -15,7 +15,7 @@ use crate::spelling::{
 };
 use crate::{search_input, settings_input, vehicle_file};
 
-/// A number (or one of a few words) of the input.
+/// A number of the input, or one of a few words.
 #[derive(Debug, Clone)]
 pub struct Parameter {
     name: String,
@@ -26,7 +26,7 @@ pub struct Parameter {
     words: Vec<&'static str>,
 }
 
-/// Parameters are the same when they are the same quantity, whatever its unit.
+/// Parameters are equal if they are the same quantity, in whatever unit.
 impl PartialEq for Parameter {
     fn eq(&self, other: &Self) -> bool {
         self.program_name == other.program_name
@@ -45,7 +45,7 @@ pub enum Home {
 }
 
 impl Parameter {
-    /// The parameter of a name, with any of its units, for vehicles with `legs` legs.
+    /// Finds the parameter with a name, in any of its units, for vehicles with `legs` legs.
     pub fn named(name: &str, legs: usize) -> Option<Self> {
         let short = name.strip_prefix("scene.").unwrap_or(name);
         let of_scene = scene_input::names(legs).find_map(|known| {
@@ -79,7 +79,7 @@ impl Parameter {
         })
     }
 
-    /// Names most similar to a misspelt one, the most similar first.
+    /// Names most similar to a misspelt one, most similar first.
     pub fn nearest(name: &str, legs: usize) -> Vec<String> {
         const SHOWN: usize = 3;
         const LEAST_LIKENESS: f64 = 0.75;
@@ -113,7 +113,7 @@ impl Parameter {
         alike.into_iter().map(|(_, known)| known).collect()
     }
 
-    /// The message for an unknown name.
+    /// Error message for an unknown name.
     pub(crate) fn unknown(name: &str, legs: usize) -> String {
         let guess = did_you_mean(&Self::nearest(name, legs));
         format!(
@@ -122,62 +122,62 @@ impl Parameter {
         )
     }
 
-    /// Its name as it was asked for, which heads its column in results.
+    /// Name as given, which heads its column in results.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its name in the unit of the program.
+    /// Name in program units.
     pub fn program_name(&self) -> &str {
         &self.program_name
     }
 
-    /// A coordinate in the unit of the program.
+    /// Converts a coordinate to program units.
     pub fn to_program(&self, coordinate: f64) -> f64 {
         self.conversion.to_program(coordinate)
     }
 
-    /// A number of the program in the unit in which the parameter was asked for.
+    /// Converts a number from program units to the unit of the parameter's name.
     pub fn in_own_unit(&self, number: f64) -> f64 {
         self.conversion.in_own_unit(number)
     }
 
-    /// What is allowed in the unit of the program, for a coordinate.
+    /// Text of the allowed values, converted from program units to those of a coordinate.
     pub fn explain(&self, allowed: &str, coordinate: f64) -> String {
         self.conversion.explain(allowed, coordinate)
     }
 
-    /// The part of the input that it belongs to.
+    /// Part of the input that the parameter belongs to.
     pub fn home(&self) -> Home {
         self.home
     }
 
-    /// Its key within that part.
+    /// Key within that part.
     pub fn path(&self) -> &KeyPath {
         &self.path
     }
 
-    /// Whether it is an angle or a rate of turn.
+    /// True for an angle or a rate of turn.
     pub fn is_angular(&self) -> bool {
         ["_deg", "_dps"]
             .iter()
             .any(|unit| self.program_name.ends_with(unit))
     }
 
-    /// The words that it can be; none for a number.
+    /// Allowed words; empty for a number.
     pub fn words(&self) -> &[&'static str] {
         &self.words
     }
 
-    /// The word of a coordinate, which is its index.
+    /// Word of a coordinate, which is its index.
     pub fn word(&self, coordinate: f64) -> Option<&'static str> {
         self.words.get(coordinate as usize).copied()
     }
 
-    /// The value of a number in its own unit, in the unit of the program.
+    /// Converts a number from the parameter's unit to a value in program units.
     ///
     /// # Errors
-    /// When it is not finite, or when the parameter has words.
+    /// If it is not finite, or if the parameter takes words.
     pub(crate) fn number(&self, number: f64) -> Result<Value, InputError> {
         let allowed = match self.words.as_slice() {
             [] if self.to_program(number).is_finite() => {
@@ -189,10 +189,10 @@ impl Parameter {
         Err(InputError::value(&self.name, number, &allowed))
     }
 
-    /// The value in a text, in the unit of the program.
+    /// Parses a text as a value in program units.
     ///
     /// # Errors
-    /// When it is neither a finite number nor, of a parameter that has words, one of them.
+    /// If it is not a finite number or, for a parameter with words, not one of them.
     pub(crate) fn value(&self, text: &str) -> Result<Value, InputError> {
         match self.words.as_slice() {
             [] => match text.parse::<f64>() {
@@ -207,8 +207,7 @@ impl Parameter {
         }
     }
 
-    /// A coordinate as results write it: with as many digits as it takes to read the same number
-    /// back, or the word that it stands for.
+    /// Coordinate as written in results: the digits needed to read back the same number, or its word.
     pub fn written(&self, coordinate: f64) -> String {
         match self.word(coordinate) {
             Some(word) => word.to_owned(),
@@ -217,13 +216,13 @@ impl Parameter {
     }
 }
 
-/// Names of all parameters of vehicles with so many legs, in the units of the program.
+/// Names of all parameters of vehicles with `legs` legs, in program units.
 pub fn names(legs: usize) -> impl Iterator<Item = String> {
     let scene = scene_input::names(legs).map(str::to_owned);
     scene.chain(dotted_names(legs))
 }
 
-/// Names of all parameters outside of the scene.
+/// Names of all parameters outside the scene.
 fn dotted_names(legs: usize) -> Vec<String> {
     let vehicle = vehicle_file::numbers(legs).into_iter();
     let search = search_input::NUMBERS.iter();

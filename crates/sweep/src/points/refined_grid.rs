@@ -1,19 +1,19 @@
 //! The places of a map: a grid of one or two axes (or a family of such grids) whose cells are subdivided.
 //!
-//! The values that the axes are given are the first level. Each interval of the refined axes is divided into a
-//! power of two of equal parts; every place where such parts meet has a number, whether it is ever computed or not.
+//! The given values of the axes are the first level. Each interval of the refined axes is divided into a power of two
+//! of equal parts. Every place where such parts meet has a number, whether or not it is ever computed.
 
 use crate::grid::Grid;
 use crate::levels::Levels;
 
-/// When a map is fine enough.
+/// Refinement criteria of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapRules {
-    /// Greatest error of interpolation that is sought, ft/s; 0 where only the budget ends the refinement.
+    /// Greatest interpolation error sought, ft/s; 0 if only the budget ends the refinement.
     pub error: f64,
-    /// Least difference of first transitions over the width of an edge that makes it one, ft/s.
+    /// Least difference of first transitions across an edge width that makes an edge, ft/s.
     pub jump: f64,
-    /// Landings after which the refinement ends.
+    /// Number of landings after which refinement ends.
     pub budget: Option<u64>,
     /// Steps of the resampled table along each side of a first-level cell.
     pub grid_steps: usize,
@@ -26,22 +26,22 @@ pub struct RefinedGrid {
     places: Grid,
     /// Index of each refined axis.
     axes: Vec<usize>,
-    /// Parts of an interval of each refined axis, of which there are one or two; 1 of one that is not there.
+    /// Parts per interval of each refined axis; 1 for an absent second axis.
     parts: [usize; 2],
-    /// Number of places along each dimension, and the step from one to the next in their numbers.
+    /// Number of places along each dimension, and the stride of the place numbers along it.
     dimensions: Vec<[usize; 2]>,
-    /// Which dimension each refined axis is.
+    /// Dimension of each refined axis.
     refined: Vec<usize>,
-    /// When it is fine enough.
+    /// Criteria of refinement.
     pub rules: MapRules,
 }
 
-/// A place of a map in steps of the finest division along the refined axes; 0 along one that is not there.
+/// A place of a map in steps of the finest division along the refined axes; 0 along an absent axis.
 pub type Place = [usize; 2];
 
 impl RefinedGrid {
-    /// Divides the intervals of one or two axes of a grid, each of which varies by itself, into parts, a power of two for
-    /// each; `None` when there are more than 2^26 places.
+    /// Divides the intervals of one or two axes of a grid, each not zipped with others, into a power of two of parts
+    /// each; `None` if there are more than 2^26 places.
     pub fn new(first_level: Grid, refined: &[(usize, usize)], rules: MapRules) -> Option<Self> {
         const MOST_PLACES: usize = 1 << 26;
         let mut divided: Vec<(Levels, Option<String>)> = Vec::new();
@@ -98,7 +98,7 @@ impl RefinedGrid {
         &self.axes
     }
 
-    /// Parts of a first-level interval of each refined axis; 1 of one that is not there.
+    /// Parts per first-level interval of each refined axis; 1 for an absent axis.
     pub fn parts(&self) -> [usize; 2] {
         self.parts
     }
@@ -108,12 +108,12 @@ impl RefinedGrid {
         self.places.count()
     }
 
-    /// Coordinates of a place by its number, one for each axis.
+    /// Coordinates of the place with a number, one for each axis.
     pub fn coordinates(&self, number: usize) -> Vec<f64> {
         self.places.coordinates(number)
     }
 
-    /// Number of maps: one for every combination of values of the axes that are not refined.
+    /// Number of maps: one for each combination of values of the unrefined axes.
     pub fn maps(&self) -> usize {
         let places = self
             .refined
@@ -122,7 +122,7 @@ impl RefinedGrid {
         self.count() / places.product::<usize>()
     }
 
-    /// Number of first-level cells of a map along each refined axis; 1 along one that is not there.
+    /// Number of first-level cells of a map along each refined axis; 1 along an absent axis.
     pub fn cells(&self) -> [usize; 2] {
         [0, 1].map(|axis: usize| match self.refined.get(axis) {
             Some(dimension) => (self.dimensions[*dimension][0] - 1) / self.parts[axis],
@@ -149,7 +149,7 @@ impl RefinedGrid {
         number
     }
 
-    /// The place of a number in its map.
+    /// The place that a number has in its map.
     pub fn place(&self, number: usize) -> Place {
         [0, 1].map(|axis: usize| match self.refined.get(axis) {
             Some(dimension) => {
@@ -160,7 +160,7 @@ impl RefinedGrid {
         })
     }
 
-    /// The number of the map that the place of a number belongs to.
+    /// The map that the place with a number belongs to.
     pub fn map_of(&self, number: usize) -> usize {
         let others = self.dimensions.iter().enumerate();
         let others = others.filter(|(dimension, _)| !self.refined.contains(dimension));
@@ -169,7 +169,7 @@ impl RefinedGrid {
         })
     }
 
-    /// How often a first-level cell is halved until a place is a corner.
+    /// Number of halvings of a first-level cell until the place is a corner.
     pub fn level(&self, number: usize) -> usize {
         let place = self.place(number);
         let halvings = |axis: usize| {
@@ -180,7 +180,7 @@ impl RefinedGrid {
         halvings(0).max(halvings(1))
     }
 
-    /// The value of a refined axis at a position in steps, which may lie between places.
+    /// Value of a refined axis at a position in steps, which may lie between places.
     pub fn value(&self, axis: usize, position: f64) -> f64 {
         let levels = &self.places.axes()[self.axes[axis]];
         let last = levels.count() - 1;

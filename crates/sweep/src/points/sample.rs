@@ -1,7 +1,6 @@
-//! Designs that sample instead of going through a grid.
+//! Sampling designs.
 //!
-//! A point follows from its index and the seed alone, so that shards and resumed runs draw the
-//! same points.
+//! A point follows from its index and the seed alone, so shards and resumed runs draw the same points.
 
 use rand::seq::SliceRandom;
 use rand::{Rng, SeedableRng};
@@ -11,22 +10,22 @@ use crate::distribution::{Distribution, standard_quantile};
 use crate::grid::MOST_POINTS;
 use crate::levels::rounded;
 
-/// How the points of a sample are drawn.
+/// Method of drawing the points of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SampleDesign {
-    /// Each independent of the others.
+    /// Independent points.
     MonteCarlo,
-    /// As many strata of equal probability as points along every axis, one point in each.
+    /// As many strata of equal probability as points along every axis, with one point each.
     LatinHypercube,
     /// A low-discrepancy sequence, scrambled after Owen.
     Sobol,
 }
 
 impl SampleDesign {
-    /// All of them.
+    /// All designs.
     pub const ALL: [Self; 3] = [Self::MonteCarlo, Self::LatinHypercube, Self::Sobol];
 
-    /// Its word in sweep files.
+    /// Word in sweep files.
     pub fn name(self) -> &'static str {
         match self {
             Self::MonteCarlo => "monte-carlo",
@@ -35,7 +34,7 @@ impl SampleDesign {
         }
     }
 
-    /// Most points that it has.
+    /// Greatest number of points.
     pub fn most_points(self) -> usize {
         match self {
             Self::MonteCarlo => MOST_POINTS,
@@ -46,7 +45,7 @@ impl SampleDesign {
         }
     }
 
-    /// Most axes that it has.
+    /// Greatest number of axes.
     pub fn most_axes(self) -> usize {
         match self {
             Self::Sobol => sobol_burley::NUM_DIMENSIONS as usize,
@@ -55,7 +54,7 @@ impl SampleDesign {
     }
 }
 
-/// How an axis draws its value from the random numbers of a point.
+/// Rule by which an axis draws its value from the random numbers of a point.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SampledAxis {
     /// From a distribution, by one random number. Axes with the same number move together.
@@ -65,19 +64,19 @@ pub enum SampledAxis {
         /// Index of the random number.
         number: usize,
     },
-    /// As one of several jointly normal axes: mean + Σ factor · z, with a standard normal z for each random number.
+    /// One of several jointly normal axes: mean + Σ factor · z, with a standard normal z for each random number.
     Joint {
         /// The mean.
         mean: f64,
-        /// Random numbers by their index, and their factors.
+        /// Indices of random numbers, and their factors.
         factors: Vec<(usize, f64)>,
-        /// The jointly normal axes by their index, itself included, and the covariance with each.
+        /// Indices of the jointly normal axes, itself included, and the covariance with each.
         covariances: Vec<(usize, f64)>,
     },
 }
 
 impl SampledAxis {
-    /// The distribution of this axis alone.
+    /// Marginal distribution of this axis.
     pub fn marginal(&self) -> Distribution {
         match self {
             Self::Single { distribution, .. } => distribution.clone(),
@@ -88,7 +87,7 @@ impl SampledAxis {
         }
     }
 
-    /// The greatest index of a random number that it takes.
+    /// Greatest index of the random numbers that it uses.
     fn last_number(&self) -> usize {
         match self {
             Self::Single { number, .. } => *number,
@@ -96,7 +95,7 @@ impl SampledAxis {
         }
     }
 
-    /// The value that the random numbers of a point give.
+    /// Value of the axis for the random numbers of a point.
     fn value(&self, random: impl Fn(usize) -> f64) -> f64 {
         match self {
             Self::Single {
@@ -119,13 +118,12 @@ pub struct Sample {
     design: SampleDesign,
     count: usize,
     seed: u64,
-    /// For each random number the stratum of each point, where there are strata.
+    /// For each random number, the stratum of each point, if there are strata.
     strata: Vec<Vec<u32>>,
 }
 
 impl Sample {
-    /// `count` points, at most as many as the design allows, over axes in the order of their
-    /// parameters.
+    /// Draws `count` points, at most as many as the design allows, over axes in the order of their parameters.
     pub fn new(axes: Vec<SampledAxis>, design: SampleDesign, count: usize, seed: u64) -> Self {
         let numbers = axes
             .iter()
@@ -147,12 +145,12 @@ impl Sample {
         }
     }
 
-    /// The axes, in the order in which they were given.
+    /// The axes, in the given order.
     pub fn axes(&self) -> &[SampledAxis] {
         &self.axes
     }
 
-    /// How the points are drawn.
+    /// Method of drawing the points.
     pub fn design(&self) -> SampleDesign {
         self.design
     }
@@ -184,7 +182,7 @@ impl Sample {
             SampleDesign::Sobol => {
                 let seed = (self.seed ^ (self.seed >> 32)) as u32;
                 let x = f64::from(sobol_burley::sample(index as u32, number as u32, seed));
-                // In the middle of the 2^-24 that the sequence resolves.
+                // The middle of the 2^-24 that the sequence resolves.
                 x + f64::from(f32::EPSILON) / 4.0
             }
         }
@@ -205,7 +203,7 @@ fn random(seed: u64, stream: usize, index: usize) -> f64 {
 fn shuffled(count: usize, seed: u64, stream: usize) -> Vec<u32> {
     let mut order: Vec<u32> = (0..count as u32).collect();
     let mut generator = ChaCha8Rng::seed_from_u64(seed);
-    // Away from the streams of random().
+    // Apart from the streams of random().
     generator.set_stream(u64::MAX - stream as u64);
     order.shuffle(&mut generator);
     order
@@ -254,7 +252,7 @@ mod tests {
         ranks
     }
 
-    /// Spearman's rank correlation, in its standard deviations where there is none.
+    /// Spearman's rank correlation in its standard deviations for independent numbers.
     fn correlation(one: &[f64], other: &[f64]) -> f64 {
         let (one, other) = (ranks(one), ranks(other));
         let products = one.iter().zip(&other).map(|(a, b)| a * b);

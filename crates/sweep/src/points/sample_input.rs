@@ -1,8 +1,8 @@
-//! How points are sampled: the table `[sample]` of a sweep file, and the axes of such a sweep.
+//! Reads the table `[sample]` of a sweep file and the axes of a sampled sweep.
 //!
-//! An axis is a table that names its distribution, or has the keys of one: `{ from, to }`, with `spacing = "log"` too,
-//! `{ mean, sd }`, with ends too, or a `column` of a `file`. Columns of one file take the values of one row, so that
-//! what belongs together stays together; so do axes with the same `zip`. Jointly normal axes have a `mean` each and a
+//! An axis is a table that names its distribution or has the keys of one: `{ from, to }`, optionally with `spacing =
+//! "log"`; `{ mean, sd }`, optionally with ends; or a `column` of a `file`. Columns of one file take the values of the
+//! same row, so that they stay together; so do axes with the same `zip`. Jointly normal axes have a `mean` each and a
 //! covariance in `[[sample.covariance]]`.
 
 use std::path::Path;
@@ -49,19 +49,18 @@ pub(crate) const DISTRIBUTIONS: [(&str, &[&str]); 5] = [
 ];
 const AXIS: &str = "a table such as { from = …, to = … }, { mean = …, sd = … }, { distribution = …, … } or \
                     { file = …, column = … }";
-/// Greatest seed that is read exactly: a greater one may have been rounded to this plus one.
+/// Greatest seed that is read exactly; a greater one may have been rounded.
 const GREATEST_SEED: f64 = 9_007_199_254_740_991.0;
 
 /// The content of `[sample]`.
 #[derive(Debug)]
 pub(crate) struct Sampled {
     pub(crate) sample: Sample,
-    /// Width of the intervals of probabilities at which the sweep stops.
+    /// Width of the probability intervals at which the sweep stops.
     pub(crate) enough: Option<f64>,
 }
 
-/// Reads `[sample]` and the distributions of the axes; `None` when there is no such table. Files
-/// that are read are added to the sources.
+/// Reads `[sample]` and the distributions of the axes; `None` without the table. Adds the files read to the sources.
 pub(crate) fn sampled(
     root: &Section,
     entries: &[AxisEntry],
@@ -123,7 +122,7 @@ pub(crate) fn sampled(
     Ok(Some(Sampled { sample, enough }))
 }
 
-/// How an axis is given.
+/// Form in which an axis is given.
 enum AxisForm {
     Single(Distribution),
     /// One of several jointly normal axes.
@@ -132,7 +131,7 @@ enum AxisForm {
     },
 }
 
-/// The draw of one of several jointly normal axes, each of which has a random number of its own.
+/// Draws one of several jointly normal axes, each with its own random number.
 fn joint_axis(joint: &[JointNormal], axis: usize, mean: f64, numbers: &[usize]) -> SampledAxis {
     let place = joint.iter().find_map(|joint| {
         let place = joint.axes.iter().position(|other| *other == axis)?;
@@ -175,7 +174,7 @@ struct Reader<'r, 'l> {
 }
 
 impl Reader<'_, '_> {
-    /// The form of an axis, and the group with which it moves.
+    /// Reads the form of an axis, and its group.
     fn axis(
         &mut self,
         entry: &AxisEntry,
@@ -230,7 +229,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// The distribution that a table names, or whose keys it has.
+/// Reads the distribution that a table names or whose keys it has.
 fn distribution(form: &Section) -> Result<Distribution, InputError> {
     let [uniform, normal, ..] = DISTRIBUTIONS;
     let (name, keys) = match form.optional("distribution") {
@@ -259,7 +258,7 @@ fn distribution(form: &Section) -> Result<Distribution, InputError> {
     })
 }
 
-/// The numbers of a column of a table.
+/// Reads the numbers of a column of a table.
 fn numbers(path: &Path, text: &str, column: &LocatedValue) -> Result<Vec<f64>, InputError> {
     let place = Place::file(path);
     let name = column.text()?;

@@ -1,4 +1,4 @@
-//! Parameters of sensitivities: the table `[sensitivity]`, or the names that replace it.
+//! Reads the parameters of sensitivities: the table `[sensitivity]`, or the names that replace it.
 
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
@@ -8,7 +8,7 @@ use crate::section::Section;
 pub(crate) const SENSITIVITY: [&str; 1] = ["parameters"];
 const ALLOWED: &str = "a list of dotted names, such as \"vehicle.strut.compression_damping\"";
 
-/// Reads `[sensitivity]`; no parameters without it.
+/// Reads `[sensitivity]`; returns no parameters without it.
 pub(crate) fn parameters(root: &Section, legs: usize) -> Result<Vec<Parameter>, InputError> {
     let Some(section) = root.optional_section("sensitivity", &SENSITIVITY)? else {
         return Ok(Vec::new());
@@ -24,10 +24,10 @@ pub(crate) fn parameters(root: &Section, legs: usize) -> Result<Vec<Parameter>, 
     }
 }
 
-/// The parameters of names that override those of the file.
+/// Finds the parameters of names that override those of the file.
 ///
 /// # Errors
-/// Names the first that cannot be used.
+/// Names the first unusable one.
 pub(crate) fn named(names: &[String], legs: usize) -> Result<Vec<Parameter>, InputError> {
     let mut parameters = Vec::new();
     for name in names {

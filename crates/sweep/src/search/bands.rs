@@ -1,8 +1,7 @@
 //! All bands of equal outcome between the lowest and the highest speed of a search.
 //!
-//! The whole range is scanned, intervals that may hide a band are looked into, and every change
-//! between neighbouring landings of different class is narrowed down. Whatever third class that
-//! meets becomes a band of its own.
+//! The whole range is scanned, intervals that may hide a band are checked, and every change between neighbouring
+//! landings of different class is narrowed down. A third class met on the way becomes a band of its own.
 
 pub use crate::boundary::Band;
 use crate::boundary::{Boundary, Bracket};
@@ -13,11 +12,11 @@ use crate::search_range::{Extent, Search};
 use crate::trial::{Sample, Trial};
 
 impl Search {
-    /// Searches as much of the range as [`Search::extent`] says with `land`, which lands at a given
-    /// horizontal speed with a variation. Asks for several landings at a time where all of them are needed.
+    /// Searches the part of the range given by [`Search::extent`]. `land` computes the landing at a horizontal speed,
+    /// with a variation. It is called for several landings at a time where all of them are needed.
     ///
     /// # Errors
-    /// Only what `land` gives up with, at once.
+    /// Returns at once with the first error of `land`.
     pub async fn boundary<Stop>(
         &self,
         land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
@@ -28,12 +27,11 @@ impl Search {
         }
     }
 
-    /// Searches all bands with `land`, which lands at a given horizontal speed with a variation. The
-    /// first transition is the one that [`Search::first_transition`] finds, unless a hidden band lies
-    /// below it.
+    /// Searches all bands. `land` computes the landing at a horizontal speed, with a variation. The first transition is
+    /// that of [`Search::first_transition`], unless a hidden band lies below it.
     ///
     /// # Errors
-    /// Only what `land` gives up with, at once.
+    /// Returns at once with the first error of `land`.
     pub async fn all_bands<Stop>(
         &self,
         land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
@@ -50,7 +48,7 @@ impl Search {
     }
 }
 
-/// Runs of landings of the same class, from end to end.
+/// Groups landings of the same class into bands, from end to end.
 fn bands(samples: &[Sample]) -> Vec<Band> {
     let mut bands: Vec<Band> = Vec::new();
     let runs: Vec<&[Sample]> = samples.chunk_by(|a, b| a.class() == b.class()).collect();
@@ -61,7 +59,7 @@ fn bands(samples: &[Sample]) -> Vec<Band> {
         let to = next.map_or(last.speed, |next| 0.5 * (last.speed + next.speed));
         let middle = 0.5 * (from + to);
         let distance = |sample: &&Sample| (sample.speed - middle).abs();
-        // A landing that ended early does not tell how it would have come to rest.
+        // The outcome of a landing that ended early is not final.
         let told = run
             .iter()
             .filter(|sample| sample.trial.outcome != Outcome::StableSteady);

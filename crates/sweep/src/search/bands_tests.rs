@@ -132,7 +132,7 @@ fn one_class_is_one_band_and_not_stable_at_the_start_a_transition_there() {
     assert_eq!(survey(|_| Class::Stable).transition, None);
 }
 
-/// Comes back later.
+/// Yields once.
 async fn later() {
     let mut has_waited = false;
     let wait = poll_fn(|context| {

@@ -1,4 +1,4 @@
-//! What a search for a boundary finds: the first transition, all bands, and what that cost.
+//! Result of a boundary search: the first transition, all bands, and the cost.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::{Class, Outcome};
@@ -12,50 +12,50 @@ use crate::narrowed_scan::NarrowedScan;
 use crate::skipped::Skipped;
 use crate::trial::{Sample, first_unstable};
 
-/// A range of speeds in which landings end alike.
+/// A range of speeds in which all landings end in the same class.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Band {
     /// Lower end, ft/s: the middle of the bracket below, or the lowest speed searched.
     pub from: f64,
     /// Upper end, ft/s: the middle of the bracket above, or the highest speed searched.
     pub to: f64,
-    /// How landings end in it.
+    /// Class of the landings in the band.
     pub class: Class,
-    /// How the computed landing nearest to the middle of the band ended.
+    /// Outcome of the computed landing nearest to the middle of the band.
     pub outcome: Outcome,
     /// Bracket of the upper transition; `None` at the end of the range.
     pub bracket: Option<Bracket>,
-    /// How well the upper transition is determined.
+    /// Certainty of the upper transition.
     pub certainty: Certainty,
 }
 
 /// The bracket of a transition between bands.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Bracket {
-    /// Its width, ft/s.
+    /// Width, ft/s.
     pub width: f64,
-    /// Tolerance of the solver at which its ends were landed at.
+    /// Solver tolerance of the landings at its ends.
     pub tolerance: f64,
 }
 
 /// The first change away from a stable landing.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Transition {
-    /// How landings end at `high`.
+    /// Class of the landing at `high`.
     pub to: Class,
-    /// Highest speed known to be stable below the change, ft/s; `None` where the lowest speed of the search was
-    /// not stable already, so that the change lies at or below it.
+    /// Highest speed known to be stable below the change, ft/s; `None` if the lowest speed of the search is not stable,
+    /// so that the change lies at or below it.
     pub low: Option<f64>,
     /// Lowest speed known not to be stable, ft/s.
     pub high: f64,
-    /// Tolerance of the solver at which these two were landed at.
+    /// Solver tolerance of the landings at `low` and `high`.
     pub tolerance: f64,
-    /// How well it is determined.
+    /// Certainty of the transition.
     pub certainty: Certainty,
 }
 
 impl Transition {
-    /// The first change away from a stable landing among landings in order.
+    /// Returns the first change away from a stable landing, among landings in order of speed.
     pub(crate) fn first_of(samples: &[Sample]) -> Option<Self> {
         first_unstable(samples).map(|index| Self {
             to: samples[index].class(),
@@ -66,60 +66,60 @@ impl Transition {
         })
     }
 
-    /// Middle of the bracket, ft/s, or the lowest speed of the search where there is none.
+    /// Middle of the bracket, ft/s; the lowest speed of the search if there is no bracket.
     pub fn speed(&self) -> f64 {
         self.low.map_or(self.high, |low| 0.5 * (low + self.high))
     }
 }
 
-/// What a search found, and what it cost.
+/// Result and cost of a search.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Boundary {
     /// The first transition, if there is one in the range.
     pub transition: Option<Transition>,
-    /// Highest speed landed at, ft/s: without a transition landings are stable up to there.
+    /// Highest speed computed, ft/s; without a transition, landings are stable up to there.
     pub searched_to: f64,
-    /// All bands of the range from below; none when only the first transition was asked for.
+    /// All bands of the range, lowest first; empty if only the first transition was sought.
     pub bands: Vec<Band>,
-    /// Intervals between like outcomes that were looked into for a hidden band.
+    /// Intervals between like outcomes that were checked for a hidden band.
     pub checks: HiddenBandChecks,
-    /// What skips left out.
+    /// Work that skips left out.
     pub skipped: Skipped,
-    /// Transitions that were searched again at a tighter tolerance.
+    /// Transitions searched again at a tighter tolerance.
     pub searched_again: u64,
-    /// Transitions that are disputed.
+    /// Disputed transitions.
     pub disputed: u64,
-    /// Landings that put transitions to the test.
+    /// Landings spent on testing transitions.
     pub tests: u64,
     /// Landings computed, tests included.
     pub landings: u64,
     /// Evaluations of the equations of motion in all of them.
     pub evaluations: u64,
-    /// Warnings of the landings between which the changes were found.
+    /// Contact warnings of all these landings.
     pub warnings: ContactWarnings,
 }
 
-/// A change that was put to the test.
+/// A change after its test.
 pub(crate) struct Tested {
-    /// The ends of its bracket, where it was searched again at a tighter tolerance.
+    /// Ends of its bracket, if it was searched again at a tighter tolerance.
     pub(crate) ends: Option<[Sample; 2]>,
-    /// What came of it.
+    /// Result of the test.
     pub(crate) certainty: Certainty,
-    /// Whether its margins told that there was no need to.
+    /// True if the margins made a test unnecessary.
     pub(crate) is_spared: bool,
     pub(crate) landings: u64,
     pub(crate) evaluations: u64,
 }
 
-/// Landings in order, and the tests of the lowest changes between them.
+/// Landings in order, with the tests of the lowest changes between them.
 pub(crate) struct Settled {
-    /// The landings, with the brackets that were searched again in the place of those found first.
+    /// The landings; brackets searched again replace those found first.
     pub(crate) samples: Vec<Sample>,
     pub(crate) tests: Vec<Tested>,
 }
 
 impl Boundary {
-    /// Counts what a test took.
+    /// Counts a test.
     fn count(&mut self, tested: &Tested) {
         self.landings += tested.landings;
         self.tests += tested.landings;
@@ -129,7 +129,7 @@ impl Boundary {
         self.disputed += u64::from(matches!(tested.certainty, Certainty::Disputed(_)));
     }
 
-    /// What came of the tests of its changes.
+    /// Records the tests of the changes.
     pub(crate) fn settle(&mut self, settled: &Settled) {
         settled.tests.iter().for_each(|tested| self.count(tested));
         self.transition = Transition::first_of(&settled.samples);
@@ -140,7 +140,7 @@ impl Boundary {
         }
     }
 
-    /// What a narrowed scan found and cost.
+    /// Builds the result of a narrowed scan.
     pub(crate) fn of_scan(scan: &NarrowedScan) -> Self {
         let mut boundary = Self {
             checks: scan.checks,
@@ -152,7 +152,7 @@ impl Boundary {
         boundary
     }
 
-    /// What a search found that took these landings, in order: the first transition and the cost.
+    /// Builds the result of a search from its landings, in order: the first transition and the cost.
     pub(crate) fn of(samples: &[Sample]) -> Self {
         Self {
             transition: Transition::first_of(samples),

@@ -1,17 +1,16 @@
-//! How well a transition is determined.
+//! Certainty of a transition.
 //!
-//! Near a knife edge (an element that just touches, a rate that just grazes zero) the next digit of
-//! anything may decide a landing. Both ends of a bracket are landed at again at a tighter
-//! tolerance, tilted by next to nothing; where a landing ends otherwise, the interval is widened until
-//! all of them agree, and searched again (`search_again`).
+//! Near a knife edge (an element that just touches, a rate that just grazes zero) the next digit of anything may decide
+//! a landing. A test computes both ends of a bracket again at a tighter tolerance and with a minute tilt. If a landing
+//! ends otherwise, the interval is widened until all agree, and searched again (`search_again`).
 //!
-//! Where a margin runs through zero the transition is as certain as the trajectory. It is doubtful where the margin jumps
-//! across the bracket, or where no margin speaks of the change. A margin that changes as fast on either side of the bracket
-//! as within it is steep and does not jump.
+//! Where a margin runs through zero the transition is as certain as the trajectory. It is doubtful where the margin
+//! jumps across the bracket, or where no margin decides the change. A margin that changes as fast on either side of the
+//! bracket as within it is steep and does not jump.
 //!
-//! Of 280 brackets of Phase II, the level grid and `scripts/strut-stops.toml` across which a margin changes by more than
-//! `LEAST_JUMP`, it changes at most four times as fast as on either side at 106. Tests moved 11 of these, none by more than a
-//! bracket; they moved 54 of the 174 others.
+//! Across 280 brackets of Phase II, the level grid and `scripts/strut-stops.toml` a margin changes by more than
+//! `LEAST_JUMP`; at 106 of them it changes at most four times as fast as on either side. Tests moved 11 of these, none
+//! by more than a bracket, and 54 of the 174 others.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::attitude::{Attitude, Euler};
@@ -20,10 +19,10 @@ use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 
 use crate::trial::{LEAST_JUMP, Sample, Trial};
 
-/// Which transitions are landed at again.
+/// Transitions that are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Doubt {
-    /// Those at which no margin runs through zero.
+    /// Those where no margin runs through zero.
     #[default]
     Doubtful,
     /// All.
@@ -32,20 +31,20 @@ pub enum Doubt {
     None,
 }
 
-/// How well a transition is determined.
+/// Certainty of a transition.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub enum Certainty {
-    /// Nobody asked.
+    /// Not tested.
     #[default]
     Untested,
     /// Small changes move it by less than its bracket.
     Certain,
-    /// Small changes decide between these two speeds (ft/s), at the tightest tolerance at which it was searched too.
+    /// Small changes decide between these two speeds (ft/s), even at the tightest tolerance searched.
     Disputed([f64; 2]),
 }
 
 impl Certainty {
-    /// Cells of a result table: a word, and the ends of what is disputed, ft/s.
+    /// Cells of a result table: a word, and the ends of the disputed interval, ft/s.
     pub fn cells(&self) -> [String; 3] {
         let none = String::new;
         match self {
@@ -56,21 +55,21 @@ impl Certainty {
     }
 }
 
-/// Cell of a result table for the tolerance of the solver at which a bracket was found.
+/// Cell of a result table for the solver tolerance at which a bracket was found.
 pub fn tolerance_cell(tolerance: Option<f64>) -> String {
     tolerance.map_or(String::new(), |tolerance| format!("{tolerance:e}"))
 }
 
-/// A change by which a landing is put to the test.
+/// A change in how a landing is computed, for a scan or a test.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Variation {
     /// None.
     Unchanged,
-    /// The solver's tolerance times a factor.
+    /// A factor on the solver's tolerance.
     Tolerance(f64),
-    /// The solver's tolerance times a factor, for a scan: steady landings end early.
+    /// A factor on the solver's tolerance, for a scan: steady landings end early.
     Scan(f64),
-    /// Another tolerance than the solver's, and a turn about the x axis of the ground, deg.
+    /// A solver tolerance, and a turn about the x axis of the ground, deg.
     At {
         /// The tolerance.
         tolerance: f64,
@@ -79,20 +78,20 @@ pub enum Variation {
     },
 }
 
-/// Landings that a test takes at least: one at either end.
+/// Least number of landings of a test: one at either end.
 pub const LEAST_LANDINGS: u64 = 2;
 
-/// Part of a tolerance that a test compares it with.
+/// Factor from the tolerance of a landing to that of its test.
 const TIGHTER: f64 = 0.1;
 
-/// Turn by which a landing is put to the test, deg.
+/// Tilt of a test landing, deg.
 const TILT: f64 = 1e-6;
 
-/// Range of tolerances of the solver.
+/// Range of solver tolerances.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-2];
 
 impl Variation {
-    /// The change by which a landing at a tolerance of the solver is put to the test.
+    /// The variation that tests a landing computed at a solver tolerance.
     fn testing(tolerance: f64) -> Self {
         Self::At {
             tolerance: (TIGHTER * tolerance).max(TOLERANCES[0]),
@@ -100,10 +99,10 @@ impl Variation {
         }
     }
 
-    /// A scene and settings, changed.
+    /// Applies the variation to a scene and settings.
     ///
     /// # Errors
-    /// When the scene does not bear the change.
+    /// If the changed scene or settings are invalid.
     pub fn of(self, scene: &Scene, settings: &Settings) -> Result<(Scene, Settings), Invalid> {
         let conditions = *scene.conditions();
         let mut settings = *settings;
@@ -128,7 +127,7 @@ impl Variation {
     }
 }
 
-/// Conditions turned about the x axis of the ground, deg.
+/// Turns the conditions about the x axis of the ground, deg.
 fn tilted(conditions: Conditions, degrees: f64) -> Conditions {
     let tilt = Attitude::from_euler(Euler {
         pitch: degrees.to_radians(),
@@ -141,16 +140,16 @@ fn tilted(conditions: Conditions, degrees: f64) -> Conditions {
     }
 }
 
-/// Settings with a factor on their tolerance.
+/// Settings with their tolerance multiplied by a factor.
 fn at_tolerance(settings: Settings, factor: f64) -> Result<Settings, Invalid> {
     let [least, greatest] = TOLERANCES;
     settings.with_tolerance((settings.tolerance() * factor).clamp(least, greatest))
 }
 
-/// How much faster a steep margin may change across a bracket than on either side of it.
+/// Greatest rate of change of a steep margin across a bracket, as a multiple of that on either side.
 const STEEPEST: f64 = 4.0;
 
-/// Whether, of the change between two runs of landings that end alike, no margin tells, or one that jumps.
+/// True if no margin decides the change between two runs of like landings, or if that margin jumps.
 pub(crate) fn is_doubtful(below: &[Sample], above: &[Sample]) -> bool {
     let ([.., low], [high, ..]) = (below, above) else {
         return true;
@@ -179,8 +178,8 @@ pub(crate) fn is_doubtful(below: &[Sample], above: &[Sample]) -> bool {
     jump > LEAST_JUMP && !is_steep
 }
 
-/// Puts the change between two neighbouring landings, which were computed as `given` says, to the test. The interval is
-/// widened by `widest` at most (ft/s) to either side.
+/// Tests the change between two neighbouring landings, which were computed with the variation `given`. Widens the
+/// interval by at most `widest` (ft/s) to either side.
 pub(crate) async fn test<Stop>(
     given: Variation,
     [low, high]: [&Sample; 2],

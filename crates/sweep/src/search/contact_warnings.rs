@@ -1,20 +1,20 @@
-//! Warnings of what the contact rule of 1966 allows and no material does.
+//! Warnings of effects that the contact rule of 1966 allows but no real material shows.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Class;
 
-/// Warnings of contact in landings whose accounts of energy close.
+/// Contact warnings of landings whose energy balance closes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactWarnings {
-    /// Greatest energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]); zero where it is at most a
-    /// thousandth of the kinetic energy at first contact.
+    /// Greatest energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]); zero if at
+    /// most a thousandth of the kinetic energy at first contact.
     ///
-    /// So little any vehicle gains, as friction acts against the velocity of the hinge of a footpad and not against that of its face.
+    /// Any vehicle gains that little, as friction acts against the velocity of a footpad's hinge and not of its face.
     ///
     /// [`Energies::given_by_contact`]: touchdown_dynamics::landing::Energies::given_by_contact
     pub given: f64,
-    /// Whether a footpad was crushed beyond its hinge in a landing that did not end as bottomed.
+    /// True if a footpad was crushed beyond its hinge in a landing that did not end as bottomed.
     pub is_crushed_through: bool,
 }
 
@@ -32,7 +32,7 @@ impl ContactWarnings {
         }
     }
 
-    /// Warnings of both.
+    /// Combines two warnings.
     pub fn and(self, other: Self) -> Self {
         Self {
             given: self.given.max(other.given),

@@ -1,8 +1,8 @@
-//! The first speed at which a lander does no longer land stably.
+//! The lowest speed at which a lander no longer lands stably.
 //!
-//! Outcomes can re-enter: above the speed at which a lander topples it may be stable again. A
-//! bisection over the whole range could then settle on any of the changes, so the range is
-//! scanned upward in steps first and only the step in which the outcome changes is narrowed down.
+//! Outcomes can re-enter: above the speed at which a lander topples it may be stable again. Bisection over the whole
+//! range could settle on any of the changes. So the range is first scanned upward in steps, and only the step in which
+//! the outcome changes is narrowed down.
 
 use crate::boundary::Boundary;
 use crate::certainty::Variation;
@@ -10,11 +10,10 @@ use crate::search_range::Search;
 use crate::trial::Trial;
 
 impl Search {
-    /// Searches the first transition with `land`, which lands at a given horizontal speed with a
-    /// variation.
+    /// Searches the first transition. `land` computes the landing at a horizontal speed, with a variation.
     ///
     /// # Errors
-    /// Only what `land` gives up with, at once.
+    /// Returns at once with the first error of `land`.
     pub async fn first_transition<Stop>(
         &self,
         land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,

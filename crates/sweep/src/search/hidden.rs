@@ -1,27 +1,26 @@
-//! Where a band narrower than the scan step may hide between two landings that end alike.
+//! Detects intervals between two like landings that may hide a band narrower than the scan step.
 //!
-//! A vehicle that topples in a narrow band of speeds comes close to toppling on both sides of it:
-//! the least stability angle σ falls toward the band from below and from above. The vehicle turns
-//! back where its energy is spent, and near the tipping point that energy falls short of toppling by
-//! an amount proportional to σ²: it is σ² that runs straight to zero where toppling begins. So does
-//! the stroke that a strut has left where it begins to bottom, and so do, from the other side, what
-//! toppled and bottomed landings have in excess ([`crate::trial::Margins`]). Where lines twice as steep
-//! as those through the landings on either side of an interval meet at or below zero in it, the
-//! interval is searched for the least margin itself. Twice, because a new contact bends the course of
-//! a margin within a scan step.
+//! A vehicle that topples in a narrow band of speeds comes close to toppling on both sides of it: the least stability
+//! angle σ falls toward the band from below and from above. The vehicle turns back where its energy is spent. Near the
+//! tipping point that energy falls short of toppling by an amount proportional to σ², so σ² runs straight to zero where
+//! toppling begins. So does the remaining stroke of a strut where bottoming begins, and so does, from the other side,
+//! the excess of toppled and bottomed landings ([`crate::trial::Margins`]). Draw lines twice as steep as those through
+//! the two landings on either side of an interval. If they meet at or below zero inside it, the interval is searched
+//! for the least margin. The factor of two allows for a new contact that bends the course of a margin within a scan
+//! step.
 //!
-//! What such looks find is in `docs/notes/skips.md`, with the bands that are missed: those of which no margin
-//! tells, because all of them run on smoothly from one side of the band to the other.
+//! `docs/notes/skips.md` lists the bands found and those missed. Missed bands show in no margin: all margins run
+//! smoothly from one side of the band to the other.
 
 use touchdown_dynamics::outcome::Class;
 
 use crate::trial::Sample;
 
-/// How much steeper than around it the course of a margin may be inside an interval.
+/// Steepness of a margin assumed inside an interval, as a multiple of that around it.
 const STEEPER: f64 = 2.0;
-/// Widest interval between landings of a scan that is looked into, in steps of the scan.
+/// Widest interval between scan landings that is checked, in scan steps.
 const WIDEST: f64 = 4.5;
-/// Landings spent on one look: they narrow the place of the least margin to 1/29 of the interval.
+/// Landings per look: they narrow the place of the least margin to 1/29 of the interval.
 const LANDINGS: usize = 8;
 
 /// An interval that may hide a band.
@@ -29,11 +28,11 @@ const LANDINGS: usize = 8;
 pub(crate) struct Suspect {
     /// Index of the sample at its lower end.
     pub(crate) index: usize,
-    /// How landings in the band would end.
+    /// Class of the landings in the suspected band.
     pub(crate) otherwise: Class,
 }
 
-/// Intervals between landings of a scan that may hide a band; there are none where the scan passed over many steps.
+/// Returns the intervals between scan landings that may hide a band; none where the scan skipped many steps.
 pub(crate) fn suspects(samples: &[Sample], scan_step: f64) -> Vec<Suspect> {
     let are_near = |pair: &[Sample]| pair[1].speed - pair[0].speed < WIDEST * scan_step;
     let mut suspects = Vec::new();
@@ -55,7 +54,7 @@ pub(crate) fn suspects(samples: &[Sample], scan_step: f64) -> Vec<Suspect> {
     suspects
 }
 
-/// How bands among landings of a class may end that these tell of.
+/// Classes of band that can hide between landings of this class.
 fn others(class: Class) -> &'static [Class] {
     match class {
         Class::Stable => &[Class::Unstable, Class::Bottomed],
@@ -65,18 +64,18 @@ fn others(class: Class) -> &'static [Class] {
     }
 }
 
-/// Speed and the margin against ending `otherwise`, where there is one.
+/// Speed and the margin against ending as `otherwise`, if there is one.
 fn coordinates(sample: &Sample, otherwise: Class) -> Option<[f64; 2]> {
     let margin = match otherwise {
-        // What such a landing has in excess.
+        // The excess of such a landing.
         Class::Stable => -sample.trial.margin([Class::Stable, sample.class()])?,
         _ => sample.trial.margin([Class::Stable, otherwise])?,
     };
     Some([sample.speed, margin])
 }
 
-/// Margin at which lines [`STEEPER`] than those through the two landings below an interval and
-/// through the two above it meet; `None` unless it falls from below and rises to above.
+/// Margin at which lines [`STEEPER`] than those through the two landings below an interval and through the two above it
+/// meet; `None` unless the margin falls from below and rises toward above.
 fn dips(around: &[Sample], coordinates: impl Fn(&Sample) -> Option<[f64; 2]>) -> Option<f64> {
     let [before, low, high, after] = around else {
         return None;
@@ -93,8 +92,8 @@ fn dips(around: &[Sample], coordinates: impl Fn(&Sample) -> Option<[f64; 2]>) ->
     (b[0]..=c[0]).contains(&x).then(|| b[1] + fall * (x - b[0]))
 }
 
-/// Searches the least margin against ending `otherwise` between two landings that end alike, by golden
-/// section, until a landing ends in another class or the landings are spent; returns them all.
+/// Searches for the least margin against ending as `otherwise` between two like landings, by golden section. Stops when
+/// a landing ends in another class or the landings are spent; returns them all.
 pub(crate) async fn look<Stop>(
     [low, high]: [&Sample; 2],
     otherwise: Class,
@@ -105,7 +104,7 @@ pub(crate) async fn look<Stop>(
     let mut landings: Vec<Sample> = Vec::with_capacity(LANDINGS);
     let mut inner: [Option<[f64; 2]>; 2] = [None, None];
     while landings.len() < LANDINGS {
-        // Of the two inner points of the interval, one is known after the first round.
+        // After the first round one of the two inner points is known.
         let (index, speed) = match inner {
             [None, _] => (0, b - golden * (b - a)),
             [_, None] => (1, a + golden * (b - a)),
@@ -157,7 +156,7 @@ mod tests {
         }
     }
 
-    /// A landing that leaves so much stroke, or else bottoms a strut, and ends in `class` if it does not.
+    /// A landing with this stroke left that ends in `class`, or bottoms a strut if none is left.
     fn leaving(class: Class, speed: f64, stroke: f64) -> Sample {
         let class = if stroke > 0.0 { class } else { Class::Bottomed };
         let mut trial = Trial::example(class, 1);

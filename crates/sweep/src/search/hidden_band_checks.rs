@@ -1,4 +1,4 @@
-//! Counts of looks for bands narrower than the scan step, by what led to them.
+//! Counts of the checks for bands narrower than the scan step, by the sign that led to them.
 
 use std::fmt;
 use std::ops::AddAssign;
@@ -6,12 +6,12 @@ use std::ops::AddAssign;
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::Class;
 
-/// Intervals that were looked into, and how many of them held another outcome.
+/// Intervals checked, and those that held another outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct CheckCounts {
-    /// Intervals looked into.
+    /// Intervals checked.
     pub checks: u64,
-    /// Those that held something.
+    /// Intervals with another outcome inside.
     pub finds: u64,
 }
 
@@ -35,12 +35,12 @@ impl fmt::Display for CheckCounts {
     }
 }
 
-/// Checks for hidden bands, by the sign that there may be one.
+/// Checks for hidden bands, by the sign that led to them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct HiddenBandChecks {
     /// The stability angle of stable landings falls toward zero.
     pub toppling: CheckCounts,
-    /// Landings that topple have ever less in excess.
+    /// The excess of toppling landings falls toward zero.
     pub righting: CheckCounts,
     /// The stroke that a strut has left, or lacks, falls toward zero.
     pub stroke: CheckCounts,
@@ -49,7 +49,7 @@ pub struct HiddenBandChecks {
 }
 
 impl HiddenBandChecks {
-    /// All of them.
+    /// Sum of all counts.
     pub fn all(&self) -> CheckCounts {
         let mut all = self.toppling;
         for tried in [self.righting, self.stroke, self.gaps] {
@@ -58,7 +58,7 @@ impl HiddenBandChecks {
         all
     }
 
-    /// Those among landings of a class for a band that ends otherwise, by the margin between the two.
+    /// Counts for a suspected band of class `otherwise` among landings of `class`, by the margin between the two.
     pub(crate) fn of(&mut self, class: Class, otherwise: Class) -> &mut CheckCounts {
         match (class, otherwise) {
             (Class::Bottomed, _) | (_, Class::Bottomed) => &mut self.stroke,

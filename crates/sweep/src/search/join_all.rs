@@ -1,14 +1,14 @@
-//! Many parts of a search at a time.
+//! Runs many parts of a search concurrently.
 
 use futures::stream::{self, StreamExt, TryStreamExt};
 
-/// Parts that go on at a time: as many as fill the lanes of a few threads, and few enough for the finest scan.
+/// Parts in progress at a time: enough to fill the lanes of a few threads, few enough for the finest scan.
 const PARTS: usize = 32;
 
-/// Goes through parts of a search that do not depend on one another, many at a time; what each came to, in their order.
+/// Runs independent parts of a search, many at a time; returns their results in order.
 ///
 /// # Errors
-/// The first that a part gives up with.
+/// The first error of a part.
 pub(crate) async fn join_all<T, Stop>(
     parts: impl Iterator<Item = impl Future<Output = Result<T, Stop>>>,
 ) -> Result<Vec<T>, Stop> {

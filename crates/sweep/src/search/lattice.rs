@@ -1,4 +1,4 @@
-//! The speeds that halving an interval can meet.
+//! The speeds that repeated halving of an interval can reach.
 
 /// An interval of speeds, halved until its parts are narrow enough.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,7 +13,7 @@ impl Lattice {
     pub fn new(low: f64, high: f64, tolerance: f64) -> Self {
         let mut halvings = 0;
         let mut width = high - low;
-        // More parts than numbers between the ends would be alike.
+        // Beyond this, neighbouring parts would share the same floating-point number.
         while width > tolerance && halvings < f64::MANTISSA_DIGITS {
             width *= 0.5;
             halvings += 1;
@@ -35,8 +35,7 @@ impl Lattice {
         1 << self.halvings
     }
 
-    /// The speed between part `index` and the one below it, ft/s, to the last bit the one at which
-    /// halving arrives.
+    /// The speed between part `index` and the one below it, ft/s: bit for bit the one that halving reaches.
     pub fn speed(&self, index: u64) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         let (mut start, mut span) = (0, self.parts());

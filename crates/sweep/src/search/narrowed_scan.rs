@@ -1,10 +1,10 @@
 //! A scan whose changes are narrowed down at the solver's tolerance.
 //!
-//! Landings near a change take long, and landings far from one end alike at any tolerance. So the landings of a scan
-//! may be computed at several times the solver's tolerance and end early, while those between the ends of a change
-//! are computed at the tolerance itself. An end of the final bracket that is still a landing of the scan is landed at
-//! again. Should it end otherwise, the change lies beside it and is narrowed down there. Where that leaves no change although
-//! the scan ended at one, the range is scanned again at the tolerance itself.
+//! Landings near a change take long, and landings far from one end alike at any tolerance. So scan landings may be
+//! computed at several times the solver's tolerance and end early, while those between the ends of a change are
+//! computed at the tolerance itself. If an end of the final bracket is still a scan landing, it is computed again. If
+//! it then ends otherwise, the change lies beside it and is narrowed there. If no change remains although the scan
+//! ended at one, the range is scanned again at the tolerance itself.
 
 use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -17,25 +17,24 @@ use crate::search_range::{Scan, Search};
 use crate::skipped::Skipped;
 use crate::trial::{Sample, Trial, first_unstable};
 
-/// Part of the greatest width of a bracket by which rounding may exceed it.
+/// Rounding error allowed in the greatest bracket width, as a part of it.
 const ROUNDING: f64 = 1e-9;
 
 /// A scan with its changes narrowed down.
 #[derive(Debug, Default)]
 pub(crate) struct NarrowedScan {
-    /// Landings from below.
+    /// Landings, lowest speed first.
     pub(crate) samples: Vec<Sample>,
-    /// Looks for hidden bands.
+    /// Checks for hidden bands.
     pub(crate) checks: HiddenBandChecks,
-    /// What was skipped.
+    /// Skipped work.
     pub(crate) skipped: Skipped,
-    /// Landings that are not among the samples, and evaluations in them.
+    /// Landings that are not among the samples, and their evaluations.
     pub(crate) spent: [u64; 2],
 }
 
 impl Search {
-    /// Scans the range, or as much of it as lies below the first change away from a stable landing, and narrows the
-    /// changes down.
+    /// Scans the range, or the part below the first change away from a stable landing, and narrows the changes.
     pub(crate) async fn narrowed_scan<Stop>(
         &self,
         to_first: bool,
@@ -56,7 +55,7 @@ impl Search {
         Ok(tight)
     }
 
-    /// How the landings of the scan are computed.
+    /// Variation with which scan landings are computed.
     fn scan_variation(&self) -> Variation {
         match self.scan {
             Scan::Full if self.scan_looseness == 1.0 => Variation::Unchanged,
@@ -65,7 +64,7 @@ impl Search {
         }
     }
 
-    /// A scan by such landings, narrowed down; whether all of it holds at the tolerance itself.
+    /// Scans with such landings and narrows the changes; also returns whether the result holds at the tolerance itself.
     async fn scan_and_narrow<Stop>(
         &self,
         variation: Variation,
@@ -107,7 +106,7 @@ impl Search {
                 break;
             }
         }
-        // A landing that only the scan took for a change ended the scan too soon.
+        // The scan ended too soon, at a loose landing that seemed to be a change.
         let is_whole = scan
             .samples
             .last()
@@ -123,20 +122,20 @@ impl NarrowedScan {
         self.spent[1] += sample.trial.evaluations;
     }
 
-    /// Puts a landing at the solver's tolerance in the place of one of the scan.
+    /// Replaces a scan landing by one at the solver's tolerance.
     fn replace(&mut self, index: usize, sample: Sample) {
         let replaced = std::mem::replace(&mut self.samples[index], sample);
         self.spend(&replaced);
         self.skipped.replaced += 1;
     }
 
-    /// Adds landings, in order of speed.
+    /// Adds landings, keeping the order of speed.
     fn insert(&mut self, more: Vec<Sample>) {
         self.samples.extend(more);
         self.samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
     }
 
-    /// Looks into the intervals that may hide a band.
+    /// Checks the intervals that may hide a band.
     async fn look_for_hidden_bands<Stop>(
         &mut self,
         scan_step: f64,
@@ -160,8 +159,8 @@ impl NarrowedScan {
         Ok(())
     }
 
-    /// Changes of class between neighbouring landings that are not as narrow as a tolerance (ft/s) yet, or the lowest change
-    /// alone if that is one.
+    /// Changes of class between neighbouring landings that are wider than a tolerance (ft/s); with `to_first`, at most
+    /// the lowest change.
     fn wide_changes(&self, tolerance: f64, to_first: bool) -> Vec<[Sample; 2]> {
         let changes = self
             .samples
@@ -175,7 +174,7 @@ impl NarrowedScan {
             .collect()
     }
 
-    /// Adds what narrowing a change gave.
+    /// Adds the result of narrowing a change.
     fn add(&mut self, narrowed: Narrowed) {
         self.checks.gaps += narrowed.checks;
         self.skipped.interpolated += narrowed.interpolated;
@@ -183,15 +182,15 @@ impl NarrowedScan {
             let is_end = |sample: &Sample| sample.speed == end.speed;
             match self.samples.iter().position(is_end) {
                 Some(index) if self.samples[index].is_loose => self.replace(index, end),
-                // Two changes have this end.
+                // Two changes share this end.
                 _ => self.spend(&end),
             }
         }
         self.insert(narrowed.samples);
     }
 
-    /// Indices of landings of the scan that a result hangs on by themselves: the lowest, where it is not stable, and
-    /// one of each band in which all landings ended early.
+    /// Indices of scan landings that alone support a result: the lowest if it is not stable, and one of each band in
+    /// which all landings ended early.
     fn unproven(&self, to_first: bool) -> Vec<usize> {
         let samples = &self.samples;
         let first = first_unstable(samples).filter(|index| *index == 0 && samples[0].is_loose);
@@ -226,7 +225,7 @@ mod tests {
         ..SEARCH
     };
 
-    /// Searches where landings topple from `true_speed` on, at a looser tolerance from `loose_speed`.
+    /// Searches landings that topple from `true_speed` on, or from `loose_speed` at a looser tolerance.
     fn find(search: Search, true_speed: f64, loose_speed: f64) -> Boundary {
         let found: Result<_, Infallible> = block_on(search.boundary(async |speed, variation| {
             let from = match variation {

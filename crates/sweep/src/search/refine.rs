@@ -1,24 +1,22 @@
-//! From an interval in which the outcome changes to a bracket as narrow as was asked for.
+//! Narrows an interval in which the outcome changes to a bracket of the required width.
 //!
-//! Bisection takes one landing for every halving, and the landings nearest to a transition are the
-//! longest of all. The margins of the landings run through zero where the outcome changes, nearly on
-//! a straight line, so that interpolating them finds the place in two or three landings. Only speeds
-//! that halving can meet are landed at, and both ends of the bracket are landings: where an
-//! interval holds one transition, the bracket is that of bisection to the last bit.
+//! Bisection takes one landing per halving, and the landings nearest to a transition are the longest of all. The
+//! margins of the landings run nearly straight through zero where the outcome changes, so interpolation finds the place
+//! in two or three landings. Only speeds that halving can reach are computed, and both ends of the bracket are
+//! landings: if an interval holds one transition, the bracket equals that of bisection to the last bit.
 //!
-//! On 42 intervals with all landings of their lattices computed, the 24 from stable to toppling took
-//! 3.1 landings in the mean instead of 8, the 7 that bottom 4.3, the 10 from toppling to stable,
-//! whose margins often jump, 6.5; evaluations fell by 45 %. A prediction from neighbouring points
-//! of the grid was measured and left out: extrapolating two neighbours misses by 0.13 ft/s in the
-//! median (312 points of Figures 4-5 to 4-25), and lies within 0.01 ft/s at 15 % of the points, so
-//! that it could spare at most one of three landings at few of them.
+//! Measured on 42 intervals with all landings of their lattices computed: the 24 from stable to toppling took 3.1
+//! landings in the mean instead of 8, the 7 that bottom 4.3, the 10 from toppling to stable, whose margins often jump,
+//! 6.5. Evaluations fell by 45 %. Prediction from neighbouring grid points was measured and left out: extrapolating two
+//! neighbours misses by 0.13 ft/s in the median (312 points of Figures 4-5 to 4-25) and is within 0.01 ft/s at 15 % of
+//! the points, so it could save at most one of three landings at few of them.
 //!
-//! On the level-vehicle grid both ways give the first transitions of the reference to 0.001 ft/s but at two points
-//! (cross-slope 170 deg, roll 30 deg; 160 and 20): there a toppling band of 0.002 ft/s lies 0.006 and 0.003 ft/s below the
-//! transition of the reference, which halved. Interpolation finds the one, halving the other.
+//! On the level-vehicle grid both methods match the first transitions of the reference to 0.001 ft/s except at two
+//! points (cross-slope 170 deg, roll 30 deg; 160 and 20). There a toppling band of 0.002 ft/s lies 0.006 and 0.003 ft/s
+//! below the transition of the reference, which used halving. Interpolation finds the band, halving the transition.
 //!
-//! Where margins jump or turn back an interval may hold more than one change: its wide gaps are looked at again. Which of
-//! several changes is met is a matter of chance, whether an interval is halved or margins are interpolated.
+//! Where margins jump or turn back an interval may hold several changes, so its wide gaps are checked again. Which of
+//! several changes is found is a matter of chance with either method.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -26,49 +24,49 @@ use crate::hidden_band_checks::CheckCounts;
 use crate::lattice::Lattice;
 use crate::trial::{Sample, margin_jumps};
 
-/// How brackets are narrowed.
+/// Method of narrowing brackets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Refinement {
-    /// Interpolates margins where they speak of the change, and halves where they do not.
+    /// Interpolates margins that decide the change; halves without one.
     #[default]
     Margin,
     /// Halves.
     Bisection,
 }
 
-/// Landings more than halving would take that interpolation may spend before it has to halve.
+/// Landings in excess of halving that interpolation may spend before it has to halve.
 const SLACK: i32 = 2;
 
-/// A gap is wide that is more than this part of the interval: a quarter.
+/// A gap wider than the interval divided by this is wide.
 const WIDE_GAP: u64 = 4;
 
-/// How an interval is narrowed.
+/// Parameters of narrowing an interval.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Narrowing {
-    /// How the next speed is chosen.
+    /// Method of choosing the next speed.
     pub(crate) refinement: Refinement,
-    /// Greatest width of the brackets, ft/s.
+    /// Greatest bracket width, ft/s.
     pub(crate) tolerance: f64,
-    /// Whether changes above the lowest that is met are narrowed too.
+    /// True to narrow changes above the lowest one too.
     pub(crate) to_all: bool,
 }
 
-/// What narrowing an interval gave.
+/// Result of narrowing an interval.
 #[derive(Debug, Default)]
 pub(crate) struct Narrowed {
-    /// Landings in between, in no order.
+    /// Landings inside the interval, in no order.
     pub(crate) samples: Vec<Sample>,
-    /// Ends of the interval that the change lies beside, where they were looser, at the solver's tolerance.
+    /// Loose ends of the interval that a change lies next to, computed again at the solver's tolerance.
     pub(crate) ends: Vec<Sample>,
-    /// Gaps between like landings that were looked into for another change.
+    /// Gaps between like landings that were checked for another change.
     pub(crate) checks: CheckCounts,
-    /// Landings that halving takes more than interpolating did.
+    /// Landings that interpolation saved over halving.
     pub(crate) interpolated: i64,
 }
 
 impl Narrowing {
-    /// Narrows down the change of class between two landings and any other that is met on the way. `sample` lands at the
-    /// solver's tolerance; the two landings may be looser.
+    /// Narrows the change of class between two landings, and any other met on the way. `sample` lands at the solver's
+    /// tolerance; the two landings may be looser.
     pub(crate) async fn between<Stop>(
         &self,
         low: &Sample,
@@ -116,9 +114,8 @@ impl Narrowing {
         Ok(narrowed)
     }
 
-    /// Where a margin jumps or turns back inside the interval, there may be more changes than the
-    /// one that was narrowed down: lands at the thirds of each wide gap between like landings, and
-    /// narrows what it finds.
+    /// Looks for further changes where a margin jumps or turns back inside the interval: lands at the thirds of each
+    /// wide gap between like landings, and narrows what it finds.
     async fn look_again<Stop>(
         &self,
         ends: &[Node; 2],
@@ -171,7 +168,7 @@ impl Narrowing {
                 Refinement::Bisection => None,
             };
             landings += 1;
-            // What is left must be within reach of halving.
+            // The rest must stay within reach of halving.
             let widest = libm::ldexp(1.0, most - landings);
             let node = land(place(aim, low.index, high.index, widest)).await?;
             if node.class() == low.class() {
@@ -190,8 +187,7 @@ impl Narrowing {
     }
 }
 
-/// Whether neighbouring landings change class once, at a margin that runs through zero and never
-/// turns back.
+/// True if the class changes once along the landings, at a margin that runs through zero and never turns back.
 fn is_regular(ends: &[Node; 2], between: &[Node]) -> bool {
     let mut nodes: Vec<&Node> = ends.iter().chain(between).collect();
     nodes.sort_by_key(|node| node.index);
@@ -230,16 +226,15 @@ impl Node {
     }
 }
 
-/// Where the margin that tells of the change between two landings passes zero ([`aim`]).
+/// Place where the margin that decides the change between two landings passes zero ([`aim`]).
 fn aim_of(low: &Node, high: &Node, outside: Option<&Node>) -> Option<f64> {
     let classes = [low.class(), high.class()];
     let point = |node: &Node| Some([node.index as f64, node.margin(classes)?]);
     aim(point(low)?, point(high)?, outside.and_then(point))
 }
 
-/// Where a margin passes zero between two landings, each given by its place on a lattice and its margin: on the line
-/// through both, or on the parabola through a landing beyond them too where the margin is monotone. `None` where it does
-/// not change its sign.
+/// Zero of a margin between two landings, each given by lattice place and margin: on the line through both, or on the
+/// parabola through a further landing `outside` too if the margin is monotone. `None` without a change of sign.
 pub(crate) fn aim(a: [f64; 2], b: [f64; 2], outside: Option<[f64; 2]>) -> Option<f64> {
     let changes_sign = (a[1] > 0.0) != (b[1] > 0.0);
     let line = || a[0] + (b[0] - a[0]) * a[1] / (a[1] - b[1]);
@@ -251,8 +246,8 @@ pub(crate) fn aim(a: [f64; 2], b: [f64; 2], outside: Option<[f64; 2]>) -> Option
     })
 }
 
-/// Place of zero on the parabola through three points in which the place is a function of the margin;
-/// `None` where the margin is not monotone over them.
+/// Zero of the parabola through three points that gives the place as a function of the margin; `None` if the margin is
+/// not monotone over them.
 fn inverse(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<f64> {
     let mut points = [a, b, c];
     points.sort_by(|p, q| p[0].total_cmp(&q[0]));
@@ -265,8 +260,8 @@ fn inverse(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<f64> {
     })
 }
 
-/// The place to land at next: next to the aim, on the side of the farther end, and so that neither
-/// part is wider than `widest`; the middle without an aim.
+/// The next place to land at: next to the aim, on the side of the farther end, with neither part wider than `widest`;
+/// the middle if there is no aim.
 pub(crate) fn place(aim: Option<f64>, low: u64, high: u64, widest: f64) -> u64 {
     let middle = low + (high - low) / 2;
     let Some(aim) = aim else {

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 
 const HALVINGS: usize = 8;
 
-/// Bracket of the change between 0 and 0.25, and the landings that it took.
+/// Bracket of the change between 0 and 0.25, and the number of landings.
 fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2], usize) {
     let narrowing = Narrowing {
         refinement,
@@ -33,7 +33,7 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
     ([change[0].speed, change[1].speed], landings)
 }
 
-/// The same bracket by both ways; landings that interpolation took.
+/// The bracket is the same by both methods; landings that interpolation took.
 fn both(margin: impl Fn(f64) -> f64) -> usize {
     let sample = |speed| Sample::example(speed, margin(speed));
     let (halved, landings) = bracket(Refinement::Bisection, sample);
@@ -103,7 +103,7 @@ fn an_irregular_interval_is_looked_at_again() {
     }
 }
 
-/// Ends of a change that come from a scan are landed at again where the change lies beside them, and only there.
+/// Scan landings at the ends of a change are computed again if the change lies next to them, and only then.
 #[test]
 fn ends_of_a_scan_are_landed_at_again_beside_a_change() {
     let ends_at = |place: f64, loose_place: f64| {

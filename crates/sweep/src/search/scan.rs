@@ -1,18 +1,18 @@
-//! The scan over the range of speeds that finds where outcomes change.
+//! Scans the range of speeds for changes of outcome.
 //!
-//! A full scan lands at every step. A skipping scan lands at strides of several steps first. Between two landings that
-//! ended otherwise it lands where their margins say that the outcome changes, else in the middle, down to the step. What
-//! lies between two landings that ended alike is left out when both are quiet and far from ending otherwise:
+//! A full scan lands at every step. A skipping scan first lands at strides of several steps. Between two landings of
+//! different class it lands at the aim of their margins, else in the middle, down to single steps. The range between
+//! two landings of the same class is left out if both are quiet and far from ending otherwise:
 //!
 //! * Both ended within `SOON`, or both stayed upright with σ above `UPRIGHT`. Narrow bands lie among landings that
-//!   bounce and rock for long. Below the first transition there are hardly any of them: where nothing else is sought, it is
-//!   enough too that a third landing has σ on a line with theirs (`LINE`).
+//!   bounce and rock for long. Below the first transition there are hardly any, so when only that is sought it also
+//!   suffices that the σ of a third landing is on a line with theirs (`LINE`).
 //! * Neither failed nor was undecided, and the strut nearest to a stop had `CLEAR` of its stroke to spare or would have
-//!   needed as much more: whether a strut just bottoms changes back and forth with the speed. Between landings that lie
-//!   close together less is enough.
-//! * The mean of their margins against toppling is more than the steepest margin seen would lose over half their distance.
+//!   needed as much more: whether a strut just bottoms changes back and forth with the speed. Less is enough between
+//!   landings that lie close together.
+//! * The mean of their toppling margins exceeds what the steepest margin seen would lose over half their distance.
 //!
-//! This is a measured rule and no proof (`docs/notes/skips.md`).
+//! This rule is measured, not proven (`docs/notes/skips.md`).
 
 use std::cell::RefCell;
 
@@ -26,27 +26,27 @@ pub use crate::search_range::Scan;
 use crate::search_range::Search;
 use crate::trial::{Sample, Trial, first_unstable};
 
-/// Free-fall times after which a landing has not ended soon.
+/// Free-fall times within which a landing has ended soon.
 const SOON: f64 = 2.2;
 /// Least stability angle of an upright landing, rad.
 const UPRIGHT: f64 = 0.6;
-/// Change of a margin against toppling with the speed that is not expected to be exceeded, rad² per ft/s.
+/// Assumed greatest change of a toppling margin with speed, rad² per ft/s.
 const STEEPEST: f64 = 0.2;
-/// How far the struts of quiet landings are from just meeting a stop, in units of the whole stroke, however far the
-/// landings lie apart.
+/// Least distance of the struts of quiet landings from just meeting a stop, in units of the whole stroke, at any
+/// distance of the landings.
 const CLEAR: f64 = 0.05;
-/// The same in proportion to their distance, where that is less: in units of the whole stroke per ft/s.
+/// The same per ft/s between the landings, where that is less, in units of the whole stroke per ft/s.
 const CLEAR_PER_SPEED: f64 = 0.03;
-/// The same where only the first transition is sought.
+/// The same if only the first transition is sought.
 const CLEAR_PER_SPEED_TO_FIRST: f64 = 0.02;
-/// How far the least stability angle of a stable landing is from the line between those of two others, if it is on it, rad.
+/// Tolerance on the least stability angle of a stable landing for lying on the line between two others, rad.
 const LINE: f64 = 0.01;
 /// Widest stride, ft/s.
 const STRIDE: f64 = 4.0;
 
 impl Search {
-    /// Scans the range, or as much of it as lies below the first change away from a stable landing;
-    /// returns the landings from below. Asks for many landings at a time where all of them are needed.
+    /// Scans the range, or the part below the first change away from a stable landing; returns the landings, lowest
+    /// speed first. Asks for many landings at a time where all of them are needed.
     pub(crate) async fn scanned<Stop>(
         &self,
         to_first: bool,
@@ -79,8 +79,8 @@ impl Search {
         Ok(samples)
     }
 
-    /// Landings that a full scan takes more than these of a scan, in order; up to the first change where
-    /// that is all that is sought.
+    /// Landings that a full scan takes beyond these scan landings, given in order; counted up to the first change if
+    /// only that is sought.
     pub(crate) fn left_out(&self, to_first: bool, samples: &[Sample]) -> i64 {
         let end = first_unstable(samples).filter(|_| to_first);
         let full = match end {
@@ -90,7 +90,7 @@ impl Search {
         full as i64 - samples.len() as i64
     }
 
-    /// Steps from one landing to the next, before any between them is looked at.
+    /// Steps from one landing to the next on the first pass.
     fn stride(&self) -> u64 {
         match self.scan {
             Scan::Full => 1,
@@ -99,18 +99,19 @@ impl Search {
     }
 }
 
-/// A scan under way.
+/// A scan in progress.
 struct Walk<F> {
     land: F,
     to_first: bool,
-    /// Steps from one landing to the next, before any between them is looked at.
+    /// Steps from one landing to the next on the first pass.
     stride: u64,
     /// Width of a step, ft/s.
     step: f64,
     samples: RefCell<Vec<Sample>>,
 }
 
-/// Whether two landings ended for sure and had their struts clear of the stops on the same side, by `CLEAR` or by `least`.
+/// True if both landings are decided and their struts are clear of the stops, by `CLEAR`, or by `least` on the same
+/// side.
 fn are_clear(ends: [&Trial; 2], least: f64) -> bool {
     let is_decided = |trial: &Trial| !matches!(trial.class, Class::Failure | Class::Undecided);
     let [Some(a), Some(b)] = ends.map(|trial| trial.margins.bottoming) else {
@@ -121,7 +122,7 @@ fn are_clear(ends: [&Trial; 2], least: f64) -> bool {
     ends.into_iter().all(is_decided) && (nearest >= CLEAR || is_near_enough)
 }
 
-/// A place of the scan that was landed at.
+/// A computed place of the scan.
 struct Place {
     index: u64,
     class: Class,
@@ -143,7 +144,7 @@ where
         Ok(place)
     }
 
-    /// Whether nothing between two landings that ended alike can be expected to end otherwise, `on_line` with a third.
+    /// True if no other outcome is expected between two like landings; `on_line` if a third lies on a line with them.
     fn is_quiet(&self, low: &Place, high: &Place, on_line: bool) -> bool {
         let ends = [&low.trial, &high.trial];
         let are = |quiet: fn(&Trial) -> bool| ends.iter().all(|trial| quiet(trial));
@@ -161,8 +162,8 @@ where
             && mean.is_some_and(|mean| mean.abs() > STEEPEST * 0.5 * width)
     }
 
-    /// Lands between two landings, which may lie on a line with a third; whether the first change was all there was to
-    /// find, and is found.
+    /// Lands between two landings, which may lie on a line with a third. Returns true once the first change is found,
+    /// if only that is sought.
     async fn between(&self, low: &Place, high: &Place, on_line: bool) -> Result<bool, Stop> {
         if high.index - low.index == 1 {
             return Ok(self.to_first && high.class != Class::Stable);
@@ -175,7 +176,7 @@ where
         let below = Box::pin(self.between(low, &middle, on_line));
         let above = Box::pin(self.between(&middle, high, on_line));
         if !self.to_first && high.index - low.index > self.stride / 4 {
-            // Quarters of a stride at once, and not more however many steps there are in it.
+            // Quarters of a stride run concurrently, no finer parts: that bounds their number.
             try_join(below, above).await?;
             return Ok(false);
         }
@@ -183,7 +184,7 @@ where
     }
 }
 
-/// Whether the least stability angles of three stable landings lie on a line.
+/// True if the least stability angles of three stable landings lie on a line.
 fn are_on_line(low: &Place, middle: &Place, high: &Place) -> bool {
     let places = [low, middle, high];
     let [a, b, c] = places.map(|place| place.trial.least_angle);
@@ -192,7 +193,7 @@ fn are_on_line(low: &Place, middle: &Place, high: &Place) -> bool {
     are_stable && (b - (a + part * (c - a))).abs() < LINE
 }
 
-/// Where to land between two places: where their margins say that the outcome changes, else in the middle.
+/// The next place between two places: the aim of their margins, else the middle.
 fn next_place(low: &Place, high: &Place) -> u64 {
     let classes = [low.class, high.class];
     let point = |place: &Place| Some([place.index as f64, place.trial.margin(classes)?]);

@@ -26,7 +26,7 @@ fn landing(speed: f64, trial: Trial) -> Sample {
     }
 }
 
-/// Scans landings that last so long and end in such a class at a speed; returns them.
+/// Scans landings with a duration and class for each speed; returns them.
 fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<Sample> {
     let sample = async |speed| {
         let (duration, class) = land(speed);
@@ -160,7 +160,7 @@ fn landings_on_both_sides_of_a_stop_are_not_passed_over() {
     assert!(!clear(0, 1));
 }
 
-/// Where only the first transition is sought, long landings are passed over that lie on a line with their neighbours.
+/// If only the first transition is sought, long landings on a line with their neighbours are skipped.
 #[test]
 fn long_landings_on_a_line_are_passed_over_below_the_first_transition() {
     let count = |to_first, bend: f64| {

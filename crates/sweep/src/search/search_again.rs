@@ -1,9 +1,9 @@
-//! Disputed transitions are searched again at tighter tolerances.
+//! Searches disputed transitions again at tighter tolerances.
 //!
-//! A bracket that was found at the solver's tolerance may lie beside the true transition: the trajectory sits on a knife
-//! edge of contact, and its error decides. The interval in which the test of doubt found disagreement is then narrowed down
-//! at 1e-6, 1e-7, ... until a bracket holds at a tenth of its tolerance and for landings that are tilted by next to
-//! nothing. A transition that is still disputed at the last tolerance is chaotic: no tolerance settles it.
+//! A bracket found at the solver's tolerance may lie beside the true transition: the trajectory sits on a knife edge of
+//! contact, and its error decides. The interval of disagreement found by the test is then narrowed down at 1e-6, 1e-7,
+//! ... until the bracket holds at a tenth of its tolerance and for landings with a minute tilt. A transition still
+//! disputed at the last tolerance is chaotic: no tolerance settles it.
 
 use std::cell::Cell;
 
@@ -15,16 +15,16 @@ use crate::join_all::join_all;
 use crate::search_range::Search;
 use crate::trial::{Sample, Trial};
 
-/// Tolerances of the solver at which a disputed transition is searched again, in turn. The last bracket is compared
-/// with landings at 1e-10.
+/// Solver tolerances at which a disputed transition is searched again, in turn. The last bracket is compared with
+/// landings at 1e-10.
 const TOLERANCES: [f64; 4] = [1e-6, 1e-7, 1e-8, 1e-9];
 
-/// Where the interval around a bracket of such a search is cut: beside its middle, where that bracket may have ended, next
-/// to the transition.
+/// Cut of the interval around an earlier bracket, as a part of its width: beside its middle, where that bracket may
+/// have ended, next to the transition.
 const BESIDE: f64 = 0.45;
 
 impl Search {
-    /// Puts the lowest changes between landings in order, so many of them, to the test.
+    /// Tests the lowest `most` changes between landings in order.
     pub(crate) async fn settled<Stop>(
         &self,
         samples: &[Sample],
@@ -35,7 +35,7 @@ impl Search {
         let middle = |run: &[Sample]| 0.5 * (run[0].speed + run[run.len() - 1].speed);
         let tests = (1..runs.len()).take(most).map(|above| {
             let [lower, upper] = [runs[above - 1], runs[above]];
-            // Each change has its half of the landings that it shares with the next.
+            // Two changes share the landings between them: half each.
             let from = if above == 1 { self.from } else { middle(lower) };
             let to = if above + 1 == runs.len() {
                 self.to
@@ -51,8 +51,8 @@ impl Search {
         })
     }
 
-    /// Puts the change between two runs of landings to the test, if it is to be, and searches it again where it is disputed,
-    /// within limits (ft/s) beyond which other changes lie.
+    /// Tests the change between two runs of landings, if required, and searches it again if disputed. Other changes lie
+    /// beyond the `limits` (ft/s).
     async fn tested<Stop>(
         &self,
         [below, above]: [&[Sample]; 2],
@@ -110,8 +110,8 @@ impl Search {
         })
     }
 
-    /// Narrows an interval down to a bracket of a change between two classes. Where its ends are of others, it is widened
-    /// by a step of the scan at most; `None` where the change does not lie between the limits by itself.
+    /// Narrows an interval to a bracket of a change between two classes. If its ends are of other classes, it is
+    /// widened by a scan step at most; `None` if no such change lies alone between the limits.
     async fn bracket_of<Stop>(
         &self,
         [from, to]: [f64; 2],
@@ -147,7 +147,7 @@ impl Search {
     }
 }
 
-/// Runs of landings that end alike, with the brackets that were searched again in the place of those found first.
+/// Runs of like landings; brackets searched again replace those found first.
 fn with_brackets(runs: &[&[Sample]], tests: &[Tested]) -> Vec<Sample> {
     let bracket = |change: Option<usize>| tests.get(change?)?.ends.as_ref();
     let mut kept = Vec::new();

@@ -6,8 +6,8 @@ use crate::boundary::{Boundary, Extent};
 use crate::first_transition::tests::SEARCH;
 use futures::executor::block_on;
 
-/// Searches where landings topple from a speed that depends on the tolerance, from there for a `width`, with margins that
-/// tell nothing; the boundary, and the tolerances landed at.
+/// Searches landings that topple over a `width` from a speed that depends on the tolerance, with no telling margins;
+/// returns the boundary and the tolerances used.
 fn find(extent: Extent, from: impl Fn(f64, f64) -> f64, width: f64) -> (Boundary, Vec<f64>) {
     let search = Search {
         extent,

@@ -1,9 +1,9 @@
-//! Where a boundary is searched, and how closely.
+//! Range and resolution of a boundary search.
 
 use crate::certainty::Doubt;
 use crate::refine::{Narrowing, Refinement};
 
-/// Where to search, ft/s, and how closely.
+/// Range of speeds to search, ft/s, and resolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Search {
     /// Lowest speed, ft/s.
@@ -14,37 +14,37 @@ pub struct Search {
     pub scan_step: f64,
     /// Greatest width of the final bracket, ft/s.
     pub tolerance: f64,
-    /// How much of the range is searched.
+    /// Part of the range to search.
     pub extent: Extent,
-    /// How it is scanned.
+    /// Kind of scan.
     pub scan: Scan,
-    /// What the solver's tolerance is multiplied by for the scan.
+    /// Factor on the solver's tolerance for the scan.
     pub scan_looseness: f64,
-    /// How brackets are narrowed.
+    /// Method of narrowing brackets.
     pub refinement: Refinement,
-    /// Which transitions are put to the test.
+    /// Transitions to test.
     pub doubt: Doubt,
     /// Stability angle that a landing has to keep in order to count as stable, rad.
     pub kept: f64,
 }
 
-/// How much of the range of speeds a search goes through.
+/// Part of the speed range that a search covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Extent {
     /// Up to the first transition.
     #[default]
     First,
-    /// All of it: every band between transitions.
+    /// The whole range: every band between transitions.
     All,
 }
 
-/// How the range is scanned.
+/// Kind of scan over the range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scan {
-    /// At every step.
+    /// Lands at every step.
     #[default]
     Full,
-    /// At every step but between quiet landings.
+    /// Lands at every step except between quiet landings.
     Skipping,
 }
 
@@ -54,12 +54,12 @@ impl Search {
         ((self.to - self.from) / self.scan_step - 1e-9).ceil() as u64 + 1
     }
 
-    /// The `index`-th speed of the scan, ft/s: full steps from below, and the upper end.
+    /// The `index`-th speed of the scan, ft/s: full steps from below, clipped at the upper end.
     pub fn scan_speed(&self, index: u64) -> f64 {
         (self.from + index as f64 * self.scan_step).min(self.to)
     }
 
-    /// Landings that one search is expected to take at most.
+    /// Most landings of a full scan and one bisection.
     pub fn most_landings(&self) -> u64 {
         let halvings = libm::log2(self.scan_step / self.tolerance).ceil().max(0.0);
         self.scan_count() + halvings as u64
@@ -73,7 +73,7 @@ impl Search {
         }
     }
 
-    /// Number of steps of the scan below a speed of it.
+    /// Number of scan steps below a speed of the scan.
     pub(crate) fn steps_to(&self, speed: f64) -> u64 {
         ((speed - self.from) / self.scan_step - 1e-9)
             .ceil()

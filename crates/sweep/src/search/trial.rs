@@ -1,4 +1,4 @@
-//! What a search keeps of a landing, and how far that was from ending otherwise.
+//! Record of a landing within a search, with its margins against ending otherwise.
 
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Class, Outcome};
@@ -8,48 +8,46 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::contact_warnings::ContactWarnings;
 
-/// What one landing told.
+/// Result of one landing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
-    /// How it ended.
+    /// Outcome.
     pub outcome: Outcome,
-    /// What it counts as: a stable landing that comes too close to toppling counts as unstable.
+    /// Class it counts as: a stable landing that comes too close to toppling counts as unstable.
     pub class: Class,
-    /// Least stability angle on the way, rad.
+    /// Least stability angle during the landing, rad.
     pub least_angle: f64,
     /// Margins against ending otherwise.
     pub margins: Margins,
-    /// How long it took, in times that the CG falls freely from its height at touchdown.
+    /// Duration, in times of free fall of the CG from its height at touchdown.
     pub duration: f64,
-    /// Tolerance of the solver at which it was computed.
+    /// Solver tolerance.
     pub tolerance: f64,
-    /// Evaluations of the equations of motion that it took.
+    /// Evaluations of the equations of motion.
     pub evaluations: u64,
-    /// Its warnings of contact.
+    /// Contact warnings.
     pub warnings: ContactWarnings,
 }
 
-/// Signed margins, positive on the side of a stable landing and continuous where nothing but the
-/// speed decides.
+/// Signed margins, positive on the side of a stable landing and continuous where only the speed decides.
 ///
-/// A vehicle that rocks over its feet moves over a hill of potential energy. What its energy falls
-/// short of the top is proportional to σ² where it turns back, and what is left of it beyond to the
-/// square of the rate at which σ passes zero. Both run straight through zero with the speed.
+/// A vehicle that rocks over its feet moves over a hill of potential energy. Where it turns back, its energy falls
+/// short of the top in proportion to σ². Where it topples, the energy left beyond the top is proportional to the square
+/// of the rate at which σ passes zero. Both run straight through zero with the speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
-    /// Against toppling: the square of the least σ, or minus the square of its rate at its zero in
-    /// radians per free fall, rad², less the square of the angle that is to be kept. `None` where all feet came to one side.
+    /// Against toppling: square of the least σ, or minus the square of the rate of σ at its zero in radians per free
+    /// fall, rad², less the square of the angle to be kept. `None` if all feet came to one side.
     pub toppling: Option<f64>,
-    /// Against bottoming: the least stroke that a strut had left, or minus the stroke that it would
-    /// have needed beyond its stop, in units of the whole stroke. `None` where it did not slow down, or where a pad or block
-    /// bottomed.
+    /// Against bottoming: least remaining stroke of a strut, or minus the stroke it would have needed beyond its stop,
+    /// in units of the whole stroke. `None` if the strut did not slow down, or if a pad or block bottomed.
     pub bottoming: Option<f64>,
 }
 
-/// Measures of a vehicle by which margins are made dimensionless.
+/// Scales that make margins dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
-    /// Time in which the CG falls freely from its height at touchdown, s.
+    /// Time of free fall of the CG from its height at touchdown, s.
     pub fall_time: f64,
     /// Stroke at which each strut bottoms, ft.
     pub strokes: PerLeg<f64>,
@@ -69,8 +67,8 @@ impl Scales {
 }
 
 impl Trial {
-    /// What a search keeps of a landing that was computed at a tolerance, where a stable one keeps at least the
-    /// stability angle `kept` (rad).
+    /// Extracts the record of a landing that was computed at a tolerance. A stable landing keeps at least the stability
+    /// angle `kept` (rad).
     pub fn of(landing: Landing, scales: &Scales, tolerance: f64, kept: f64) -> Self {
         let class = match landing.outcome.class() {
             Class::Stable if landing.min_stability_angle < kept => Class::Unstable,
@@ -124,7 +122,7 @@ fn bottoming(landing: &Landing, scales: &Scales) -> Option<f64> {
             let beyond = rate * rate / (2.0 * braking);
             return (braking > 0.0).then(|| -beyond / scales.strokes[leg]);
         }
-        // What is left of the struts tells nothing of these.
+        // The struts' remaining stroke is no margin for these.
         Outcome::BottomedPad { .. } | Outcome::BottomedBlock { .. } => return None,
         _ => {}
     }
@@ -141,14 +139,14 @@ fn bottoming(landing: &Landing, scales: &Scales) -> Option<f64> {
 pub struct Sample {
     /// Its horizontal speed, ft/s.
     pub speed: f64,
-    /// What it told.
+    /// Its result.
     pub trial: Trial,
-    /// Whether it was computed for a scan, at a looser tolerance or with an early end.
+    /// True if computed for a scan, at a looser tolerance or with an early end.
     pub(crate) is_loose: bool,
 }
 
 impl Sample {
-    /// A landing at a speed (ft/s), once it has come to its end.
+    /// Awaits a landing at a speed (ft/s).
     pub(crate) async fn at<Stop>(
         speed: f64,
         landing: impl Future<Output = Result<Trial, Stop>>,
@@ -167,11 +165,11 @@ impl Sample {
     }
 }
 
-/// Greatest difference of a margin across a bracket in which it runs through zero: at the regular
-/// transitions of the level vehicle it is 0.0003 for a bracket of 0.001 ft/s.
+/// Greatest change of a margin across a bracket in which it runs through zero. At the regular transitions of the level
+/// vehicle it is 0.0003 for a bracket of 0.001 ft/s.
 pub(crate) const LEAST_JUMP: f64 = 0.01;
 
-/// Whether, of the change between two landings, no margin tells, or one that jumps.
+/// True if no margin decides the change between two landings, or if it jumps.
 pub(crate) fn margin_jumps(low: &Sample, high: &Sample) -> bool {
     let classes = [low.class(), high.class()];
     match [low, high].map(|sample| sample.trial.margin(classes)) {
@@ -189,7 +187,7 @@ pub(crate) fn first_unstable(samples: &[Sample]) -> Option<usize> {
 
 #[cfg(test)]
 impl Trial {
-    /// A landing that ended in a class somehow.
+    /// An example of a landing that ended in a class.
     pub(crate) fn example(class: Class, evaluations: u64) -> Self {
         use touchdown_dynamics::outcome::Failure;
         let outcome = match class {
@@ -214,7 +212,7 @@ impl Trial {
 
 #[cfg(test)]
 impl Sample {
-    /// A landing with this margin, that topples where it is negative.
+    /// A landing with this margin; it topples if the margin is negative.
     pub(crate) fn example(speed: f64, margin: f64) -> Self {
         let class = if margin > 0.0 {
             Class::Stable

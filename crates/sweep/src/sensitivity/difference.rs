@@ -1,26 +1,26 @@
-//! The derivative from five transitions, and whether there is one.
+//! The derivative from five transitions, and a check that it exists.
 //!
-//! V_H at p − h, p − h/2, p, p + h/2 and p + h gives two central differences, D(h) and D(h/2). The
-//! first is taken: what little transitions scatter counts least in it. Its error is estimated as
-//! ε/h, what brackets and solver leave open, and the greater of two:
+//! V_H at p − h, p − h/2, p, p + h/2 and p + h gives two central differences, D(h) and D(h/2). The first is used, as
+//! the scatter of transitions affects it least. Its error is estimated as ε/h, for brackets and solver, plus the
+//! greater of:
 //!
-//! * 4/3 |D(h) − D(h/2)|, as far as D(h) is off where V_H''' makes the two differ; scatter, and small
-//!   jumps of V_H such as a rebound more or less makes, show in it with more than their weight;
-//! * |δ⁴|/2h with the fourth difference δ⁴, which is as far as the slopes to either side are from D(h)
-//!   where V_H has a kink at p.
+//! * 4/3 |D(h) − D(h/2)|, the error of D(h) where V_H''' makes the two differ; scatter, and small jumps of V_H such as
+//!   those of one rebound more or less, show in it with more than their weight;
+//! * |δ⁴|/2h with the fourth difference δ⁴, which is the distance of the slopes on either side from D(h) if V_H has a
+//!   kink at p.
 //!
-//! A smooth V_H leaves nothing in δ⁴ but scatter. Where |δ⁴| is more than a quarter of the way that V_H
-//! goes over both steps, and more than 20 ε, V_H has a kink or jumps: a kink where the
-//! two halves of either side agree with each other, but not with those of the other side.
+//! A smooth V_H leaves only scatter in δ⁴. If |δ⁴| is more than a quarter of the path of V_H over both steps, and more
+//! than 20 ε, V_H has a kink or jumps. It is a kink if the two halves of either side agree with each other, but not
+//! with those of the other side.
 
 use super::Dependence;
 
-/// Part of the way of V_H that irregularities may make up.
+/// Greatest tolerable irregularity, as a part of the path of V_H.
 const TOLERABLE: f64 = 0.25;
-/// Irregularities that always are too small to matter, in units of ε.
+/// Irregularity below which it never matters, in units of ε.
 const NOTICEABLE: f64 = 20.0;
 
-/// Judges transitions (ft/s) at five inputs, half a `step` between them, known to `resolution` (ft/s).
+/// Judges transitions (ft/s) at five inputs, half a `step` apart, known to `resolution` (ft/s).
 pub fn judged(speeds: [f64; 5], step: f64, resolution: f64) -> Dependence {
     let [far_below, below, here, above, far_above] = speeds;
     let fourth = (far_below - 4.0 * below + 6.0 * here - 4.0 * above + far_above).abs();
@@ -41,7 +41,7 @@ pub fn judged(speeds: [f64; 5], step: f64, resolution: f64) -> Dependence {
     }
 }
 
-/// Whether V_H goes evenly on either side, and otherwise on the one than on the other.
+/// True if V_H is even on either side but differs between the sides.
 fn is_kinked(speeds: [f64; 5]) -> bool {
     let ways: Vec<f64> = speeds.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let bend = (ways[2] - ways[1]).abs();

@@ -1,4 +1,4 @@
-//! The transition of a slightly different input, near one that is known.
+//! Finds the transition of a slightly different input near a known one.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -6,24 +6,24 @@ use crate::refine::{Narrowing, Refinement};
 use crate::trial::Sample;
 use crate::trial::first_unstable;
 
-/// Where a transition is looked for; speeds in ft/s.
+/// Range in which a transition is sought; speeds in ft/s.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Near {
-    /// Where it is expected.
+    /// Expected speed.
     pub(crate) around: f64,
-    /// How far from there it is looked for first.
+    /// Distance searched first.
     pub(crate) within: f64,
-    /// How far from there it is looked for at all.
+    /// Greatest distance searched.
     pub(crate) reach: f64,
-    /// What begins there.
+    /// Class above the transition.
     pub(crate) to: Class,
     /// Width of the bracket.
     pub(crate) width: f64,
 }
 
 impl Near {
-    /// Middle of the bracket between a landing that is stable and one that ends as it should, both
-    /// landed at; `None` where there is no such change within reach.
+    /// Middle of the bracket between a stable landing and one of class `to`, both computed; `None` if there is no such
+    /// change within reach.
     pub(crate) async fn follow<Stop>(
         &self,
         sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
@@ -78,7 +78,7 @@ mod tests {
     use futures::executor::block_on;
     use std::convert::Infallible;
 
-    /// Toppling from 11.4 ft/s, with a margin that runs through zero there, and bottoming from 12.5.
+    /// Topples from 11.4 ft/s on, with a margin that runs through zero there, and bottoms from 12.5 on.
     fn land(speed: f64) -> Sample {
         match speed {
             speed if speed < 12.5 => Sample::example(speed, 0.3 * (11.4 - speed)),

@@ -1,4 +1,4 @@
-//! The sensitivities of one point, from perturbed inputs and their transitions.
+//! Sensitivities of one point, from perturbed inputs and their transitions.
 
 use std::cell::Cell;
 
@@ -15,18 +15,18 @@ use crate::parameter::Parameter;
 use crate::sweep_file::Sweep;
 use crate::trial::{Sample, Trial};
 
-/// Part of the search's bracket to which transitions are narrowed down here.
+/// Bracket width here, as a part of that of the search.
 const FINER: f64 = 0.1;
 /// Longest step, in scales of the parameter.
 const LONGEST_STEP: f64 = 0.1;
-/// Steepest change of a transition that is followed, in V_H per scale. Beyond it is a jump.
+/// Steepest change of a transition that is followed, in V_H per scale. Beyond it the transition jumps.
 const STEEPEST: f64 = 4.0;
-/// Change of the transition expected in the first step, over the steepest change.
+/// Expected change of the transition in the first step, as a part of the steepest change.
 const EXPECTED: f64 = 1.0 / 16.0;
 /// Scale of angles and of rates of turn, deg and deg/s.
 const ANGULAR_SCALE: f64 = 30.0;
 
-/// The sensitivities that a sweep asks for at a point, whose `case` was searched and has a `boundary`.
+/// Computes the sensitivities of a point; the search of its `case` found `boundary`.
 pub(crate) async fn of_point<Stop>(
     sweep: &Sweep,
     point: usize,
@@ -74,7 +74,7 @@ pub(crate) async fn of_point<Stop>(
         .follow(&async |speed| Sample::at(speed, counted(case, speed, at)).await)
         .await?
     {
-        // Landings at the ends of the bracket came out differently this time.
+        // This time, landings at the ends of the bracket ended differently.
         None => without_slopes(None, Dependence::Disputed),
         Some(speed) => {
             let followed = FollowedTransition {
@@ -105,22 +105,22 @@ pub(crate) async fn of_point<Stop>(
 
 /// The transition of a point.
 struct FollowedTransition {
-    /// Where it is, ft/s.
+    /// Its speed, ft/s.
     speed: f64,
-    /// What the landing there came to.
+    /// The landing there.
     landed: Trial,
-    /// What begins there.
+    /// Class above the transition.
     to: Class,
     /// Width of brackets, ft/s.
     width: f64,
     /// Error of transitions, ft/s.
     resolution: f64,
-    /// How its landings are computed.
+    /// Variation of its landings.
     at: Variation,
 }
 
 impl FollowedTransition {
-    /// How the transition depends on a parameter.
+    /// Computes the dependence of the transition on a parameter.
     async fn slope<Stop>(
         &self,
         sweep: &Sweep,
@@ -154,7 +154,7 @@ impl FollowedTransition {
         }
         let mut speeds = [self.speed; 5];
         let mut within = EXPECTED * reach;
-        // Each transition is expected on the straight line through two that have been computed.
+        // Each transition is expected on the straight line through two computed ones.
         let places = [
             (3, 0.5, [2, 2]),
             (1, -0.5, [2, 3]),
@@ -186,7 +186,7 @@ impl FollowedTransition {
 }
 
 impl FollowedTransition {
-    /// Whether the landing comes to the same, to the last bit, at both values of a parameter.
+    /// True if the landing is the same, to the last bit, at both values of a parameter.
     async fn is_alike<Stop>(
         &self,
         sweep: &Sweep,
@@ -207,8 +207,8 @@ impl FollowedTransition {
     }
 }
 
-/// Scale over which V_H changes with a parameter, in its unit; `None` for a parameter that is 0 and that nothing else of the
-/// vehicle compares with.
+/// Scale over which V_H changes with a parameter, in its unit; `None` for a parameter that is 0 with no reference
+/// quantity of the vehicle.
 fn scale(parameter: &Parameter, value: f64, vehicle: &Vehicle) -> Option<f64> {
     let name = parameter.program_name();
     if parameter.is_angular() {
@@ -224,7 +224,7 @@ fn scale(parameter: &Parameter, value: f64, vehicle: &Vehicle) -> Option<f64> {
     }
 }
 
-/// Whether a transition that is not where it is expected jumps or vanishes, by an ordinary search.
+/// Decides by an ordinary search whether a transition that is not where expected jumps or vanishes.
 async fn jumps_or_vanishes<Stop>(
     case: &Case,
     search: &Search,

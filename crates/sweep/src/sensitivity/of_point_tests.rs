@@ -27,15 +27,15 @@ fn scales_are_magnitudes_but_of_angles() {
     );
 }
 
-/// What landings at friction μ and a speed come to.
+/// Class of a landing at friction μ and a speed.
 type Landed = fn(f64, f64) -> Class;
 
-/// The dependence on friction, where it is 1, of a boundary at which landings end so.
+/// Dependence on friction, around 1, of the boundary of such landings.
 fn dependence_on_friction(landed: Landed, certainty: Certainty) -> Slope {
     dependence_on("friction", landed, certainty)
 }
 
-/// The same on a parameter.
+/// Dependence on any parameter.
 fn dependence_on(parameter: &str, landed: Landed, certainty: Certainty) -> Slope {
     let mut sweep = figure_4_09();
     sweep.sensitivity = vec![Parameter::named(parameter, 3).unwrap()];

@@ -1,4 +1,4 @@
-//! The result of a point, and its form in a journal.
+//! The result of a point, and its encoding in a journal.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::landing::Landing;
@@ -12,18 +12,18 @@ use crate::sensitivity::Sensitivity;
 /// The result of a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Finding {
-    /// The search for the boundary of stable landings.
+    /// Result of a search for the boundary of stable landings.
     Boundary(Boundary),
     /// One landing.
     Landing {
-        /// Its outcome.
+        /// Outcome.
         outcome: Outcome,
-        /// Its results in the order of [`crate::landing_table`].
+        /// Results in the order of [`crate::landing_table`].
         cells: Vec<Cell>,
-        /// Its warnings of contact.
+        /// Contact warnings.
         warnings: ContactWarnings,
     },
-    /// The search for the boundary, and sensitivities of the transition.
+    /// Result of a search, with sensitivities of the transition.
     Sensitive {
         /// The search.
         boundary: Boundary,
@@ -33,7 +33,7 @@ pub enum Finding {
 }
 
 impl Finding {
-    /// How one landing ended.
+    /// The result of one landing.
     pub fn of(landing: &Landing) -> Self {
         let columns = landing_table::columns(landing).into_iter();
         Self::Landing {
@@ -43,7 +43,7 @@ impl Finding {
         }
     }
 
-    /// The search for the boundary, if that is what the sweep computes.
+    /// Result of the search, for boundary sweeps.
     pub fn boundary(&self) -> Option<&Boundary> {
         match self {
             Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => Some(boundary),
@@ -51,7 +51,7 @@ impl Finding {
         }
     }
 
-    /// Warnings of contact in its landings.
+    /// Contact warnings of its landings.
     pub fn warnings(&self) -> ContactWarnings {
         match self {
             Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => boundary.warnings,
@@ -90,13 +90,13 @@ impl Finding {
         }
     }
 
-    /// The bytes of a record; numbers keep every bit.
+    /// Encodes it as the bytes of a record; numbers keep every bit.
     pub fn encode(&self) -> Vec<u8> {
-        // Neither memory nor these types can fail.
+        // Encoding these types in memory cannot fail.
         postcard::to_stdvec(self).unwrap_or_default()
     }
 
-    /// The result in the bytes of a record; `None` if they hold none.
+    /// Decodes the bytes of a record; `None` if they are not a result.
     pub fn decode(bytes: &[u8]) -> Option<Self> {
         match postcard::take_from_bytes(bytes) {
             Ok((finding, [])) => Some(finding),

@@ -1,4 +1,4 @@
-//! One landing as a row of named results; units are in the names; what never happened is empty.
+//! One landing as a row of named results, with units in the names; events that never happened are empty.
 
 use std::fmt;
 
@@ -14,11 +14,11 @@ use crate::output_units::OutputUnits;
 pub enum Cell {
     /// A word or a sentence.
     Word(String),
-    /// A measure.
+    /// A quantity.
     Number(f64),
     /// A count.
     Count(u64),
-    /// What never happened.
+    /// An event that never happened.
     Empty,
 }
 
@@ -50,10 +50,10 @@ impl From<Cell> for Value {
     }
 }
 
-/// Name of a result, with the result.
+/// Name and value of a result.
 pub type Column = (String, Cell);
 
-/// All results of a landing in these units, in the order of the columns.
+/// All results of a landing in these units, in column order.
 pub fn columns_in(units: OutputUnits, landing: &Landing) -> Vec<Column> {
     let columns = columns(landing).into_iter();
     let told = |(name, cell): Column| {
@@ -67,7 +67,7 @@ pub fn columns_in(units: OutputUnits, landing: &Landing) -> Vec<Column> {
     columns.map(told).collect()
 }
 
-/// All results of a landing in the units of the program, in the order of the columns.
+/// All results of a landing in program units, in column order.
 pub fn columns(landing: &Landing) -> Vec<Column> {
     let mut columns = vec![column("outcome", Cell::Word(landing.outcome.to_string()))];
     let mut number = |name: &str, value| columns.push(column(name, Cell::from(value)));
@@ -150,8 +150,7 @@ pub fn names(legs: usize) -> Vec<String> {
         .collect()
 }
 
-/// Results of a landing as they stand in a table for `legs` legs, of which its vehicle may have fewer: cells of legs that
-/// it lacks are empty.
+/// Results of a landing in a table for `legs` legs; cells of legs that its vehicle lacks are empty.
 pub fn under_headings(cells: &[Cell], legs: usize) -> Vec<String> {
     let own = names(leg_count(cells));
     let told = |name: String| {
@@ -162,7 +161,7 @@ pub fn under_headings(cells: &[Cell], legs: usize) -> Vec<String> {
     names(legs).into_iter().map(told).collect()
 }
 
-/// Where each of so many results of a landing stands in a table for `legs` legs, of which its vehicle may have fewer.
+/// Columns for the results of a landing in a table for `legs` legs; its vehicle may have fewer.
 pub fn places(results: usize, legs: usize) -> Vec<usize> {
     let own_legs = legs_of(results);
     if own_legs == legs {
@@ -173,7 +172,7 @@ pub fn places(results: usize, legs: usize) -> Vec<usize> {
     own.iter().filter_map(place).collect()
 }
 
-/// Number of legs of the vehicle whose landing has these results.
+/// Number of legs of the vehicle that has these results.
 pub fn leg_count(cells: &[Cell]) -> usize {
     legs_of(cells.len())
 }
@@ -213,7 +212,7 @@ pub fn why(outcome: &Outcome) -> String {
     }
 }
 
-/// Why a landing could not be computed; empty when it could.
+/// Reason why a landing could not be computed; otherwise empty.
 fn failure(outcome: &Outcome) -> String {
     match outcome {
         Outcome::Failure(reason) => reason.to_string(),
@@ -227,7 +226,7 @@ pub(crate) mod tests {
     use touchdown_dynamics::landing::{Energies, FinalRates, LegWork};
     use touchdown_dynamics::outcome::Failure;
 
-    /// A landing made up for tests of tables.
+    /// A landing invented for tests of tables.
     pub fn example() -> Landing {
         Landing {
             beyond: None,

@@ -1,7 +1,7 @@
-//! How landings end: their numbers, and probabilities where they are a sample.
+//! Counts of outcomes, with probabilities for a sample.
 //!
-//! Intervals are Wilson's score intervals at 95 %. They hold for independent landings; those of a
-//! Latin hypercube or a Sobol sequence are at least as certain.
+//! Intervals are Wilson's score intervals at 95 %. They hold for independent landings, and at least as well for a Latin
+//! hypercube or a Sobol sequence.
 
 use touchdown_dynamics::outcome::Class;
 
@@ -11,13 +11,13 @@ use crate::sweep_file::Sweep;
 
 /// Normal quantile of 97.5 %.
 const Z: f64 = 1.959_963_984_540_054;
-/// Bins of an axis with many values.
+/// Number of bins of an axis.
 const BINS: usize = 10;
-/// Landings between two checks whether the intervals are narrow enough.
+/// Landings between two checks of whether the intervals are narrow enough.
 const PACE: u64 = 100;
 
-/// Columns of the table of probabilities: of each class of landings, and last of all that were not stable, their number,
-/// share and interval.
+/// Columns of the table of probabilities: number, share and interval of each class of landings, and last of all that
+/// were not stable.
 pub const COLUMNS: [&str; 24] = [
     "axis",
     "from",
@@ -45,14 +45,14 @@ pub const COLUMNS: [&str; 24] = [
     "not_stable_high_95",
 ];
 
-/// Landings counted by how they ended.
+/// Landings counted by class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Count {
-    /// All of them.
+    /// All landings.
     pub landings: u64,
     /// Toppled.
     pub toppled: u64,
-    /// Bottomed a strut.
+    /// Bottomed.
     pub bottomed: u64,
     /// Still moving at the time limit.
     pub undecided: u64,
@@ -73,12 +73,12 @@ impl Count {
         }
     }
 
-    /// Landings that were stable.
+    /// Number of stable landings.
     pub fn stable(&self) -> u64 {
         self.landings - self.toppled - self.bottomed - self.undecided - self.failed
     }
 
-    /// Whether the intervals of the probabilities of toppling and bottoming are no wider than `width`.
+    /// True if the intervals of the probabilities of toppling and bottoming are no wider than `width`.
     pub fn is_enough(&self, width: f64) -> bool {
         let narrow = |hits| {
             let [low, high] = wilson(hits, self.landings);
@@ -120,7 +120,7 @@ pub fn wilson(hits: u64, trials: u64) -> [f64; 2] {
     let middle = p + Z * Z / (2.0 * n);
     let half = Z * (p * (1.0 - p) / n + Z * Z / (4.0 * n * n)).sqrt();
     let scale = 1.0 + Z * Z / n;
-    // At no hits and at nothing but hits the ends are 0 and 1 but for rounding.
+    // Without hits, or with hits only, rounding must not move the ends from 0 and 1.
     let low = if hits == 0 {
         0.0
     } else {
@@ -143,7 +143,7 @@ pub struct Probabilities {
 /// Counts over bins of one axis.
 #[derive(Debug, Clone, PartialEq)]
 struct Bins {
-    /// Lower and upper ends as a table writes them.
+    /// Lower and upper ends as written in tables.
     ends: Vec<[String; 2]>,
     /// Lower ends of all bins but the first.
     edges: Vec<f64>,
@@ -171,7 +171,7 @@ impl Probabilities {
         }
     }
 
-    /// The rows of a table of them: all landings, counted before, then bin by bin of every axis.
+    /// Rows of their table: all landings, counted separately, then each bin of every axis.
     pub fn rows(&self, sweep: &Sweep, overall: &Count) -> Vec<Vec<String>> {
         let row = |axis: &str, [from, to]: &[String; 2], count: &Count| {
             let place = [axis.to_owned(), from.clone(), to.clone()];
@@ -257,8 +257,8 @@ mod tests {
         assert_eq!(wilson(0, 0), [0.0, 1.0]);
     }
 
-    /// In how many of all samples the interval holds the probability, exactly: Wilson's intervals do so in 95 % on average over
-    /// probabilities.
+    /// The exact share of all samples whose interval contains the probability; for Wilson's intervals it is 95 % on
+    /// average over probabilities.
     #[test]
     fn intervals_hold_the_probability_in_95_of_100_samples() {
         for trials in [50, 400] {
@@ -302,7 +302,7 @@ mod tests {
         assert_eq!(landed(Class::Bottomed), 200);
     }
 
-    /// The ends of the bin in which a value is counted.
+    /// Ends of the bin that counts a value.
     fn bin_of(bins: &Bins, value: f64) -> [String; 2] {
         let mut probabilities = Probabilities {
             axes: vec![bins.clone()],

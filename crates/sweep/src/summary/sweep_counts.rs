@@ -29,56 +29,56 @@ pub struct SweepCounts {
     pub checks: HiddenBandChecks,
     /// Landings saved by shortcuts of the search.
     pub skipped: Skipped,
-    /// Transitions that were searched again at a tighter tolerance.
+    /// Transitions searched again at a tighter tolerance.
     pub searched_again: u64,
-    /// Transitions that are disputed, of all that were tested.
+    /// Disputed transitions, among all tested.
     pub disputed_in_all: u64,
-    /// Landings that tested transitions.
+    /// Landings spent on testing transitions.
     pub tests: u64,
     /// Landings for sensitivities.
     pub sensitivity_landings: u64,
-    /// Sensitivities computed at all points, and those of them with a derivative.
+    /// Number of sensitivities, and of those with a derivative.
     pub slopes: [usize; 2],
     /// The lowest first transition, and its point.
     pub lowest: Option<(usize, Transition)>,
-    /// Points whose first transition lies at or below the lowest speed searched.
+    /// Points with their first transition at or below the lowest speed searched.
     pub at_or_below: usize,
-    /// Points whose first transition is disputed.
+    /// Points with a disputed first transition.
     pub disputed: usize,
-    /// Points with a transition or a band of landings that could not be computed, or that were undecided at the time
-    /// limit.
+    /// Points with a transition to, or a band of, landings that could not be computed; below, that were undecided at
+    /// the time limit.
     pub with_failures: usize,
-    /// See `with_failures`.
+    /// The same, undecided ones.
     pub with_undecided: usize,
-    /// Points with landings in which crushing elements gave energy to the motion.
+    /// Points where crushing elements gave energy to the motion of a landing.
     pub with_given: usize,
-    /// The most that they gave, ft·lb, and its point.
+    /// Greatest energy given, ft·lb, and its point.
     pub most_given: Option<(usize, f64)>,
-    /// Points with landings in which a footpad was crushed beyond its hinge.
+    /// Points where a footpad was crushed beyond its hinge in a landing.
     pub with_crushed_through: usize,
     /// Cells of a map.
     pub coarse_cells: CoarseCells,
-    /// How landings ended, of a sweep of single landings.
+    /// Outcomes, for a sweep of single landings.
     pub outcomes: Option<Count>,
-    /// The same over bins of the axes, where the landings are a sample.
+    /// Outcomes over bins of the axes, for a sample.
     pub probabilities: Option<Probabilities>,
-    /// Transition velocities, where points are sampled.
+    /// Transition velocities, for a sample.
     pub transitions: Option<TransitionStatistics>,
     kinds: [usize; 5],
 }
 
-/// How many cells of a map its budget leaves coarser than was asked for.
+/// Number of map cells that the budget leaves coarser than requested.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct CoarseCells {
     /// All cells of a map that is refined to an error.
     pub cells: usize,
-    /// Those that would be refined further and whose estimated error is greater than the one that was sought, or not known.
+    /// Cells that would be refined further and whose estimated error is above the one sought, or unknown.
     pub coarse: usize,
-    /// The greatest estimated error of these, ft/s.
+    /// Greatest estimated error of these, ft/s.
     pub worst: f64,
 }
 
-/// Kinds of first transitions, in the order in which they are listed.
+/// Kinds of first transitions in listing order.
 const KINDS: [Option<Class>; 5] = [
     Some(Class::Unstable),
     Some(Class::Bottomed),
@@ -88,14 +88,14 @@ const KINDS: [Option<Class>; 5] = [
 ];
 
 impl SweepCounts {
-    /// No points yet of a sweep.
+    /// Empty counts for a sweep.
     pub fn of(sweep: &Sweep) -> Self {
         let is_of_landings = matches!(sweep.job, Job::Outcome { .. });
         let probabilities = match &sweep.design {
             Design::Sample(sample) if is_of_landings => Some(Probabilities::none(sweep, sample)),
             _ => None,
         };
-        // Open ends can be sorted only where all points are searched over the same range.
+        // Open ends can be sorted only if all points are searched over the same range.
         let varies = (sweep.axes.iter())
             .any(|axis| ["search.from_fps", "search.to_fps"].contains(&axis.program_name()));
         let transitions = match (&sweep.job, &sweep.design) {
@@ -112,7 +112,7 @@ impl SweepCounts {
         }
     }
 
-    /// Adds a point; points come in order.
+    /// Adds a point; points must come in order.
     pub fn add(&mut self, sweep: &Sweep, point: usize, finding: &Finding) {
         self.points += 1;
         self.add_warnings(point, finding.warnings());
@@ -148,7 +148,7 @@ impl SweepCounts {
         }
     }
 
-    /// Whether the points so far are enough, so that the rest is left out.
+    /// True if the points so far are enough, so that the rest is skipped.
     pub fn is_enough(&self, sweep: &Sweep) -> bool {
         match (sweep.job, &self.outcomes) {
             (

@@ -1,9 +1,9 @@
-//! The transition velocities of a sample: their quantiles, and how they are distributed.
+//! The transition velocities of a sample: quantiles and distribution.
 //!
 //! A point whose first transition lies at or below the lowest speed searched, or above the highest, counts as below or
-//! above all others. Intervals hold at 95 % for independent points, those of a Latin hypercube or a Sobol sequence are at
-//! least as certain: quantiles lie between two points of the sorted sample, whatever the distribution is; cumulative
-//! shares have Wilson's interval.
+//! above all others. Intervals hold at 95 % for independent points, and at least as well for a Latin hypercube or a
+//! Sobol sequence. For quantiles they lie between two points of the sorted sample, whatever the distribution; for
+//! cumulative shares they are Wilson's.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 
@@ -11,7 +11,7 @@ use crate::boundary::Boundary;
 use crate::probabilities::wilson;
 use crate::search_range::Search;
 
-/// Shares of the points of which quantiles are listed.
+/// Shares whose quantiles are listed.
 pub const SHARES: [f64; 11] = [
     0.005, 0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 0.995,
 ];
@@ -38,12 +38,12 @@ pub const DISTRIBUTION_COLUMNS: [&str; 7] = [
 
 /// Word for a transition at or below the lowest speed searched.
 pub const AT_OR_BELOW: &str = "at-or-below";
-/// Word where there is no transition up to the highest speed searched.
+/// Word for no transition up to the highest speed searched.
 pub const ABOVE: &str = "above";
 
-/// Probability that a quantile lies below its interval, and that it lies above.
+/// Probability that a quantile lies below its interval; the same above it.
 const TAIL: f64 = 0.025;
-/// About how many bins a distribution has.
+/// Approximate number of bins of a distribution.
 const BINS: f64 = 20.0;
 
 /// First transitions of the points of a sample.
@@ -64,7 +64,7 @@ pub struct Quantile {
     pub share: f64,
     /// The velocity.
     pub speed: Rank,
-    /// Ends of its interval at 95 %; `None` where the sample has too few points for an end.
+    /// Ends of its interval at 95 %; `None` where the sample has too few points for that end.
     pub interval: [Option<Rank>; 2],
 }
 
@@ -80,7 +80,7 @@ pub enum Rank {
 }
 
 impl TransitionStatistics {
-    /// No points yet.
+    /// Empty statistics.
     pub fn none(search: &Search) -> Self {
         Self {
             from: search.from,
@@ -111,7 +111,7 @@ impl TransitionStatistics {
         sorted
     }
 
-    /// Quantiles at shares of the points between 0 and 1; none without points.
+    /// Quantiles at shares between 0 and 1; none without points.
     pub fn quantiles(&self, shares: &[f64]) -> Vec<Quantile> {
         let points = self.points();
         if points == 0 {
@@ -161,8 +161,8 @@ impl TransitionStatistics {
         self.quantiles(&SHARES).into_iter().map(row).collect()
     }
 
-    /// Rows of the table of the distribution: points at or below the lowest speed searched, bins of equal width that hold
-    /// speeds above their lower end up to their upper end, points above the highest speed searched.
+    /// Rows of the table of the distribution: points at or below the lowest speed searched; bins of equal width, each
+    /// open at its lower end and closed at its upper end; points above the highest speed searched.
     pub fn distribution_rows(&self) -> Vec<Vec<String>> {
         let points = self.points();
         let mut below = 0;
@@ -206,12 +206,12 @@ impl TransitionStatistics {
     }
 }
 
-/// Indices, from 0, of the sorted points between which the quantile at a share lies with a probability of 95 %.
+/// Indices, from 0, of the sorted points that enclose the quantile at a share with a probability of 95 %.
 fn interval_of(share: f64, points: usize) -> [Option<usize>; 2] {
     let Ok(below) = Binomial::new(share, points as u64) else {
         return [None, None];
     };
-    // The quantile is below point k (from 1) where fewer than k points are below it.
+    // The quantile is below point k (from 1) if fewer than k points are below it.
     let low = (below.inverse_cdf(TAIL) as usize).checked_sub(1);
     let high = below.inverse_cdf(1.0 - TAIL) as usize;
     [low, (high < points).then_some(high)]
@@ -254,7 +254,7 @@ mod tests {
         }
     }
 
-    /// Conover, Practical Nonparametric Statistics: the interval of a median of ten is that between the second and the
+    /// Conover, Practical Nonparametric Statistics: the interval of the median of ten reaches from the second to the
     /// ninth.
     #[test]
     fn intervals_of_quantiles_are_those_of_the_books() {
@@ -265,7 +265,7 @@ mod tests {
         assert_eq!(interval_of(0.05, 72)[0], Some(0));
     }
 
-    /// Of many samples from a known distribution the intervals hold its quantile in 95 % or more.
+    /// For many samples of a known distribution at least 95 % of the intervals contain its quantile.
     #[test]
     fn intervals_hold_what_they_promise() {
         let (count, samples) = (100, 400);

@@ -1,7 +1,7 @@
-//! The input of one point of a sweep: all of it, with the point's values in place.
+//! The full input of one point of a sweep, with the values of the point set.
 //!
-//! Values are written into the documents as they were read, and what changed is read again: every
-//! check applies to every point.
+//! Values are written into the documents as read, and changed documents are read again, so that every check applies to
+//! every point.
 
 use std::sync::Arc;
 
@@ -23,26 +23,26 @@ use crate::{search_input, settings_input, vehicle_file};
 pub struct Case {
     /// The vehicle.
     pub vehicle: Arc<Vehicle>,
-    /// The scene; where the speed is searched, at the lowest of the search.
+    /// The scene; in a boundary sweep, at the lowest speed of the search.
     pub scene: Scene,
-    /// What is computed.
+    /// The job.
     pub job: Job,
-    /// How landings are computed.
+    /// Settings of landings.
     pub settings: Settings,
 }
 
-/// Why a point has no valid input.
+/// Reason why a point has no valid input.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CaseFault {
     /// A condition of the scene is missing or not allowed.
     #[error(transparent)]
     Scene(SceneFault),
-    /// Something in another part of the input.
+    /// A fault in another part of the input.
     #[error("{error}")]
     Input {
         /// The part.
         part: Home,
-        /// What is wrong in it.
+        /// The fault.
         error: InputError,
     },
 }
@@ -66,26 +66,26 @@ impl Sweep {
         }
     }
 
-    /// The input of a point.
+    /// Builds the input of a point.
     ///
     /// # Errors
-    /// When values that are valid one by one are not valid together.
+    /// If values that are valid one by one are not valid together.
     pub fn case(&self, point: usize) -> Result<Case, CaseFault> {
         self.case_at(&self.design.coordinates(point))
     }
 
-    /// The input at coordinates, one for each axis.
+    /// Builds the input at coordinates, one for each axis.
     ///
     /// # Errors
-    /// When it is not valid.
+    /// If it is not valid.
     pub fn case_at(&self, coordinates: &[f64]) -> Result<Case, CaseFault> {
         self.case_of(&self.axes, coordinates)
     }
 
-    /// The input of a point, but for one parameter that has another value, in its unit.
+    /// Builds the input of a point with another value, in its unit, for one parameter.
     ///
     /// # Errors
-    /// When it is not valid.
+    /// If it is not valid.
     pub fn case_with(
         &self,
         point: usize,
@@ -95,7 +95,7 @@ impl Sweep {
         let mut axes = self.axes.clone();
         let mut coordinates = self.design.coordinates(point);
         match axes.iter().position(|axis| axis == parameter) {
-            // The value is in the unit of the parameter, which need not be that of the axis.
+            // The value is in the unit of the parameter, which may differ from that of the axis.
             Some(axis) => {
                 axes[axis] = parameter.clone();
                 coordinates[axis] = value;
@@ -108,7 +108,7 @@ impl Sweep {
         self.case_of(&axes, &coordinates)
     }
 
-    /// The value that a number of scene or vehicle has at a point, if it has one, in the parameter's unit.
+    /// Value of a number of scene or vehicle at a point, if any, in the parameter's unit.
     pub fn value(&self, point: usize, parameter: &Parameter) -> Option<f64> {
         let coordinates = self.design.coordinates(point);
         let value = match parameter.home() {
@@ -197,7 +197,7 @@ fn in_part(part: Home) -> impl Fn(InputError) -> CaseFault {
     move |error| CaseFault::Input { part, error }
 }
 
-/// A document with those of the coordinates in place that belong to it.
+/// A document with the coordinates that belong to it set.
 pub(crate) fn written(
     document: &Document,
     axes: &[Parameter],

@@ -1,4 +1,4 @@
-//! All of a sweep's input in the units of results.
+//! The full input of a sweep in the units of its results.
 
 use serde_json::{Map, Value, json};
 
@@ -6,7 +6,7 @@ use crate::output_units::{OutputUnits, Quantity};
 use crate::sweep_file::Sweep;
 
 impl Sweep {
-    /// [`Sweep::resolved`], whose names and numbers are in the units of the program, in those that results have.
+    /// [`Sweep::resolved`] with names and numbers converted from program units to those of results.
     pub fn resolved_in(&self, units: OutputUnits) -> Value {
         match units {
             OutputUnits::Us => self.resolved(),
@@ -20,10 +20,10 @@ struct Tree {
 }
 
 impl Tree {
-    /// A value under a key. Its numbers have the unit of the key, or the one of a key above.
+    /// Converts the value of a key. Its numbers have the unit of the key, or of a key above it.
     fn value(&self, key: &str, value: Value, above: &[Quantity]) -> Value {
         match value {
-            // Numbers of values and of parts have no unit, whatever the axis has.
+            // Parts are counts without unit, whatever the unit of the axis.
             Value::Object(entries) if key == "parts_of_first_level" => {
                 let renamed = entries.into_iter();
                 let renamed = renamed.map(|(axis, parts)| (self.name(&axis), parts));

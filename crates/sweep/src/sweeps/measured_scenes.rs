@@ -1,5 +1,4 @@
-//! The touchdowns by which run time and error are measured: level, on a slope of 15 deg, 14 ft/s
-//! down.
+//! Touchdowns for measuring run time and error: level, on a slope of 15 deg, at a vertical velocity of 14 ft/s.
 
 use touchdown_dynamics::scene::Scene;
 
@@ -36,8 +35,8 @@ pub fn near_boundary(quick: bool) -> Result<Vec<Scene>, SceneFault> {
         .collect()
 }
 
-/// The level grid of 143 points, at rest sideways: cross-slopes 80 to 180 deg and rolls -60 to 60
-/// deg by 10 deg; when quick, five of them.
+/// The level grid of 143 points without horizontal velocity: cross-slopes 80 to 180 deg and rolls -60 to 60 deg, in
+/// steps of 10 deg; five of them when quick.
 ///
 /// # Errors
 /// Never: all conditions lie in their ranges.

@@ -15,7 +15,7 @@ use crate::sweep::{Job, OverrideNames, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
 
-/// What replaces a sweep file's own.
+/// Replacements for values of a sweep file.
 #[derive(Debug, Clone, Default)]
 pub struct Overrides {
     /// The vehicle.
@@ -24,18 +24,17 @@ pub struct Overrides {
     pub words: Vec<(String, String)>,
     /// Values of parameters that do not vary.
     pub set: Vec<Assignment>,
-    /// Parameters of sensitivities; those of the file if empty.
+    /// Parameters of sensitivities; if empty, those of the file apply.
     pub sensitivity: Vec<String>,
-    /// Units of what comes out.
+    /// Units of results.
     pub units: Option<OutputUnits>,
 }
 
 impl Sweep {
-    /// The sweep with some of its input replaced.
+    /// Replaces some of the input of the sweep.
     ///
     /// # Errors
-    /// When what varies would be replaced, when the sweep does not use it, or when a point of the sweep is no longer
-    /// valid.
+    /// If a replaced parameter varies, if the sweep does not use it, or if a point of the sweep becomes invalid.
     pub fn with(mut self, overrides: &Overrides) -> Result<Self, InputError> {
         for (name, word) in &overrides.words {
             let refuse = |complaint: &str| {
@@ -66,7 +65,7 @@ impl Sweep {
         }
         self.vehicle = assignment::set_vehicle(&self.vehicle, &overrides.set)?;
         if overrides.vehicle.is_some() || !overrides.set.is_empty() {
-            // It was made on what the sweep file describes.
+            // The statement referred to the input of the sweep file.
             self.statement = None;
             self.check_legs()?;
             self.check_points()?;
@@ -89,7 +88,7 @@ impl Sweep {
         Ok(self)
     }
 
-    /// Sets conditions of the scene and numbers of the sweep file; those of the vehicle are only checked.
+    /// Sets conditions of the scene and numbers of the sweep file; only checks those of the vehicle.
     fn set(&mut self, set: &[Assignment]) -> Result<(), InputError> {
         assignment::check_once(set)?;
         for one in set {
@@ -116,7 +115,7 @@ impl Sweep {
         Ok(())
     }
 
-    /// Checks that the vehicle has the legs that axes and sensitivities are about.
+    /// Checks that the vehicle has the legs named in axes and sensitivities.
     fn check_legs(&self) -> Result<(), InputError> {
         let legs = self.leg_count();
         let is_absent = |one: &&Parameter| Parameter::named(one.name(), legs).is_none();

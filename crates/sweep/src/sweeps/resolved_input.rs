@@ -1,4 +1,4 @@
-//! All of a sweep's input with defaults filled in, as a tree of names and values.
+//! The full input of a sweep with defaults filled in, as a tree of names and values.
 
 use serde_json::{Map, Value, json};
 
@@ -16,11 +16,11 @@ use crate::spelling::{Conversion, conversion};
 use crate::sweep_file::{Job, Sweep};
 use crate::vehicle_file;
 
-/// Longest axis whose values are listed one by one.
+/// Longest axis whose values are listed individually.
 const MOST_VALUES: usize = 1000;
 
 impl Sweep {
-    /// Everything that determines the results, and nothing else: neither title nor file names.
+    /// Everything that determines the results, and nothing else: no title, no file names.
     pub fn resolved(&self) -> Value {
         let mut scene = scene(&self.fixed);
         scene.retain(|name, _| self.axes.iter().all(|axis| axis.program_name() != name));
@@ -136,7 +136,7 @@ impl Sweep {
     }
 }
 
-/// Conditions, those that follow by default included.
+/// Conditions, including defaults.
 pub(crate) fn scene(conditions: &NamedConditions) -> Map<String, Value> {
     let mut scene: Map<String, Value> = (conditions.resolved().into_iter())
         .map(|(name, value)| (name.to_owned(), json!(value)))
@@ -175,7 +175,7 @@ fn distribution_of(distribution: &Distribution) -> Value {
     }
 }
 
-/// The values of an axis, words as words; of a long one its first and last, and their number.
+/// Values of an axis, with words as words; ends and count of a long axis.
 fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
     let value = |value: f64| match axis.word(value) {
         Some(word) => json!(word),
@@ -192,7 +192,7 @@ fn levels_of(axis: &Parameter, levels: &Levels) -> Value {
     }
 }
 
-/// A vehicle file as a tree, in the units of the program.
+/// A vehicle file as a tree, in program units.
 pub fn vehicle(document: &Document) -> Value {
     tree(document.root(), Conversion::NONE)
 }

@@ -1,8 +1,8 @@
-//! Scene files: a touchdown, and cases that list only what differs from the case before, as the
-//! report's stacked decks did.
+//! Scene files: a touchdown, and cases that list only their differences from the case before, like the report's stacked
+//! decks.
 //!
-//! A case may change any touchdown condition, `vehicle.…` and `solver.…` by dotted keys, and the
-//! vehicle file. Giving the attitude in its other form replaces all of it.
+//! A case may change any touchdown condition, `vehicle.…` and `solver.…` by dotted keys, and the vehicle file. An
+//! attitude in the other form replaces the earlier one completely.
 
 use std::path::{Path, PathBuf};
 
@@ -23,7 +23,7 @@ use crate::sweep_file::{locate_condition, named_vehicle};
 use crate::vehicle_file::{self, VehicleFile};
 
 pub(crate) const SCENE_FILE: [&str; 6] = ["title", UNITS, "vehicle", "scene", "solver", "case"];
-/// Keys of a case that are no parameters.
+/// Keys of a case that are not parameters.
 pub(crate) const CASE: [&str; 2] = ["name", "vehicle"];
 const VEHICLE: &str = "the path of a vehicle file, relative to this file";
 const CASES: &str = "tables [[case]]";
@@ -32,38 +32,38 @@ const NAME: &str = "letters, digits, - and _ in quotes, not the name of a case b
 /// A scene file.
 #[derive(Debug, Clone)]
 pub struct SceneFile {
-    /// The units of what is written and printed of it.
+    /// Units of written and printed results.
     pub units: OutputUnits,
-    /// Its cases in their order, or the one touchdown of a file without any.
+    /// The cases in order, or the single touchdown of a file without cases.
     pub cases: Vec<SceneCase>,
 }
 
 /// One landing of a scene file.
 #[derive(Debug, Clone)]
 pub struct SceneCase {
-    /// Its name, which files are named after: that in the file, or its number.
+    /// Name, used in file names: the one in the file, or else its number.
     pub name: String,
-    /// What lands.
+    /// The vehicle.
     pub vehicle: VehicleFile,
-    /// How it touches down.
+    /// The touchdown.
     pub scene: Scene,
-    /// The same by name.
+    /// Its conditions by name.
     pub conditions: NamedConditions,
     /// The scene file with the solver of this case.
     pub document: Document,
-    /// How that is computed.
+    /// Settings of the landing.
     pub settings: Settings,
 }
 
 /// Reads a scene file and the vehicle files that it names.
 ///
 /// # Errors
-/// Names file, line, case, key and value of the first thing wrong, and what is allowed.
+/// Names file, line, case, key and value of the first fault, and the allowed values.
 pub fn read(path: &Path) -> Result<SceneFile, InputError> {
     read_from(path, Library::Disk)
 }
 
-/// Reads a scene file and the vehicle files that it names from a library.
+/// Reads a scene file and its vehicle files from a library.
 ///
 /// # Errors
 /// As [`read`].
@@ -116,7 +116,7 @@ fn cases(root: &Section, scene: &Section, mut stack: Stack) -> Result<Vec<SceneC
     Ok(cases)
 }
 
-/// What a case changes.
+/// Changes that a case makes.
 struct Changes<'d> {
     number: usize,
     place: Place,
@@ -158,19 +158,19 @@ impl<'d> Changes<'d> {
         Ok(changes)
     }
 
-    /// The first value of the case that belongs to a part of the input, if there is one.
+    /// First value of the case in a part of the input, if any.
     fn first_of(&self, part: Home) -> Option<&LocatedValue<'d>> {
         let vehicle = self.vehicle.as_ref().filter(|_| part == Home::Vehicle);
         let own = || self.parameters.iter().find(|(p, _)| p.home() == part);
         vehicle.or_else(|| own().map(|(_, found)| found))
     }
 
-    /// A complaint about a part of the input that arose with this case.
+    /// Attributes an error in a part of the input to this case.
     fn blame(&self, part: Home, error: InputError) -> InputError {
         self.complain(error, self.first_of(part))
     }
 
-    /// A complaint about the scene that arose with this case.
+    /// Attributes a fault of the scene to this case.
     fn blame_condition(&self, fault: &SceneFault) -> InputError {
         let said = (self.parameters.iter()).find(|(p, _)| p.program_name() == fault.name);
         let error = match (fault.value, said) {
@@ -203,7 +203,7 @@ fn unknown(name: &str, legs: usize) -> String {
 struct Stack<'l> {
     path: PathBuf,
     library: Library<'l>,
-    /// The scene file, of which the solver is read.
+    /// The scene file, from which the solver settings are read.
     document: Document,
     vehicle: Document,
     conditions: NamedConditions,

@@ -1,4 +1,4 @@
-//! The touchdown and the settings of a landing alone, each from a document of its own.
+//! Touchdown and settings of a single landing, each from its own document.
 
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
@@ -10,7 +10,7 @@ use crate::section::Section;
 use crate::settings_input;
 use crate::sweep_file::locate_condition;
 
-/// Conditions of a touchdown, and the document that tells them under the keys of a table `[scene]`.
+/// Conditions of a touchdown, and the document that gives them under the keys of a table `[scene]`.
 #[derive(Debug, Clone)]
 pub struct Touchdown {
     document: Document,
@@ -18,7 +18,7 @@ pub struct Touchdown {
 }
 
 impl Touchdown {
-    /// Takes the conditions from a document. Some may be missing, which a landing will ask for.
+    /// Reads the conditions from a document. Missing ones are reported only by [`Touchdown::scene_for`].
     ///
     /// # Errors
     /// Names an unknown key, or the first value that is not allowed.
@@ -28,7 +28,7 @@ impl Touchdown {
         let mut complete = conditions;
         while let Err(fault) = complete.scene() {
             match fault.value {
-                // Whatever is missing is no reason to complain about yet.
+                // Missing conditions are not an error yet.
                 None if complete.get(fault.name).is_none() => complete.set(fault.name, 0.0),
                 _ => return Err(locate_condition(&fault, &scene, &[])),
             }
@@ -49,10 +49,10 @@ impl Touchdown {
         &self.conditions
     }
 
-    /// The scene for a vehicle and settings.
+    /// Builds the scene for a vehicle and settings.
     ///
     /// # Errors
-    /// Names a condition that is missing, or one that the vehicle or the settings do not know.
+    /// Names a condition that is missing, or that the vehicle or the settings do not support.
     pub fn scene_for(&self, vehicle: &Vehicle, settings: &Settings) -> Result<Scene, InputError> {
         let complain =
             |fault: SceneFault| match Section::root(&self.document, &scene_input::scene_keys()) {
@@ -65,7 +65,7 @@ impl Touchdown {
     }
 }
 
-/// The settings of a landing from the table `[solver]` of a document, which has nothing else.
+/// Reads the settings of a landing from a document that holds only a table `[solver]`.
 ///
 /// # Errors
 /// Names the first key that is unknown or has a value that is not allowed.

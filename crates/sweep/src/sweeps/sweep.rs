@@ -1,4 +1,4 @@
-//! A sweep: the vehicle, what varies, and what is computed at every point.
+//! A sweep: the vehicle, the axes, and the job computed at every point.
 
 use std::path::PathBuf;
 
@@ -31,14 +31,14 @@ pub(crate) const SWEEP: [&str; 12] = [
     "solver",
 ];
 
-/// What a sweep computes at every point.
+/// The job of a sweep at every point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Job {
     /// The horizontal velocity from which landings are no longer stable.
     Boundary(Search),
-    /// How one landing ends.
+    /// The outcome of one landing.
     Outcome {
-        /// Width of the intervals of the probabilities at which the sweep stops.
+        /// Width of the probability intervals at which the sweep stops.
         enough: Option<f64>,
     },
 }
@@ -52,31 +52,31 @@ pub struct Sweep {
     pub title: String,
     /// An earlier statement, which pictures show for comparison.
     pub statement: Option<String>,
-    /// The units of what is written and printed of it.
+    /// Units of written and printed results.
     pub units: OutputUnits,
-    /// The vehicle; what varies of it has its first value.
+    /// The vehicle; varied parameters have their first values.
     pub vehicle: VehicleFile,
     /// Conditions that do not vary.
     pub fixed: NamedConditions,
-    /// The parameters that vary, one for each axis.
+    /// The varied parameters, one for each axis.
     pub axes: Vec<Parameter>,
     /// Their values.
     pub design: Design,
-    /// What is computed at every point; what varies of it has its first value.
+    /// The job; varied parameters have their first values.
     pub job: Job,
-    /// How landings are computed; what varies of it has its first value.
+    /// Settings of landings; varied parameters have their first values.
     pub settings: Settings,
     /// Parameters whose effect on the first transition is computed.
     pub sensitivity: Vec<Parameter>,
-    /// Set where results are those of some of the points: they are named and marked as such.
+    /// Set if the results cover only some of the points; they are then named and marked as partial.
     pub part: Option<Part>,
-    /// The files that were read.
+    /// The files read.
     pub(crate) sources: Vec<Source>,
     pub(crate) overrides: OverrideNames,
     pub(crate) document: Document,
 }
 
-/// How many points of a sweep there are results of.
+/// Number of points of a sweep that have results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Part {
     /// Points with a result.
@@ -98,13 +98,13 @@ pub(crate) struct OverrideNames {
     pub(crate) units: Option<OutputUnits>,
 }
 
-/// Name of the results of a part of the points of the sweep `stem`.
+/// Name of partial results of the sweep `stem`.
 pub fn partial(stem: &str) -> String {
     format!("{stem}-partial")
 }
 
 impl Sweep {
-    /// Name of the file without folder and ending, which results are named after.
+    /// Name of the file without folder and extension, used to name results.
     pub fn stem(&self) -> String {
         let stem = self.path.file_stem().unwrap_or(self.path.as_os_str());
         let stem = stem.to_string_lossy();
@@ -114,12 +114,12 @@ impl Sweep {
         }
     }
 
-    /// The files that were read, word for word.
+    /// The files read, verbatim.
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
 
-    /// The same sweep, of whose points there are results of some only.
+    /// Marks the sweep as partial: only `points` of its points have results.
     #[must_use]
     pub fn in_part(mut self, points: usize) -> Self {
         let of = self.design.count();
@@ -128,7 +128,7 @@ impl Sweep {
         self
     }
 
-    /// The places of its points, if it is a map.
+    /// The places of a map; `None` for other designs.
     pub fn map(&self) -> Option<&RefinedGrid> {
         match &self.design {
             Design::Map(map) => Some(map),
@@ -141,7 +141,7 @@ impl Sweep {
         self.vehicle.vehicle.legs().len()
     }
 
-    /// Where to search, if the sweep searches.
+    /// The search, for a boundary sweep.
     pub fn search(&self) -> Option<&Search> {
         match &self.job {
             Job::Boundary(search) => Some(search),
@@ -155,7 +155,7 @@ impl Sweep {
         axes.chain(columns.into_iter().map(Into::into)).collect()
     }
 
-    /// The coordinates of a point as results write them.
+    /// Coordinates of a point as written in results.
     pub fn coordinates_written(&self, point: usize) -> Vec<String> {
         let coordinates = self.design.coordinates(point);
         let varied = self.axes.iter().zip(coordinates);

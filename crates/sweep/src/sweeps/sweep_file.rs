@@ -1,4 +1,4 @@
-//! Sweep files: which vehicle, which conditions are fixed, which vary, and where to search.
+//! Reads sweep files: the vehicle, fixed and varied conditions, and the job.
 
 use std::path::Path;
 
@@ -25,15 +25,15 @@ use crate::vehicle_file::{self, VehicleFile};
 use crate::{case, map_input, sample_input, search_input, settings_input};
 
 impl Sweep {
-    /// Reads a sweep file and the vehicle file that it names, and checks all of both.
+    /// Reads a sweep file and its vehicle file, and checks both completely.
     ///
     /// # Errors
-    /// Names file, line, key and value of the first thing wrong, and what is allowed.
+    /// Names file, line, key and value of the first fault, and the allowed values.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         Self::read_from(path, Library::Disk)
     }
 
-    /// Reads a sweep file and what it names from a library.
+    /// Reads a sweep file and the files that it names from a library.
     ///
     /// # Errors
     /// As [`Sweep::read`].
@@ -71,7 +71,7 @@ impl Sweep {
 
         let varied = case::written(&document, &axes, Home::Sweep, &first);
         let varied = Section::root(&varied, &SWEEP)?;
-        // What is wrong without the first values of the axes is no fault of theirs.
+        // Faults that occur without the first values of the axes are not attributed to the axes.
         let at_axes = |part, error, as_written: Option<InputError>| {
             let fault = CaseFault::Input { part, error };
             as_written.unwrap_or_else(|| locate(&fault, &first, &scene, &entries))
@@ -137,7 +137,7 @@ fn vehicle_document(root: &Section, path: &Path, library: Library) -> Result<Doc
     named_vehicle(&found, path, library)
 }
 
-/// The vehicle file that a value names, which stands in the file `path`.
+/// Reads the vehicle file that is named by a value in the file `path`.
 pub(crate) fn named_vehicle(
     found: &LocatedValue,
     path: &Path,
@@ -152,7 +152,7 @@ pub(crate) fn named_vehicle(
     library.document(&file)
 }
 
-/// The job by its word.
+/// Word of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum JobWord {
     #[default]
@@ -168,7 +168,7 @@ fn asked(root: &Section) -> Result<JobWord, InputError> {
     choice(root, "job", &jobs)
 }
 
-/// Checks that nothing is said twice or to no purpose.
+/// Checks that nothing is given twice or without effect.
 fn check_names(
     root: &Section,
     scene: &Section,
@@ -241,7 +241,7 @@ fn grid(root: &Section, entries: &[AxisEntry]) -> Result<Grid, InputError> {
     })
 }
 
-/// Brings what is wrong at a point to the key that says it.
+/// Locates a fault of a point at the key responsible.
 fn locate(
     fault: &CaseFault,
     coordinates: &[f64],
@@ -262,7 +262,7 @@ fn locate(
             let values = values.collect::<Vec<_>>().join(", ");
             match of_part.first() {
                 Some((entry, _)) => {
-                    // Values of axes stand nowhere in the rest of the sweep file.
+                    // Axis values appear nowhere else in the sweep file.
                     let error = match part {
                         Home::Sweep => error.clone().nowhere(),
                         _ => error.clone(),
@@ -280,7 +280,7 @@ pub(crate) fn locate_condition(
     scene: &Section,
     entries: &[AxisEntry],
 ) -> InputError {
-    // Of thrust that cannot be the whole table is named where its scale is not given.
+    // An invalid thrust is reported at its table if its scale is not given.
     let of_thrust = || {
         let is_of_thrust = fault.name.starts_with(scene_input::THRUST) && fault.value.is_some();
         scene.optional(scene_input::THRUST).filter(|_| is_of_thrust)

@@ -6,7 +6,7 @@ use touchdown_dynamics::scene::CrushRule;
 const FIGURE: &str = include_str!("../../../../sweeps/figure-4-09.toml");
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 
-/// The sweep of Figure 4-9, as it comes with the program.
+/// The sweep of Figure 4-9, as shipped with the program.
 pub(crate) fn figure_4_09() -> Sweep {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/figure-4-09.toml");
     Sweep::read(Path::new(path)).unwrap()
@@ -180,7 +180,7 @@ fn values_of_axes_are_checked_before_the_run() {
     assert!(said.contains("also in [scene]"), "{said}");
 }
 
-/// Figure 4-9 with one landing a point, friction and speed sampled.
+/// Figure 4-9 with one landing per point, friction and speed sampled.
 fn outcome(sample: &str, axes: &str) -> String {
     let (head, _) = FIGURE.split_once("[search]").unwrap();
     let head = head
@@ -273,7 +273,7 @@ fn columns_of_one_file_stay_together() {
     assert!(said.contains("flown.csv:2: row 1: mu = x"), "{said}");
 }
 
-/// What is replaced in the file of Figure 4-9, by what, and what the complaint must contain.
+/// Replaced text of the file of Figure 4-9, its replacement, and text that the error must contain.
 const WRONG: [(&str, &str, &[&str]); 15] = [
     (
         "slope_deg = 15",

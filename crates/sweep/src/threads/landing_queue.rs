@@ -24,9 +24,9 @@ pub(crate) struct LandingQueue {
     threads: usize,
     queue: Mutex<Queue>,
     changed: Condvar,
-    /// Length of the queue: threads read it before every step, without the lock.
+    /// Length of the queue, which threads read without the lock before every step.
     waiting: AtomicUsize,
-    /// Whether a search has got a landing and may go on.
+    /// True if a search has received a landing and may continue.
     has_landed: AtomicBool,
 }
 
@@ -37,13 +37,13 @@ struct PendingLanding {
 }
 
 struct Queue {
-    /// By search, then in the order of the requests, so that searches end in about their order.
+    /// Ordered by search, then by time of request, so that searches finish roughly in order.
     requests: BTreeMap<(usize, usize), PendingLanding>,
-    /// Requests so far, which gives each a key.
+    /// Number of requests so far; it gives each its key.
     count: usize,
-    /// Landings that threads have started and not finished.
+    /// Landings in progress.
     under_way: usize,
-    /// Threads that wait for a request.
+    /// Threads waiting for a request.
     idle: usize,
     is_closed: bool,
 }
@@ -70,7 +70,7 @@ impl LandingQueue {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Requests a landing for search number `search` and waits for it; `None` when the queue is closed.
+    /// Requests a landing for search number `search` and waits for it; `None` if the queue is closed.
     pub(crate) async fn landing(
         &self,
         search: usize,
@@ -113,19 +113,19 @@ impl LandingQueue {
         }
     }
 
-    /// Drops all requests. Threads return when they have finished what they have started.
+    /// Drops all requests. Threads return once they finish the landings in progress.
     pub(crate) fn close(&self) {
         let mut queue = self.queue();
         queue.is_closed = true;
         self.waiting.store(0, Ordering::Relaxed);
         self.changed.notify_all();
         let requests = std::mem::take(&mut queue.requests);
-        // Each wakes its search, which needs the queue.
+        // Dropping a request wakes its search, which locks the queue.
         drop(queue);
         drop(requests);
     }
 
-    /// Waits for a request, or for a search that may go on, if `searches`; false when the queue is closed.
+    /// Waits for a request or, with `searches`, for a search that may continue; returns false if the queue is closed.
     fn wait(&self, searches: bool) -> bool {
         let is_idle = |queue: &mut Queue| {
             let may_search = searches && self.has_landed.load(Ordering::Acquire);
@@ -140,8 +140,8 @@ impl LandingQueue {
         !queue.is_closed
     }
 
-    /// The next landing for a thread that has `under_way` of them. A thread gets at most an equal share of all, so that
-    /// no thread waits while another has many.
+    /// Takes the next landing for a thread with `under_way` landings. A thread gets at most an equal share of all, so
+    /// that none waits while another has many.
     fn take(&self, under_way: usize) -> Option<PendingLanding> {
         if self.waiting.load(Ordering::Relaxed) == 0 {
             return None;
@@ -162,7 +162,7 @@ impl LandingQueue {
         self.land_with(land_many, None);
     }
 
-    /// Runs searches and computes landings between, on this thread; what they came to. Then closes the queue.
+    /// Runs searches on this thread, computing landings in between; returns their result and closes the queue.
     pub(crate) fn search<T>(self: &Arc<Self>, searches: impl Future<Output = T>) -> T {
         let waker = Waker::from(Arc::clone(self));
         let mut context = Context::from_waker(&waker);
@@ -178,11 +178,11 @@ impl LandingQueue {
             }
         };
         self.land_with(land_many, Some(&mut search));
-        // A panic in another thread closes the queue too; what searches wait for is then dropped.
+        // A panic in another thread also closes the queue and drops the pending requests.
         result.unwrap_or_else(|| block_on(searches))
     }
 
-    /// The same with another function for batches, and with something to do before every step.
+    /// As [`Self::land`], with another function for batches and an action before every step.
     fn land_with(
         &self,
         land_many: impl Fn(
@@ -191,7 +191,7 @@ impl LandingQueue {
         ) -> Occupancy,
         mut search: Option<&mut dyn FnMut()>,
     ) {
-        // If a landing panics, the other threads must not wait for ever.
+        // If a landing panics, the other threads must not wait forever.
         let _close = CloseOnDrop(self);
         let under_way = RefCell::new(HashMap::new());
         while self.wait(search.is_some()) {
@@ -215,7 +215,7 @@ impl LandingQueue {
     }
 }
 
-/// A search has got a landing.
+/// A search has received a landing.
 impl Wake for LandingQueue {
     fn wake(self: Arc<Self>) {
         self.has_landed.store(true, Ordering::Release);

@@ -1,8 +1,8 @@
-//! Landings on every core.
+//! Computes landings on all cores.
 //!
-//! Many points are searched at a time, and landings are shared out one by one, so that all cores, and the lanes of
-//! their registers, are busy to the end. What a point came to goes to the journal as soon as it is known, and
-//! nothing of it stays in memory. No landing knows of another, so that results do not depend on the threads.
+//! Many points are searched at a time and landings are distributed one by one, so that all cores and the lanes of their
+//! registers are busy to the end. The result of a point goes to the journal at once and is not kept in memory. Landings
+//! are independent, so results do not depend on the threads.
 
 mod cases;
 mod points;
@@ -20,33 +20,32 @@ use crate::case::CaseFault;
 use crate::journal::JournalError;
 use crate::landing_queue::LandingQueue;
 
-/// Points that are searched at a time for each thread: as many as it has landings under way, should each ask for one at a
-/// time.
+/// Points searched at a time per thread: as many as it has landings in progress, if each asks for one at a time.
 const SEARCHES: usize = 16;
 
-/// Threads that are allowed for each core, and however few cores there are: more only slow a run down.
+/// Allowed threads per core, and the limit for few cores: more only slow a run down.
 const THREADS_PER_CORE: usize = 4;
 const LEAST_THREAD_LIMIT: usize = 16;
 
-/// Whoever wants to know how far a run is. Called from all threads.
+/// Progress callbacks, called from all threads.
 pub trait Observer: Sync {
-    /// A point of the grid, by its number, is about to be computed, beside others.
+    /// Computation of a point of the grid, by number, begins, while others are in progress.
     fn begin(&self, _point: usize) {}
-    /// So many more points are wanted than was known at the beginning.
+    /// The number of wanted points has grown by this much.
     fn more(&self, _points: usize) {}
-    /// A landing has been computed.
+    /// A landing was computed.
     fn landing(&self) {}
-    /// A point of the grid, or a case, by its number, is done.
+    /// A point of the grid, or a case, by number, is done.
     fn point(&self, _point: usize) {}
 }
 
-/// Nobody.
+/// Ignores progress.
 impl Observer for () {}
 
-/// Why a run has no result.
+/// Reason why a run has no result.
 #[derive(Debug, Error)]
 pub enum RunError {
-    /// It was told to stop.
+    /// The run was cancelled.
     #[error("cancelled")]
     Cancelled,
     /// A point of the grid has no valid input.
@@ -54,20 +53,20 @@ pub enum RunError {
     Point {
         /// Its coordinates in words.
         place: String,
-        /// What is wrong.
+        /// The fault.
         fault: CaseFault,
     },
-    /// Results could not be kept.
+    /// Results could not be stored.
     #[error(transparent)]
     Journal(JournalError),
-    /// More threads were asked for than a machine with so many cores is allowed.
+    /// More threads requested than allowed on this machine.
     #[error(
         "threads = {asked}: expected 1 to {most} on this machine; results do not depend on them"
     )]
     TooManyThreads {
-        /// Threads asked for.
+        /// Threads requested.
         asked: usize,
-        /// The most that are allowed.
+        /// Greatest number allowed.
         most: usize,
     },
     /// The threads could not be started.
@@ -82,10 +81,10 @@ pub struct Workers {
 }
 
 impl Workers {
-    /// Starts `threads` threads, or one for each core.
+    /// Starts `threads` threads, or one per core.
     ///
     /// # Errors
-    /// When they are more than four a core, and more than 16, or the system does not let them start.
+    /// If they exceed both four per core and 16, or the system cannot start them.
     pub fn start(threads: Option<NonZeroUsize>) -> Result<Self, RunError> {
         let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let most = LEAST_THREAD_LIMIT.max(THREADS_PER_CORE * cores);
@@ -107,16 +106,16 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Does other work on these threads: what it does in parallel takes no others.
+    /// Runs other parallel work on these threads.
     pub fn lend<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         self.pool.install(work)
     }
 
-    /// Searches points with `search`, so many at a time for each thread, and gives what each came to to `keep`; all threads land for
-    /// them. `keep` is also called every now and then when nothing is new.
+    /// Searches points with `search`, `at_a_time` per thread, and passes each result to `keep`; all threads compute
+    /// their landings. Also calls `keep` from time to time without a new result.
     ///
     /// # Errors
-    /// The first that a search or `keep` gave up with, or that the run was stopped.
+    /// The first error of a search or of `keep`, or that the run was stopped.
     fn search<T>(
         &self,
         points: impl Iterator<Item = usize>,
@@ -136,7 +135,7 @@ impl Workers {
                 points.map(|point| async move { (point, search(point, landing_queue).await) });
             let mut searches = stream::iter(searches).buffer_unordered(at_a_time * self.threads());
             landing_queue.search(poll_fn(|context| {
-                // Whenever a search has got a landing.
+                // Runs whenever a search has received a landing.
                 stop.go_on()?;
                 keep(None).map_err(RunError::Journal)?;
                 while let Some((point, result)) = ready!(searches.poll_next_unpin(context)) {
@@ -148,7 +147,7 @@ impl Workers {
     }
 }
 
-/// Whether to go on: not when the run was cancelled from outside or has come to an end within.
+/// Stop flag: set if the run was cancelled from outside or has finished early.
 struct Stop<'c> {
     cancelled: &'c AtomicBool,
     ended: AtomicBool,

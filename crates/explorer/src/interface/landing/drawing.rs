@@ -1,6 +1,6 @@
-//! What it takes to draw a landing: the ground, the vehicle, and where everything is at every instant.
+//! Drawing data of a landing: the ground, the vehicle, and all positions at every instant.
 //!
-//! Ground axes X (across the slope), Y (horizontal, uphill) and Z (down), from the point of the surface below the CG at first
+//! Ground axes X (across the slope), Y (horizontal, uphill) and Z (down), from the surface point below the CG at first
 //! contact; ft and lb.
 
 mod ground;
@@ -22,7 +22,7 @@ use shape::Shape;
 /// A vector, rounded.
 type Triple = [f64; 3];
 
-/// A landing as it is drawn.
+/// Drawing data of a landing.
 #[derive(Debug, Serialize)]
 pub struct Drawing {
     ground: Ground,
@@ -31,7 +31,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Of a landing under these rules with these instants.
+    /// Collects the data of a landing under these rules.
     pub fn of(vehicle: &Vehicle, scene: &Scene, rules: Rules, instants: &[Instant]) -> Self {
         let motion = Motion::new(vehicle, scene);
         Self {
@@ -42,10 +42,10 @@ impl Drawing {
     }
 }
 
-/// A number to as many digits as a drawing needs.
+/// Rounds a number to the digits a drawing needs.
 fn rounded(number: f64) -> f64 {
     const STEPS: f64 = 1e6;
-    // Without the sign of what is zero.
+    // Adding zero removes the sign of a negative zero.
     (number * STEPS).round() / STEPS + 0.0
 }
 

@@ -1,4 +1,4 @@
-//! Where the energy of a landing is: parts to be stacked that close.
+//! Energy balance of a landing: stacked parts that close.
 
 use serde::Serialize;
 use touchdown_dynamics::landing::{Instant, LegWork};
@@ -8,10 +8,10 @@ use touchdown_sweep::output_units::OutputUnits;
 #[derive(Debug, Serialize)]
 pub struct Energies {
     unit: &'static str,
-    /// What there was to spend: kinetic energy at contact, potential energy released, work of the thrust.
+    /// Available energy: kinetic energy at contact, potential energy released, and work of the thrust.
     total: Vec<f64>,
     parts: Vec<Part>,
-    /// What the parts do not explain.
+    /// Energy not explained by the parts.
     closure: Vec<f64>,
 }
 
@@ -22,7 +22,7 @@ struct Part {
     values: Vec<f64>,
 }
 
-/// Name and title of what legs take up.
+/// Name and title of a part absorbed by the legs.
 type LegPart = (&'static str, &'static str, fn(&LegWork) -> f64);
 
 const LEG_PARTS: [LegPart; 6] = [
@@ -39,7 +39,7 @@ const LEG_PARTS: [LegPart; 6] = [
 ];
 
 impl Energies {
-    /// Of the instants of a landing, the first of which is its first contact.
+    /// Builds it from the instants of a landing, the first at first contact.
     pub fn of(instants: &[Instant], units: OutputUnits) -> Self {
         let energy = units.quantity("energy_ftlb");
         let initial = instants.first().map_or(0.0, |first| first.kinetic_energy);

@@ -1,4 +1,4 @@
-//! What happens in a landing, and when.
+//! Events of a landing.
 
 use serde::Serialize;
 use touchdown_dynamics::landing::Landing;
@@ -7,7 +7,7 @@ use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_sweep::landing_report::verdict_time;
 use touchdown_sweep::landing_table::why;
 
-/// Something that happens once.
+/// A single event.
 #[derive(Debug, Serialize)]
 pub struct Event {
     time_s: f64,
@@ -16,7 +16,7 @@ pub struct Event {
     title: String,
 }
 
-/// The events of a landing in the order of their times.
+/// The events of a landing in order of time.
 pub fn of(landing: &Landing) -> Vec<Event> {
     let mut events = contacts("pad-contact", "footpad", &landing.pad_contact);
     events.extend(contacts("block-contact", "block", &landing.block_contact));

@@ -7,7 +7,7 @@ use touchdown_figures::unit::split_unit;
 use touchdown_sweep::history::columns;
 use touchdown_sweep::output_units::OutputUnits;
 
-/// Columns under the names of history files.
+/// Columns with the names used in history files.
 #[derive(Debug, Serialize)]
 pub struct History {
     columns: Vec<Column>,
@@ -22,7 +22,7 @@ struct Column {
 }
 
 impl History {
-    /// Of the instants of a landing.
+    /// Builds it from the instants of a landing.
     pub fn of(instants: &[Instant], units: OutputUnits) -> Self {
         let first = instants.first().map(columns).unwrap_or_default();
         let quantities: Vec<_> = (first.iter())

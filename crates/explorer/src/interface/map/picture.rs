@@ -1,4 +1,4 @@
-//! What a map looks like in our pictures: grid or triangles, jumps, edges, levels with their colours, and words.
+//! Drawing data of a map: grid or triangles, jumps, edges, coloured levels, and words.
 
 use serde_json::{Value, json};
 use touchdown_figures::boundary_table::{
@@ -21,27 +21,27 @@ use crate::interface::classes::hex;
 use crate::interface::complaint::Complaint;
 use crate::named::Results;
 
-/// A map over two axes, or less where there is none.
+/// A map over two axes; empty otherwise.
 #[derive(Default)]
 pub struct Picture {
     /// Velocities on a grid.
     surface: Option<Surface>,
     /// Triangles and edges.
     refined: Option<MapTable>,
-    /// Which levels are drawn.
+    /// Levels drawn.
     levels: Option<Levels>,
-    /// Words of jumps.
+    /// Words for jumps.
     jump_words: Option<String>,
-    /// Where V_H bisects the leading feet, as places.
+    /// Lines where V_H bisects the leading feet, as places.
     bisector: Vec<Vec<[f64; 2]>>,
-    /// What is missing beside the table of a refined map that has no triangles.
+    /// Note on a refined map without triangles.
     missing: Option<String>,
-    /// Words of points without a transition.
+    /// Words for points without a transition.
     gap_words: String,
 }
 
 impl Picture {
-    /// Of points over two axes.
+    /// Picture of points over two axes.
     pub fn of(
         results: &Results,
         all: &Transitions,
@@ -120,8 +120,7 @@ impl Picture {
     }
 }
 
-/// What a refined map needs for contours, where only its points are there: they come from the whole journal of a sweep, not from
-/// the table.
+/// Note on a refined map with points only: contours need its surface, which a sweep writes from its journal.
 fn missing(results: &Results) -> Option<String> {
     let heading = results.table.lines().next().unwrap_or_default();
     let is_refined = heading.split(',').any(|column| column == LEVEL);
@@ -133,7 +132,7 @@ fn missing(results: &Results) -> Option<String> {
     })
 }
 
-/// The points as a table over two axes; none where these are words.
+/// The points as a table over two axes; `None` if an axis has words.
 fn table(points: &[&Point], axes: [usize; 2], names: &[String; 2]) -> Option<BoundaryTable> {
     let points: Option<Vec<TablePoint>> = (points.iter())
         .map(|point| {
@@ -178,7 +177,7 @@ fn edges(map: &MapTable) -> Vec<Value> {
     edges.collect()
 }
 
-/// Bands of colour from below: up to which speed each holds.
+/// Colour bands, lowest first, each with its upper speed.
 fn levels(levels: &Levels) -> Vec<Value> {
     let bands = levels.bands().into_iter().map(|[low, high]| {
         let speed = high.is_finite().then_some(high);

@@ -1,4 +1,4 @@
-//! A table of transitions, row by row.
+//! Reads a table of transitions.
 
 use csv::StringRecord;
 use serde_json::{Map, Value, json};
@@ -11,17 +11,17 @@ use crate::named::Results;
 
 /// Transitions over axes.
 pub struct Transitions {
-    /// The axes, the slowest first.
+    /// The axes, slowest first.
     pub axes: Vec<Axis>,
-    /// The points in the order of the table.
+    /// The points in table order.
     pub points: Vec<Point>,
 }
 
 /// An axis: numbers in order, or words.
 pub struct Axis {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its values.
+    /// Values.
     pub values: Vec<Value>,
 }
 
@@ -29,7 +29,7 @@ pub struct Axis {
 pub struct Point {
     /// One value for each axis.
     pub place: Vec<Value>,
-    /// Its transition, if there is one.
+    /// Transition, if any.
     pub transition: Option<Transition>,
     certainty: String,
     disputed: Option<[f64; 2]>,
@@ -39,16 +39,16 @@ pub struct Point {
 pub struct Transition {
     /// Class of the landings above it.
     pub to: String,
-    /// Where it is.
+    /// Speed.
     pub speed: f64,
-    /// Lower end of the bracket, where it is not at or below the lowest speed searched.
+    /// Lower end of the bracket; `None` at or below the lowest speed searched.
     pub low: Option<f64>,
     /// Upper end of the bracket.
     pub high: f64,
 }
 
 impl Point {
-    /// The point as answers tell it, at its place over some axes.
+    /// The point as written in answers, with its place over some axes.
     pub fn told(&self, place: Vec<Value>) -> Value {
         let transition = self.transition.as_ref();
         json!({
@@ -67,7 +67,7 @@ impl Transitions {
     /// Reads a table.
     ///
     /// # Errors
-    /// When it is not as a sweep writes it.
+    /// If it does not have the form that a sweep writes.
     pub fn read(results: &Results) -> Result<Self, Complaint> {
         let mut reader = csv::Reader::from_reader(results.table.as_bytes());
         let heading = reader
@@ -98,13 +98,13 @@ impl Transitions {
         })
     }
 
-    /// An axis in words.
+    /// Description of an axis.
     pub fn described(&self, axis: usize) -> Value {
         let Axis { name, values } = &self.axes[axis];
         described(name, split_unit(name).1, values.clone())
     }
 
-    /// Places of the axes of a request among all: one of a table over one, else two.
+    /// Indices of the axes of a request: one for a table over one axis, else two.
     pub fn chosen(&self, asked: &[String]) -> Result<Vec<usize>, Complaint> {
         let names: Vec<&str> = self.axes.iter().map(|axis| axis.name.as_str()).collect();
         if asked.is_empty() {
@@ -125,7 +125,7 @@ impl Transitions {
         }
     }
 
-    /// At which values the axes that are not chosen are held: their first unless the request says another.
+    /// Values of the axes that are not drawn: their first unless the request gives another.
     pub fn fixed(
         &self,
         chosen: &[usize],
@@ -161,7 +161,7 @@ impl Transitions {
         fixed.collect()
     }
 
-    /// The points at which the fixed axes have their values.
+    /// Points with the fixed values.
     pub fn within<'t>(&'t self, fixed: &'t [Option<Value>]) -> impl Iterator<Item = &'t Point> {
         self.points.iter().filter(move |point| {
             let mut held = point.place.iter().zip(fixed);
@@ -169,7 +169,7 @@ impl Transitions {
         })
     }
 
-    /// The point nearest to a place, each axis measured by its whole range.
+    /// The point nearest to a place; distances are relative to the range of each axis.
     pub fn nearest(&self, place: &Map<String, Value>) -> Result<&Point, Complaint> {
         if let Some((name, value)) = place
             .iter()
@@ -215,7 +215,7 @@ impl Axis {
     }
 }
 
-/// Where the columns of a table are.
+/// Indices of the columns of a table.
 struct Columns {
     kind: Option<usize>,
     speed: Option<usize>,
@@ -241,7 +241,7 @@ impl Columns {
         }
     }
 
-    /// The point of a row, if that is as a sweep writes it.
+    /// The point of a row; `None` if a sweep does not write such rows.
     fn point(&self, row: &StringRecord, axes: usize) -> Option<Point> {
         let text = |column: Option<usize>| row.get(column?);
         let number = |column: Option<usize>| -> Option<f64> {
@@ -275,7 +275,7 @@ impl Columns {
     }
 }
 
-/// A cell: a number, a word, or null where it is empty.
+/// A cell: a number, a word, or null if empty.
 pub fn cell(text: &str) -> Value {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => json!(number + 0.0),
@@ -284,12 +284,12 @@ pub fn cell(text: &str) -> Value {
     }
 }
 
-/// A column in words.
+/// Description of a column.
 pub fn described(name: &str, unit: &str, values: Vec<Value>) -> Value {
     json!({"name": name, "title": axis_title(name), "unit": unit, "values": values})
 }
 
-/// Different values, numbers rising, words as they come.
+/// Distinct values: sorted numbers, then words as they appear.
 fn different<'v>(values: impl Iterator<Item = &'v Value>) -> Vec<Value> {
     let (mut numbers, mut words): (Vec<f64>, Vec<Value>) = (Vec::new(), Vec::new());
     for value in values {

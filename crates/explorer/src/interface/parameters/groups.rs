@@ -1,6 +1,6 @@
-//! The groups in which parameters are shown.
+//! Display groups of parameters.
 
-/// All groups in their order.
+/// All groups, in display order.
 const ORDER: [&str; 13] = [
     "touchdown",
     "attitude",
@@ -29,13 +29,13 @@ const ATTITUDE: [&str; 9] = [
 ];
 const GROUND: [&str; 4] = ["slope_deg", "friction", "block_friction", "gravity_fps2"];
 
-/// Where a group stands.
+/// Position of a group.
 pub fn place(group: &str) -> usize {
     let place = ORDER.iter().position(|known| *known == group);
     place.unwrap_or(ORDER.len())
 }
 
-/// The group of a parameter, and the number of the leg whose own it is.
+/// Group of a parameter, and the number of the leg if it is one leg's own.
 pub fn of(name: &str) -> (&'static str, Option<usize>) {
     let leg = |rest: &str| {
         rest.split(']')

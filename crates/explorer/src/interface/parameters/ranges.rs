@@ -1,19 +1,19 @@
-//! Which values a parameter may have at all, and over which a slider makes sense.
+//! Allowed values of parameters, and sensible ranges of sliders.
 
 use serde::Serialize;
 
-/// A range outside of which a value is refused.
+/// A range of allowed values.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Allowed {
     /// Lower end.
     pub lower: f64,
     /// Upper end.
     pub upper: f64,
-    /// Whether the lower end is not allowed itself.
+    /// True if the lower end is excluded.
     pub is_lower_open: bool,
-    /// The same of the upper end.
+    /// True if the upper end is excluded.
     pub is_upper_open: bool,
-    /// The range in words, in the unit of the program.
+    /// The range in words, in program units.
     pub text: &'static str,
 }
 
@@ -38,7 +38,7 @@ impl Allowed {
     }
 }
 
-/// The last key of a dotted name, with the part that it belongs to.
+/// Last key of a dotted name, with the part it belongs to.
 fn bare(name: &str) -> &str {
     match name.rsplit_once("].") {
         Some((_, key)) => key,
@@ -46,7 +46,7 @@ fn bare(name: &str) -> &str {
     }
 }
 
-/// What is allowed of a parameter by its name in the unit of the program, whatever the others are.
+/// Allowed values of a parameter, by its name in program units, regardless of other parameters.
 pub fn of(name: &str) -> Allowed {
     match bare(name) {
         "vertical_velocity_fps" | "horizontal_velocity_fps" => {
@@ -93,7 +93,7 @@ pub fn of(name: &str) -> Allowed {
     }
 }
 
-/// Ends of a slider of a parameter that has a value, both in the unit of the program.
+/// Ends of the slider of a parameter with a value, in program units.
 pub fn shown(name: &str, value: f64) -> [f64; 2] {
     let about = |least: f64| {
         let reach = value.abs().max(least);

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::ranges::Allowed;
 
-/// About so many steps a slider has.
+/// Approximate number of steps of a slider.
 const STEPS: f64 = 200.0;
 
 /// A slider.
@@ -16,7 +16,7 @@ pub struct Slider {
 }
 
 impl Slider {
-    /// Over a range that is rounded outward, grown to hold the value and kept within what is allowed.
+    /// Builds a slider over a range that is rounded outward, extended to the value and limited to what is allowed.
     pub fn over([from, to]: [f64; 2], value: f64, allowed: &Allowed) -> Self {
         let (from, to) = (from.min(value), to.max(value));
         let step = round_step((to - from) / STEPS);
@@ -35,7 +35,7 @@ impl Slider {
     }
 }
 
-/// The step of 1, 2 or 5 times a power of ten next above a number.
+/// The next step of 1, 2 or 5 times a power of ten, at or above a number.
 fn round_step(step: f64) -> f64 {
     let power = step.log10().floor();
     let digits = step / 10f64.powf(power);
@@ -43,14 +43,14 @@ fn round_step(step: f64) -> f64 {
     decimal(round.unwrap_or(10.0), power as i32)
 }
 
-/// A multiple of a step, without rounding of binary numbers.
+/// A multiple of a step, exact in decimals.
 fn multiple(count: f64, step: f64) -> f64 {
     let power = step.log10().floor() as i32;
     let digits = (step / 10f64.powi(power)).round();
     decimal(count * digits, power)
 }
 
-/// digits · 10^power as the decimal reads.
+/// The decimal digits · 10^power.
 fn decimal(digits: f64, power: i32) -> f64 {
     format!("{digits}e{power}").parse().unwrap_or(digits)
 }

@@ -1,15 +1,14 @@
-//! One card: numbers in columns.
+//! A card: numbers in columns.
 
 use crate::input_error::{InputError, Place};
 
 use super::{CARDS, FIELDS};
 
-/// Columns of the number of a card, and of each of its fields.
+/// Columns of the card number, and of each field.
 const NUMBER_COLUMNS: usize = 7;
 const CONSTANT_COLUMNS: usize = 12;
 
-/// The number in some columns of a card: blank is zero, and an exponent may stand without its
-/// letter, as in .14222+03.
+/// Reads the number in some columns of a card. Blank is zero; an exponent may lack its letter, as in .14222+03.
 pub(super) fn number(
     place: &Place,
     card: &str,
@@ -40,7 +39,7 @@ pub(super) fn number(
     })
 }
 
-/// Number and fields of a card of constants.
+/// Reads number and fields of a card of constants.
 pub(super) fn constants(place: &Place, card: &str) -> Result<(usize, [f64; FIELDS]), InputError> {
     let index = number(place, card, 0, NUMBER_COLUMNS)?;
     if index.fract() != 0.0 || !(1.0..=CARDS as f64).contains(&index) {

@@ -7,11 +7,10 @@ use crate::input_error::InputError;
 use super::Run;
 
 impl Run {
-    /// The scene as named numbers; velocities from whichever of the report's three ways the run
-    /// chose.
+    /// The scene as named numbers. Velocities come from the one of the report's three ways that the run selects.
     ///
     /// # Errors
-    /// When the phase number is none of 1, 2 and 3.
+    /// If the phase number is not 1, 2 or 3.
     pub fn scene(&self) -> Result<Vec<(&'static str, f64)>, InputError> {
         let [pitch, yaw, roll] = [2, 3, 4].map(|field| self.at(9, field));
         let phase = self.at(11, 3);

@@ -5,13 +5,13 @@ use crate::input_error::{InputError, Place};
 use super::LEGS;
 use super::card::number;
 
-/// Fields of a table's card, and columns of each.
+/// Fields of a table card, and columns of each.
 const FIELDS: usize = 8;
 const COLUMNS: usize = 10;
-/// Most numbers of a table, identification and length included.
+/// Most numbers of a table, including identification and length.
 const LONGEST: usize = 100;
 
-/// One table: abscissas, inches, and one list of ordinates or two.
+/// One table: abscissas, inches, and one or two lists of ordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Table {
     pub(super) abscissas: Vec<f64>,
@@ -21,7 +21,7 @@ pub(super) struct Table {
 /// Tables by kind (footpads, blocks, shock absorbers) and leg.
 pub(super) type Tables = [[Option<Table>; LEGS]; 3];
 
-/// Reads all tables up to a blank card; those of a kind given for leg 1 alone serve every leg.
+/// Reads all tables up to a blank card. Tables of a kind given for leg 1 alone apply to every leg.
 pub(super) fn tables<'t>(
     place: &Place,
     cards: &mut impl Iterator<Item = (usize, &'t str)>,

@@ -3,7 +3,7 @@
 use super::{Deck, LEGS, Run};
 
 impl Deck {
-    /// The vehicle of a run as a vehicle file of this program.
+    /// Writes the vehicle of a run as a vehicle file of this program.
     pub fn vehicle(&self, run: &Run, name: &str) -> String {
         let at = |card, field| run.at(card, field);
         let [pads, blocks, struts] = &self.tables;
@@ -47,7 +47,7 @@ impl Deck {
             at(5, 1),
             at(5, 5),
         );
-        // Everything that the deck has leg by leg.
+        // Data that the deck gives leg by leg.
         let per_leg = |cards: [(usize, usize); LEGS], leg: usize| at(cards[leg].0, cards[leg].1);
         for leg in 0..LEGS {
             let value = |cards| per_leg(cards, leg);

@@ -1,4 +1,4 @@
-//! The attitude, in either of its forms: pitch, yaw and roll, or tip, azimuth and nominal roll.
+//! The attitude in either form: pitch, yaw and roll, or tip, azimuth and nominal roll.
 
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 
@@ -8,7 +8,7 @@ const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
 const TIP: [&str; 3] = ["tip_deg", "tip_azimuth_deg", "nominal_roll_deg"];
 
 impl NamedConditions {
-    /// Removes the attitude if `names` give it in its other form.
+    /// Removes the attitude in the form other than that of `names`.
     pub fn replace_attitude_form(&mut self, names: &[&str]) {
         for (form, other) in [(EULER, TIP), (TIP, EULER)] {
             if form.iter().any(|name| names.contains(name)) {
@@ -19,7 +19,7 @@ impl NamedConditions {
         }
     }
 
-    /// Whether the attitude is given by tip and azimuth instead of Euler angles.
+    /// True if the attitude is given by tip and azimuth instead of Euler angles.
     pub(super) fn is_tipped(&self) -> bool {
         TIP.iter().any(|name| self.get(name).is_some())
     }

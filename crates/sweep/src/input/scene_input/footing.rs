@@ -34,7 +34,7 @@ macro_rules! footing_names {
 pub(super) const FOOTING_NAMES: [[&str; FOOTING_KEYS.len()]; MOST_LEGS] =
     footing_names!(1 2 3 4 5 6 7 8);
 
-/// Where one of its numbers stands in a table [scene], if it is there.
+/// Finds one of these numbers in a table [scene].
 pub(super) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
     let (leg, rest) = FOOTING_NAMES.iter().enumerate().find_map(|(leg, names)| {
         let key = names.iter().position(|known| *known == name)?;
@@ -68,7 +68,7 @@ impl NamedConditions {
         Ok(())
     }
 
-    /// The ground under the legs. Under a block it is that under the footpad where nothing else is given.
+    /// The ground under the legs. The ground under a block defaults to that under its footpad.
     pub(super) fn ground(&self) -> Result<Ground, SceneFault> {
         let mut footing = Vec::with_capacity(MOST_LEGS);
         for names in &FOOTING_NAMES {

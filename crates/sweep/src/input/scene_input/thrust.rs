@@ -7,7 +7,7 @@ use super::{NamedConditions, SceneFault};
 use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
 
-/// The table of thrust, its keys that are lists, and its numbers.
+/// The table of thrust, all its keys, and the names of its numbers.
 pub(crate) const THRUST: &str = "thrust";
 pub(crate) const THRUST_KEYS: [&str; 5] =
     ["time_s", "force_lb", "scale", "offset_x_ft", "offset_y_ft"];
@@ -15,7 +15,7 @@ pub(super) const THRUST_NAMES: [&str; 3] =
     ["thrust.scale", "thrust.offset_x_ft", "thrust.offset_y_ft"];
 const NUMBERS: &str = "a list of numbers";
 
-/// Where one of its numbers stands in a table [scene], if it is there.
+/// Finds one of these numbers in a table [scene].
 pub(super) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
     let key = name.strip_prefix("thrust.")?;
     let thrust = scene.optional_section(THRUST, &THRUST_KEYS).ok()??;
@@ -59,7 +59,7 @@ impl NamedConditions {
         &self.thrust.0[..self.thrust.1]
     }
 
-    /// Thrust with its factor and offset.
+    /// Thrust with scale and offset applied.
     pub(super) fn thrust(&self) -> Result<Thrust, SceneFault> {
         let number = |name: &'static str, default: f64| match self.get(name) {
             Some(value) if self.thrust.1 == 0 => Err(SceneFault {

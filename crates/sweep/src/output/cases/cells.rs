@@ -1,4 +1,4 @@
-//! What stands in a table of cases, however it is kept.
+//! Cells of a table of cases, independent of their storage.
 
 use std::fmt;
 use std::path::Path;
@@ -9,14 +9,14 @@ use crate::csv_rows;
 use crate::fingerprint::fingerprint;
 use crate::input_error::{InputError, Place};
 
-/// What stands in a cell.
+/// Content of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CaseCell<'c> {
-    /// Nothing.
+    /// Empty.
     Empty,
     /// A number, in the unit of its column.
     Number(f64),
-    /// A text, which may be that of a number.
+    /// A text, possibly that of a number.
     Text(&'c str),
 }
 
@@ -35,18 +35,18 @@ pub trait CaseCells: fmt::Debug + Send + Sync {
     /// Number of rows.
     fn len(&self) -> usize;
 
-    /// Whether there are no rows.
+    /// True if there are no rows.
     fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// What stands in a row and a column, both counted from 0.
+    /// Content of a cell; row and column count from 0.
     fn cell(&self, row: usize, column: usize) -> CaseCell<'_>;
 
-    /// Brings an error to the row in which it arose.
+    /// Adds the row where an error arose.
     fn at_row(&self, row: usize, error: InputError) -> InputError;
 
-    /// The same where all cells are.
+    /// Equal if all cells are equal.
     fn fingerprint(&self) -> String;
 }
 
@@ -59,7 +59,7 @@ pub(super) struct CsvRows {
 }
 
 impl CsvRows {
-    /// Heading and rows of the text of a file.
+    /// Parses the text of a file into heading and rows.
     pub(super) fn parse(path: &Path, text: &str) -> Result<(StringRecord, Self), InputError> {
         let place = Place::file(path);
         let (heading, rows) = csv_rows::read(&place, text)?;

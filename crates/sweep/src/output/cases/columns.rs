@@ -1,4 +1,4 @@
-//! The columns of a table of cases, and what a row says in them.
+//! The columns of a table of cases, and the values of a row in them.
 
 use std::path::Path;
 
@@ -30,7 +30,7 @@ impl<'r> Row<'r> {
         self.cells.cell(self.number, column)
     }
 
-    /// What a row says as text in a column that is no parameter.
+    /// Text of a row in a column that is not a parameter.
     pub(super) fn text(self, column: Option<usize>) -> Option<String> {
         match self.cell(column?) {
             CaseCell::Empty => None,
@@ -39,14 +39,14 @@ impl<'r> Row<'r> {
     }
 }
 
-/// Which column of a table is what.
+/// Meaning of the columns of a table.
 #[derive(Debug, Clone)]
 pub(super) struct Columns {
     pub(super) name: Option<usize>,
     pub(super) vehicle_file: Option<usize>,
     pub(super) vehicle: Vec<(usize, Parameter)>,
     scene: Vec<(usize, Parameter)>,
-    /// Conditions of rows that say nothing else.
+    /// Default conditions of the rows.
     shared: NamedConditions,
     solver: Vec<(usize, Parameter)>,
 }
@@ -102,7 +102,7 @@ impl Columns {
         }
     }
 
-    /// The scene of a row, for a vehicle and settings.
+    /// Builds the scene of a row, for a vehicle and settings.
     pub(super) fn scene(
         &self,
         row: Row,
@@ -136,7 +136,7 @@ impl Columns {
         })
     }
 
-    /// The settings of a row: those given, with the values of the row in place of their own.
+    /// Settings of a row: those given, replaced by the row's values.
     pub(super) fn settings(&self, given: &Settings, row: Row) -> Result<Settings, InputError> {
         let values = values(&self.solver, row)?;
         if values.is_empty() {
@@ -174,7 +174,7 @@ impl Columns {
     }
 }
 
-/// The complaint that no column may have this name.
+/// Error for an unknown column name.
 fn unknown(name: &str) -> String {
     let mut alike = Parameter::nearest(name, MOST_LEGS);
     alike.retain(|name| !name.starts_with("search.") && !name.starts_with("scene."));
@@ -186,14 +186,14 @@ fn unknown(name: &str) -> String {
     )
 }
 
-/// A parameter with what a row says of it, as it stands there and as a value.
+/// A parameter with its cell in a row, as written and as a value.
 pub(super) struct Given<'r> {
     pub(super) parameter: &'r Parameter,
     cell: CaseCell<'r>,
     pub(super) value: Value,
 }
 
-/// What a row says of these parameters.
+/// Values of a row for these parameters.
 pub(super) fn values<'r>(
     columns: &'r [(usize, Parameter)],
     row: Row<'r>,
@@ -214,7 +214,7 @@ pub(super) fn values<'r>(
     said.collect()
 }
 
-/// A complaint that arose with these values.
+/// Adds these values to the error that they caused.
 pub(super) fn at(values: &[Given], error: &InputError) -> InputError {
     let said: Vec<String> = (values.iter())
         .map(|one| format!("{} = {}", one.parameter.name(), one.cell))

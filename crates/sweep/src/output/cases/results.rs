@@ -1,19 +1,19 @@
-//! The results of cases as a table.
+//! Table of the results of cases.
 
 use crate::findings::Finding;
 use crate::landing_table::{self, Cell};
 use crate::output_units::{OutputUnits, Quantity};
 
-/// Whether a file that begins with this line is a table of results of cases.
+/// True if a file with this first line is a table of results of cases.
 pub fn is_table(line: &str) -> bool {
     line.starts_with("case,outcome,end_time_s,")
 }
 
-/// The results of cases as CSV, in these units: `case`, then the columns of [`landing_table`] for as many legs as any
-/// vehicle has.
+/// The results of cases as CSV in these units: `case`, then the columns of [`landing_table`] for the greatest number of
+/// legs.
 ///
 /// # Errors
-/// None but those of memory.
+/// Only out of memory.
 pub fn table<'r>(
     rows: impl Iterator<Item = (&'r str, &'r Finding)> + Clone,
     units: OutputUnits,

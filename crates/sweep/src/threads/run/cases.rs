@@ -1,4 +1,4 @@
-//! Cases: landings alone, without a search.
+//! Cases: single landings without a search.
 
 use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -16,7 +16,7 @@ use crate::landing_queue::LandingQueue;
 use crate::parameter::Home;
 
 impl Workers {
-    /// Lands the cases of a table that are not `done`, into the journal.
+    /// Computes the cases of a table that are not `done`, and adds them to the journal.
     ///
     /// # Errors
     /// As [`Workers::sweep`].
@@ -38,11 +38,11 @@ impl Workers {
         landed.and(journal.finish().map_err(RunError::Journal))
     }
 
-    /// Lands some rows of a table and gives each landing, with its row, to `keep`, which is also called every now and then
-    /// when nothing is new.
+    /// Computes some rows of a table and passes each landing, with its row, to `keep`. Also calls `keep` from time to
+    /// time without a new landing.
     ///
     /// # Errors
-    /// What `keep` gave up with, or that the run was stopped.
+    /// The error of `keep`, or that the run was stopped.
     pub fn each_case(
         &self,
         table: &CaseTable,
@@ -69,11 +69,11 @@ impl Workers {
         self.search(rows, SEARCHES, &stop, land, keep)
     }
 
-    /// Computes so many landings, each as `request` asks for by its index, which is also its key: several at a time on
-    /// each thread, side by side.
+    /// Computes `count` landings, several at a time on each thread. `request` gives the landing of an index, which is
+    /// also its key.
     ///
     /// # Errors
-    /// When `cancel` became true; it is looked at before every landing.
+    /// If `cancel` became true; it is checked before every landing.
     pub fn cases(
         &self,
         count: usize,

@@ -1,4 +1,4 @@
-//! The points of a sweep: what it asks at each of them, one after another or round by round.
+//! The points of a sweep, computed one after another or round by round.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,11 +21,11 @@ use crate::sweep_file::{Job, Sweep};
 use crate::trial::{Scales, Trial};
 
 impl Workers {
-    /// Finds what the sweep asks at every point of a shard that is not `done`, into the journal.
+    /// Computes every point of a shard that is not `done`, and adds it to the journal.
     ///
     /// # Errors
-    /// When `cancel` became true, which is looked at before every landing, or a result cannot be
-    /// kept. What was journaled until then stays good.
+    /// If `cancel` became true, which is checked before every landing, or a result cannot be stored. Results already in
+    /// the journal stay valid.
     pub fn sweep(
         &self,
         sweep: &Sweep,
@@ -60,12 +60,11 @@ impl Workers {
             (true, Err(RunError::Cancelled)) if !cancel.load(Ordering::Relaxed) => Ok(()),
             (_, found) => found,
         };
-        // Also when the run was stopped, but not over the error that stopped it.
+        // Finishes the journal even after a stop, but the error that caused the stop takes precedence.
         found.and(journal.finish().map_err(RunError::Journal))
     }
 
-    /// Finds what the sweep asks at the points of a map, or of a shard of it, round by round. Nothing is computed that the
-    /// journal holds already.
+    /// Computes the points of a map, or of a shard of it, round by round. Skips those already in the journal.
     fn map(
         &self,
         sweep: &Sweep,
@@ -102,7 +101,7 @@ impl Workers {
                 journal.tick()
             });
             if let Err(error) = searched {
-                // The error that stopped the run comes first.
+                // The error that stopped the run takes precedence.
                 let _ = journal.finish();
                 return Err(error);
             }
@@ -114,10 +113,10 @@ impl Workers {
         }
     }
 
-    /// Finds what the sweep asks at some points, in their order.
+    /// Computes some points, returned in their order.
     ///
     /// # Errors
-    /// When the input of one of them is not valid.
+    /// If the input of one of them is invalid.
     pub fn points(&self, sweep: &Sweep, points: &[usize]) -> Result<Vec<Finding>, RunError> {
         let never = AtomicBool::new(false);
         let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
@@ -128,11 +127,11 @@ impl Workers {
         Ok(found.into_iter().map(|(_, finding)| finding).collect())
     }
 
-    /// Finds what the sweep asks at some points, and gives the index of each among `points`, with what it came to, to
-    /// `keep` as soon as it is known: the first points first, so many at a time for each thread.
+    /// Computes some points and passes the index of each among `points`, with its result, to `keep` as soon as known.
+    /// Starts with the first points, `searches` at a time per thread.
     ///
     /// # Errors
-    /// When the input of one of them is not valid, or `cancel` became true.
+    /// If the input of one of them is invalid, or `cancel` became true.
     pub fn each_point(
         &self,
         sweep: &Sweep,
@@ -161,15 +160,15 @@ impl Workers {
     }
 }
 
-/// Where a search asks for its landings.
+/// Queue for the landings of a search.
 #[derive(Clone, Copy)]
 struct SearchQueue<'q> {
     landing_queue: &'q LandingQueue,
-    /// Its number: those with lower ones get their landings first.
+    /// Number of the search; lower ones get their landings first.
     search: usize,
 }
 
-/// What a sweep asks at a point, told to an observer.
+/// Computes a point and reports it to an observer.
 async fn find_watched(
     sweep: &Sweep,
     point: usize,
@@ -187,7 +186,7 @@ async fn find_watched(
     Ok(finding)
 }
 
-/// What a sweep asks at a point.
+/// Computes a point.
 async fn find(
     sweep: &Sweep,
     point: usize,

@@ -14,7 +14,7 @@ use super::{Triple, rounded, triple};
 #[derive(Debug, Serialize)]
 pub struct Ground {
     slope_deg: f64,
-    /// Up and out of the surface.
+    /// Upward normal of the surface.
     normal: Triple,
     /// Down the steepest slope, along the surface.
     downhill: Triple,
@@ -36,7 +36,7 @@ struct Patch {
 }
 
 impl Ground {
-    /// Under a vehicle that touches down.
+    /// The ground under a vehicle at touchdown.
     pub fn of(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> Self {
         let conditions = scene.conditions();
         let (sine, cosine) = conditions.slope.sin_cos();
@@ -51,7 +51,7 @@ impl Ground {
             let mut add = |of, is_even, seen: &SeenGround<f64>, place: Vector3<f64>| {
                 let inward = frame.rotation * seen.normal;
                 let mut point = body.position + frame.seen_from_center_of_gravity(&place);
-                // Along the vertical, on which patches are placed.
+                // Patches are placed along the vertical.
                 point.z -= seen.depth_of(&place) / inward.z;
                 patches.push(Patch {
                     leg: index + 1,

@@ -1,4 +1,4 @@
-//! Where everything is at every instant, and the forces of the ground.
+//! Positions at every instant, and the forces of the ground.
 
 use nalgebra::{Vector3, Vector4};
 use serde::Serialize;
@@ -13,7 +13,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use super::{Triple, rounded, triple};
 
-/// Every instant, column by column.
+/// All instants, column by column.
 #[derive(Debug, Default, Serialize)]
 pub struct Instants {
     time_s: Vec<f64>,
@@ -21,7 +21,7 @@ pub struct Instants {
     /// The matrix B, vehicle to ground, row by row.
     rotation: Vec<[f64; 9]>,
     stability_angle_deg: Vec<f64>,
-    /// Numbers of the two critical feet; none where all feet stand on one side.
+    /// Numbers of the two critical feet; `None` if all feet are on one side.
     critical_edge: Vec<Option<[usize; 2]>>,
     legs: Vec<LegColumns>,
 }
@@ -29,9 +29,9 @@ pub struct Instants {
 #[derive(Debug, Default, Clone, Serialize)]
 struct LegColumns {
     pivot: Vec<Triple>,
-    /// From the pivot to the middle of the face of the pad.
+    /// From the pivot to the centre of the pad's face.
     pad_axis: Vec<Triple>,
-    /// How deep the uncrushed face of the outboard and the inboard half is in the ground.
+    /// Depths in the ground of the uncrushed faces of the outboard and inboard halves.
     pad_interference: Vec<[f64; 2]>,
     /// Plastic sets of both halves.
     pad_crush: Vec<[f64; 2]>,
@@ -45,7 +45,7 @@ struct LegColumns {
 }
 
 impl Instants {
-    /// Of a landing.
+    /// Columns of a landing.
     pub fn of(
         vehicle: &Vehicle,
         scene: &Scene,
@@ -151,7 +151,7 @@ fn body(instant: &Instant) -> Body<f64> {
     }
 }
 
-/// As much of the state as tells where the feet are.
+/// The part of the state that determines the positions of the feet.
 fn state(body: &Body<f64>, instant: &Instant) -> State<f64> {
     let legs: Vec<LegState<f64>> = (instant.legs.iter())
         .map(|leg| LegState {

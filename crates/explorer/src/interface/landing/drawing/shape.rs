@@ -10,15 +10,15 @@ use super::{Triple, rounded, triple};
 /// A vehicle.
 #[derive(Debug, Serialize)]
 pub struct Shape {
-    /// The point of the centreline level with the CG.
+    /// Point of the centreline level with the CG.
     center: Triple,
     body: Drum,
-    /// Numbers of the legs by azimuth: the order of the corners of the polygon of the feet.
+    /// Leg numbers by azimuth: the order of the corners of the polygon of the feet.
     ring: Vec<usize>,
     legs: Vec<LegShape>,
 }
 
-/// A drum round the centreline through the hardpoints: drawing only, no physics.
+/// A drum around the centreline through the hardpoints, for drawing only.
 #[derive(Debug, Serialize)]
 struct Drum {
     top: f64,
@@ -57,12 +57,12 @@ struct BlockShape {
     /// Centre of its uncrushed face.
     face: Triple,
     diameter: f64,
-    /// Of the face below the plane of the lower hardpoints.
+    /// Height of the face below the plane of the lower hardpoints.
     height: f64,
 }
 
 impl Shape {
-    /// Of a vehicle.
+    /// Shape of a vehicle.
     pub fn of(vehicle: &Vehicle, motion: &Motion<f64>) -> Self {
         let [x, y] = vehicle.center_of_gravity_offset();
         let center = Vector3::new(-x, -y, 0.0);
@@ -90,7 +90,7 @@ fn leg_shape(motion: &Motion<f64>, index: usize, leg: &Leg, center: &Vector3<f64
     let (sine, cosine) = design.azimuth.sin_cos();
     let outboard = Vector3::new(sine, cosine, 0.0);
     let lower = center + geometry.lower_hardpoint();
-    // Such that (11) holds: outboard by l_A sin β, up by l_A cos β.
+    // Chosen to satisfy (11): outboard by l_A sin β, up by l_A cos β.
     let linkage = &design.linkage;
     let (sin_beta, cos_beta) = linkage.hardpoint_angle.sin_cos();
     let between = outboard * sin_beta - Vector3::z() * cos_beta;
