@@ -64,7 +64,8 @@ fn kills_and_wild_landings_are_told_and_land_again_as_they_did() {
     for (legs, rules) in &vehicles {
         let name = format!("{legs}-legs-{rules}-");
         let own = kept.iter().filter(|case| case["case"].starts_with(&name));
-        assert!(own.count() >= 2, "{}", done.out);
+        // One landing may be the worst in everything.
+        assert!(own.count() >= 1, "{}", done.out);
     }
     let [vehicle, cases] = ["stress/stress-3-legs-1966.toml", "stress/stress-cases.csv"];
     for (kept, landed) in kept
