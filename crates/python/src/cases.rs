@@ -122,7 +122,7 @@ fn landed_into(
     let folder = Folder::of(out)?;
     let name = out.file_name().unwrap_or_default().to_string_lossy();
     let journal = folder.path(&format!("{name}.journal"));
-    let mut opened = Journal::open(&journal, &table.header(env!("CARGO_PKG_VERSION")))?;
+    let mut opened = Journal::open(&journal, &table.header(crate::VERSION))?;
     let of_journal = std::mem::take(&mut opened.warnings);
     work.skip(opened.done.len());
     workers.case_table(table, &mut opened, work, &work.cancel)?;

@@ -14,11 +14,14 @@ mod interruptible;
 mod landing;
 mod sweeps;
 
+/// Version of the package.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 /// The module that Python imports.
 #[pyo3::pymodule]
 mod _engine {
     #[pymodule_export]
-    const VERSION: &str = env!("CARGO_PKG_VERSION");
+    const VERSION: &str = crate::VERSION;
     #[pymodule_export]
     use crate::boundary::boundary;
     #[pymodule_export]

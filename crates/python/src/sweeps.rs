@@ -23,11 +23,10 @@ use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file;
 use touchdown_sweep::warnings;
 
+use crate::VERSION;
 use crate::documents::{Vehicle, output_units};
 use crate::errors::{Failure, guarded, in_the_way};
 use crate::interruptible::{self, Work};
-
-const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A sweep ready to run.
 #[pyclass(frozen, module = "touchdown._engine")]

@@ -102,7 +102,7 @@ impl Motion<f64> {
         }
     }
 
-    /// The same equations under another contact rule.
+    /// Returns these equations under another contact rule.
     pub fn with_contact_rule(self, rule: ContactRule) -> Self {
         Self {
             acts_at_face: rule == ContactRule::Face,

@@ -64,7 +64,7 @@ impl<const QUADS: usize> Ranges<QUADS> {
         farthest.all(|beyond| beyond < 0.0)
     }
 
-    /// The same for numbers whose first `rated` quads are followed by as many of their rates. Those numbers stay
+    /// Checks numbers whose first `rated` quads are followed by as many of their rates. Those numbers stay
     /// between the corners of the cubics through their values and rates at both ends of the step of `length`.
     #[inline(always)]
     pub fn keep_by_rates(

@@ -103,7 +103,7 @@ impl Settings {
         Ok(Self { tolerance, ..self })
     }
 
-    /// The same settings, but landings end as [`crate::outcome::Outcome::StableSteady`] once they are steady: for
+    /// Returns these settings with landings that end as [`crate::outcome::Outcome::StableSteady`] once they are steady: for
     /// scans, which ask only for the outcome.
     pub fn ending_early(self) -> Self {
         Self {
@@ -112,7 +112,7 @@ impl Settings {
         }
     }
 
-    /// The same settings, but a landing goes on beyond its verdict, to the time limit or until its model ends.
+    /// Returns these settings with landings that go on beyond their verdicts, to the time limit or until the model ends.
     pub fn beyond_verdict(self) -> Self {
         Self {
             goes_on: true,
@@ -120,7 +120,7 @@ impl Settings {
         }
     }
 
-    /// The same settings, but a landing ends at its verdict: for callers that need only the verdict.
+    /// Returns these settings with landings that end at their verdicts: for callers that need only the verdict.
     pub fn up_to_verdict(self) -> Self {
         Self {
             goes_on: false,

@@ -468,9 +468,8 @@ impl<'o> Simulation<'o> {
     /// Result of the landing. The outcome of one that went on beyond its verdict is the verdict. One that ends otherwise
     /// than stable while its CG is beyond the feet has toppled.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
-        let is_stable = outcome.class() == Class::Stable;
-        let topples_since = self.stability.topples_since().filter(|_| !is_stable);
-        let toppled = topples_since.map(|since| (Outcome::UnstableToppled, since));
+        let topples = self.stability.is_beyond() && outcome.class() != Class::Stable;
+        let toppled = topples.then_some((Outcome::UnstableToppled, self.trajectory.time));
         let noted = self.noted.clone().or(toppled);
         let Some((verdict, time)) = noted else {
             return self.trajectory.result(outcome);

@@ -76,9 +76,9 @@ impl StabilityTrack {
             .is_some_and(|since| time - since >= self.while_beyond)
     }
 
-    /// Time since which the CG has been beyond the hull of the feet, s, if it is.
-    pub(super) fn topples_since(&self) -> Option<f64> {
-        self.beyond_since
+    /// Returns whether the CG is beyond the hull of the feet.
+    pub(super) fn is_beyond(&self) -> bool {
+        self.beyond_since.is_some()
     }
 
     /// Takes over a new line of the thrust. Returns the verdict that was waiting for it.

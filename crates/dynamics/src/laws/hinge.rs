@@ -245,7 +245,7 @@ impl Hinge {
         }
     }
 
-    /// The same without the closed form: the pad's turn is its angle.
+    /// Piece of the hinge without the closed form: the pad's turn is its angle.
     pub fn piece_as_written(&self, stops: Stops) -> HingePiece<f64> {
         let (gain, fading) = match self.zone {
             Zone::Free | Zone::Returning(_) => (1.0, 0.0),

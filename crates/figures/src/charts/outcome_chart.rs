@@ -86,14 +86,10 @@ fn side(area: &Area, marks: usize) -> f64 {
 
 /// The mark of a landing by its outcome.
 fn mark(outcome: &str) -> Mark {
-    let kind = match outcome.split('-').next() {
-        Some("stable") => return Mark::Ring(palette::NONE),
-        Some("unstable") => Kind::Unstable,
-        Some("bottomed") => Kind::Bottomed,
-        Some("failure") => Kind::Failure,
-        _ => Kind::Undecided,
-    };
-    Mark::Transition(kind)
+    match outcome.split('-').next().unwrap_or_default() {
+        "stable" => Mark::Ring(palette::NONE),
+        class => Mark::Transition(Kind::from_name(class).unwrap_or(Kind::Undecided)),
+    }
 }
 
 fn legend() -> Vec<Entry> {

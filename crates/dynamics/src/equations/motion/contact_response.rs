@@ -237,7 +237,7 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
         self.along_beside(direction, &self.offset)
     }
 
-    /// The same for a place at this offset from the pivot, ft.
+    /// Velocity in a direction, per velocities, of a place at this offset from the pivot, ft.
     #[inline(always)]
     fn along_beside(&self, direction: &Vector3<S>, offset: &Vector3<S>) -> Coordinates<S> {
         let translation = self.geometry.in_vehicle_axes(direction);

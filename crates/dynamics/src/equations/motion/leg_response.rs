@@ -163,7 +163,7 @@ impl<S: Real> LegMotion<S> {
         );
     }
 
-    /// The same for ground that acts at the face of the footpad.
+    /// Response of the forces of ground that acts at the face of the footpad.
     #[inline(always)]
     fn face_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
         let Posture {

@@ -22,7 +22,7 @@ impl LegMode {
         outer.min(inner).max(0.0) * inclination
     }
 
-    /// The same for the block, if there is one, at the cosine of its inclination.
+    /// Gap between the block, if there is one, and its ground, ft, at the cosine `inclination` of its inclination.
     pub fn block_gap(
         &self,
         laws: &LegLaws,

@@ -109,7 +109,7 @@ impl LegLaws {
         }
     }
 
-    /// The same laws under another contact rule.
+    /// Returns these laws under another contact rule.
     pub fn with_contact_rule(self, rule: ContactRule) -> Self {
         // Forces that set in all at once make a light pad chatter.
         let [pad, block, least_push] = match rule {
@@ -136,12 +136,12 @@ impl LegLaws {
         [outer.max(inner), self.heights.pad]
     }
 
-    /// The same laws under another crush rule.
+    /// Returns these laws under another crush rule.
     pub fn with_crush_rule(self, rule: CrushRule) -> Self {
         Self { rule, ..self }
     }
 
-    /// The same laws with another friction profile.
+    /// Returns these laws with another friction profile.
     pub fn with_friction(self, friction: FrictionProfile) -> Self {
         Self { friction, ..self }
     }
@@ -156,7 +156,7 @@ impl LegLaws {
         Sliding::at(self.friction, speed_squared) == Sliding::Viscous
     }
 
-    /// The same laws, with changes no more exact than landings at this tolerance need.
+    /// Returns these laws with changes no more exact than landings at this tolerance need.
     pub fn within(self, tolerance: f64) -> Self {
         let arrival = PAD_ARRIVAL.max(PAD_ARRIVAL_SHARE * tolerance);
         Self {
