@@ -44,13 +44,14 @@ beyond its verdict, those called toppled until they lie on their side. A verdict
 
 Small changes: a lander of that kind is landed at every quarter of a metre per second sideways until it is no longer stable; then
 at a speed drawn between 0 and two thirds of that, and again with its CG 1 mm to the side, with 1 g more, and with its first
-footpad 1 mm higher. small-changes.csv lists every landing whose outcome differs.
+footpad 1 mm higher. small-changes.csv lists every landing whose outcome differs. Its lander is landed at every centimetre per
+second, too: if it is not stable at less than one and a half times the speed of the landing, the landing is one near a transition.
 
 verdicts.csv lists the verdicts by kind, verdict-exceptions.csv every landing that contradicts its own.
 
 The tables are written anew every thousand landings, so that Ctrl-C loses no more.
 
-Exit code 0 if there is no contradiction and no difference, 1 if there is any.";
+Exit code 0 if there is no contradiction and no difference well below a transition, 1 if there is any.";
 
 /// How long landings go on beyond their verdict, s.
 const BEYOND: f64 = 60.0;
