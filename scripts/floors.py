@@ -58,7 +58,7 @@ FLOORS = {
     ],
     "touchdown": [
         ["main"],
-        ["stress", "study", "verdicts", "work_precision"],
+        ["lib"],
         ["explore"],
         ["landings", "surface", "sweeps"],
         ["pictures"],

@@ -133,12 +133,12 @@ fn landing_errors(found: &[Landing], converged: &[Landing]) -> String {
     line
 }
 
-/// All bands of the 143 points of `scripts/level-grid.toml`.
+/// All bands of the 143 points of `crates/lab/sweeps/level-grid.toml`.
 #[divan::bench(args = THREADS, sample_count = 1, sample_size = 1)]
 fn level_vehicle_grid(bencher: Bencher, threads: &str) {
     let measured = || {
         let workers = workers(threads)?;
-        let sweep: Sweep = Sweep::read(&repository("scripts/level-grid.toml"))?;
+        let sweep: Sweep = Sweep::read(&repository("crates/lab/sweeps/level-grid.toml"))?;
         let points: Vec<usize> = (0..sweep.design.count()).collect();
         let mut found = Ok(Vec::new());
         bencher

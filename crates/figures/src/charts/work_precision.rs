@@ -34,7 +34,7 @@ pub enum Cost {
     Evaluations,
 }
 
-/// Draws a table of `touchdown work-precision` as SVG.
+/// Draws a table of `touchdown-lab work-precision` as SVG.
 ///
 /// # Errors
 /// When a column is missing or a cell is not a number.

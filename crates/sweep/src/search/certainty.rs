@@ -8,7 +8,7 @@
 //! jumps across the bracket, or where no margin decides the change. A margin that changes as fast on either side of the
 //! bracket as within it is steep and does not jump.
 //!
-//! Across 280 brackets of Phase II, the level grid and `scripts/strut-stops.toml` a margin changes by more than
+//! Across 280 brackets of Phase II, the level grid and `crates/lab/sweeps/strut-stops.toml` a margin changes by more than
 //! `LEAST_JUMP`; at 106 of them it changes at most four times as fast as on either side. Tests moved 11 of these, none
 //! by more than a bracket, and 54 of the 174 others.
 

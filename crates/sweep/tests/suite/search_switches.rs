@@ -1,5 +1,5 @@
 //! With every skip a search finds what it finds without any, with fewer landings, where no step of the
-//! scan holds more than one change. The whole level-vehicle grid: `scripts/skips.py`.
+//! scan holds more than one change. The whole level-vehicle grid: `crates/lab/scripts/skips.py`.
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
@@ -31,7 +31,7 @@ fn sweep(name: &str, values: &[f64]) -> Sweep {
 fn strut_stops(cross_slope: f64, roll: f64, vertical_velocities: &[f64]) -> Sweep {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../../scripts/strut-stops.toml"
+        "/../../crates/lab/sweeps/strut-stops.toml"
     );
     let mut sweep: Sweep = Sweep::read(&PathBuf::from(path)).unwrap();
     let axes = [&[cross_slope], &[roll], vertical_velocities]

@@ -13,6 +13,17 @@ use touchdown_sweep::tables::TablesError;
 /// Exit code after an interruption: 128 + SIGINT, as shells report it.
 pub const INTERRUPTED: u8 = 130;
 
+/// Exit code of a program that has done its work; writes a failure to the terminal.
+pub fn exit(program: &str, done: Result<(), Failure>) -> ExitCode {
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{program}: {failure}");
+            failure.exit_code()
+        }
+    }
+}
+
 /// An end other than success.
 #[derive(Debug)]
 pub enum Failure {

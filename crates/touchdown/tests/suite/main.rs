@@ -8,6 +8,7 @@ mod committed_results;
 mod document_examples;
 mod dry_runs;
 mod explore;
+mod found_by_stress;
 mod full_disk;
 mod golden;
 mod interruptions;
@@ -23,8 +24,8 @@ mod scene_files;
 mod sensitivities;
 mod set_values;
 mod starting_files;
-mod stress;
-mod study;
 mod surface;
 mod verdicts;
-mod work_precision;
+
+/// The program as built for the tests.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_touchdown");

@@ -1,5 +1,6 @@
 //! A folder with input files, and the program run in it.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -52,6 +53,15 @@ pub const LAND_CASES: [&str; 6] = [
     "--out",
 ];
 
+/// A row of a table by the names of its columns.
+pub type Row = BTreeMap<String, String>;
+
+/// The rows of a table.
+pub fn rows(text: &str) -> Vec<Row> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    reader.deserialize().map(Result::unwrap).collect()
+}
+
 /// What the program did.
 pub struct Done {
     pub code: Option<i32>,
@@ -103,7 +113,7 @@ impl Bench {
 
     /// The program, ready to be run in the folder.
     pub fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_touchdown"));
+        let mut command = Command::new(crate::PROGRAM);
         command.args(arguments).current_dir(self.folder.path());
         command
     }
@@ -115,6 +125,15 @@ impl Bench {
     /// The landings of `cases.csv` into this file, and more options.
     pub fn land_cases(&self, out: &[&str]) -> Done {
         self.run(&[&LAND_CASES[..], out].concat())
+    }
+
+    /// Lands cases again at a tolerance: their rows.
+    pub fn land_again(&self, vehicle: &str, cases: &str, tolerance: &str) -> Vec<Row> {
+        let input = ["land", "--vehicle", vehicle, "--cases", cases];
+        let rest = ["--tolerance", tolerance, "--out", "again.csv", "--quiet"];
+        let done = self.run(&[&input[..], &rest[..]].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        rows(&self.read("again.csv"))
     }
 }
 

@@ -1,0 +1,148 @@
+//! Landings of vehicles and touchdowns drawn at random.
+
+use std::time::Duration;
+
+use touchdown_dynamics::model_version::MODEL_VERSION;
+use touchdown_sweep::findings::Finding;
+use touchdown_sweep::header::Header;
+use touchdown_sweep::journal::{InOrder, Journal, Opened};
+use touchdown_sweep::run::RunError;
+use touchdown_sweep::shard::Shard;
+
+use super::Bench;
+use super::account::Account;
+use super::case_table::{self, Reasons};
+use super::watchdog::Watchdog;
+use super::wild_sweep::WildSweep;
+use touchdown::terminal::failure::Failure;
+use touchdown::terminal::print::print;
+use touchdown::terminal::progress::Progress;
+use touchdown::terminal::summary;
+
+/// Names of what is written.
+const CASES: &str = "stress-cases.csv";
+/// Longest time for a landing: several times what it needs with the most steps and in a full batch.
+const LONGEST_RUN: Duration = Duration::from_secs(300);
+
+/// Computes the landings and prints their accounts.
+pub fn run(bench: &Bench, sweeps: &[WildSweep]) -> Result<(), Failure> {
+    // Journals stay until all is written.
+    let mut journals = Vec::new();
+    let mut accounts = Vec::new();
+    for wild in sweeps {
+        let count = wild.sweep.design.count();
+        let header = Header::new(&wild.sweep, env!("CARGO_PKG_VERSION"), Shard::WHOLE);
+        let header = header.map_err(Failure::running)?;
+        let mut opened = Journal::open(&bench.folder.path(&wild.journal_file()), &header)?;
+        for warning in &opened.warnings {
+            eprintln!("touchdown: {warning}");
+        }
+        let now = count - opened.done.len();
+        let wall_time = land(bench, wild, &mut opened)?.as_secs_f64();
+        let records = opened.journal.into_records()?;
+        let mut results = InOrder::new(vec![records], count, &bench.options.out)?;
+        let account = account(wild, &mut results)?;
+        let rate = now as f64 / wall_time.max(1e-9);
+        print(&format!(
+            "{count} wild landings of {}, seed {}, tolerance {:e}, model version {MODEL_VERSION}; {now} of them in \
+             this run on {}, in {wall_time:.0} s: {rate:.0} landings/s\n{}",
+            wild.title(),
+            bench.options.seed,
+            wild.sweep.settings.tolerance(),
+            summary::number(bench.workers.threads(), "thread"),
+            account.summary(),
+        ))?;
+        accounts.push((wild, account));
+        journals.push(results);
+    }
+    let kept_cases = accounts
+        .iter()
+        .map(|(wild, account)| (*wild, account.reasons()));
+    let files = write(bench, &kept_cases.collect::<Vec<_>>())?;
+    print(&format!("  {files}"))?;
+    for results in journals {
+        results.remove_journals()?;
+    }
+    let verdicts = accounts.iter().filter_map(|(wild, account)| {
+        let verdict = account.verdict()?;
+        Some(format!("{}: {verdict}", wild.title()))
+    });
+    match verdicts.collect::<Vec<_>>().join("; ").as_str() {
+        "" => Ok(()),
+        verdicts => Err(Failure::running(format!("{verdicts}; {}", kept(bench)))),
+    }
+}
+
+/// Adds up all landings of a vehicle.
+fn account(wild: &WildSweep, results: &mut InOrder) -> Result<Account, Failure> {
+    let mut account = Account::of(&wild.sweep.settings, wild.legs);
+    for point in 0..wild.sweep.design.count() {
+        let bytes = results.result(point)?;
+        match bytes.as_deref().and_then(Finding::decode) {
+            Some(Finding::Landing { outcome, cells, .. }) => account.add(point, &outcome, &cells),
+            _ => {
+                let complaint = format!("there is no result of landing {point}");
+                return Err(Failure::running(complaint));
+            }
+        }
+    }
+    Ok(account)
+}
+
+/// Computes what is not in the journal; the time that it took.
+fn land(bench: &Bench, wild: &WildSweep, opened: &mut Opened) -> Result<Duration, Failure> {
+    let sweep = &wild.sweep;
+    let progress = Progress::start("landings", sweep.design.count(), bench.options.quiet);
+    progress.skip(opened.done.len());
+    let guard = Watchdog::before(&progress);
+    let give_up = |landings: &[usize], why: &str| {
+        let reasons = landings
+            .iter()
+            .map(|number| (*number, vec![why.to_owned()]));
+        let place = match write(bench, &[(wild, reasons.collect())]) {
+            Ok(_) => kept(bench),
+            Err(error) => format!("the table of cases could not be written: {error}"),
+        };
+        format!("{}, landings {landings:?}: {why}; {place}", wild.title())
+    };
+    let on_timeout = |landings: &[usize]| {
+        let why = format!("not finished within {} s", LONGEST_RUN.as_secs());
+        eprintln!("touchdown: {}", give_up(landings, &why));
+        // No thread can be made to leave a landing.
+        std::process::exit(1);
+    };
+    let ran = guard.over(LONGEST_RUN, on_timeout, || {
+        let workers = bench.workers;
+        workers.sweep(sweep, Shard::WHOLE, opened, &guard, bench.cancel)
+    });
+    let wall_time = progress.finish();
+    match ran {
+        Ok(Ok(())) => Ok(wall_time),
+        Ok(Err(RunError::Cancelled)) => Err(Failure::Interrupted(format!(
+            "finished landings are kept in {}: run the command again to continue",
+            bench.folder.path(&wild.journal_file()).display()
+        ))),
+        Ok(Err(other)) => Err(other.into()),
+        Err(beside) => Err(Failure::running(give_up(
+            &beside,
+            "panicked, or another one of the same batch did",
+        ))),
+    }
+}
+
+/// Writes cases and their vehicles; the files in words.
+fn write(bench: &Bench, kept: &[(&WildSweep, Reasons)]) -> Result<String, Failure> {
+    let cases = case_table::written(kept).map_err(Failure::running)?;
+    let vehicle = |wild: &WildSweep| (wild.vehicle_file(), wild.vehicle.clone().into_bytes());
+    let vehicles = kept.iter().map(|(wild, _)| vehicle(wild));
+    let files: Vec<_> = [(CASES.to_owned(), cases)]
+        .into_iter()
+        .chain(vehicles)
+        .collect();
+    Ok(summary::written(&bench.folder.write_files(&files)?))
+}
+
+/// Where the cases are.
+fn kept(bench: &Bench) -> String {
+    format!("listed in {}", bench.folder.path(CASES).display())
+}
