@@ -58,7 +58,7 @@ pub use search::{
     bands, boundary, certainty, contact_warnings, first_transition, hidden, hidden_band_checks,
     lattice, refine, scan, search_range, skipped, trial,
 };
-use search::{join_all, narrowed_scan};
+use search::{join_all, narrowed_scan, run_out};
 pub use summary::{findings, landing_table, probabilities, sweep_counts, transition_statistics};
 pub use sweeps::{
     case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,

@@ -11,6 +11,7 @@ pub(crate) mod join_all;
 pub mod lattice;
 pub(crate) mod narrowed_scan;
 pub mod refine;
+pub(crate) mod run_out;
 pub mod scan;
 pub(crate) mod search_again;
 pub mod search_range;

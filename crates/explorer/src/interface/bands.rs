@@ -57,6 +57,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         from,
         to,
         scan_step: (to - from) / SCAN,
+        parts_below: 1,
         tolerance: TOLERANCE,
         extent: Extent::All,
         scan: Scan::default(),

@@ -54,7 +54,8 @@ def sweep(
         ``{"from": -20, "to": 20, "step": 10}``; axes with the same ``zip`` move together.
     search : mapping, optional
         Where to search, with the keys of a table ``[search]``. Without, up to the first transition from 0 to 25 ft/s, in steps of
-        0.25 ft/s narrowed down to 0.001 ft/s; ``{"bands": "all"}`` finds every band.
+        0.25 ft/s narrowed down to 0.001 ft/s; ``{"bands": "all"}``
+        searches the whole range for bands.
     solver : mapping, optional
         How landings are computed, with the keys of a table ``[solver]``.
     sensitivity : sequence of str

@@ -8,10 +8,11 @@ use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::section::Section;
 
-pub(crate) const SEARCH: [&str; 10] = [
+pub(crate) const SEARCH: [&str; 11] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",
+    "parts_below",
     "tolerance_fps",
     "bands",
     "scan",
@@ -33,14 +34,18 @@ pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
     ("none", Doubt::None),
 ];
 /// Keys of `[search]` that are numbers.
-pub(crate) const NUMBERS: [&str; 6] = [
+pub(crate) const NUMBERS: [&str; 7] = [
     "from_fps",
     "to_fps",
     "scan_step_fps",
+    "parts_below",
     "tolerance_fps",
     "scan_looseness",
     "keep_deg",
 ];
+/// Parts of a scan step below the first transition, if none are given, and the most.
+const PARTS_BELOW: u32 = 8;
+const MOST_PARTS_BELOW: u32 = 100;
 /// Greatest stability angle that landings can be asked to keep, deg. It is less than that of landings between which scans
 /// look no closer.
 const GREATEST_KEPT: f64 = 30.0;
@@ -60,6 +65,7 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         from: section.number("from_fps")?,
         to: section.number("to_fps")?,
         scan_step: section.number("scan_step_fps")?,
+        parts_below: parts_below(section)?,
         tolerance: section.number("tolerance_fps")?,
         extent: choice(section, "bands", &EXTENTS)?,
         scan: choice(section, "scan", &SCANS)?,
@@ -118,4 +124,21 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         }
     }
     Ok(search)
+}
+
+/// Reads the parts of a scan step below the first transition.
+fn parts_below(section: &Section) -> Result<u32, InputError> {
+    let key = "parts_below";
+    match section.optional_number(key)? {
+        None => Ok(PARTS_BELOW),
+        Some(parts)
+            if parts.fract() == 0.0 && (1.0..=f64::from(MOST_PARTS_BELOW)).contains(&parts) =>
+        {
+            Ok(parts as u32)
+        }
+        Some(_) => {
+            let allowed = format!("a whole number from 1 to {MOST_PARTS_BELOW}");
+            Err(section.value(key, &allowed)?.complain(&allowed))
+        }
+    }
 }

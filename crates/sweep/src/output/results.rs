@@ -154,6 +154,8 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
             "landings": counts.landings,
             "derivative_evaluations": counts.evaluations,
             "bands": counts.bands,
+            "landings_closer_below_transitions": counts.checks.below.checks,
+            "transitions_lowered_by_them": counts.checks.below.finds,
             "looks_for_hidden_bands": counts.checks.all().checks,
             "hidden_bands_found": counts.checks.all().finds,
             "map_cells": counts.coarse_cells.cells,

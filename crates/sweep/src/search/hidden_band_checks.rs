@@ -46,10 +46,12 @@ pub struct HiddenBandChecks {
     pub stroke: CheckCounts,
     /// Margins are irregular where an outcome changes ([`crate::refine`]).
     pub gaps: CheckCounts,
+    /// Landings below the first change of the scan, closer than its steps; searches whose first change they lowered.
+    pub below: CheckCounts,
 }
 
 impl HiddenBandChecks {
-    /// Sum of all counts.
+    /// Sum of all counts of intervals.
     pub fn all(&self) -> CheckCounts {
         let mut all = self.toppling;
         for tried in [self.righting, self.stroke, self.gaps] {
@@ -74,5 +76,6 @@ impl AddAssign for HiddenBandChecks {
         self.righting += more.righting;
         self.stroke += more.stroke;
         self.gaps += more.gaps;
+        self.below += more.below;
     }
 }

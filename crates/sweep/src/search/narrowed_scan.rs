@@ -6,13 +6,16 @@
 //! it then ends otherwise, the change lies beside it and is narrowed there. If no change remains although the scan
 //! ended at one, the range is scanned again at the tolerance itself.
 
+use std::cell::RefCell;
+
 use touchdown_dynamics::outcome::{Class, Outcome};
 
 use crate::certainty::Variation;
 use crate::hidden;
-use crate::hidden_band_checks::HiddenBandChecks;
+use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
 use crate::join_all::join_all;
 use crate::refine::Narrowed;
+use crate::run_out::run_outs;
 use crate::search_range::{Scan, Search};
 use crate::skipped::Skipped;
 use crate::trial::{Sample, Trial, first_unstable};
@@ -86,12 +89,42 @@ impl Search {
         if !to_first {
             scan.look_for_hidden_bands(self.scan_step, &sample).await?;
         }
+        self.narrow_changes(&mut scan, to_first, &sample).await?;
+        // The scan ended too soon, at a loose landing that seemed to be a change.
+        let is_whole = scan
+            .samples
+            .last()
+            .is_some_and(|last| last.speed >= self.to);
+        let holds = !to_first || is_whole || first_unstable(&scan.samples).is_some();
+        if holds && self.parts_below > 1 {
+            let (landings, first) = (scan.samples.len(), scan.first_change());
+            scan.look_closer(self, &of_scan, &sample).await?;
+            scan.follow_margins(&sample).await?;
+            let is_lowered = scan.first_change() < first;
+            scan.checks.below = CheckCounts {
+                checks: (scan.samples.len() - landings) as u64,
+                finds: u64::from(is_lowered),
+            };
+            if is_lowered {
+                self.narrow_changes(&mut scan, to_first, &sample).await?;
+            }
+        }
+        Ok((scan, holds))
+    }
+
+    /// Narrows the changes between the landings of a scan.
+    async fn narrow_changes<Stop>(
+        &self,
+        scan: &mut NarrowedScan,
+        to_first: bool,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    ) -> Result<(), Stop> {
         loop {
             let changes = scan.wide_changes(self.tolerance, to_first);
             let narrowing = self.narrowing(!to_first);
             let narrowed = changes
                 .iter()
-                .map(|[low, high]| narrowing.between(low, high, &sample));
+                .map(|[low, high]| narrowing.between(low, high, sample));
             for narrowed in join_all(narrowed).await? {
                 scan.add(narrowed);
             }
@@ -103,16 +136,9 @@ impl Search {
                 scan.replace(*index, again);
             }
             if changes.is_empty() && unproven.is_empty() {
-                break;
+                return Ok(());
             }
         }
-        // The scan ended too soon, at a loose landing that seemed to be a change.
-        let is_whole = scan
-            .samples
-            .last()
-            .is_some_and(|last| last.speed >= self.to);
-        let holds = !to_first || is_whole || first_unstable(&scan.samples).is_some();
-        Ok((scan, holds))
     }
 }
 
@@ -133,6 +159,53 @@ impl NarrowedScan {
     fn insert(&mut self, more: Vec<Sample>) {
         self.samples.extend(more);
         self.samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    }
+
+    /// Lowest speed that is not stable, ft/s; infinite if there is none.
+    fn first_change(&self) -> f64 {
+        first_unstable(&self.samples).map_or(f64::INFINITY, |index| self.samples[index].speed)
+    }
+
+    /// Landings below the first change.
+    fn below_first(&self) -> &[Sample] {
+        &self.samples[..first_unstable(&self.samples).unwrap_or(self.samples.len())]
+    }
+
+    /// Lands where margins run out below the first change.
+    async fn follow_margins<Stop>(
+        &mut self,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    ) -> Result<(), Stop> {
+        let run_outs = run_outs(self.below_first()).into_iter();
+        let landings = join_all(run_outs.map(|run_out| run_out.follow(sample))).await?;
+        self.insert(landings.into_iter().flatten().collect());
+        Ok(())
+    }
+
+    /// Scans closer below the first change. What is not stable there is landed at the solver's tolerance at once: a
+    /// change that is only there at a looser one would hide those above it.
+    async fn look_closer<Stop>(
+        &mut self,
+        search: &Search,
+        of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    ) -> Result<(), Stop> {
+        let dropped = RefCell::new(Vec::new());
+        let confirmed = async |speed| match of_scan(speed).await? {
+            loose if !loose.is_loose || loose.class() == Class::Stable => Ok(loose),
+            loose => {
+                dropped.borrow_mut().push(loose);
+                sample(speed).await
+            }
+        };
+        let closer = search.scanned_closer(&self.samples, &confirmed).await?;
+        self.insert(closer);
+        for loose in dropped.into_inner() {
+            self.spend(&loose);
+            self.skipped.loose += 1;
+            self.skipped.replaced += 1;
+        }
+        Ok(())
     }
 
     /// Checks the intervals that may hide a band.
@@ -289,5 +362,67 @@ mod tests {
         };
         let again = find(first, 11.4, 9.0).skipped;
         assert_eq!(again.replaced, again.loose);
+    }
+
+    const CLOSER: Search = Search {
+        parts_below: 5,
+        ..SEARCH
+    };
+
+    /// The first transition among landings that topple in a band and from 11.4 ft/s on.
+    fn first(search: Search, band: [f64; 2], loose_band: [f64; 2]) -> Boundary {
+        let found: Result<_, Infallible> = block_on(search.boundary(async |speed, variation| {
+            let [from, to] = match variation {
+                Variation::Tolerance(_) => loose_band,
+                _ => band,
+            };
+            let topples = (from..to).contains(&speed) || speed >= 11.4;
+            let class = if topples {
+                Class::Unstable
+            } else {
+                Class::Stable
+            };
+            Ok(Trial::example(class, 1))
+        }));
+        let Ok(boundary) = found;
+        boundary
+    }
+
+    #[test]
+    fn a_band_below_the_transition_is_found_at_parts_of_a_step() {
+        let step = SEARCH.scan_step;
+        let band = [9.0 + 0.55 * step, 9.0 + 0.7 * step];
+        for extent in [Extent::First, Extent::All] {
+            let found = |parts_below| {
+                let search = Search {
+                    extent,
+                    parts_below,
+                    ..SEARCH
+                };
+                first(search, band, band)
+            };
+            let [coarse, close] = [1, 5].map(found);
+            assert!((coarse.transition.unwrap().speed() - 11.4).abs() < SEARCH.tolerance);
+            assert_eq!(coarse.checks.below, CheckCounts::default());
+            assert!((close.transition.unwrap().speed() - band[0]).abs() < SEARCH.tolerance);
+            assert_eq!(close.checks.below.finds, 1);
+            if extent == Extent::All {
+                assert_eq!(close.bands.len(), 4);
+            }
+        }
+    }
+
+    #[test]
+    fn a_band_that_is_there_only_at_a_looser_tolerance_hides_none_above_it() {
+        let step = SEARCH.scan_step;
+        let at = |speed: f64| [speed + 0.55 * step, speed + 0.7 * step];
+        let loose = Search {
+            scan_looseness: 10.0,
+            ..CLOSER
+        };
+        let (low, high) = (at(9.0), at(10.0));
+        // Both are there at the looser tolerance, the upper one alone at the tolerance itself.
+        let found = first(loose, high, [low[0], high[1]]);
+        assert!((found.transition.unwrap().speed() - high[0]).abs() < SEARCH.tolerance);
     }
 }

@@ -13,6 +13,9 @@
 //! * The mean of their toppling margins exceeds what the steepest margin seen would lose over half their distance.
 //!
 //! This rule is measured, not proven (`docs/notes/skips.md`).
+//!
+//! Below the first change the scan is made closer: between two landings that are not quiet, at parts of a step
+//! ([`Search::parts_below`]). Most narrow bands that hide below a transition are found so, at a quarter more cost.
 
 use std::cell::RefCell;
 
@@ -77,6 +80,49 @@ impl Search {
         let mut samples = walk.samples.into_inner();
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         Ok(samples)
+    }
+
+    /// Lands at parts of a scan step between the scan landings (in order) up to the first change, where they are not
+    /// quiet; returns the new landings.
+    pub(crate) async fn scanned_closer<Stop>(
+        &self,
+        samples: &[Sample],
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    ) -> Result<Vec<Sample>, Stop> {
+        let step = self.scan_step / f64::from(self.parts_below);
+        let speed = |index: u64| (self.from + index as f64 * step).min(self.to);
+        let walk = Walk {
+            land: async |index| sample(speed(index)).await,
+            to_first: true,
+            stride: 1,
+            step,
+            samples: RefCell::default(),
+        };
+        let last = ((self.to - self.from) / step - 1e-9).ceil();
+        let place = |sample: &Sample| Place {
+            index: match sample.speed < self.to {
+                true => ((sample.speed - self.from) / step).round() as u64,
+                false => last as u64,
+            },
+            class: sample.class(),
+            trial: sample.trial.clone(),
+        };
+        let places: Vec<Place> = samples.iter().map(place).collect();
+        for (low, pair) in places.windows(2).enumerate() {
+            let around = [
+                low.checked_sub(1).map(|below| below..low + 2),
+                Some(low..low + 3),
+            ];
+            let mut threes = around
+                .into_iter()
+                .flatten()
+                .filter_map(|three| places.get(three));
+            let on_line = threes.any(|three| are_on_line(&three[0], &three[1], &three[2]));
+            if pair[0].class != Class::Stable || walk.between(&pair[0], &pair[1], on_line).await? {
+                break;
+            }
+        }
+        Ok(walk.samples.into_inner())
     }
 
     /// Landings that a full scan takes beyond these scan landings, given in order; counted up to the first change if
@@ -165,7 +211,7 @@ where
     /// Lands between two landings, which may lie on a line with a third. Returns true once the first change is found,
     /// if only that is sought.
     async fn between(&self, low: &Place, high: &Place, on_line: bool) -> Result<bool, Stop> {
-        if high.index - low.index == 1 {
+        if high.index - low.index <= 1 {
             return Ok(self.to_first && high.class != Class::Stable);
         }
         if low.class == high.class && self.is_quiet(low, high, on_line) {

@@ -10,6 +10,7 @@ const SEARCH: Search = Search {
     from: 0.0,
     to: 25.0,
     scan_step: 0.25,
+    parts_below: 1,
     tolerance: 0.001,
     extent: Extent::All,
     scan: Scan::Skipping,

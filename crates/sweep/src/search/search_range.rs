@@ -12,6 +12,9 @@ pub struct Search {
     pub to: f64,
     /// Step of the scan, ft/s.
     pub scan_step: f64,
+    /// Parts of a scan step at which landings below the first transition are computed where they are not quiet; 1 for
+    /// none.
+    pub parts_below: u32,
     /// Greatest width of the final bracket, ft/s.
     pub tolerance: f64,
     /// Part of the range to search.

@@ -41,6 +41,7 @@ impl Sweep {
                     "from_fps": search.from,
                     "to_fps": search.to,
                     "scan_step_fps": search.scan_step,
+                    "parts_below": search.parts_below,
                     "tolerance_fps": search.tolerance,
                     "bands": word(&EXTENTS, search.extent),
                     "scan": word(&SCANS, search.scan),

@@ -19,11 +19,16 @@ const SKIPPING: &str = "scan = \"skipping\"\nscan_looseness = 10\n";
 
 /// All bands straight down a slope of 15 deg, searched by 0.25 ft/s with such a scan.
 fn search(vertical_velocity: f64, roll: f64, scan: &str) -> Boundary {
+    let conditions = format!("cross_slope_deg = 180\nvertical_velocity_fps = {vertical_velocity}");
+    found(&conditions, roll, &format!("bands = \"all\"\n{scan}"))
+}
+
+/// What a search by 0.25 ft/s on a slope of 15 deg finds.
+fn found(conditions: &str, roll: f64, search: &str) -> Boundary {
     let text = format!(
-        "title = \"Straight downhill\"\nvehicle = \"v.toml\"\n[scene]\nslope_deg = 15\n\
-         friction = 1\ncross_slope_deg = 180\nvertical_velocity_fps = {vertical_velocity}\n[axes]\n\
-         roll_deg = [{roll}]\n[search]\nfrom_fps = 0\nto_fps = 25\nscan_step_fps = 0.25\n\
-         tolerance_fps = 0.001\nbands = \"all\"\n{scan}"
+        "title = \"Bands\"\nvehicle = \"v.toml\"\n[scene]\nslope_deg = 15\nfriction = 1\n{conditions}\n\
+         [axes]\nroll_deg = [{roll}]\n[search]\nfrom_fps = 0\nto_fps = 25\nscan_step_fps = 0.25\n\
+         tolerance_fps = 0.001\n{search}"
     );
     let source = |path: &str, text: &str| Source {
         path: path.into(),
@@ -70,9 +75,26 @@ fn a_vehicle_that_hardly_topples_betrays_a_band_in_which_it_does_not() {
     assert_eq!(full.checks.righting.finds, 1);
     for found in [full, search(14.0, 35.0, SKIPPING)] {
         let bands = narrow(&found, Class::Stable);
-        assert!(
-            matches!(bands[..], [[from, to]] if (14.2..14.29).contains(&from) && (14.29..14.5).contains(&to)),
-            "{bands:?}"
-        );
+        let is_betrayed =
+            |[from, to]: &[f64; 2]| (14.2..14.29).contains(from) && (14.29..14.5).contains(to);
+        assert!(bands.iter().any(is_betrayed), "{bands:?}");
     }
+}
+
+/// The vehicle topples at 11.64 to 11.73 ft/s. At 10.75 and at 11.75 ft/s it keeps 23 and 12 deg; but the line through the
+/// margins at 9.75 and 10.75 ft/s runs through zero between them.
+#[test]
+fn a_margin_that_runs_out_betrays_a_band_below_the_transition() {
+    let first = |parts: u32| {
+        let conditions = "cross_slope_deg = 147.5\nvertical_velocity_fps = 14";
+        let search = format!("{SKIPPING}parts_below = {parts}");
+        found(conditions, -25.0, &search)
+    };
+    let [coarse, close] = [1, 8].map(first);
+    let speed = |boundary: &Boundary| boundary.transition.unwrap().speed();
+    assert!((11.9..12.0).contains(&speed(&coarse)));
+    assert!((11.62..11.66).contains(&speed(&close)));
+    assert_eq!(close.checks.below.finds, 1);
+    // The landings are those that were not spent before.
+    assert!(close.landings < coarse.landings + 25);
 }

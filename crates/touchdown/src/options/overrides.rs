@@ -32,7 +32,7 @@ pub struct OverrideOptions {
     /// Crush rule: "pivot-rate" or "section"
     #[arg(long, value_name = "RULE", value_parser = choice(&CRUSH_RULES))]
     crush_rule: Option<CrushRule>,
-    /// Find the first transition, or every band of the range
+    /// Search for the first transition, or the whole range for bands
     #[arg(long, value_name = "BANDS", value_parser = words([
         ("first", "Up to the first transition"), ("all", "The whole range")]))]
     bands: Option<String>,

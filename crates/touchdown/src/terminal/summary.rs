@@ -83,6 +83,14 @@ pub fn sweep(
     {
         text += &bands(counts);
     }
+    let below = counts.checks.below;
+    if below.checks > 0 {
+        text += &format!(
+            "  below first transitions: {} closer than the scan's steps lowered {}\n",
+            number(below.checks, "landing"),
+            number(below.finds, "transition"),
+        );
+    }
     let [asked, smooth] = counts.slopes;
     if asked > 0 {
         text += &format!("  sensitivities: {smooth} of {asked} have a derivative\n");
@@ -152,6 +160,7 @@ fn bands(counts: &SweepCounts) -> String {
         righting,
         stroke,
         gaps,
+        below: _,
     } = counts.checks;
     let all = counts.checks.all();
     format!(

@@ -6,7 +6,7 @@ use crate::common::{Bench, SURVEYOR, SWEEP};
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
 #[rustfmt::skip]
-const SWEEPS: [(&str, &str, &[&str]); 34] = [
+const SWEEPS: [(&str, &str, &[&str]); 36] = [
     // Unknown, missing and misplaced keys, and wrong units.
     ("friction = 1.0", "frction = 1.0", &["sweep.toml:7: scene.frction = 1.0", "did you mean friction?"]),
     ("slope_deg = 15", "slope_grad = 16", &["sweep.toml:6: scene.slope_grad = 16", "did you mean slope_deg or slope_rad?"]),
@@ -33,6 +33,8 @@ const SWEEPS: [(&str, &str, &[&str]); 34] = [
     ("{ from = -10, to = 10, step = 10 }", "[]", &["sweep.toml:9: axes.roll_deg = []", "at least one"]),
     ("roll_deg = { from = -10, to = 10, step = 10 }", "", &["sweep.toml:8: axes", "at least one"]),
     ("scan_step_fps = 1.25", "scan_step_fps = 1.25\nkeep_deg = 31", &["sweep.toml:14: search.keep_deg = 31", "0 to 30"]),
+    ("scan_step_fps = 1.25", "scan_step_fps = 1.25\nparts_below = 0", &["sweep.toml:14: search.parts_below = 0", "a whole number from 1 to 100"]),
+    ("scan_step_fps = 1.25", "scan_step_fps = 1.25\nparts_below = 2.5", &["search.parts_below = 2.5"]),
     ("from_fps = 10", "from_fps = 12.5", &["sweep.toml:11: search.from_fps = 12.5", "below to_fps"]),
     ("scan_step_fps = 1.25", "scan_step_fps = 0", &["sweep.toml:13: search.scan_step_fps = 0", "> 0"]),
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\nbands = \"both\"", &["sweep.toml:15: search.bands = \"both\"", "\"first\" or \"all\""]),
