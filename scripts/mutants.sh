@@ -15,7 +15,7 @@ common=(--output target --profile release --timeout 300 --shuffle --colors never
 case ${1-} in
     --in-diff)
         git diff "${2:?a revision}" > target/mutants.diff
-        cargo mutants "${common[@]}" --test-workspace true --in-diff target/mutants.diff
+        cargo mutants "${common[@]}" --workspace --test-workspace true --in-diff target/mutants.diff
         ;;
     "" | -*)
         sed -n '2,9p' "$0"

@@ -199,6 +199,7 @@ impl NarrowedScan {
             }
         };
         let closer = search.scanned_closer(&self.samples, &confirmed).await?;
+        self.skipped.loose += closer.iter().filter(|sample| sample.is_loose).count() as u64;
         self.insert(closer);
         for loose in dropped.into_inner() {
             self.spend(&loose);

@@ -73,16 +73,15 @@ pub(crate) fn run_outs(samples: &[Sample]) -> Vec<RunOut> {
     for run in stable.filter(|run| run[0].class() == Class::Stable) {
         for four in run.windows(4) {
             for otherwise in [Class::Unstable, Class::Bottomed] {
-                let points: Option<Vec<[f64; 2]>> =
-                    four.iter().map(|sample| point(sample, otherwise)).collect();
-                let Some([a, b, c, d]) = points.as_deref().and_then(|four| four.as_array()) else {
+                let points = [0, 1, 2, 3].map(|index| point(&four[index], otherwise));
+                let [Some(a), Some(b), Some(c), Some(d)] = points else {
                     continue;
                 };
                 // A third landing tells a margin that falls from one that has jumped.
                 for [far, near, nearest, beyond] in [[a, b, c, d], [d, c, b, a]] {
                     let run_out = RunOut {
                         otherwise,
-                        line: [*near, *nearest],
+                        line: [near, nearest],
                         beyond: beyond[0],
                     };
                     if far[1] > near[1] && run_out.place().is_some() {
@@ -149,7 +148,7 @@ mod tests {
         let curved = |speed: f64| Sample::example(speed, (0.7 - speed) * (1.7 - speed));
         let samples = [0.0, 0.25, 0.5].map(curved);
         let beyond = Sample::example(1.0, 0.3);
-        let landings = followed(&[&samples[..], &[beyond.clone()]].concat(), curved);
+        let landings = followed(&[&samples[..], &[beyond]].concat(), curved);
         let [landings] = &landings[..] else {
             panic!("one margin runs out");
         };
