@@ -54,7 +54,7 @@ crush rule and without products of inertia.
     Ok(format!("{}\n", text.trim_end()))
 }
 
-/// Whether a file is a picture of the sweep `stem`.
+/// Returns true if a file is a picture of the sweep `stem`.
 fn is_of(name: &str, stem: &str) -> bool {
     let rest = name.strip_prefix(stem);
     let suffixes = [

@@ -174,6 +174,31 @@ impl<'d> Section<'d> {
         self.optional(key).map(|found| found.number()).transpose()
     }
 
+    /// The whole number of a required `key`, from `least` to `most`.
+    ///
+    /// # Errors
+    /// If it is missing or something else.
+    pub fn whole_number(&self, key: &str, least: u64, most: u64) -> Result<u64, InputError> {
+        self.value(key, &whole_numbers(least, most))?
+            .whole_number(least, most)
+    }
+
+    /// The whole number of an optional `key`, from `least` to `most`.
+    ///
+    /// # Errors
+    /// If it is something else.
+    pub fn optional_whole_number(
+        &self,
+        key: &str,
+        least: u64,
+        most: u64,
+    ) -> Result<Option<u64>, InputError> {
+        let found = self.optional(key);
+        found
+            .map(|found| found.whole_number(least, most))
+            .transpose()
+    }
+
     /// The text of a required `key`.
     ///
     /// # Errors
@@ -288,6 +313,18 @@ impl<'d> LocatedValue<'d> {
         }
     }
 
+    /// The value as a whole number from `least` to `most`.
+    ///
+    /// # Errors
+    /// If it is something else.
+    pub fn whole_number(&self, least: u64, most: u64) -> Result<u64, InputError> {
+        let number = self.number()?;
+        if number.fract() != 0.0 || !(least as f64..=most as f64).contains(&number) {
+            return Err(self.complain(&whole_numbers(least, most)));
+        }
+        Ok(number as u64)
+    }
+
     /// The value as a text.
     ///
     /// # Errors
@@ -372,6 +409,11 @@ fn said_twice(layer: &Layer, second: &Entry, first: &Entry) -> InputError {
     let (line, other) = (first.node.line, &first.key);
     let allowed = format!("one spelling of a quantity, but line {line} says {other}");
     InputError::value(&path, value, &allowed)
+}
+
+/// Whole numbers that are allowed, in words.
+fn whole_numbers(least: u64, most: u64) -> String {
+    format!("a whole number from {least} to {most}")
 }
 
 #[cfg(test)]

@@ -44,8 +44,8 @@ pub(crate) const NUMBERS: [&str; 7] = [
     "keep_deg",
 ];
 /// Parts of a scan step below the first transition, if none are given, and the most.
-const PARTS_BELOW: u32 = 8;
-const MOST_PARTS_BELOW: u32 = 100;
+const PARTS_BELOW: u64 = 8;
+const MOST_PARTS_BELOW: u64 = 100;
 /// Greatest stability angle that landings can be asked to keep, deg. It is less than that of landings between which scans
 /// look no closer.
 const GREATEST_KEPT: f64 = 30.0;
@@ -65,7 +65,9 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         from: section.number("from_fps")?,
         to: section.number("to_fps")?,
         scan_step: section.number("scan_step_fps")?,
-        parts_below: parts_below(section)?,
+        parts_below: section
+            .optional_whole_number("parts_below", 1, MOST_PARTS_BELOW)?
+            .unwrap_or(PARTS_BELOW) as u32,
         tolerance: section.number("tolerance_fps")?,
         extent: choice(section, "bands", &EXTENTS)?,
         scan: choice(section, "scan", &SCANS)?,
@@ -124,21 +126,4 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         }
     }
     Ok(search)
-}
-
-/// Reads the parts of a scan step below the first transition.
-fn parts_below(section: &Section) -> Result<u32, InputError> {
-    let key = "parts_below";
-    match section.optional_number(key)? {
-        None => Ok(PARTS_BELOW),
-        Some(parts)
-            if parts.fract() == 0.0 && (1.0..=f64::from(MOST_PARTS_BELOW)).contains(&parts) =>
-        {
-            Ok(parts as u32)
-        }
-        Some(_) => {
-            let allowed = format!("a whole number from 1 to {MOST_PARTS_BELOW}");
-            Err(section.value(key, &allowed)?.complain(&allowed))
-        }
-    }
 }

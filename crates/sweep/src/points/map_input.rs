@@ -19,9 +19,9 @@ const JUMP_IN_ERRORS: f64 = 4.0;
 const JUMP: f64 = 0.5;
 /// Steps of the resampled table along a first-level cell: default and greatest.
 const GRID_STEPS: usize = 8;
-const MOST_GRID_STEPS: f64 = 1000.0;
+const MOST_GRID_STEPS: u64 = 1000;
 /// Greatest budget that TOML keeps exactly.
-const GREATEST_BUDGET: f64 = 9_007_199_254_740_992.0;
+const GREATEST_BUDGET: u64 = 9_007_199_254_740_992;
 
 /// Reads `[map]` for the axes of a grid; `None` without the table.
 pub(crate) fn map(
@@ -115,20 +115,9 @@ fn rules(section: &Section) -> Result<MapRules, InputError> {
             },
         }
     };
-    let whole = |key: &str, most: f64| -> Result<Option<u64>, InputError> {
-        match section.optional(key) {
-            None => Ok(None),
-            Some(found) => match found.number()? {
-                number if number.fract() == 0.0 && (1.0..=most).contains(&number) => {
-                    Ok(Some(number as u64))
-                }
-                _ => Err(found.complain(&format!("a whole number from 1 to {most}"))),
-            },
-        }
-    };
     let (error, budget) = (
         positive("error_fps")?,
-        whole("budget_landings", GREATEST_BUDGET)?,
+        section.optional_whole_number("budget_landings", 1, GREATEST_BUDGET)?,
     );
     if error.is_none() && budget.is_none() {
         let needed = "the error of interpolation that is sought, ft/s, or budget_landings, or both";
@@ -142,7 +131,8 @@ fn rules(section: &Section) -> Result<MapRules, InputError> {
         error: error.unwrap_or(0.0),
         jump,
         budget,
-        grid_steps: whole("grid_steps", MOST_GRID_STEPS)?
+        grid_steps: section
+            .optional_whole_number("grid_steps", 1, MOST_GRID_STEPS)?
             .map_or(GRID_STEPS, |steps| steps as usize),
     })
 }

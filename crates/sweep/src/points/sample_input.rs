@@ -50,7 +50,7 @@ pub(crate) const DISTRIBUTIONS: [(&str, &[&str]); 5] = [
 const AXIS: &str = "a table such as { from = …, to = … }, { mean = …, sd = … }, { distribution = …, … } or \
                     { file = …, column = … }";
 /// Greatest seed that is read exactly; a greater one may have been rounded.
-const GREATEST_SEED: f64 = 9_007_199_254_740_991.0;
+const GREATEST_SEED: u64 = 9_007_199_254_740_991;
 
 /// The content of `[sample]`.
 #[derive(Debug)]
@@ -76,8 +76,8 @@ pub(crate) fn sampled(
         "\"monte-carlo\", \"latin-hypercube\" or \"sobol\"",
     )?;
     let kind = chosen_by(&design, &SampleDesign::ALL.map(|kind| (kind.name(), kind)))?;
-    let count = whole(&section, "count", 1.0, kind.most_points() as f64)?;
-    let seed = whole(&section, "seed", 0.0, GREATEST_SEED)?;
+    let count = section.whole_number("count", 1, kind.most_points() as u64)? as usize;
+    let seed = section.whole_number("seed", 0, GREATEST_SEED)?;
     let enough = match section.optional("stop_at_interval_width") {
         None => None,
         Some(found) => match found.number()? {
@@ -118,7 +118,7 @@ pub(crate) fn sampled(
             },
             AxisForm::Joint { mean } => joint_axis(&joint, axis, mean, &numbers),
         });
-    let sample = Sample::new(axes.collect(), kind, count, seed as u64);
+    let sample = Sample::new(axes.collect(), kind, count, seed);
     Ok(Some(Sampled { sample, enough }))
 }
 
@@ -154,16 +154,6 @@ fn joint_axis(joint: &[JointNormal], axis: usize, mean: f64, numbers: &[usize]) 
             .collect(),
         covariances,
     }
-}
-
-fn whole(section: &Section, key: &str, least: f64, most: f64) -> Result<usize, InputError> {
-    let allowed = format!("a whole number from {least} to {most}");
-    let found = section.value(key, &allowed)?;
-    let number = found.number()?;
-    if number.fract() != 0.0 || !(least..=most).contains(&number) {
-        return Err(found.complain(&allowed));
-    }
-    Ok(number as usize)
 }
 
 /// Reads distributions, some of them from files.

@@ -1,7 +1,7 @@
 //! Follows margins that run out between two stable landings.
 //!
-//! Where a lander begins to topple, its margin (σ²) runs straight to zero with the speed; so does the stroke left where a
-//! strut begins to bottom. Beyond a narrow band of such landings a foot meets the ground in another order, and the
+//! The margin (σ²) of a lander that begins to topple runs straight to zero with the speed; so does the stroke that is left
+//! of a strut that begins to bottom. Beyond a narrow band of such landings a foot meets the ground in another order, and the
 //! margin starts anew from above. Neither landing beside the band is near to toppling then, and their margins do not
 //! dip toward it from both sides. But the line through the two landings on one side of the interval tells: it runs
 //! through zero inside. The landing there decides, or tells better where the margin runs out.
@@ -25,7 +25,7 @@ pub(crate) struct RunOut {
 }
 
 impl RunOut {
-    /// Where the margin runs out, ft/s, if that is inside the interval.
+    /// Speed at which the margin runs out, ft/s, if that is inside the interval.
     fn place(&self) -> Option<f64> {
         let [[x, y], [u, v]] = self.line;
         let place = u + v * (u - x) / (y - v);

@@ -23,7 +23,7 @@ fn search(vertical_velocity: f64, roll: f64, scan: &str) -> Boundary {
     found(&conditions, roll, &format!("bands = \"all\"\n{scan}"))
 }
 
-/// What a search by 0.25 ft/s on a slope of 15 deg finds.
+/// The result of a search by 0.25 ft/s on a slope of 15 deg.
 fn found(conditions: &str, roll: f64, search: &str) -> Boundary {
     let text = format!(
         "title = \"Bands\"\nvehicle = \"v.toml\"\n[scene]\nslope_deg = 15\nfriction = 1\n{conditions}\n\

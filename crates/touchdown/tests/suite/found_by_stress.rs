@@ -1,4 +1,4 @@
-//! What the laboratory's `stress` once found.
+//! Landings that the laboratory's `stress` once found.
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
@@ -7,8 +7,8 @@ use crate::common::{Bench, rows};
 /// Wild landings that could once not be computed or made no sense; the reason in the column `note`.
 const FOUND: &str = include_str!("found-by-stress.csv");
 
-/// What stress once found still fails alike, or is computed: then with numbers throughout and an account of
-/// energy that closes, at a tolerance at which it has to.
+/// Each of them still fails alike, or is computed: then with numbers throughout and an account of energy that closes, at
+/// a tolerance at which it has to.
 #[test]
 fn what_stress_once_found_makes_sense() {
     let bench = Bench::new();
