@@ -4,14 +4,15 @@ use std::num::NonZeroUsize;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use touchdown_sweep::boundary::{Band, Boundary};
-use touchdown_sweep::certainty::Certainty;
+use touchdown_sweep::bands_table;
+use touchdown_sweep::boundary::Boundary;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::results::transition_name;
+use touchdown_sweep::results;
 use touchdown_sweep::run::{Observer, Workers};
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::warnings;
 
+use crate::columns::by_name;
 use crate::errors::Failure;
 use crate::interruptible;
 use crate::sweeps::Sweep;
@@ -47,50 +48,12 @@ pub fn boundary<'py>(
 }
 
 fn results<'py>(py: Python<'py>, found: &Boundary) -> PyResult<Bound<'py, PyDict>> {
-    let transition = found.transition.as_ref();
-    let results = PyDict::new(py);
-    results.set_item("first_transition_to", transition_name(found))?;
-    results.set_item("first_transition_fps", transition.map(|one| one.speed()))?;
-    let low = match transition {
-        Some(transition) => transition.low,
-        None => Some(found.searched_to),
-    };
-    results.set_item("bracket_low_fps", low)?;
-    results.set_item("bracket_high_fps", transition.map(|one| one.high))?;
-    set_certainty(
-        &results,
-        transition.map_or(Certainty::Untested, |one| one.certainty),
-    )?;
-    results.set_item("solver_tolerance", transition.map(|one| one.tolerance))?;
-    results.set_item("landings", found.landings)?;
-    results.set_item("derivative_evaluations", found.evaluations)?;
+    let results = by_name(py, &results::COLUMNS, found, 0)?;
     let bands = PyList::empty(py);
-    for one in &found.bands {
-        bands.append(band(py, one)?)?;
+    for band in bands_table::numbered(found) {
+        // Their number is their place in the list.
+        bands.append(by_name(py, &bands_table::COLUMNS[1..], &band, 0)?)?;
     }
     results.set_item("bands", bands)?;
     Ok(results)
-}
-
-fn band<'py>(py: Python<'py>, band: &Band) -> PyResult<Bound<'py, PyDict>> {
-    let told = PyDict::new(py);
-    told.set_item("from_fps", band.from)?;
-    told.set_item("to_fps", band.to)?;
-    told.set_item("outcome", band.class.to_string())?;
-    told.set_item("kind", band.outcome.to_string())?;
-    told.set_item("bracket_width_fps", band.bracket.map(|one| one.width))?;
-    set_certainty(&told, band.certainty)?;
-    told.set_item("solver_tolerance", band.bracket.map(|one| one.tolerance))?;
-    Ok(told)
-}
-
-fn set_certainty(told: &Bound<PyDict>, certainty: Certainty) -> PyResult<()> {
-    let [word, ..] = certainty.cells();
-    let disputed = match certainty {
-        Certainty::Disputed(range) => Some(range),
-        _ => None,
-    };
-    told.set_item("certainty", Some(word).filter(|word| !word.is_empty()))?;
-    told.set_item("disputed_from_fps", disputed.map(|[from, _]| from))?;
-    told.set_item("disputed_to_fps", disputed.map(|[_, to]| to))
 }

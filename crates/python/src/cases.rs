@@ -8,15 +8,16 @@ use std::path::{Path, PathBuf};
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::landing::Landing;
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
+use touchdown_sweep::column::{Kind, cells, headings};
 use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::fingerprint::fingerprint_of_bytes;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::{InOrder, Journal};
-use touchdown_sweep::landing_table::{self, Cell};
+use touchdown_sweep::landing_table;
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::{OutputUnits, Quantity};
 use touchdown_sweep::run::{Observer, Workers};
@@ -101,10 +102,7 @@ fn landed(
     let rows = 0..table.len();
     workers.each_case(table, rows, work, &work.cancel, |landed| {
         if let Some((row, landing)) = landed {
-            let columns = landing_table::columns(&landing).into_iter();
-            let cells = columns.map(|(_, cell)| cell).collect();
-            results.set(row, &landing.outcome, cells);
-            results.warn(row, ContactWarnings::of(&landing));
+            results.set(row, &landing);
         }
         Ok(())
     })?;
@@ -129,12 +127,13 @@ fn landed_into(
 
     let records = opened.journal.into_records()?;
     let mut found = InOrder::new(vec![records], table.len(), &folder.path("."))?;
-    let mut findings = Vec::with_capacity(table.len());
+    let mut landings = Vec::with_capacity(table.len());
     for row in 0..table.len() {
         let bytes = found.result(row)?;
-        findings.push(bytes.as_deref().and_then(Finding::decode));
+        let finding = bytes.as_deref().and_then(Finding::decode);
+        landings.push(finding.and_then(Finding::landing));
     }
-    let written = results.set_all(table, findings)?;
+    let written = results.set_all(table, landings)?;
     folder.write_files(&[(name.into_owned(), written)])?;
     found.remove_journals()?;
     Ok((results, of_journal))
@@ -157,15 +156,15 @@ fn landed_again(
     if there.lines().count() != 1 + table.len() {
         return Err(refuse());
     }
-    let mut findings = vec![None; table.len()];
+    let mut landings = vec![None; table.len()];
     let rows = 0..table.len();
     workers.each_case(table, rows, work, &work.cancel, |landed| {
         if let Some((row, landing)) = landed {
-            findings[row] = Some(Finding::of(&landing));
+            landings[row] = Some(landing);
         }
         Ok(())
     })?;
-    if results.set_all(table, findings)? != there.as_bytes() {
+    if results.set_all(table, landings)? != there.as_bytes() {
         return Err(refuse());
     }
     Ok(results)
@@ -251,28 +250,17 @@ struct Results {
 impl Results {
     fn new(table: &CaseTable, units: OutputUnits) -> Self {
         let rows = table.len();
-        let column = |name: &String| {
-            let column = match name.as_str() {
-                "outcome" | "failure" => Column::no_words(rows),
-                "steps" | "derivative_evaluations" => Column::Counts(vec![0; rows]),
-                _ => Column::Numbers(vec![f64::NAN; rows]),
-            };
-            (units.quantity(name), column)
-        };
         let legs = table.most_legs();
+        let columns = headings(&landing_table::COLUMNS, legs).map(|heading| {
+            let column = Column::missing(heading.kind, rows);
+            (units.quantity(&heading.name), column)
+        });
         Self {
-            columns: landing_table::names(legs).iter().map(column).collect(),
-            classes: Column::no_words(rows),
+            columns: columns.collect(),
+            classes: Column::missing(Kind::Word, rows),
             warnings: BTreeMap::new(),
             legs,
             units,
-        }
-    }
-
-    /// Stores the warnings of a row, if any.
-    fn warn(&mut self, row: usize, warnings: ContactWarnings) {
-        if warnings != ContactWarnings::default() {
-            self.warnings.insert(row, warnings);
         }
     }
 
@@ -287,41 +275,30 @@ impl Results {
     fn set_all(
         &mut self,
         table: &CaseTable,
-        findings: Vec<Option<Finding>>,
+        landings: Vec<Option<Landing>>,
     ) -> Result<Vec<u8>, Failure> {
-        let mut rows = Vec::with_capacity(findings.len());
-        for (row, finding) in findings.into_iter().enumerate() {
-            let finding =
-                finding.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
-            if let Finding::Landing {
-                outcome,
-                cells,
-                warnings,
-            } = &finding
-            {
-                self.set(row, outcome, cells.clone());
-                self.warn(row, *warnings);
-            }
-            rows.push((table.name(row), finding));
+        let mut rows = Vec::with_capacity(landings.len());
+        for (row, landing) in landings.into_iter().enumerate() {
+            let landing =
+                landing.ok_or_else(|| Failure::engine(format!("row {row} has no result")))?;
+            self.set(row, &landing);
+            rows.push((table.name(row), landing));
         }
-        let named = rows.iter().map(|(name, finding)| (name.as_str(), finding));
+        let named = rows.iter().map(|(name, landing)| (name.as_str(), landing));
         cases::table(named, self.units).map_err(Failure::engine)
     }
 
     /// Sets the results of a row.
-    fn set(&mut self, row: usize, outcome: &Outcome, results: Vec<Cell>) {
-        self.classes.set_word(row, &outcome.class().to_string());
-        let places = landing_table::places(results.len(), self.legs);
-        for (place, cell) in places.into_iter().zip(results) {
-            let (quantity, column) = &mut self.columns[place];
-            match (column, cell) {
-                (Column::Numbers(numbers), Cell::Number(number)) => {
-                    numbers[row] = quantity.number(number);
-                }
-                (Column::Counts(counts), Cell::Count(count)) => counts[row] = count as i64,
-                (words, Cell::Word(word)) if !word.is_empty() => words.set_word(row, &word),
-                _ => {}
-            }
+    fn set(&mut self, row: usize, landing: &Landing) {
+        self.classes
+            .set_word(row, &landing.outcome.class().to_string());
+        let cells = cells(&landing_table::COLUMNS, landing, self.legs);
+        for ((quantity, column), cell) in self.columns.iter_mut().zip(cells) {
+            column.set(row, quantity.cell(cell));
+        }
+        let warnings = ContactWarnings::of(landing);
+        if warnings != ContactWarnings::default() {
+            self.warnings.insert(row, warnings);
         }
     }
 }

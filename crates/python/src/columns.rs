@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use bytemuck::{NoUninit, cast_slice};
 use pyo3::prelude::*;
-use pyo3::types::{PyByteArray, PyTuple};
+use pyo3::types::{PyByteArray, PyDict, PyTuple};
+use touchdown_sweep::column::{self, Cell, Kind};
 
 /// A column of results.
 #[derive(Debug)]
@@ -18,9 +19,25 @@ pub enum Column {
 }
 
 impl Column {
-    /// A column of words, all missing.
-    pub fn no_words(rows: usize) -> Self {
-        Self::Words(vec![-1; rows], WordList::default())
+    /// A column of this kind with so many rows, all missing.
+    pub fn missing(kind: Kind, rows: usize) -> Self {
+        match kind {
+            Kind::Word => Self::Words(vec![-1; rows], WordList::default()),
+            Kind::Number => Self::Numbers(vec![f64::NAN; rows]),
+            Kind::Count => Self::Counts(vec![0; rows]),
+        }
+    }
+
+    /// Sets the cell of a row.
+    pub fn set(&mut self, row: usize, cell: Cell) {
+        match (self, cell) {
+            (Self::Numbers(numbers), Cell::Number(number) | Cell::Power(number)) => {
+                numbers[row] = number;
+            }
+            (Self::Counts(counts), Cell::Count(count)) => counts[row] = count as i64,
+            (words, Cell::Word(word)) => words.set_word(row, &word),
+            _ => {}
+        }
     }
 
     /// Sets the word of a row in a column of words.
@@ -58,6 +75,37 @@ impl WordList {
         self.places.insert(word.to_owned(), place);
         place
     }
+}
+
+/// Results of a row by name; those of legs are tuples.
+pub fn by_name<'py, R>(
+    py: Python<'py>,
+    columns: &[column::Column<R>],
+    row: &R,
+    legs: usize,
+) -> PyResult<Bound<'py, PyDict>> {
+    let results = PyDict::new(py);
+    for column in columns {
+        let mut cells = column.cells(row, legs).map(|cell| value(py, cell));
+        match column.is_of_legs() {
+            true => {
+                let cells: Vec<_> = cells.collect::<PyResult<_>>()?;
+                results.set_item(column.name_without_leg(), PyTuple::new(py, cells)?)?;
+            }
+            false => results.set_item(column.name(), cells.next().transpose()?.flatten())?,
+        }
+    }
+    Ok(results)
+}
+
+/// A cell as a Python object; None if it is empty.
+fn value(py: Python<'_>, cell: Cell) -> PyResult<Option<Bound<'_, PyAny>>> {
+    Ok(match cell {
+        Cell::Word(word) => Some(word.into_pyobject(py)?.into_any()),
+        Cell::Number(number) | Cell::Power(number) => Some(number.into_pyobject(py)?.into_any()),
+        Cell::Count(count) => Some(count.into_pyobject(py)?.into_any()),
+        Cell::Empty => None,
+    })
 }
 
 /// Numbers as bytes, from which NumPy makes an array without another copy.

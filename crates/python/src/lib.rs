@@ -33,7 +33,7 @@ mod _engine {
     #[pymodule_export]
     use crate::fault::fault;
     #[pymodule_export]
-    use crate::landing::{history, land};
+    use crate::landing::{history, land, landing_columns};
     #[pymodule_export]
     use crate::sweeps::Sweep;
 }

@@ -1,5 +1,6 @@
 //! Documents: TOML read by key with line numbers, errors that name them, and files written completely or not at all.
 
+pub mod column;
 pub(crate) mod csv_rows;
 pub mod document;
 pub mod file_writer;

@@ -33,11 +33,11 @@ mod threads;
 pub mod journal;
 pub mod sensitivity;
 
-use documents::{csv_rows, spelling};
 pub use documents::{
-    document, file_writer, fingerprint, input_error, key_path, library, output_guard, output_units,
-    section, source, toml_text, unit,
+    column, document, file_writer, fingerprint, input_error, key_path, library, output_guard,
+    output_units, section, source, toml_text, unit,
 };
+use documents::{csv_rows, spelling};
 pub use input::{choice, deck, method_input, scene_input, settings_input, vehicle_file};
 use input::{search_input, vehicle_tables};
 use journal::early_stop;
@@ -49,8 +49,8 @@ use maps::{
 pub use maps::{edge_lines, height, resampled, rounds, surface_pieces};
 use output::parquet_table;
 pub use output::{
-    bands_table, cases, history, input_keys, landing_report, map_tables, result_files, results,
-    sensitivity_table, tables, warnings,
+    bands_table, cases, documented_columns, history, input_keys, landing_report, landing_table,
+    map_tables, result_files, results, sensitivity_table, tables, warnings,
 };
 pub use points::{assignment, design, distribution, grid, levels, parameter, refined_grid, sample};
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
@@ -59,7 +59,7 @@ pub use search::{
     lattice, refine, scan, search_range, skipped, trial,
 };
 use search::{join_all, narrowed_scan, run_out};
-pub use summary::{findings, landing_table, probabilities, sweep_counts, transition_statistics};
+pub use summary::{findings, probabilities, sweep_counts, transition_statistics};
 pub use sweeps::{
     case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,
 };

@@ -2,9 +2,11 @@
 
 pub mod bands_table;
 pub mod cases;
+pub mod documented_columns;
 pub mod history;
 pub mod input_keys;
 pub mod landing_report;
+pub mod landing_table;
 pub mod map_tables;
 pub(crate) mod parquet_table;
 pub mod result_files;

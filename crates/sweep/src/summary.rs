@@ -1,7 +1,6 @@
 //! Results of single points, and their summary over all points.
 
 pub mod findings;
-pub mod landing_table;
 pub mod probabilities;
 pub mod sweep_counts;
 pub mod transition_statistics;

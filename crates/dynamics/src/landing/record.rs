@@ -13,6 +13,7 @@ use crate::state::State;
 /// Work done on one leg's elements since touchdown, ft·lb. Strut and crush work include energy still stored
 /// elastically.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LegWork {
     /// Shock absorber.
     pub strut: f64,
@@ -64,6 +65,7 @@ impl LegWork {
 
 /// Energy account of a landing, ft·lb.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Energies {
     /// Kinetic energy at first contact: body and lower links.
     pub initial_kinetic: f64,
@@ -111,6 +113,7 @@ impl Energies {
 
 /// Rates at the end of a landing.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FinalRates {
     /// Rate of the stability angle σ, rad/s; `None` where all feet stand on one side.
     pub stability_angle: Option<f64>,
@@ -122,6 +125,7 @@ pub struct FinalRates {
 
 /// Continuation of a landing beyond its verdict.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Beyond {
     /// Time of the verdict, s after first contact.
     pub verdict_time: f64,
@@ -131,6 +135,7 @@ pub struct Beyond {
 
 /// Result of one landing.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Landing {
     /// Its outcome.
     pub outcome: Outcome,

@@ -115,6 +115,28 @@ impl<T: PartialEq, const LEGS: usize> PartialEq<[T; LEGS]> for PerLeg<T> {
     }
 }
 
+/// A sequence of one item for each leg.
+#[cfg(feature = "serde")]
+impl<T: serde::Serialize> serde::Serialize for PerLeg<T> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de, T: serde::Deserialize<'de> + Copy> serde::Deserialize<'de> for PerLeg<T> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let items = Vec::<T>::deserialize(deserializer)?;
+        match items.len() {
+            1..=MOST_LEGS => Ok(Self::from_fn(items.len(), |leg| items[leg])),
+            legs => {
+                let allowed = &"one item for each of 1 to 8 legs";
+                Err(serde::de::Error::invalid_length(legs, allowed))
+            }
+        }
+    }
+}
+
 impl<T: fmt::Debug> fmt::Debug for PerLeg<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         (**self).fmt(f)

@@ -138,7 +138,8 @@ impl Source {
         for source in sweep.sources() {
             reading.keep(source.clone());
         }
-        let first = sweep.coordinates_written(0);
+        let first = sweep.cells_of_point(0).into_iter();
+        let first: Vec<String> = first.map(|cell| cell.to_string()).collect();
         let mut conditions = sweep.fixed;
         let search = sweep.search().map(|search| [search.from, search.to]);
         if let Some([from, to]) = search {

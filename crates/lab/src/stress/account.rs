@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Failure, Outcome};
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::landing_table::Cell;
 
 use super::case_table::Reasons;
 use super::checks::LandingChecks;
@@ -67,10 +67,10 @@ enum End {
 }
 
 impl Account {
-    /// Of no landings yet of a vehicle with so many legs, computed with these settings.
-    pub fn of(settings: &Settings, legs: usize) -> Self {
+    /// Of no landings yet, computed with these settings.
+    pub fn of(settings: &Settings) -> Self {
         Self {
-            checks: LandingChecks::of(settings, legs),
+            checks: LandingChecks::of(settings),
             landings: 0,
             evaluations: 0,
             kinds: BTreeMap::new(),
@@ -82,10 +82,10 @@ impl Account {
     }
 
     /// Adds a landing by its number.
-    pub fn add(&mut self, number: usize, outcome: &Outcome, cells: &[Cell]) {
+    pub fn add(&mut self, number: usize, landing: &Landing) {
         self.landings += 1;
-        self.evaluations += self.checks.count(cells, "derivative_evaluations");
-        let (end, name) = kind(outcome);
+        self.evaluations += landing.evaluations;
+        let (end, name) = kind(&landing.outcome);
         let kind = self.kinds.entry(name).or_default();
         kind.count += 1;
         kind.end = end;
@@ -97,18 +97,18 @@ impl Account {
         if kind.first.len() < kept {
             kind.first.push(number);
         }
-        let steps = self.checks.count(cells, "steps");
+        let steps = landing.steps;
         if self.steps.is_none_or(|(most, _)| steps > most) {
             self.steps = Some((steps, number));
         }
-        if let Some([energy_ftlb, part]) = self.checks.open(outcome, cells) {
+        if let Some([energy_ftlb, part]) = self.checks.open(landing) {
             self.open.push(Open {
                 energy_ftlb,
                 part,
                 landing: number,
             });
         }
-        if let Some(complaint) = self.checks.complaint(outcome, cells) {
+        if let Some(complaint) = self.checks.complaint(landing) {
             self.invalid += 1;
             if self.complaints.len() < KEPT {
                 self.complaints.push((number, complaint));

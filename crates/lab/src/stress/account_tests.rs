@@ -5,14 +5,14 @@ const CHATTERING: Outcome = Outcome::Failure(Failure::Chattering);
 
 #[test]
 fn kinds_are_counted_and_the_extremes_are_kept() {
-    let mut account = Account::of(&settings(), 3);
+    let mut account = Account::of(&settings());
     let inclined = |leg| Outcome::Failure(Failure::PadInclination { leg });
-    let open = |energy| landed(&[("energy_closure_ftlb", Cell::Number(energy))]);
-    let long = landed(&[("steps", Cell::Count(30))]);
-    account.add(0, &Outcome::Bottomed { leg: 0 }, &open(-2e-3));
-    account.add(1, &Outcome::Bottomed { leg: 2 }, &long);
-    account.add(2, &inclined(0), &open(50.0));
-    account.add(3, &CHATTERING, &open(0.0));
+    let mut long = landed(Outcome::Bottomed { leg: 2 }, 0.0);
+    long.steps = 30;
+    account.add(0, &landed(Outcome::Bottomed { leg: 0 }, -2e-3));
+    account.add(1, &long);
+    account.add(2, &landed(inclined(0), 50.0));
+    account.add(3, &landed(CHATTERING, 0.0));
     assert_eq!(account.verdict(), None);
     let summary = account.summary();
     for line in [
@@ -32,9 +32,10 @@ fn kinds_are_counted_and_the_extremes_are_kept() {
 
 #[test]
 fn a_landing_that_makes_no_sense_is_one_too_many() {
-    let mut account = Account::of(&settings(), 3);
-    let nowhere = landed(&[("min_clearance_ft", Cell::Number(f64::NAN))]);
-    account.add(4, &Outcome::UnstableYaw, &nowhere);
+    let mut account = Account::of(&settings());
+    let mut nowhere = landed(Outcome::UnstableYaw, 0.0);
+    nowhere.min_clearance = f64::NAN;
+    account.add(4, &nowhere);
     let verdict = account.verdict().unwrap();
     assert_eq!(verdict, "the results of 1 wild landing are invalid");
     let summary = account.summary();
@@ -47,16 +48,16 @@ fn a_landing_that_makes_no_sense_is_one_too_many() {
 
 #[test]
 fn failures_have_to_stay_rare() {
-    let mut account = Account::of(&settings(), 3);
+    let mut account = Account::of(&settings());
     for number in 0..500 {
         let outcome = match number % 100 {
             0 => CHATTERING,
             _ => Outcome::StableSubsided,
         };
-        account.add(number, &outcome, &landed(&[]));
+        account.add(number, &landed(outcome, 0.0));
     }
     assert_eq!(account.verdict(), None);
-    account.add(500, &CHATTERING, &landed(&[]));
+    account.add(500, &landed(CHATTERING, 0.0));
     let verdict = account.verdict().unwrap();
     assert!(
         verdict.starts_with("6 wild landings ended without a result"),

@@ -23,7 +23,8 @@ pub fn written(kept: &[(&WildSweep, Reasons)]) -> Result<Vec<u8>, csv::Error> {
             writer.write_field(wild.case_name(*number))?;
             writer.write_field(wild.vehicle_file())?;
             writer.write_field(why.join("; "))?;
-            writer.write_record(wild.sweep.coordinates_written(*number))?;
+            let cells = wild.sweep.cells_of_point(*number).into_iter();
+            writer.write_record(cells.map(|cell| cell.to_string()))?;
         }
     }
     writer

@@ -75,11 +75,11 @@ pub fn run(bench: &Bench, sweeps: &[WildSweep]) -> Result<(), Failure> {
 
 /// Adds up all landings of a vehicle.
 fn account(wild: &WildSweep, results: &mut InOrder) -> Result<Account, Failure> {
-    let mut account = Account::of(&wild.sweep.settings, wild.legs);
+    let mut account = Account::of(&wild.sweep.settings);
     for point in 0..wild.sweep.design.count() {
         let bytes = results.result(point)?;
         match bytes.as_deref().and_then(Finding::decode) {
-            Some(Finding::Landing { outcome, cells, .. }) => account.add(point, &outcome, &cells),
+            Some(Finding::Landing(landing)) => account.add(point, &landing),
             _ => {
                 let complaint = format!("there is no result of landing {point}");
                 return Err(Failure::running(complaint));

@@ -85,7 +85,8 @@ class Boundary(InBothUnits):
     bracket_high_fps : float or None
         Lowest velocity above it that was landed, ft/s.
     certainty : str or None
-        ``"certain"``, ``"disputed"`` or None, as in `Band`.
+        ``"certain"``, ``"disputed"`` or None, as in `Band`; ``"at-or-below"`` where the lowest velocity is not stable already;
+        ``"above"`` without a transition.
     disputed_from_fps, disputed_to_fps : float or None
         Between which velocities it is disputed, ft/s.
     solver_tolerance : float or None

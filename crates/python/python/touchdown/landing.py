@@ -20,32 +20,6 @@ from touchdown.scene import Scene
 from touchdown.scene import checked as checked_scene
 from touchdown.vehicle import Vehicle, engine_of
 
-# Results of each leg: what stands before and after its number in tables.
-_OF_LEGS = {
-    "max_strut_force_lb": ("max_strut_force", "_lb"),
-    "max_stroke_ft": ("max_stroke", "_ft"),
-    "max_stroke_share": ("max_stroke_share", ""),
-    "pad_contact_s": ("pad_contact", "_s"),
-    "block_contact_s": ("block_contact", "_s"),
-}
-_COLUMNS = [
-    "outcome",
-    "outcome_class",
-    "end_time_s",
-    "min_stability_angle_deg",
-    "min_clearance_ft",
-    "tilt_deg",
-    "initial_kinetic_energy_ftlb",
-    "potential_energy_change_ftlb",
-    *_OF_LEGS,
-    "given_by_contact_ftlb",
-    "energy_closure_ftlb",
-    "steps",
-    "derivative_evaluations",
-    "failure",
-]
-
-
 #: What a notebook shows.
 _SHOWN = [
     ("least stability angle", "min_stability_angle_deg"),
@@ -192,13 +166,15 @@ class Landing(InBothUnits):
             Units of the values, which are part of their names; without, `units` of the landing.
         """
         row: dict[str, Any] = {}
-        for name in _COLUMNS:
+        for name, column in _engine.landing_columns():
             value = getattr(self, name)
-            if name in _OF_LEGS:
-                before, unit = _OF_LEGS[name]
-                row |= {f"{before}_{leg}{unit}": np.nan if of_leg is None else of_leg for leg, of_leg in enumerate(value, 1)}
+            if "#" in column:
+                legs = {column.replace("#", str(leg)): of_leg for leg, of_leg in enumerate(value, 1)}
+                row |= {name: np.nan if of_leg is None else of_leg for name, of_leg in legs.items()}
             else:
                 row[name] = np.nan if value is None else value
+            if name == "outcome":
+                row["outcome_class"] = self.outcome_class
         return pd.Series(in_units(row, self._units_or_own(units)), dtype=object)
 
     def __repr__(self) -> str:

@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::column::Cell;
 use crate::input_error::InputError;
 use crate::section::Section;
 use crate::spelling::{Conversion, dotted_conversion, spelling_for_results};
@@ -109,11 +110,11 @@ impl Quantity {
         self.conversion.to_program(per_unit)
     }
 
-    /// Converts a table cell to this unit; leaves words and empty cells unchanged.
-    pub(crate) fn cell(&self, cell: &str) -> String {
-        match cell.parse::<f64>() {
-            Ok(number) if self.converts() => self.number(number).to_string(),
-            _ => cell.to_owned(),
+    /// Converts the number of a cell from program units to this unit; leaves words, counts and empty cells unchanged.
+    pub fn cell(&self, cell: Cell) -> Cell {
+        match cell {
+            Cell::Number(number) => Cell::Number(self.number(number)),
+            other => other,
         }
     }
 }
@@ -192,9 +193,10 @@ mod tests {
             assert_eq!((us.name(), us.number(number)), (name, number));
         }
         let speed = OutputUnits::Si.quantity("speed_fps");
+        let none = Cell::Word("none".to_owned());
         assert_eq!(
-            ["", "none", "10"].map(|cell| speed.cell(cell)),
-            ["", "none", "3.048"]
+            [Cell::Empty, none.clone(), Cell::Number(10.0)].map(|cell| speed.cell(cell)),
+            [Cell::Empty, none, Cell::Number(3.048)]
         );
         assert_eq!(speed.derivative(0.3048), 1.0);
         assert_eq!(speed.unit(), "m/s");

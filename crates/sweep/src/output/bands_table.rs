@@ -2,52 +2,82 @@
 
 use crate::bands::Band;
 use crate::boundary::Boundary;
-use crate::certainty::tolerance_cell;
-use crate::results::optional;
+use crate::column::{Cell, Column, Heading, cells, headings};
 use crate::sweep_file::Sweep;
 
+/// A band and its number at a point, from 1.
+#[derive(Debug)]
+pub struct Numbered {
+    number: u64,
+    band: Band,
+}
+
 /// Columns of the table after the axes.
-pub const COLUMNS: [&str; 10] = [
-    "band",
-    "from_fps",
-    "to_fps",
-    "outcome",
-    "bracket_width_fps",
-    "kind",
-    "certainty",
-    "disputed_from_fps",
-    "disputed_to_fps",
-    "solver_tolerance",
+pub const COLUMNS: [Column<Numbered>; 10] = [
+    Column::count(
+        "band",
+        |one| one.number,
+        "number of the band at this point, from 1",
+    ),
+    Column::number("from_fps", |one| Some(one.band.from), "lower end"),
+    Column::number("to_fps", |one| Some(one.band.to), "upper end"),
+    Column::word(
+        "outcome",
+        |one| one.band.class.to_string(),
+        "class of its landings: `stable`, `unstable`, `bottomed`, `failure`, `undecided`",
+    ),
+    Column::number(
+        "bracket_width_fps",
+        |one| one.band.bracket.map(|bracket| bracket.width),
+        "width of the bracket at `to_fps`; empty at the end of the range",
+    ),
+    Column::word(
+        "kind",
+        |one| one.band.outcome.to_string(),
+        "outcome of the landing nearest to the middle of the band, such as `stable-rockback`",
+    ),
+    Column::word(
+        "certainty",
+        |one| one.band.certainty.word().to_owned(),
+        "of the transition at `to_fps`, as in [transitions](#transitions)",
+    ),
+    Column::number(
+        "disputed_from_fps",
+        |one| one.band.certainty.disputed()[0],
+        "lower end of what is disputed",
+    ),
+    Column::number(
+        "disputed_to_fps",
+        |one| one.band.certainty.disputed()[1],
+        "upper end of what is disputed",
+    ),
+    Column::power(
+        "solver_tolerance",
+        |one| one.band.bracket.map(|bracket| bracket.tolerance),
+        "tolerance at which both ends of the bracket at `to_fps` were landed, as in [transitions](#transitions)",
+    ),
 ];
 
-/// Heading of the table of bands.
-pub fn heading(sweep: &Sweep) -> Vec<String> {
-    sweep.heading(COLUMNS)
+/// Headings of the table of bands.
+pub fn heading(sweep: &Sweep) -> Vec<Heading> {
+    sweep.headings(headings(&COLUMNS, sweep.leg_count()))
 }
 
 /// Rows of a point: one for each band, lowest first.
-///
-/// `outcome` is the class of the band's landings, `kind` the outcome of the one nearest to its middle.
-/// `bracket_width_fps`, `certainty` and the following columns refer to `to_fps`; they are empty at the end of the
-/// range. If `certainty` is `disputed`, small changes decide between the two speeds that follow.
-pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> Vec<Vec<String>> {
-    let coordinates = sweep.coordinates_written(point);
-    let row = |(index, band): (usize, &Band)| {
-        let width = band.bracket.map(|bracket| bracket.width);
-        let tolerance = band.bracket.map(|bracket| bracket.tolerance);
-        let cells = [
-            (index + 1).to_string(),
-            band.from.to_string(),
-            band.to.to_string(),
-            band.class.to_string(),
-            optional(width),
-            band.outcome.to_string(),
-        ];
-        let cells = cells.into_iter().chain(band.certainty.cells());
-        let cells = cells.chain([tolerance_cell(tolerance)]);
+pub fn rows(sweep: &Sweep, point: usize, boundary: &Boundary) -> impl Iterator<Item = Vec<Cell>> {
+    let coordinates = sweep.cells_of_point(point);
+    numbered(boundary).map(move |band| {
+        let cells = cells(&COLUMNS, &band, sweep.leg_count());
         coordinates.iter().cloned().chain(cells).collect()
-    };
-    boundary.bands.iter().enumerate().map(row).collect()
+    })
+}
+
+/// The bands of a point with their numbers, lowest first.
+pub fn numbered(boundary: &Boundary) -> impl Iterator<Item = Numbered> {
+    (1..).zip(&boundary.bands).map(|(number, band)| Numbered {
+        number,
+        band: band.clone(),
+    })
 }
 
 #[cfg(test)]
@@ -55,6 +85,7 @@ mod tests {
     use super::*;
     use crate::boundary::Bracket;
     use crate::certainty::Certainty;
+    use crate::column::tests::{names, text};
     use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -90,13 +121,13 @@ mod tests {
             ..Boundary::default()
         };
         assert_eq!(
-            heading(&sweep).join(","),
+            names(heading(&sweep)),
             "roll_deg,band,from_fps,to_fps,outcome,bracket_width_fps,kind,certainty,\
              disputed_from_fps,disputed_to_fps,solver_tolerance"
         );
-        let rows = rows(&sweep, 0, &boundary).into_iter();
+        let rows = rows(&sweep, 0, &boundary).map(text);
         assert_eq!(
-            rows.map(|row| row.join(",")).collect::<Vec<_>>(),
+            rows.collect::<Vec<_>>(),
             [
                 "-60,1,0,11.5,stable,0.25,stable-subsided,disputed,11.25,12,1e-7",
                 "-60,2,11.5,25,unstable,,unstable-yaw,,,,"

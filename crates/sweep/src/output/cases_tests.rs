@@ -2,8 +2,7 @@ use super::*;
 use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::scene::CrushRule;
 
-use crate::findings::Finding;
-use crate::landing_table;
+use crate::findings::tests::example;
 use crate::output_units::OutputUnits;
 use crate::vehicle_file::tests::surveyor;
 
@@ -179,8 +178,8 @@ fn complaints_name_line_row_column_and_value() {
 
 #[test]
 fn results_begin_with_the_case() {
-    let finding = Finding::of(&landing_table::tests::example());
-    let rows = [("a,b", &finding), ("c", &finding)];
+    let landing = example();
+    let rows = [("a,b", &landing), ("c", &landing)];
     let text = String::from_utf8(table(rows.into_iter(), OutputUnits::Us).unwrap()).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     assert!(lines[0].starts_with("case,outcome,end_time_s"));

@@ -2,6 +2,7 @@
 
 use touchdown_dynamics::landing::{Instant, LegInstant};
 
+use crate::column::Column;
 use crate::output_units::{OutputUnits, Quantity};
 
 /// A history being written.
@@ -33,15 +34,14 @@ impl History {
     }
 
     fn write(&mut self, instant: &Instant) -> Result<(), csv::Error> {
-        let columns = columns(instant);
         if self.quantities.is_empty() {
-            let names = columns.iter().map(|(name, _)| name);
-            self.quantities = names.map(|name| self.units.quantity(name)).collect();
+            let names = names(instant);
+            self.quantities = names.iter().map(|name| self.units.quantity(name)).collect();
             self.writer
                 .write_record(self.quantities.iter().map(Quantity::name))?;
         }
-        let values = self.quantities.iter().zip(&columns);
-        let values = values.map(|(quantity, (_, value))| quantity.number(*value).to_string());
+        let values = self.quantities.iter().zip(values(instant));
+        let values = values.map(|(quantity, value)| quantity.number(value).to_string());
         self.writer.write_record(values)
     }
 
@@ -57,68 +57,214 @@ impl History {
     }
 }
 
-/// Headings and values in program units.
-pub fn columns(instant: &Instant) -> Vec<(String, f64)> {
-    let euler = instant.attitude.euler();
-    let [position, velocity, rate] = [
-        &instant.position,
-        &instant.velocity,
-        &instant.angular_velocity,
-    ];
-    let body = [
-        ("t_s", instant.time),
-        ("x_ft", position.x),
-        ("y_ft", position.y),
-        ("z_ft", position.z),
-        ("x_rate_fps", velocity.x),
-        ("y_rate_fps", velocity.y),
-        ("z_rate_fps", velocity.z),
-        ("psi_deg", euler.pitch.to_degrees()),
-        ("phi_deg", euler.yaw.to_degrees()),
-        ("xi_deg", euler.roll.to_degrees()),
-        ("omega_x_dps", rate.x.to_degrees()),
-        ("omega_y_dps", rate.y.to_degrees()),
-        ("omega_z_dps", rate.z.to_degrees()),
-        ("sigma_deg", instant.stability_angle.to_degrees()),
-        ("clearance_ft", instant.clearance),
-        ("kinetic_energy_ftlb", instant.kinetic_energy),
-        ("potential_energy_change_ftlb", instant.potential_change),
-    ];
-    let thrust = (instant.thrust_work).map(|work| ("thrust_work_ftlb", work));
-    let mut columns: Vec<(String, f64)> = (body.into_iter().chain(thrust))
-        .map(|(name, value)| (name.to_owned(), value))
-        .collect();
-    for (index, leg) in instant.legs.iter().enumerate() {
-        columns.extend(leg_columns(index + 1, leg));
-    }
-    columns
+/// Columns of the body.
+pub const OF_BODY: [Column<Instant>; 18] = [
+    Column::number("t_s", |at| Some(at.time), "time after first contact"),
+    Column::number(
+        "x_ft",
+        |at| Some(at.position.x),
+        "CG, ground axis X (across the slope)",
+    ),
+    Column::number(
+        "y_ft",
+        |at| Some(at.position.y),
+        "CG, ground axis Y (horizontal, into the slope: uphill)",
+    ),
+    Column::number(
+        "z_ft",
+        |at| Some(at.position.z),
+        "CG, ground axis Z (down along gravity)",
+    ),
+    Column::number(
+        "x_rate_fps",
+        |at| Some(at.velocity.x),
+        "velocity of the CG along X",
+    ),
+    Column::number(
+        "y_rate_fps",
+        |at| Some(at.velocity.y),
+        "velocity of the CG along Y",
+    ),
+    Column::number(
+        "z_rate_fps",
+        |at| Some(at.velocity.z),
+        "velocity of the CG along Z",
+    ),
+    Column::number(
+        "psi_deg",
+        |at| Some(at.attitude.euler().pitch.to_degrees()),
+        "pitch Ψ",
+    ),
+    Column::number(
+        "phi_deg",
+        |at| Some(at.attitude.euler().yaw.to_degrees()),
+        "yaw Φ",
+    ),
+    Column::number(
+        "xi_deg",
+        |at| Some(at.attitude.euler().roll.to_degrees()),
+        "roll Ξ",
+    ),
+    Column::number(
+        "omega_x_dps",
+        |at| Some(at.angular_velocity.x.to_degrees()),
+        "angular velocity about the vehicle's x axis",
+    ),
+    Column::number(
+        "omega_y_dps",
+        |at| Some(at.angular_velocity.y.to_degrees()),
+        "angular velocity about the vehicle's y axis",
+    ),
+    Column::number(
+        "omega_z_dps",
+        |at| Some(at.angular_velocity.z.to_degrees()),
+        "angular velocity about the vehicle's z axis (centreline)",
+    ),
+    Column::number(
+        "sigma_deg",
+        |at| Some(at.stability_angle.to_degrees()),
+        "stability angle σ (79)",
+    ),
+    Column::number(
+        "clearance_ft",
+        |at| Some(at.clearance),
+        "least height of the lower hardpoints over the surface",
+    ),
+    Column::number(
+        "kinetic_energy_ftlb",
+        |at| Some(at.kinetic_energy),
+        "kinetic energy of body and lower links",
+    ),
+    Column::number(
+        "potential_energy_change_ftlb",
+        |at| Some(at.potential_change),
+        "potential energy released since first contact",
+    ),
+    Column::number(
+        "thrust_work_ftlb",
+        |at| at.thrust_work,
+        "work done by the thrust since first contact; only in scenes that have any",
+    ),
+];
+
+/// Columns of each leg.
+pub const OF_LEG: [Column<LegInstant>; 19] = [
+    Column::number(
+        "gamma_#_deg",
+        |leg| Some(leg.link_angle.to_degrees()),
+        "lower-link angle γ; grows as the strut extends",
+    ),
+    Column::number(
+        "gamma_rate_#_dps",
+        |leg| Some(leg.link_rate.to_degrees()),
+        "its rate γ̇",
+    ),
+    Column::number(
+        "alpha_#_deg",
+        |leg| Some(leg.pad_angle.to_degrees()),
+        "footpad angle α",
+    ),
+    Column::number(
+        "alpha_rate_#_dps",
+        |leg| Some(leg.pad_rate.to_degrees()),
+        "its rate state α̇, which goes on integrating while the pad presses on a stop",
+    ),
+    Column::number("stroke_#_ft", |leg| Some(leg.stroke), "strut stroke δ"),
+    Column::number(
+        "strut_force_#_lb",
+        |leg| Some(leg.strut_force),
+        "strut force F, compression positive; 0 off the surface and on the extension stop",
+    ),
+    Column::number(
+        "pad_normal_#_lb",
+        |leg| Some(leg.pad_normal),
+        "normal force of the surface on the footpad",
+    ),
+    Column::number(
+        "pad_friction_#_lb",
+        |leg| Some(leg.pad_friction),
+        "friction force on the footpad",
+    ),
+    Column::number(
+        "block_normal_#_lb",
+        |leg| Some(leg.block_normal),
+        "normal force of the surface on the body block",
+    ),
+    Column::number(
+        "block_friction_#_lb",
+        |leg| Some(leg.block_friction),
+        "friction force on the body block",
+    ),
+    Column::number(
+        "pad_set_#_outboard_ft",
+        |leg| Some(leg.pad_sets[0]),
+        "plastic set P of the outboard pad section",
+    ),
+    Column::number(
+        "pad_set_#_inboard_ft",
+        |leg| Some(leg.pad_sets[1]),
+        "plastic set P of the inboard pad section",
+    ),
+    Column::number(
+        "block_set_#_ft",
+        |leg| Some(leg.block_set),
+        "plastic set P of the block",
+    ),
+    Column::number(
+        "strut_work_#_ftlb",
+        |leg| Some(leg.work.strut),
+        "work done on the strut since first contact, what it stores included",
+    ),
+    Column::number(
+        "pad_crush_work_#_ftlb",
+        |leg| Some(leg.work.pad_crush),
+        "work done on the footpad normal to the surface, what it stores included",
+    ),
+    Column::number(
+        "pad_friction_work_#_ftlb",
+        |leg| Some(leg.work.pad_friction),
+        "work of sliding of the footpad",
+    ),
+    Column::number(
+        "block_crush_work_#_ftlb",
+        |leg| Some(leg.work.block_crush),
+        "work done on the block normal to the surface",
+    ),
+    Column::number(
+        "block_friction_work_#_ftlb",
+        |leg| Some(leg.work.block_friction),
+        "work of sliding of the block",
+    ),
+    Column::number(
+        "stop_work_#_ftlb",
+        |leg| Some(leg.work.stop),
+        "energy of link motion that the extension stop ended, or that was frozen off the surface",
+    ),
+];
+
+/// Names of the columns in program units: those of the body, then those of each leg.
+pub fn names(instant: &Instant) -> Vec<String> {
+    let of_body = OF_BODY
+        .iter()
+        .filter(|column| column.number_of(instant).is_some());
+    let of_body = of_body.map(|column| column.name().to_owned());
+    let legs = 1..=instant.legs.len();
+    let of_legs = legs.flat_map(|leg| OF_LEG.iter().map(move |column| column.name_of_leg(leg)));
+    of_body.chain(of_legs).collect()
 }
 
-fn leg_columns(number: usize, leg: &LegInstant) -> impl Iterator<Item = (String, f64)> {
-    let work = &leg.work;
-    [
-        ("gamma_#_deg", leg.link_angle.to_degrees()),
-        ("gamma_rate_#_dps", leg.link_rate.to_degrees()),
-        ("alpha_#_deg", leg.pad_angle.to_degrees()),
-        ("alpha_rate_#_dps", leg.pad_rate.to_degrees()),
-        ("stroke_#_ft", leg.stroke),
-        ("strut_force_#_lb", leg.strut_force),
-        ("pad_normal_#_lb", leg.pad_normal),
-        ("pad_friction_#_lb", leg.pad_friction),
-        ("block_normal_#_lb", leg.block_normal),
-        ("block_friction_#_lb", leg.block_friction),
-        ("pad_set_#_outboard_ft", leg.pad_sets[0]),
-        ("pad_set_#_inboard_ft", leg.pad_sets[1]),
-        ("block_set_#_ft", leg.block_set),
-        ("strut_work_#_ftlb", work.strut),
-        ("pad_crush_work_#_ftlb", work.pad_crush),
-        ("pad_friction_work_#_ftlb", work.pad_friction),
-        ("block_crush_work_#_ftlb", work.block_crush),
-        ("block_friction_work_#_ftlb", work.block_friction),
-        ("stop_work_#_ftlb", work.stop),
-    ]
-    .into_iter()
-    .map(move |(name, value)| (name.replace('#', &number.to_string()), value))
+/// Their values in program units.
+pub fn values(instant: &Instant) -> Vec<f64> {
+    let of_body = OF_BODY
+        .iter()
+        .filter_map(|column| column.number_of(instant));
+    let of_leg = |leg| {
+        OF_LEG
+            .iter()
+            .filter_map(move |column| column.number_of(leg))
+    };
+    let of_legs = instant.legs.iter().flat_map(of_leg);
+    of_body.chain(of_legs).collect()
 }
 
 #[cfg(test)]

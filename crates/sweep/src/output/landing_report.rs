@@ -6,6 +6,7 @@ use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 use touchdown_dynamics::scene::Settings;
 
 use crate::assignment::Assignment;
+use crate::column::{Column, cells, headings};
 use crate::contact_warnings::ContactWarnings;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
@@ -52,26 +53,6 @@ impl LandingReport<'_> {
         let scene: Map<String, Value> = (self.scene())
             .map(|(name, value)| (name, json!(value)))
             .collect();
-        let result: Map<String, Value> = landing_table::columns_in(self.units, landing)
-            .into_iter()
-            .map(|(name, cell)| (name, cell.into()))
-            .collect();
-        let work = landing.energies.legs.iter().map(|leg| {
-            let works = [
-                ("strut_ftlb", leg.strut),
-                ("pad_crush_ftlb", leg.pad_crush),
-                ("pad_friction_ftlb", leg.pad_friction),
-                ("block_crush_ftlb", leg.block_crush),
-                ("block_friction_ftlb", leg.block_friction),
-                ("stop_ftlb", leg.stop),
-            ];
-            let works = works.into_iter().map(|(name, value)| {
-                let quantity = self.units.quantity(name);
-                (quantity.name().to_owned(), json!(quantity.number(value)))
-            });
-            works.collect::<Map<String, Value>>()
-        });
-        let end = self.units.quantity("final_kinetic_energy_ftlb");
         let mut report = json!({
             "program": results::program(self.version),
             "commit": results::COMMIT,
@@ -82,19 +63,29 @@ impl LandingReport<'_> {
                 .collect::<Map<String, Value>>(),
             "scene": scene,
             "solver": solver_in_record(settings, &vehicle.vehicle),
-            "result": result,
+            "result": self.columns(&landing_table::COLUMNS),
             "why": why(&landing.outcome),
-            "min_stability_time_s": landing.min_stability_time,
-            "events": landing.events,
-            "work_by_leg": work.collect::<Vec<_>>(),
-            (end.name()): end.number(landing.energies.final_kinetic),
             "integration": integration(self.integration, landing.leg_count()),
         });
+        for (name, value) in self.columns(&landing_table::OF_REPORTS) {
+            report[name] = value;
+        }
         if let Some(beyond) = &landing.beyond {
             report["verdict_time_s"] = json!(beyond.verdict_time);
             report["went_on_to"] = json!(beyond.end.to_string());
         }
         report
+    }
+
+    /// Results of the landing by column.
+    fn columns(&self, columns: &[Column<Landing>]) -> Map<String, Value> {
+        let legs = self.landing.leg_count();
+        let told = headings(columns, legs).zip(cells(columns, self.landing, legs));
+        let told = told.map(|(heading, cell)| {
+            let quantity = self.units.quantity(&heading.name);
+            (quantity.name().to_owned(), quantity.cell(cell).into())
+        });
+        told.collect()
     }
 }
 

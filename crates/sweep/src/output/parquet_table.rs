@@ -16,6 +16,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 use serde_json::{Map, Value, json};
 
+use crate::column::{Cell, Kind};
 use crate::file_writer::Draft;
 use crate::results;
 use crate::sweep_file::Sweep;
@@ -23,64 +24,30 @@ use crate::unit::unit;
 
 /// Rows of a group, which are held in memory.
 const GROUP: usize = 1 << 16;
-/// Columns of words; all columns not listed here or in `COUNTS` hold numbers.
-const WORDS: [&str; 10] = [
-    "first_transition_to",
-    "outcome",
-    "kind",
-    "edge_kind",
-    "failure",
-    "axis",
-    "certainty",
-    "parameter",
-    "unit",
-    "dependence",
-];
-const COUNTS: [&str; 14] = [
-    "landings",
-    "derivative_evaluations",
-    "band",
-    "steps",
-    "toppled",
-    "bottomed",
-    "undecided",
-    "failed",
-    "not_stable",
-    "points",
-    "looks",
-    "level",
-    "edge",
-    "triangle",
-];
+
 /// A table being written.
 pub(crate) struct ParquetTable {
     writer: SerializedFileWriter<Draft>,
-    kinds: Vec<Physical>,
-    rows: Vec<Vec<String>>,
+    columns: usize,
+    rows: Vec<Vec<Cell>>,
 }
 
 impl ParquetTable {
-    /// Starts a table with a heading.
-    pub(crate) fn begin(draft: Draft, sweep: &Sweep, heading: &[String]) -> io::Result<Self> {
-        let has_words = |name: &str| {
-            let axis = sweep.axes.iter().find(|axis| axis.name() == name);
-            axis.is_some_and(|axis| !axis.words().is_empty())
-        };
-        // Bin ends are words for an axis with words.
-        let has_bins = heading.iter().any(|name| name == "axis");
-        let has_word_bins = has_bins && sweep.axes.iter().any(|axis| !axis.words().is_empty());
-        let kind = |name: &String| match name.as_str() {
-            word if WORDS.contains(&word) || has_words(word) => Physical::BYTE_ARRAY,
-            "from" | "to" if has_word_bins => Physical::BYTE_ARRAY,
-            count if COUNTS.contains(&count) => Physical::INT64,
-            _ => Physical::DOUBLE,
-        };
-        let kinds: Vec<Physical> = heading.iter().map(kind).collect();
-        let columns = heading.iter().zip(&kinds).map(|(name, kind)| {
-            let word = (*kind == Physical::BYTE_ARRAY).then_some(LogicalType::String);
-            Type::primitive_type_builder(name, *kind)
+    /// Starts a table with columns of these names and kinds.
+    pub(crate) fn begin(draft: Draft, sweep: &Sweep, columns: &[(&str, Kind)]) -> io::Result<Self> {
+        let units: Map<String, Value> = (columns.iter())
+            .map(|(name, _)| ((*name).to_owned(), json!(unit(name))))
+            .collect();
+        let count = columns.len();
+        let columns = columns.iter().map(|(name, kind)| {
+            let (physical, logical) = match kind {
+                Kind::Word => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+                Kind::Number => (Physical::DOUBLE, None),
+                Kind::Count => (Physical::INT64, None),
+            };
+            Type::primitive_type_builder(name, physical)
                 .with_repetition(Repetition::OPTIONAL)
-                .with_logical_type(word)
+                .with_logical_type(logical)
                 .build()
                 .map(Arc::new)
         });
@@ -89,10 +56,6 @@ impl ParquetTable {
             .with_fields(columns)
             .build()
             .map_err(failed)?;
-        let units: Map<String, Value> = heading
-            .iter()
-            .map(|name| (name.clone(), json!(unit(name))))
-            .collect();
         let program = results::program(env!("CARGO_PKG_VERSION"));
         let metadata = [
             ("title", Some(sweep.title.clone())),
@@ -110,14 +73,14 @@ impl ParquetTable {
         let writer = SerializedFileWriter::new(draft, Arc::new(schema), Arc::new(properties));
         Ok(Self {
             writer: writer.map_err(failed)?,
-            kinds,
+            columns: count,
             rows: Vec::new(),
         })
     }
 
     /// Adds a row.
-    pub(crate) fn add(&mut self, row: &[String]) -> io::Result<()> {
-        self.rows.push(row.to_vec());
+    pub(crate) fn add(&mut self, row: Vec<Cell>) -> io::Result<()> {
+        self.rows.push(row);
         match self.rows.len() {
             GROUP => self.write_group().map_err(failed),
             _ => Ok(()),
@@ -135,24 +98,37 @@ impl ParquetTable {
             return Ok(());
         }
         let mut group = self.writer.next_row_group()?;
-        for column in 0..self.kinds.len() {
-            let cells = || self.rows.iter().map(|row| row[column].as_str());
-            let full = || cells().filter(|cell| !cell.is_empty());
-            let levels: Vec<i16> = cells().map(|cell| i16::from(!cell.is_empty())).collect();
+        for column in 0..self.columns {
+            let cells = || self.rows.iter().map(|row| &row[column]);
+            let levels: Vec<i16> = cells()
+                .map(|cell| i16::from(*cell != Cell::Empty))
+                .collect();
             let Some(mut writer) = group.next_column()? else {
                 break;
             };
             match writer.untyped() {
                 ColumnWriter::DoubleColumnWriter(writer) => {
-                    let values: Vec<f64> = full().map(number).collect::<Result<_, _>>()?;
+                    let number = |cell: &Cell| match cell {
+                        Cell::Number(number) | Cell::Power(number) => Some(*number),
+                        _ => None,
+                    };
+                    let values: Vec<f64> = cells().filter_map(number).collect();
                     writer.write_batch(&values, Some(&levels), None)?;
                 }
                 ColumnWriter::Int64ColumnWriter(writer) => {
-                    let values: Vec<i64> = full().map(number).collect::<Result<_, _>>()?;
+                    let count = |cell: &Cell| match cell {
+                        Cell::Count(count) => Some(*count as i64),
+                        _ => None,
+                    };
+                    let values: Vec<i64> = cells().filter_map(count).collect();
                     writer.write_batch(&values, Some(&levels), None)?;
                 }
                 ColumnWriter::ByteArrayColumnWriter(writer) => {
-                    let values: Vec<ByteArray> = full().map(ByteArray::from).collect();
+                    let word = |cell: &Cell| match cell {
+                        Cell::Word(word) => Some(ByteArray::from(word.as_str())),
+                        _ => None,
+                    };
+                    let values: Vec<ByteArray> = cells().filter_map(word).collect();
                     writer.write_batch(&values, Some(&levels), None)?;
                 }
                 _ => {
@@ -167,11 +143,6 @@ impl ParquetTable {
         self.rows.clear();
         Ok(())
     }
-}
-
-fn number<T: std::str::FromStr>(cell: &str) -> Result<T, ParquetError> {
-    let refuse = |_| ParquetError::General(format!("{cell} is no number"));
-    cell.parse().map_err(refuse)
 }
 
 fn failed(error: ParquetError) -> io::Error {

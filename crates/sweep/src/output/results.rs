@@ -3,33 +3,86 @@
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 
-use crate::boundary::Boundary;
-use crate::certainty::{Certainty, tolerance_cell};
+use crate::boundary::{Boundary, Transition};
+use crate::certainty::Certainty;
+use crate::column::{Cell, Column, Heading, cells, headings};
 use crate::findings::Finding;
 use crate::fingerprint::fingerprint;
-use crate::landing_table::{self, Cell};
+use crate::landing_table;
 use crate::probabilities::wilson;
 use crate::sweep::Part;
 use crate::sweep_counts::SweepCounts;
 use crate::sweep_file::{Job, Sweep};
 use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
 
-/// Columns of the table after the axes.
-pub const COLUMNS: [&str; 10] = [
-    "first_transition_to",
-    "first_transition_fps",
-    "bracket_low_fps",
-    "bracket_high_fps",
-    "landings",
-    "derivative_evaluations",
-    "certainty",
-    "disputed_from_fps",
-    "disputed_to_fps",
-    "solver_tolerance",
+/// Columns of the table of a boundary sweep, after the axes.
+pub const COLUMNS: [Column<Boundary>; 10] = [
+    Column::word(
+        "first_transition_to",
+        transition_name,
+        "class of the landings just above the first transition: `unstable`, `bottomed`, `failure` (not computed), \
+         `undecided` (sliding, or still moving at the time limit); `none` where every landing of the scan was stable",
+    ),
+    Column::number(
+        "first_transition_fps",
+        |found| found.transition.map(|transition| transition.speed()),
+        "transition velocity V_H: the middle of the bracket; `from_fps` where `certainty` is `at-or-below`",
+    ),
+    Column::number(
+        "bracket_low_fps",
+        bracket_low,
+        "highest velocity below the transition that was landed and stable; of `none` the highest velocity searched; \
+         empty where `certainty` is `at-or-below`",
+    ),
+    Column::number(
+        "bracket_high_fps",
+        |found| found.transition.map(|transition| transition.high),
+        "lowest velocity above the transition that was landed",
+    ),
+    Column::count(
+        "landings",
+        |found| found.landings,
+        "landings that the point took",
+    ),
+    Column::count(
+        "derivative_evaluations",
+        |found| found.evaluations,
+        "evaluations of the equations of motion in them",
+    ),
+    Column::word(
+        "certainty",
+        certainty_word,
+        "`certain`: small changes move the transition by less than its bracket; `disputed`: they move it further at \
+         every tolerance down to 1e-9; `at-or-below`: the landing at `from_fps` is not stable already, so that V_H \
+         lies at or below it; `above`: no transition up to `to_fps`; empty: not tested",
+    ),
+    Column::number(
+        "disputed_from_fps",
+        |found| certainty(found).disputed()[0],
+        "lower end of what is disputed",
+    ),
+    Column::number(
+        "disputed_to_fps",
+        |found| certainty(found).disputed()[1],
+        "upper end of what is disputed",
+    ),
+    Column::power(
+        "solver_tolerance",
+        |found| found.transition.map(|transition| transition.tolerance),
+        "tolerance at which both ends of the bracket were landed: that of `[solver]`, or the tighter one that a \
+         disputed transition took to become certain, or was given up at; empty where there is no transition",
+    ),
 ];
 
-/// Additional column for the points of a map.
+/// Name of the additional column for the points of a map.
 pub const LEVEL: &str = "level";
+
+/// Additional column for the points of a map, whose cells hold its level.
+pub const OF_MAP_POINTS: [Column<usize>; 1] = [Column::count(
+    LEVEL,
+    |level| *level as u64,
+    "how often a first-level cell is halved until the point is a corner, or an end over one axis; 0 on the first level",
+)];
 
 /// Circumstances of a run that its input does not determine.
 #[derive(Debug, Clone, Copy)]
@@ -63,62 +116,59 @@ pub fn transition_name(boundary: &Boundary) -> String {
     }
 }
 
-/// Heading of the table of a sweep.
-pub fn heading(sweep: &Sweep) -> Vec<String> {
-    match sweep.job {
-        Job::Boundary(_) if sweep.map().is_some() => {
-            sweep.heading(COLUMNS.into_iter().chain([LEVEL]))
-        }
-        Job::Boundary(_) => sweep.heading(COLUMNS),
-        Job::Outcome { .. } => sweep.heading(landing_table::names(sweep.leg_count())),
+/// Headings of the table of a sweep.
+pub fn heading(sweep: &Sweep) -> Vec<Heading> {
+    let legs = sweep.leg_count();
+    let mut all = match sweep.job {
+        Job::Boundary(_) => sweep.headings(headings(&COLUMNS, legs)),
+        Job::Outcome { .. } => sweep.headings(headings(&landing_table::COLUMNS, legs)),
+    };
+    if sweep.map().is_some() {
+        all.extend(headings(&OF_MAP_POINTS, legs));
     }
+    all
 }
 
 /// Row of a point in the table of a sweep.
-///
-/// Numbers have just the digits needed to read back the same number.
-pub fn row(sweep: &Sweep, point: usize, finding: &Finding) -> Vec<String> {
-    let mut row = sweep.coordinates_written(point);
+pub fn row(sweep: &Sweep, point: usize, finding: &Finding) -> Vec<Cell> {
+    let legs = sweep.leg_count();
+    let mut row = sweep.cells_of_point(point);
     match finding {
         Finding::Boundary(boundary) | Finding::Sensitive { boundary, .. } => {
-            row.extend(boundary_cells(boundary));
+            row.extend(cells(&COLUMNS, boundary, legs));
         }
-        Finding::Landing { cells, .. } => row.extend(cells.iter().map(Cell::to_string)),
+        Finding::Landing(landing) => {
+            row.extend(cells(&landing_table::COLUMNS, &**landing, legs));
+        }
     }
-    row.extend(sweep.map().map(|map| map.level(point).to_string()));
+    if let Some(map) = sweep.map() {
+        row.extend(cells(&OF_MAP_POINTS, &map.level(point), legs));
+    }
     row
 }
 
-/// A number as written in tables; empty for `None`.
-pub(crate) fn optional(number: Option<f64>) -> String {
-    Cell::from(number).to_string()
+/// Highest velocity that was landed and stable below a transition, or the highest searched without one.
+fn bracket_low(found: &Boundary) -> Option<f64> {
+    match found.transition {
+        Some(transition) => transition.low,
+        None => Some(found.searched_to),
+    }
 }
 
-fn boundary_cells(boundary: &Boundary) -> [String; COLUMNS.len()] {
-    let found = boundary.transition;
-    let certainty = found.map_or(Certainty::Untested, |found| found.certainty);
-    let [mut word, from, to] = certainty.cells();
-    let low = match found {
-        Some(transition) => transition.low,
-        None => Some(boundary.searched_to),
+/// Certainty of the first transition.
+fn certainty(found: &Boundary) -> Certainty {
+    found
+        .transition
+        .map_or(Certainty::Untested, |transition| transition.certainty)
+}
+
+fn certainty_word(found: &Boundary) -> String {
+    let word = match found.transition {
+        None => ABOVE,
+        Some(Transition { low: None, .. }) => AT_OR_BELOW,
+        Some(transition) => transition.certainty.word(),
     };
-    if found.is_none() {
-        word = ABOVE.to_owned();
-    } else if low.is_none() {
-        word = AT_OR_BELOW.to_owned();
-    }
-    [
-        transition_name(boundary),
-        optional(found.map(|found| found.speed())),
-        optional(low),
-        optional(found.map(|found| found.high)),
-        boundary.landings.to_string(),
-        boundary.evaluations.to_string(),
-        word,
-        from,
-        to,
-        tolerance_cell(found.map(|found| found.tolerance)),
-    ]
+    word.to_owned()
 }
 
 /// The record of a sweep: its full input with defaults, the version of the program, and counts. It contains neither
@@ -199,7 +249,7 @@ fn outcomes(counts: &SweepCounts) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::Transition;
+    use crate::column::tests::{names, text};
     use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::outcome::Class;
 
@@ -245,13 +295,13 @@ mod tests {
     fn rows_follow_the_grid() {
         let (sweep, boundaries) = example();
         assert_eq!(
-            heading(&sweep).join(","),
+            names(heading(&sweep)),
             "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
              landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,solver_tolerance"
         );
         let rows = boundaries.iter().enumerate();
         let rows = rows.map(|(point, boundary)| {
-            row(&sweep, point, &Finding::Boundary(boundary.clone())).join(",")
+            text(row(&sweep, point, &Finding::Boundary(boundary.clone())))
         });
         assert_eq!(
             rows.collect::<Vec<_>>(),

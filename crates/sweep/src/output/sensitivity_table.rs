@@ -6,25 +6,101 @@
 //! until the table is written.
 
 use crate::boundary::Boundary;
+use crate::column::{Cell, Column, Heading, cells, headings};
+use crate::output_units::Quantity;
 use crate::parameter::Parameter;
-use crate::results::{optional, transition_name};
+use crate::results::transition_name;
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::sweep_file::Sweep;
 
+/// A parameter at a point, and how its transition depends on it.
+#[derive(Debug)]
+pub struct AtPoint {
+    /// The parameter in the units of results.
+    own: Quantity,
+    /// Its value in program units.
+    value: Option<f64>,
+    transition_to: String,
+    /// Transition velocity, ft/s.
+    speed: Option<f64>,
+    slope: Slope,
+    smooth: Option<Smooth>,
+}
+
+/// A derivative with its error estimate, per program unit of the parameter, and the span of the parameter.
+#[derive(Debug)]
+struct Smooth {
+    derivative: f64,
+    error: f64,
+    span: f64,
+}
+
 /// Columns of the table after the axes.
-pub const COLUMNS: [&str; 12] = [
-    "parameter",
-    "unit",
-    "value",
-    "first_transition_to",
-    "first_transition_fps",
-    "dependence",
-    "step",
-    "dvh_dp_fps_per_unit",
-    "dvh_dp_error_fps_per_unit",
-    "span",
-    "vh_change_fps",
-    "vh_change_error_fps",
+pub const COLUMNS: [Column<AtPoint>; 12] = [
+    Column::word(
+        "parameter",
+        |at| at.own.name().to_owned(),
+        "dotted name of the parameter p",
+    ),
+    Column::word("unit", |at| at.own.unit().to_owned(), "its unit"),
+    Column::number(
+        "value",
+        |at: &AtPoint| at.value.map(|value| at.own.number(value)),
+        "its value at this point",
+    )
+    .in_unit("of p"),
+    Column::word(
+        "first_transition_to",
+        |at| at.transition_to.clone(),
+        "as in [transitions](#transitions)",
+    ),
+    Column::number(
+        "first_transition_fps",
+        |at| at.speed,
+        "V_H, narrowed down further than by the search",
+    ),
+    Column::word(
+        "dependence",
+        |at| at.slope.dependence.word().to_owned(),
+        "`smooth` (0 ± 0 where a step changes nothing of the landing at V_H, to the last bit); `kinked`: \
+         another slope to either side; `jumps`; `vanishes`: no transition within the step; `not-allowed`: the \
+         step leads to forbidden input; `disputed`: the transition itself is; `none`: no transition; \
+         `no-step`: p is 0, and neither an angle, a length nor a product of inertia",
+    ),
+    Column::number(
+        "step",
+        |at: &AtPoint| at.slope.step.map(|step| at.own.number(step)),
+        "step h to either side",
+    )
+    .in_unit("of p"),
+    Column::number(
+        "dvh_dp_fps_per_unit",
+        |at: &AtPoint| (at.smooth.as_ref()).map(|one| at.own.derivative(one.derivative)),
+        "dV_H/dp; empty unless `smooth`, as what follows",
+    )
+    .in_unit("ft/s per unit"),
+    Column::number(
+        "dvh_dp_error_fps_per_unit",
+        |at: &AtPoint| (at.smooth.as_ref()).map(|one| at.own.derivative(one.error)),
+        "estimate of its largest error",
+    )
+    .in_unit("ft/s per unit"),
+    Column::number(
+        "span",
+        |at: &AtPoint| at.smooth.as_ref().map(|one| at.own.number(one.span)),
+        "10 % of p, or 1 deg (1 deg/s) of an angle (rate), or the step where p is 0",
+    )
+    .in_unit("of p"),
+    Column::number(
+        "vh_change_fps",
+        |at| at.smooth.as_ref().map(|one| one.derivative * one.span),
+        "change of V_H for a change of p by `span`",
+    ),
+    Column::number(
+        "vh_change_error_fps",
+        |at| at.smooth.as_ref().map(|one| one.error * one.span),
+        "estimate of its largest error",
+    ),
 ];
 
 /// Span: the change of a parameter for which the change of V_H is listed, as a fraction of the parameter.
@@ -32,9 +108,9 @@ const SPAN: f64 = 0.1;
 /// Span of angles and rates of turn, deg and deg/s.
 const ANGULAR_SPAN: f64 = 1.0;
 
-/// Heading of the table.
-pub fn heading(sweep: &Sweep) -> Vec<String> {
-    sweep.heading(COLUMNS)
+/// Headings of the table.
+pub fn heading(sweep: &Sweep) -> Vec<Heading> {
+    sweep.headings(headings(&COLUMNS, sweep.leg_count()))
 }
 
 /// Rows of a point, one for each parameter, in the order of the sweep file.
@@ -43,40 +119,30 @@ pub fn rows(
     point: usize,
     boundary: &Boundary,
     sensitivity: &Sensitivity,
-) -> Vec<Vec<String>> {
-    let coordinates = sweep.coordinates_written(point);
+) -> impl Iterator<Item = Vec<Cell>> {
+    let coordinates = sweep.cells_of_point(point);
     let slopes = sweep.sensitivity.iter().zip(&sensitivity.slopes);
-    let row = |(parameter, slope): (&Parameter, &Slope)| {
+    slopes.map(move |(parameter, slope)| {
         let value = sweep.value(point, parameter);
-        let own = sweep.units.quantity(parameter.name());
-        let cells = [
-            own.name().to_owned(),
-            own.unit().to_owned(),
-            optional(value.map(|value| own.number(value))),
-            transition_name(boundary),
-            optional(sensitivity.speed),
-            slope.dependence.word().to_owned(),
-            optional(slope.step.map(|step| own.number(step))),
-        ];
-        let numbers = match (slope.dependence, value.zip(slope.step)) {
-            (Dependence::Smooth { derivative, error }, Some((value, step))) => {
-                let span = span(parameter, value, step);
-                let per_unit = [derivative, error].map(|slope| Some(own.derivative(slope)));
-                let changes = [derivative * span, error * span].map(Some);
-                [
-                    per_unit[0],
-                    per_unit[1],
-                    Some(own.number(span)),
-                    changes[0],
-                    changes[1],
-                ]
-            }
-            _ => [None; 5],
+        let smooth = match (slope.dependence, value.zip(slope.step)) {
+            (Dependence::Smooth { derivative, error }, Some((value, step))) => Some(Smooth {
+                derivative,
+                error,
+                span: span(parameter, value, step),
+            }),
+            _ => None,
         };
-        let cells = cells.into_iter().chain(numbers.map(optional));
+        let at = AtPoint {
+            own: sweep.units.quantity(parameter.name()),
+            value,
+            transition_to: transition_name(boundary),
+            speed: sensitivity.speed,
+            slope: *slope,
+            smooth,
+        };
+        let cells = cells(&COLUMNS, &at, sweep.leg_count());
         coordinates.iter().cloned().chain(cells).collect()
-    };
-    slopes.map(row).collect()
+    })
 }
 
 fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
@@ -92,6 +158,7 @@ fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::column::tests::text;
     use crate::sweep_file::tests::figure_4_09;
 
     #[test]
@@ -114,11 +181,10 @@ mod tests {
             ],
             ..Sensitivity::default()
         };
-        let rows = rows(&sweep, 3, &Boundary::default(), &sensitivity);
+        let rows: Vec<_> = rows(&sweep, 3, &Boundary::default(), &sensitivity).collect();
         assert!(rows.iter().all(|row| row.len() == heading(&sweep).len()));
-        let rows: Vec<String> = rows.iter().map(|row| row.join(",")).collect();
         assert_eq!(
-            rows,
+            rows.into_iter().map(text).collect::<Vec<_>>(),
             [
                 "-45,vehicle.legs[2].strut.preload_lb,lb,185,none,11.25,smooth,6.5,-0.5,0.25,\
                  18.5,-9.25,4.625",

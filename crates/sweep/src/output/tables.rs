@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::boundary::Extent;
+use crate::column::{Cell, Heading, Kind, headings};
 use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
@@ -69,7 +70,7 @@ impl Tables {
         has_parquet: bool,
     ) -> Result<Self, TablesError> {
         let stem = sweep.stem();
-        let begin = |end: &str, heading: &[String]| {
+        let begin = |end: &str, heading: &[Heading]| {
             Table::begin(folder, &format!("{stem}{end}"), heading, sweep, has_parquet)
         };
         let mut points = begin("", &results::heading(sweep))?;
@@ -100,10 +101,10 @@ impl Tables {
             }
             let finding = bytes.as_deref().and_then(Finding::decode);
             let finding = finding.ok_or(TablesError::Point(point))?;
-            points.add(&results::row(sweep, point, &finding))?;
+            points.add(results::row(sweep, point, &finding))?;
             if let (Some(bands), Some(boundary)) = (&mut bands, finding.boundary()) {
                 for row in bands_table::rows(sweep, point, boundary) {
-                    bands.add(&row)?;
+                    bands.add(row)?;
                 }
             }
             if let (
@@ -115,7 +116,7 @@ impl Tables {
             ) = (&mut sensitivities, &finding)
             {
                 for row in sensitivity_table::rows(sweep, point, boundary, sensitivity) {
-                    table.add(&row)?;
+                    table.add(row)?;
                 }
             }
             counts.add(sweep, point, &finding);
@@ -123,31 +124,28 @@ impl Tables {
                 break;
             }
         }
-        let whole = |end: &str, heading: &[&str], rows: Option<Vec<Vec<String>>>| {
+        let whole = |end: &str, heading: Vec<Heading>, rows: Option<Vec<Vec<Cell>>>| {
             let Some(rows) = rows else {
                 return Ok::<_, WriteError>(None);
             };
-            let heading: Vec<String> = heading.iter().map(|&name| name.to_owned()).collect();
             let mut table = begin(end, &heading)?;
             for row in rows {
-                table.add(&row)?;
+                table.add(row)?;
             }
             Ok(Some(table))
         };
         let overall = counts.outcomes.unwrap_or_default();
         let probabilities = counts.probabilities.as_ref();
         let probabilities = probabilities.map(|known| known.rows(sweep, &overall));
-        let probabilities = whole("-probabilities", &probabilities::COLUMNS, probabilities)?;
-        let quantiles = counts
-            .transitions
-            .as_ref()
-            .map(TransitionStatistics::quantile_rows);
-        let quantiles = whole("-quantiles", &QUANTILE_COLUMNS, quantiles)?;
-        let distribution = counts
-            .transitions
-            .as_ref()
-            .map(TransitionStatistics::distribution_rows);
-        let distribution = whole("-distribution", &DISTRIBUTION_COLUMNS, distribution)?;
+        let heading = probabilities::heading(sweep);
+        let probabilities = whole("-probabilities", heading, probabilities)?;
+        let transitions = counts.transitions.as_ref();
+        let quantiles = transitions.map(TransitionStatistics::quantile_rows);
+        let heading = headings(&QUANTILE_COLUMNS, 0).collect();
+        let quantiles = whole("-quantiles", heading, quantiles)?;
+        let distribution = transitions.map(TransitionStatistics::distribution_rows);
+        let heading = headings(&DISTRIBUTION_COLUMNS, 0).collect();
+        let distribution = whole("-distribution", heading, distribution)?;
         let (points, mut parquet) = points.end()?;
         let mut end = |table: Option<Table>| -> Result<Option<Draft>, WriteError> {
             let Some(table) = table else {
@@ -165,7 +163,7 @@ impl Tables {
         for written in of_rounds.flat_map(|(rounds, _)| map_tables::all(sweep, rounds)) {
             let mut table = begin(written.end, &written.heading)?;
             for row in written.rows {
-                table.add(&row)?;
+                table.add(row)?;
             }
             of_map.extend(end(Some(table))?);
         }
@@ -209,44 +207,45 @@ impl Table {
     fn begin(
         folder: &Folder,
         stem: &str,
-        heading: &[String],
+        heading: &[Heading],
         sweep: &Sweep,
         has_parquet: bool,
     ) -> Result<Self, WriteError> {
         let name = |ending: &str| format!("{stem}.{ending}");
-        let quantities = heading.iter().map(|name| sweep.units.quantity(name));
+        let quantities = heading.iter().map(|one| sweep.units.quantity(&one.name));
         let quantities: Vec<Quantity> = quantities.collect();
-        let heading: Vec<String> = quantities.iter().map(|one| one.name().to_owned()).collect();
         let parquet = match has_parquet {
             false => None,
             true => {
                 let path = folder.path(&name("parquet"));
-                let table = ParquetTable::begin(folder.draft(&name("parquet"))?, sweep, &heading);
+                let names = quantities.iter().map(Quantity::name);
+                let columns: Vec<(&str, Kind)> =
+                    names.zip(heading.iter().map(|one| one.kind)).collect();
+                let table = ParquetTable::begin(folder.draft(&name("parquet"))?, sweep, &columns);
                 Some((table.map_err(|error| refuse(&path, error))?, path))
             }
         };
-        let mut table = Self {
+        let path = folder.path(&name("csv"));
+        let mut writer = csv::Writer::from_writer(folder.draft(&name("csv"))?);
+        let written = writer.write_record(quantities.iter().map(Quantity::name));
+        written.map_err(|error| refuse(&path, error.into()))?;
+        Ok(Self {
             quantities,
-            writer: csv::Writer::from_writer(folder.draft(&name("csv"))?),
-            path: folder.path(&name("csv")),
+            writer,
+            path,
             parquet,
-        };
-        table.write(&heading)?;
-        Ok(table)
+        })
     }
 
-    fn add(&mut self, row: &[String]) -> Result<(), WriteError> {
+    fn add(&mut self, row: Vec<Cell>) -> Result<(), WriteError> {
         let row = self.quantities.iter().zip(row);
-        let row: Vec<String> = row.map(|(quantity, cell)| quantity.cell(cell)).collect();
+        let row: Vec<Cell> = row.map(|(quantity, cell)| quantity.cell(cell)).collect();
+        let written = self.writer.write_record(row.iter().map(Cell::to_string));
+        written.map_err(|error| refuse(&self.path, error.into()))?;
         if let Some((table, path)) = &mut self.parquet {
-            table.add(&row).map_err(|error| refuse(path, error))?;
+            table.add(row).map_err(|error| refuse(path, error))?;
         }
-        self.write(&row)
-    }
-
-    fn write(&mut self, row: &[String]) -> Result<(), WriteError> {
-        let written = self.writer.write_record(row);
-        written.map_err(|error| refuse(&self.path, error.into()))
+        Ok(())
     }
 
     /// Ends the table; its CSV and Parquet files.

@@ -5,6 +5,7 @@
 //! short names, which results always use. A parameter named in an SI unit has its values and result columns in that
 //! unit.
 
+use crate::column::{Cell, Heading, Kind};
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
@@ -207,11 +208,22 @@ impl Parameter {
         }
     }
 
-    /// Coordinate as written in results: the digits needed to read back the same number, or its word.
-    pub fn written(&self, coordinate: f64) -> String {
+    /// Heading of its column in results.
+    pub fn heading(&self) -> Heading {
+        Heading {
+            name: self.name.clone(),
+            kind: match self.words.is_empty() {
+                true => Kind::Number,
+                false => Kind::Word,
+            },
+        }
+    }
+
+    /// Cell of a coordinate in results: a number or a word.
+    pub fn cell(&self, coordinate: f64) -> Cell {
         match self.word(coordinate) {
-            Some(word) => word.to_owned(),
-            None => coordinate.to_string(),
+            Some(word) => Cell::Word(word.to_owned()),
+            None => Cell::Number(coordinate),
         }
     }
 }
@@ -345,11 +357,14 @@ mod tests {
     #[test]
     fn words_are_written_as_words() {
         let rule = Parameter::named("solver.crush_rule", 3).unwrap();
+        let word = |word: &str| Cell::Word(word.to_owned());
         assert_eq!(
-            (rule.written(0.0), rule.written(1.0)),
-            ("pivot-rate".into(), "section".into())
+            (rule.cell(0.0), rule.cell(1.0)),
+            (word("pivot-rate"), word("section"))
         );
+        assert_eq!(rule.heading().kind, Kind::Word);
         let slope = Parameter::named("slope_deg", 3).unwrap();
-        assert_eq!(slope.written(0.1), "0.1");
+        assert_eq!(slope.cell(0.1), Cell::Number(0.1));
+        assert_eq!(slope.heading(), Heading::number("slope_deg".to_owned()));
     }
 }

@@ -44,20 +44,22 @@ pub enum Certainty {
 }
 
 impl Certainty {
-    /// Cells of a result table: a word, and the ends of the disputed interval, ft/s.
-    pub fn cells(&self) -> [String; 3] {
-        let none = String::new;
+    /// Word in results; none if not tested.
+    pub fn word(self) -> &'static str {
         match self {
-            Self::Untested => [none(), none(), none()],
-            Self::Certain => ["certain".to_owned(), none(), none()],
-            Self::Disputed([from, to]) => ["disputed".to_owned(), from.to_string(), to.to_string()],
+            Self::Untested => "",
+            Self::Certain => "certain",
+            Self::Disputed(_) => "disputed",
         }
     }
-}
 
-/// Cell of a result table for the solver tolerance at which a bracket was found.
-pub fn tolerance_cell(tolerance: Option<f64>) -> String {
-    tolerance.map_or(String::new(), |tolerance| format!("{tolerance:e}"))
+    /// Ends of the disputed interval, ft/s, if it is.
+    pub fn disputed(self) -> [Option<f64>; 2] {
+        match self {
+            Self::Disputed(ends) => ends.map(Some),
+            Self::Untested | Self::Certain => [None, None],
+        }
+    }
 }
 
 /// A change in how a landing is computed, for a scan or a test.

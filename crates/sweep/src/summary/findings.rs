@@ -2,11 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::outcome::Outcome;
 
 use crate::boundary::Boundary;
 use crate::contact_warnings::ContactWarnings;
-use crate::landing_table::{self, Cell};
 use crate::sensitivity::Sensitivity;
 
 /// The result of a point.
@@ -15,14 +13,7 @@ pub enum Finding {
     /// Result of a search for the boundary of stable landings.
     Boundary(Boundary),
     /// One landing.
-    Landing {
-        /// Outcome.
-        outcome: Outcome,
-        /// Results in the order of [`crate::landing_table`].
-        cells: Vec<Cell>,
-        /// Contact warnings.
-        warnings: ContactWarnings,
-    },
+    Landing(Box<Landing>),
     /// Result of a search, with sensitivities of the transition.
     Sensitive {
         /// The search.
@@ -33,21 +24,19 @@ pub enum Finding {
 }
 
 impl Finding {
-    /// The result of one landing.
-    pub fn of(landing: &Landing) -> Self {
-        let columns = landing_table::columns(landing).into_iter();
-        Self::Landing {
-            outcome: landing.outcome.clone(),
-            cells: columns.map(|(_, cell)| cell).collect(),
-            warnings: ContactWarnings::of(landing),
-        }
-    }
-
     /// Result of the search, for boundary sweeps.
     pub fn boundary(&self) -> Option<&Boundary> {
         match self {
             Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => Some(boundary),
-            Self::Landing { .. } => None,
+            Self::Landing(_) => None,
+        }
+    }
+
+    /// The landing, for outcome sweeps and cases.
+    pub fn landing(self) -> Option<Landing> {
+        match self {
+            Self::Landing(landing) => Some(*landing),
+            Self::Boundary(_) | Self::Sensitive { .. } => None,
         }
     }
 
@@ -55,7 +44,7 @@ impl Finding {
     pub fn warnings(&self) -> ContactWarnings {
         match self {
             Self::Boundary(boundary) | Self::Sensitive { boundary, .. } => boundary.warnings,
-            Self::Landing { warnings, .. } => *warnings,
+            Self::Landing(landing) => ContactWarnings::of(landing),
         }
     }
 
@@ -67,7 +56,7 @@ impl Finding {
                 boundary,
                 sensitivity,
             } => boundary.landings + sensitivity.landings,
-            Self::Landing { .. } => 1,
+            Self::Landing(_) => 1,
         }
     }
 
@@ -79,14 +68,7 @@ impl Finding {
                 boundary,
                 sensitivity,
             } => boundary.evaluations + sensitivity.evaluations,
-            // The last count of a row, after the steps.
-            Self::Landing { cells, .. } => {
-                let count = |cell: &Cell| match cell {
-                    Cell::Count(count) => Some(*count),
-                    _ => None,
-                };
-                cells.iter().rev().find_map(count).unwrap_or(0)
-            }
+            Self::Landing(landing) => landing.evaluations,
         }
     }
 
@@ -106,14 +88,50 @@ impl Finding {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::bands::Band;
     use crate::boundary::Transition;
     use crate::certainty::Certainty;
     use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
     use crate::skipped::Skipped;
-    use touchdown_dynamics::outcome::{Class, Failure};
+    use touchdown_dynamics::landing::{Energies, FinalRates, LegWork};
+    use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+
+    /// A landing invented for tests of tables.
+    pub fn example() -> Landing {
+        Landing {
+            beyond: None,
+            outcome: Outcome::Failure(Failure::PadInclination { leg: 1 }),
+            end_time: 1.5,
+            min_stability_angle: std::f64::consts::PI / 6.0,
+            min_stability_time: 1.0,
+            min_clearance: 0.5,
+            tilt: std::f64::consts::PI / 6.0,
+            max_strut_force: [1.0, 2.0, 3.0].into(),
+            max_stroke: [0.25, 0.5, 0.125].into(),
+            max_stroke_share: [0.5, 1.0, 0.25].into(),
+            max_pad_crush: [0.0; 3].into(),
+            max_pad_crush_share: [0.0; 3].into(),
+            final_rates: FinalRates {
+                stability_angle: None,
+                strokes: [0.0; 3].into(),
+                stroke_accelerations: [0.0; 3].into(),
+            },
+            pad_contact: [Some(0.0), None, Some(0.25)].into(),
+            block_contact: [None; 3].into(),
+            energies: Energies {
+                initial_kinetic: 100.0,
+                potential_change: 10.0,
+                thrust: 0.0,
+                legs: [LegWork::default(); 3].into(),
+                final_kinetic: 109.5,
+            },
+            steps: 7,
+            evaluations: 70,
+            events: 3,
+        }
+    }
 
     #[test]
     fn every_bit_survives() {
@@ -153,18 +171,7 @@ mod tests {
             evaluations: u64::MAX,
             warnings: ContactWarnings::default(),
         });
-        let landing = Finding::Landing {
-            outcome: Outcome::Bottomed { leg: 1 },
-            cells: vec![
-                Cell::Word("ä".to_owned()),
-                Cell::Number(-0.0),
-                Cell::Count(7),
-            ],
-            warnings: ContactWarnings {
-                given: 1.0 / 3.0,
-                is_crushed_through: true,
-            },
-        };
+        let landing = Finding::Landing(Box::new(example()));
         for finding in [boundary, landing] {
             let bytes = finding.encode();
             assert_eq!(

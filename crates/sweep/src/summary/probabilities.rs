@@ -5,6 +5,7 @@
 
 use touchdown_dynamics::outcome::Class;
 
+use crate::column::{Cell, Column, Heading, Kind, cells, headings};
 use crate::distribution::Distribution;
 use crate::sample::Sample;
 use crate::sweep_file::Sweep;
@@ -16,34 +17,141 @@ const BINS: usize = 10;
 /// Landings between two checks of whether the intervals are narrow enough.
 const PACE: u64 = 100;
 
+/// Landings in a bin of an axis.
+#[derive(Debug, Clone)]
+pub struct InBin {
+    /// Name of the axis in the units of results.
+    axis: String,
+    /// Lower and upper end in the units of results.
+    ends: [Cell; 2],
+    count: Count,
+}
+
 /// Columns of the table of probabilities: number, share and interval of each class of landings, and last of all that
 /// were not stable.
-pub const COLUMNS: [&str; 24] = [
-    "axis",
-    "from",
-    "to",
-    "landings",
-    "toppled",
-    "topple_probability",
-    "topple_low_95",
-    "topple_high_95",
-    "bottomed",
-    "bottom_probability",
-    "bottom_low_95",
-    "bottom_high_95",
-    "undecided",
-    "undecided_probability",
-    "undecided_low_95",
-    "undecided_high_95",
-    "failed",
-    "failure_probability",
-    "failure_low_95",
-    "failure_high_95",
-    "not_stable",
-    "not_stable_probability",
-    "not_stable_low_95",
-    "not_stable_high_95",
-];
+pub fn columns() -> Vec<Column<InBin>> {
+    let mut columns = vec![
+        Column::word(
+            "axis",
+            |bin: &InBin| bin.axis.clone(),
+            "`all`, or the name of the parameter",
+        ),
+        Column::either(
+            "from",
+            |bin: &InBin| bin.ends[0].clone(),
+            "lower end of the bin; empty: unbounded",
+        )
+        .in_unit("of the axis"),
+        Column::either(
+            "to",
+            |bin: &InBin| bin.ends[1].clone(),
+            "upper end of the bin; empty: unbounded",
+        )
+        .in_unit("of the axis"),
+        Column::count("landings", |bin| bin.count.landings, "landings in the bin"),
+    ];
+    columns.extend(of_class::<TOPPLED>(
+        [
+            "toppled",
+            "topple_probability",
+            "topple_low_95",
+            "topple_high_95",
+        ],
+        [
+            "of these, toppled in pitch or yaw",
+            "`toppled` over `landings`",
+        ],
+    ));
+    columns.extend(of_class::<BOTTOMED>(
+        [
+            "bottomed",
+            "bottom_probability",
+            "bottom_low_95",
+            "bottom_high_95",
+        ],
+        [
+            "of the landings, those that bottomed a strut, or crushed a footpad or block by its whole height",
+            "`bottomed` over `landings`",
+        ],
+    ));
+    columns.extend(of_class::<UNDECIDED>(
+        [
+            "undecided",
+            "undecided_probability",
+            "undecided_low_95",
+            "undecided_high_95",
+        ],
+        [
+            "of the landings, those that slide or still move at the time limit",
+            "`undecided` over `landings`",
+        ],
+    ));
+    columns.extend(of_class::<FAILED>(
+        [
+            "failed",
+            "failure_probability",
+            "failure_low_95",
+            "failure_high_95",
+        ],
+        [
+            "of the landings, those that could not be computed",
+            "`failed` over `landings`",
+        ],
+    ));
+    columns.extend(of_class::<NOT_STABLE>(
+        [
+            "not_stable",
+            "not_stable_probability",
+            "not_stable_low_95",
+            "not_stable_high_95",
+        ],
+        [
+            "all landings that did not end stable: the four classes before together",
+            "`not_stable` over `landings`",
+        ],
+    ));
+    columns
+}
+
+/// Classes of landings, as indices of [`Count::hits`].
+const TOPPLED: usize = 0;
+const BOTTOMED: usize = 1;
+const UNDECIDED: usize = 2;
+const FAILED: usize = 3;
+const NOT_STABLE: usize = 4;
+
+/// Columns of a class of landings: number, share, and interval.
+fn of_class<const CLASS: usize>(
+    [number, share, low, high]: [&'static str; 4],
+    [about_number, about_share]: [&'static str; 2],
+) -> [Column<InBin>; 4] {
+    [
+        Column::count(number, |bin| bin.count.hits()[CLASS], about_number),
+        Column::number(share, |bin| bin.count.share(CLASS), about_share),
+        Column::number(
+            low,
+            |bin| Some(bin.count.interval(CLASS)[0]),
+            "lower end of its interval",
+        ),
+        Column::number(
+            high,
+            |bin| Some(bin.count.interval(CLASS)[1]),
+            "upper end of its interval",
+        ),
+    ]
+}
+
+/// Headings of the table of probabilities.
+pub fn heading(sweep: &Sweep) -> Vec<Heading> {
+    let mut all: Vec<Heading> = headings(&columns(), sweep.leg_count()).collect();
+    // Ends of bins are words for an axis with words.
+    if sweep.axes.iter().any(|axis| !axis.words().is_empty()) {
+        for end in &mut all[1..=2] {
+            end.kind = Kind::Word;
+        }
+    }
+    all
+}
 
 /// Landings counted by class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -90,24 +198,26 @@ impl Count {
             && narrow(self.bottomed)
     }
 
-    fn cells(&self) -> impl Iterator<Item = String> {
-        let all = self.landings;
-        let counts = [
+    /// Landings of each class but the stable ones, and of these together.
+    fn hits(&self) -> [u64; 5] {
+        [
             self.toppled,
             self.bottomed,
             self.undecided,
             self.failed,
-            all - self.stable(),
-        ];
-        let cells = counts.into_iter().flat_map(move |hits| {
-            let [low, high] = wilson(hits, all);
-            let share = match all {
-                0 => String::new(),
-                all => (hits as f64 / all as f64).to_string(),
-            };
-            [hits.to_string(), share, low.to_string(), high.to_string()]
-        });
-        std::iter::once(all.to_string()).chain(cells)
+            self.landings - self.stable(),
+        ]
+    }
+
+    /// Share of a class; `None` without landings.
+    fn share(&self, class: usize) -> Option<f64> {
+        let hits = self.hits()[class] as f64;
+        (self.landings > 0).then(|| hits / self.landings as f64)
+    }
+
+    /// Interval of the probability of a class.
+    fn interval(&self, class: usize) -> [f64; 2] {
+        wilson(self.hits()[class], self.landings)
     }
 }
 
@@ -143,8 +253,8 @@ pub struct Probabilities {
 /// Counts over bins of one axis.
 #[derive(Debug, Clone, PartialEq)]
 struct Bins {
-    /// Lower and upper ends as written in tables.
-    ends: Vec<[String; 2]>,
+    /// Lower and upper ends as cells of tables.
+    ends: Vec<[Cell; 2]>,
     /// Lower ends of all bins but the first.
     edges: Vec<f64>,
     counts: Vec<Count>,
@@ -157,7 +267,7 @@ impl Probabilities {
         Self {
             axes: axes
                 .map(|(axis, sampled)| {
-                    Bins::of_distribution(&sampled.marginal(), |value| axis.written(value))
+                    Bins::of_distribution(&sampled.marginal(), |value| axis.cell(value))
                 })
                 .collect(),
         }
@@ -172,18 +282,22 @@ impl Probabilities {
     }
 
     /// Rows of their table: all landings, counted separately, then each bin of every axis.
-    pub fn rows(&self, sweep: &Sweep, overall: &Count) -> Vec<Vec<String>> {
-        let row = |axis: &str, [from, to]: &[String; 2], count: &Count| {
-            let place = [axis.to_owned(), from.clone(), to.clone()];
-            place.into_iter().chain(count.cells()).collect()
+    pub fn rows(&self, sweep: &Sweep, overall: &Count) -> Vec<Vec<Cell>> {
+        let columns = columns();
+        let row = |axis: &str, ends: [Cell; 2], count: &Count| {
+            let bin = InBin {
+                axis: axis.to_owned(),
+                ends,
+                count: *count,
+            };
+            cells(&columns, &bin, sweep.leg_count()).collect()
         };
-        let everywhere = [String::new(), String::new()];
-        let mut rows = vec![row("all", &everywhere, overall)];
+        let mut rows = vec![row("all", [Cell::Empty, Cell::Empty], overall)];
         for (axis, bins) in sweep.axes.iter().zip(&self.axes) {
             let axis = sweep.units.quantity(axis.name());
             for (ends, count) in bins.ends.iter().zip(&bins.counts) {
-                let ends = ends.each_ref().map(|end| axis.cell(end));
-                rows.push(row(axis.name(), &ends, count));
+                let ends = ends.clone().map(|end| axis.cell(end));
+                rows.push(row(axis.name(), ends, count));
             }
         }
         rows
@@ -191,7 +305,7 @@ impl Probabilities {
 }
 
 impl Bins {
-    fn of_distribution(distribution: &Distribution, written: impl Fn(f64) -> String) -> Self {
+    fn of_distribution(distribution: &Distribution, written: impl Fn(f64) -> Cell) -> Self {
         if let Distribution::Column(values) = distribution {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -204,28 +318,28 @@ impl Bins {
             | Distribution::Truncated { from, to, .. }
             | Distribution::Triangular { from, to, .. } => [written(from), written(to)],
             Distribution::Lognormal { .. } | Distribution::Rayleigh { .. } => {
-                [written(0.0), String::new()]
+                [written(0.0), Cell::Empty]
             }
-            Distribution::Normal { .. } | Distribution::Column(_) => [String::new(), String::new()],
+            Distribution::Normal { .. } | Distribution::Column(_) => [Cell::Empty, Cell::Empty],
         };
         Self::by_edges(edges.collect(), outer, written)
     }
 
     /// Bins of equal width.
-    fn between(from: f64, to: f64, written: impl Fn(f64) -> String) -> Self {
+    fn between(from: f64, to: f64, written: impl Fn(f64) -> Cell) -> Self {
         let width = (to - from) / BINS as f64;
         let edges = (1..BINS).map(|bin| from + bin as f64 * width).collect();
         Self::by_edges(edges, [written(from), written(to)], written)
     }
 
-    fn by_edges(edges: Vec<f64>, [from, to]: [String; 2], written: impl Fn(f64) -> String) -> Self {
-        let inner: Vec<String> = edges.iter().map(|edge| written(*edge)).collect();
+    fn by_edges(edges: Vec<f64>, [from, to]: [Cell; 2], written: impl Fn(f64) -> Cell) -> Self {
+        let inner: Vec<Cell> = edges.iter().map(|edge| written(*edge)).collect();
         let lower = std::iter::once(from).chain(inner.iter().cloned());
         let upper = inner.iter().cloned().chain([to]);
         Self::with(lower.zip(upper).map(|(a, b)| [a, b]).collect(), edges)
     }
 
-    fn with(ends: Vec<[String; 2]>, edges: Vec<f64>) -> Self {
+    fn with(ends: Vec<[Cell; 2]>, edges: Vec<f64>) -> Self {
         let counts = vec![Count::default(); ends.len()];
         Self {
             ends,
@@ -303,7 +417,7 @@ mod tests {
     }
 
     /// Ends of the bin that counts a value.
-    fn bin_of(bins: &Bins, value: f64) -> [String; 2] {
+    fn bin_of(bins: &Bins, value: f64) -> [Cell; 2] {
         let mut probabilities = Probabilities {
             axes: vec![bins.clone()],
         };
@@ -319,7 +433,7 @@ mod tests {
 
     #[test]
     fn every_value_falls_in_the_bin_that_names_it() {
-        let written = |value: f64| value.to_string();
+        let written = Cell::Number;
         let even = Distribution::uniform(0.0, 100.0, false).unwrap();
         let tenths = Bins::of_distribution(&even, written);
         let normal = Distribution::normal(0.0, 1.0, None).unwrap();
@@ -333,8 +447,12 @@ mod tests {
         ] {
             assert_eq!(bins.ends.len(), 10);
             for value in values {
-                let [from, to] = bin_of(bins, value).map(|end| end.parse::<f64>().ok());
-                let is_last = bins.ends.last().unwrap()[1].parse().ok() == to;
+                let number = |end: &Cell| match end {
+                    Cell::Number(number) => Some(*number),
+                    _ => None,
+                };
+                let [from, to] = bin_of(bins, value).each_ref().map(number);
+                let is_last = number(&bins.ends.last().unwrap()[1]) == to;
                 assert!(from.is_none_or(|from| from <= value), "{value}: {from:?}");
                 assert!(
                     to.is_none_or(|to| value < to || is_last && value <= to),
@@ -342,7 +460,7 @@ mod tests {
                 );
             }
         }
-        assert_eq!(tenths.ends[9], ["90", "100"]);
-        assert_eq!((normal.ends[0][0].as_str(), normal.edges[4]), ("", 0.0));
+        assert_eq!(tenths.ends[9], [90.0, 100.0].map(Cell::Number));
+        assert_eq!((&normal.ends[0][0], normal.edges[4]), (&Cell::Empty, 0.0));
     }
 }

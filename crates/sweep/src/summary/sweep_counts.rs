@@ -125,14 +125,15 @@ impl SweepCounts {
                 self.add_boundary(point, boundary);
                 self.add_sensitivity(sensitivity);
             }
-            Finding::Landing { outcome, .. } => {
+            Finding::Landing(landing) => {
+                let class = landing.outcome.class();
                 self.landings += 1;
                 self.evaluations += finding.evaluations();
                 if let Some(outcomes) = &mut self.outcomes {
-                    outcomes.add(outcome.class());
+                    outcomes.add(class);
                 }
                 if let Some(probabilities) = &mut self.probabilities {
-                    probabilities.add(&sweep.design.coordinates(point), outcome.class());
+                    probabilities.add(&sweep.design.coordinates(point), class);
                 }
             }
         }

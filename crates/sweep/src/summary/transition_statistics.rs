@@ -8,6 +8,7 @@
 use statrs::distribution::{Binomial, DiscreteCDF};
 
 use crate::boundary::Boundary;
+use crate::column::{Cell, Column, cells};
 use crate::probabilities::wilson;
 use crate::search_range::Search;
 
@@ -17,23 +18,81 @@ pub const SHARES: [f64; 11] = [
 ];
 
 /// Columns of the table of quantiles.
-pub const QUANTILE_COLUMNS: [&str; 5] = [
-    "share",
-    "transition_fps",
-    "certainty",
-    "low_95_fps",
-    "high_95_fps",
+pub const QUANTILE_COLUMNS: [Column<Quantile>; 5] = [
+    Column::number(
+        "share",
+        |one| Some(one.share),
+        "share of the points whose transition lies at or below the quantile",
+    ),
+    Column::number(
+        "transition_fps",
+        |one| match one.speed {
+            Rank::AtOrBelow(speed) | Rank::Speed(speed) | Rank::Above(speed) => Some(speed),
+        },
+        "the quantile: the least V_H at or below which that share lies",
+    ),
+    Column::word(
+        "certainty",
+        |one| match one.speed {
+            Rank::AtOrBelow(_) => AT_OR_BELOW.to_owned(),
+            Rank::Speed(_) => String::new(),
+            Rank::Above(_) => ABOVE.to_owned(),
+        },
+        "`at-or-below`: the quantile lies at or below `from_fps`; `above`: it lies above `to_fps`; empty: it is a \
+         transition",
+    ),
+    Column::number(
+        "low_95_fps",
+        |one| speed_of(one.interval[0]),
+        "lower end of its interval; empty: unknown",
+    ),
+    Column::number(
+        "high_95_fps",
+        |one| speed_of(one.interval[1]),
+        "upper end of its interval; empty: unknown",
+    ),
 ];
 
+/// Transition velocities in a bin of their distribution.
+#[derive(Debug, Clone, Copy)]
+pub struct InBin {
+    from: Option<f64>,
+    to: Option<f64>,
+    /// Number in the bin, in it and all below, and of all points.
+    points: u64,
+    cumulative: u64,
+    all: u64,
+}
+
 /// Columns of the table of the distribution.
-pub const DISTRIBUTION_COLUMNS: [&str; 7] = [
-    "from_fps",
-    "to_fps",
-    "points",
-    "share",
-    "cumulative_share",
-    "cumulative_low_95",
-    "cumulative_high_95",
+pub const DISTRIBUTION_COLUMNS: [Column<InBin>; 7] = [
+    Column::number(
+        "from_fps",
+        |bin| bin.from,
+        "lower end of the bin, not in it",
+    ),
+    Column::number("to_fps", |bin| bin.to, "upper end of the bin, in it"),
+    Column::count("points", |bin| bin.points, "points in the bin"),
+    Column::number(
+        "share",
+        |bin| Some(bin.points as f64 / bin.all as f64),
+        "`points` over all points",
+    ),
+    Column::number(
+        "cumulative_share",
+        |bin| Some(bin.cumulative as f64 / bin.all as f64),
+        "share of the points at or below `to_fps`",
+    ),
+    Column::number(
+        "cumulative_low_95",
+        |bin| Some(wilson(bin.cumulative, bin.all)[0]),
+        "lower end of its interval (Wilson, 95 %)",
+    ),
+    Column::number(
+        "cumulative_high_95",
+        |bin| Some(wilson(bin.cumulative, bin.all)[1]),
+        "upper end of its interval",
+    ),
 ];
 
 /// Word for a transition at or below the lowest speed searched.
@@ -138,50 +197,31 @@ impl TransitionStatistics {
     }
 
     /// Rows of the table of quantiles.
-    pub fn quantile_rows(&self) -> Vec<Vec<String>> {
-        let row = |quantile: Quantile| {
-            let (speed, bound) = match quantile.speed {
-                Rank::AtOrBelow(speed) => (speed, AT_OR_BELOW),
-                Rank::Speed(speed) => (speed, ""),
-                Rank::Above(speed) => (speed, ABOVE),
-            };
-            let end = |rank: Option<Rank>| match rank {
-                Some(Rank::Speed(speed)) => speed.to_string(),
-                _ => String::new(),
-            };
-            let [low, high] = quantile.interval.map(end);
-            vec![
-                quantile.share.to_string(),
-                speed.to_string(),
-                bound.to_owned(),
-                low,
-                high,
-            ]
-        };
-        self.quantiles(&SHARES).into_iter().map(row).collect()
+    pub fn quantile_rows(&self) -> Vec<Vec<Cell>> {
+        let quantiles = self.quantiles(&SHARES);
+        let row = |one| cells(&QUANTILE_COLUMNS, one, 0).collect();
+        quantiles.iter().map(row).collect()
     }
 
     /// Rows of the table of the distribution: points at or below the lowest speed searched; bins of equal width, each
     /// open at its lower end and closed at its upper end; points above the highest speed searched.
-    pub fn distribution_rows(&self) -> Vec<Vec<String>> {
-        let points = self.points();
-        let mut below = 0;
-        let mut row = |from: String, to: String, count: usize| {
-            below += count;
-            let [low, high] = wilson(below as u64, points as u64);
-            let share = |count: usize| (count as f64 / points as f64).to_string();
-            let cells = [
-                count.to_string(),
-                share(count),
-                share(below),
-                low.to_string(),
-                high.to_string(),
-            ];
-            [from, to].into_iter().chain(cells).collect()
+    pub fn distribution_rows(&self) -> Vec<Vec<Cell>> {
+        let mut cumulative = 0;
+        let mut row = |from: Option<f64>, to: Option<f64>, points: usize| {
+            let points = points as u64;
+            cumulative += points;
+            let bin = InBin {
+                from,
+                to,
+                points,
+                cumulative,
+                all: self.points() as u64,
+            };
+            cells(&DISTRIBUTION_COLUMNS, &bin, 0).collect()
         };
         let mut rows = Vec::new();
         if self.at_or_below > 0 {
-            rows.push(row(String::new(), self.from.to_string(), self.at_or_below));
+            rows.push(row(None, Some(self.from), self.at_or_below));
         }
         let sorted = self.sorted();
         let mut counted = 0;
@@ -192,17 +232,21 @@ impl TransitionStatistics {
                 true => sorted.len(),
                 false => sorted.partition_point(|speed| *speed <= pair[1]),
             };
-            rows.push(row(
-                pair[0].to_string(),
-                pair[1].to_string(),
-                upto - counted,
-            ));
+            rows.push(row(Some(pair[0]), Some(pair[1]), upto - counted));
             counted = upto;
         }
         if self.above > 0 {
-            rows.push(row(self.to.to_string(), String::new(), self.above));
+            rows.push(row(Some(self.to), None, self.above));
         }
         rows
+    }
+}
+
+/// Speed of a rank that is one.
+fn speed_of(rank: Option<Rank>) -> Option<f64> {
+    match rank {
+        Some(Rank::Speed(speed)) => Some(speed),
+        _ => None,
     }
 }
 
@@ -242,6 +286,7 @@ mod tests {
     use super::*;
     use crate::boundary::Transition;
     use crate::certainty::Certainty;
+    use crate::column::tests::text;
     use touchdown_dynamics::outcome::Class;
 
     fn statistics(speeds: impl Iterator<Item = f64>) -> TransitionStatistics {
@@ -325,12 +370,15 @@ mod tests {
         ];
         assert_eq!(speeds, expected);
         let rows = all.distribution_rows();
-        assert_eq!(rows[0][..5], ["", "5", "2", "0.02", "0.02"]);
+        assert!(text(rows[0].clone()).starts_with(",5,2,0.02,0.02,"));
         let last = &rows[rows.len() - 1];
-        assert_eq!(last[..5], ["20", "", "2", "0.02", "1"]);
-        let counted: usize = rows
+        assert!(text(last.clone()).starts_with("20,,2,0.02,1,"));
+        let counted: u64 = rows
             .iter()
-            .map(|row| row[2].parse::<usize>().unwrap())
+            .map(|row| match row[2] {
+                Cell::Count(count) => count,
+                ref other => panic!("{other:?}"),
+            })
             .sum();
         assert_eq!(counted, 100);
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::scene::Settings;
 
+use crate::column::{Cell, Heading};
 use crate::design::Design;
 use crate::document::Document;
 use crate::output_units::{OutputUnits, UNITS};
@@ -149,26 +150,29 @@ impl Sweep {
         }
     }
 
-    /// Heading of a table of results: the axes, then `columns`.
-    pub fn heading(&self, columns: impl IntoIterator<Item: Into<String>>) -> Vec<String> {
-        let axes = self.axes.iter().map(|axis| axis.name().to_owned());
-        axes.chain(columns.into_iter().map(Into::into)).collect()
+    /// Headings of a table of results: the axes, then `columns`.
+    pub fn headings(&self, columns: impl IntoIterator<Item = Heading>) -> Vec<Heading> {
+        let axes = self.axes.iter().map(Parameter::heading);
+        axes.chain(columns).collect()
     }
 
-    /// Coordinates of a point as written in results.
-    pub fn coordinates_written(&self, point: usize) -> Vec<String> {
-        let coordinates = self.design.coordinates(point);
+    /// Cells of coordinates, one for each axis, in the unit of its name.
+    pub fn cells(&self, coordinates: &[f64]) -> Vec<Cell> {
         let varied = self.axes.iter().zip(coordinates);
-        varied.map(|(axis, value)| axis.written(value)).collect()
+        varied.map(|(axis, value)| axis.cell(*value)).collect()
+    }
+
+    /// Coordinates of a point as cells of its row.
+    pub fn cells_of_point(&self, point: usize) -> Vec<Cell> {
+        self.cells(&self.design.coordinates(point))
     }
 
     /// The coordinates of a point as text, in the units of results.
     pub fn place(&self, point: usize) -> String {
-        let written = self.coordinates_written(point);
-        let varied = self.axes.iter().zip(written);
-        let equation = |(axis, value): (&Parameter, String)| {
+        let varied = self.axes.iter().zip(self.cells_of_point(point));
+        let equation = |(axis, value): (&Parameter, Cell)| {
             let quantity = self.units.quantity(axis.name());
-            format!("{} = {}", quantity.name(), quantity.cell(&value))
+            format!("{} = {}", quantity.name(), quantity.cell(value))
         };
         varied.map(equation).collect::<Vec<_>>().join(", ")
     }

@@ -257,7 +257,7 @@ fn locate(
                 .collect();
             let values = of_part.iter().map(|(entry, value)| {
                 let parameter = &entry.parameter;
-                format!("{} = {}", parameter.name(), parameter.written(**value))
+                format!("{} = {}", parameter.name(), parameter.cell(**value))
             });
             let values = values.collect::<Vec<_>>().join(", ");
             match of_part.first() {

@@ -31,8 +31,8 @@ fn a_disputed_transition_is_searched_again_until_it_holds_and_the_table_tells_ho
     let heading = results::heading(&sweep);
     let row = |point: usize| results::row(&sweep, point, &found[point]);
     let cell = |point: usize, column: &str| {
-        let index = heading.iter().position(|name| name == column).unwrap();
-        row(point)[index].clone()
+        let index = heading.iter().position(|one| one.name == column).unwrap();
+        row(point)[index].to_string()
     };
     let transitions = found.iter().map(|finding| match finding {
         Finding::Boundary(boundary) => boundary.transition.unwrap(),

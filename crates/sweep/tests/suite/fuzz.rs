@@ -69,7 +69,7 @@ proptest! {
         let library = Library::Copies(&sources);
         if let Ok(sweep) = Sweep::read_from(Path::new("sweeps/s.toml"), library) {
             let last = sweep.design.count() - 1;
-            prop_assert_eq!(sweep.coordinates_written(last).len(), sweep.axes.len());
+            prop_assert_eq!(sweep.cells_of_point(last).len(), sweep.axes.len());
             // Not all points were looked at, and one may be at odds with itself; nothing worse.
             let _ = sweep.case(last);
         }

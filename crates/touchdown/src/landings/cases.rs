@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::cases::{self, CaseTable};
+use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::{InOrder, Journal};
 use touchdown_sweep::output_units::OutputUnits;
@@ -56,14 +58,14 @@ pub fn run(
 
     let records = opened.journal.into_records()?;
     let mut results = InOrder::new(vec![records], count, &folder.path("."))?;
-    let findings = findings(&table, &mut results)?;
+    let landings = landings(&table, &mut results)?;
     let names: Vec<String> = (0..count).map(|row| table.name(row)).collect();
-    let rows = names.iter().map(String::as_str).zip(&findings);
+    let rows = names.iter().map(String::as_str).zip(&landings);
     let written = cases::table(rows, units).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
-    let rows = names.iter().zip(&findings);
-    let rows = rows.map(|(name, finding)| (format!("case {name}"), finding.warnings()));
+    let rows = names.iter().zip(&landings);
+    let rows = rows.map(|(name, landing)| (format!("case {name}"), ContactWarnings::of(landing)));
     for warning in warnings::of_cases(rows, units) {
         eprintln!("touchdown: warning: {warning}");
     }
@@ -71,7 +73,7 @@ pub fn run(
         // The time of a run that went on with another's work says nothing of the whole.
         let seconds = (earlier == 0).then_some(wall_time.as_secs_f64());
         print(&summary::cases(
-            &findings,
+            &landings,
             seconds,
             workers.threads(),
             &files,
@@ -81,12 +83,13 @@ pub fn run(
 }
 
 /// How all cases ended, in their order.
-fn findings(table: &CaseTable, results: &mut InOrder) -> Result<Vec<Finding>, Failure> {
-    let finding = |row: usize| {
+fn landings(table: &CaseTable, results: &mut InOrder) -> Result<Vec<Landing>, Failure> {
+    let landing = |row: usize| {
         let bytes = results.result(row)?;
         let finding = bytes.as_deref().and_then(Finding::decode);
         let name = table.name(row);
-        finding.ok_or_else(|| Failure::running(format!("there is no result of case {name}")))
+        let landing = finding.and_then(Finding::landing);
+        landing.ok_or_else(|| Failure::running(format!("there is no result of case {name}")))
     };
-    (0..table.len()).map(finding).collect()
+    (0..table.len()).map(landing).collect()
 }

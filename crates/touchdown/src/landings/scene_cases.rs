@@ -5,7 +5,6 @@ use std::path::Path;
 use touchdown_dynamics::land::land_with_summary;
 use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::findings::Finding;
 use touchdown_sweep::history::History;
 use touchdown_sweep::landing_report;
 use touchdown_sweep::output_guard::OutputGuard;
@@ -53,9 +52,8 @@ pub fn run(
         files.push((format!("{stem}-{}.csv", case.name), history));
         landings.push(landing);
     }
-    let findings: Vec<Finding> = landings.iter().map(Finding::of).collect();
     let names = cases.iter().map(|case| case.name.as_str());
-    let results = cases::table(names.zip(&findings), units).map_err(Failure::running)?;
+    let results = cases::table(names.zip(&landings), units).map_err(Failure::running)?;
     files.push((format!("{stem}.csv"), results));
     let written = folder.write_files(&files)?;
     print(&text(&cases, &landings, units))?;

@@ -309,7 +309,7 @@ impl Sampling {
             let taken = Taken {
                 landings: finding.landings(),
                 journal: journal::record_length(finding.encode().len()),
-                table: row.join(",").len() + 1,
+                table: row.iter().map(|cell| cell.to_string().len() + 1).sum(),
             };
             self.send(News::Taken(taken));
         };

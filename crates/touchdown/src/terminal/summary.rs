@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use touchdown_dynamics::landing::Landing;
 use touchdown_sweep::boundary::{Extent, Transition};
 use touchdown_sweep::certainty::{Certainty, LEAST_LANDINGS};
-use touchdown_sweep::findings::Finding;
 use touchdown_sweep::hidden_band_checks::HiddenBandChecks;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::probabilities::{Count, wilson};
@@ -18,29 +18,26 @@ pub use touchdown_sweep::warnings::number;
 
 /// Summary of a table of cases; without a time where it was not one run.
 pub fn cases(
-    findings: &[Finding],
+    landings: &[Landing],
     seconds: Option<f64>,
     threads: usize,
     files: &[PathBuf],
 ) -> String {
     let mut kinds: Vec<(String, usize)> = Vec::new();
-    for finding in findings {
-        let Finding::Landing { outcome, .. } = finding else {
-            continue;
-        };
-        let kind = outcome.to_string();
+    for landing in landings {
+        let kind = landing.outcome.to_string();
         match kinds.iter_mut().find(|(known, _)| *known == kind) {
             Some((_, count)) => *count += 1,
             None => kinds.push((kind, 1)),
         }
     }
     kinds.sort();
-    let evaluations = findings.iter().map(Finding::evaluations).sum();
+    let evaluations = landings.iter().map(|landing| landing.evaluations).sum();
     format!(
         "{}: {}\n{}{}",
-        number(findings.len(), "case"),
+        number(landings.len(), "case"),
         counted(&kinds),
-        cost(findings.len() as u64, evaluations, seconds, Some(threads)),
+        cost(landings.len() as u64, evaluations, seconds, Some(threads)),
         written(files)
     )
 }

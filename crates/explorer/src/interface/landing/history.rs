@@ -4,7 +4,7 @@ use serde::Serialize;
 use touchdown_dynamics::landing::Instant;
 use touchdown_figures::axis_title::column_words;
 use touchdown_figures::unit::split_unit;
-use touchdown_sweep::history::columns;
+use touchdown_sweep::history::{names, values};
 use touchdown_sweep::output_units::OutputUnits;
 
 /// Columns with the names used in history files.
@@ -24,10 +24,8 @@ struct Column {
 impl History {
     /// Builds it from the instants of a landing.
     pub fn of(instants: &[Instant], units: OutputUnits) -> Self {
-        let first = instants.first().map(columns).unwrap_or_default();
-        let quantities: Vec<_> = (first.iter())
-            .map(|(name, _)| units.quantity(name))
-            .collect();
+        let names = instants.first().map(names).unwrap_or_default();
+        let quantities: Vec<_> = names.iter().map(|name| units.quantity(name)).collect();
         let mut told: Vec<Column> = (quantities.iter())
             .map(|quantity| Column {
                 name: quantity.name().to_owned(),
@@ -37,8 +35,8 @@ impl History {
             })
             .collect();
         for instant in instants {
-            let values = columns(instant).into_iter().zip(&quantities);
-            for (column, ((_, value), quantity)) in told.iter_mut().zip(values) {
+            let values = values(instant).into_iter().zip(&quantities);
+            for (column, (value, quantity)) in told.iter_mut().zip(values) {
                 column.values.push(quantity.number(value));
             }
         }

@@ -31,7 +31,7 @@ impl Workers {
         let rows = done.missing();
         let landed = self.each_case(table, rows, observer, cancel, |finished| {
             if let Some((row, landing)) = finished {
-                journal.add(row, &Finding::of(&landing).encode())?;
+                journal.add(row, &Finding::Landing(Box::new(landing)).encode())?;
             }
             journal.tick()
         });

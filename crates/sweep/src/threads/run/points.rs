@@ -211,7 +211,7 @@ async fn find(
     };
     let Job::Boundary(search) = case.job else {
         let landing = landed(&case.vehicle, case.scene, case.settings).await?;
-        return Ok(Finding::of(&landing));
+        return Ok(Finding::Landing(Box::new(landing)));
     };
     let trial = async |case: &Case, speed, variation: Variation| {
         let varied = case
