@@ -3,7 +3,7 @@
 //! Supports are feet and blocks, each with the fall left to its own ground. A set of them holds the vehicle if the CG
 //! is over it and lifting the CG over any edge of it takes twice the energy that may move the vehicle: its kinetic
 //! energy, and that of the fall until all of the set stand. Struts and pads that still push back add to that energy;
-//! the wait gives them time to.
+//! the wait gives them time to. Under an engine that stays on it has to take fifty times that energy.
 
 use arrayvec::ArrayVec;
 use libm::sqrt;
@@ -19,6 +19,9 @@ use crate::vehicle::Vehicle;
 
 /// Greatest share of the toppling energy that a held vehicle may have.
 const SHARE: f64 = 0.5;
+/// The same under an engine that stays on. A vehicle that is light on its feet loses little energy at each hop, and a
+/// slope gives it back.
+const SHARE_UNDER_THRUST: f64 = 0.02;
 /// Time that the vehicle must stand to be at rest, or its CG be beyond its feet to have toppled, in free falls of the
 /// CG from its height on extended legs.
 pub(super) const WHILE: f64 = 0.4;
@@ -62,6 +65,8 @@ struct Pull {
     axes: Matrix3<f64>,
     /// Offset of its line of action from the CG, ft.
     beside: Vector3<f64>,
+    /// Greatest share of the toppling energy that a vehicle held against it may have.
+    share: f64,
 }
 
 impl Rest {
@@ -98,7 +103,7 @@ impl Rest {
         let lift = kinetic(motion, state) / pull.force;
         let reach = |leg| foot(trajectory, leg).norm();
         let farthest = (0..motion.leg_count()).map(reach).fold(0.0, f64::max);
-        if lift > SHARE * farthest {
+        if lift > pull.share * farthest {
             return false;
         }
         let frame = motion.frame(&state.body());
@@ -111,7 +116,7 @@ impl Rest {
             let hull = Hull::of(&places[..count]);
             let fall = supports[count - 1].fall;
             hull.has_center()
-                && SHARE * hull.least_rise() - fall >= lift
+                && pull.share * hull.least_rise() - fall >= lift
                 && self.stops_by_friction(&supports[..count], speed, pull.force / motion.mass())
                 && (supports[..count].iter().enumerate()).all(|(index, support)| {
                     let load = pull.force * hull.greatest_share(index);
@@ -200,6 +205,7 @@ impl Trajectory<'_> {
                 force: weight.z,
                 axes: Matrix3::identity(),
                 beside: Vector3::zeros(),
+                share: SHARE,
             });
         }
         let frame = self.motion.frame(&self.step.before.body());
@@ -219,6 +225,7 @@ impl Trajectory<'_> {
                     down.transpose(),
                 ]),
                 beside: pull.cross(&moment) / squared,
+                share: SHARE_UNDER_THRUST,
             }
         })
     }

@@ -8,6 +8,7 @@ use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::rules::{CrushRule, RestRule, RuleChoices, Rules};
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
+use touchdown_dynamics::thrust::Thrust;
 use touchdown_dynamics::vehicle::{Honeycomb, Leg, StrutElement, Vehicle};
 
 /// A tall lander with four legs on honeycomb, no blocks, and pads of the Surveyor.
@@ -87,4 +88,41 @@ fn what_has_too_little_energy_does_not_topple() {
     assert!(by_limits.toppled > 3 && by_limits.lowered > 3);
     assert!(by_energy.subsided > 100);
     assert_eq!(by_energy.toppled, 0);
+}
+
+/// Kinetic energy at the verdict of landings that end stable, as a height under the pull on the vehicle, ft: the
+/// greatest. The engine stays on with this share of the weight.
+fn greatest_lift_at_rest(share: f64) -> f64 {
+    let vehicle = lander().with_rules(Rules::PHYSICAL);
+    let settings = Settings::new(3e-5, 120.0, CrushRule::Section).unwrap();
+    let weight = vehicle.mass() * 0.92;
+    let thrust = Thrust::new(&[[0.0, share * weight]], [0.0; 2]).unwrap();
+    let (mut greatest, mut stable) = (0.0f64, 0);
+    for conditions in fixed_list(&usual_conditions(), 20) {
+        for k in 0..3 {
+            let scene = Scene::new(Conditions {
+                vertical_velocity: 0.1 * conditions.vertical_velocity,
+                horizontal_velocity: 0.2 * f64::from(k),
+                gravity: Some(0.92),
+                thrust,
+                ..conditions
+            })
+            .unwrap();
+            let landing = land(&vehicle, &scene, &settings);
+            if landing.outcome == Outcome::StableSubsided {
+                stable += 1;
+                greatest = greatest.max(landing.energies.final_kinetic / ((1.0 - share) * weight));
+            }
+        }
+    }
+    assert!(stable > 20, "{stable} stable");
+    greatest
+}
+
+/// Feet are less than 8 ft from the CG, which bounds the height over any edge of them.
+#[test]
+fn an_engine_that_stays_on_leaves_hardly_any_motion_at_rest() {
+    let [off, on] = [0.0, 0.5].map(greatest_lift_at_rest);
+    assert!(off > 0.02 * 8.0, "{off} ft");
+    assert!(on < 0.02 * 8.0, "{on} ft");
 }

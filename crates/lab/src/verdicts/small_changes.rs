@@ -21,8 +21,10 @@ const SPEEDS: u32 = 16;
 const APART: f64 = HIGHEST / SPEEDS as f64;
 /// Share of the speed of the first transition up to which landings are changed.
 const SHARE: f64 = 2.0 / 3.0;
-/// Interval of the closer look for a first transition of landers whose outcome a change has changed, ft/s.
+/// Closer look for a first transition of landers whose outcome a change has changed: speeds are no farther apart than
+/// this, ft/s, and at least so many.
 const CLOSE: f64 = 0.01 / 0.3048;
+const CLOSE_SPEEDS: f64 = 300.0;
 /// Changes: a millimetre in ft, a gram in slug.
 const LENGTH: f64 = 1e-3 / 0.3048;
 const MASS: f64 = 1e-3 / 14.593_902_937_206_364;
@@ -198,8 +200,9 @@ fn transitions(draws: &[Draw]) -> Result<Vec<f64>, Failure> {
 /// Lowest of closely spaced speeds below a limit (ft/s) at which a lander is not stable, ft/s.
 fn closer_transition(draw: &Draw, limit: f64) -> Result<Option<f64>, Failure> {
     let settings = settings(LIMIT)?;
+    let step = CLOSE.min(limit / CLOSE_SPEEDS);
     let speeds: Vec<f64> = (0..)
-        .map(|step| CLOSE * f64::from(step))
+        .map(|count| step * f64::from(count))
         .take_while(|speed| *speed < limit)
         .collect();
     let landings: Result<Vec<Draw>, Invalid> = (speeds.iter())

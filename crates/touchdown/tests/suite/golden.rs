@@ -16,7 +16,7 @@ use crate::common::Bench;
 const RENEW: &str = "TOUCHDOWN_RENEW_GOLDEN";
 
 /// What is run in the folder of the input, by the name of the folder of its results; `OUT` stands for that folder.
-const RUNS: [(&str, &[&str]); 15] = [
+const RUNS: [(&str, &[&str]); 16] = [
     (
         "landings",
         &[
@@ -80,6 +80,7 @@ const RUNS: [(&str, &[&str]); 15] = [
         &["sweep", "latin-hypercube.toml", "--out", "OUT"],
     ),
     ("sobol", &["sweep", "sobol.toml", "--out", "OUT"]),
+    ("engine", &["sweep", "engine.toml", "--out", "OUT"]),
     (
         "sensitivity",
         &["sweep", "sensitivity.toml", "--out", "OUT"],
