@@ -169,8 +169,7 @@ impl Source {
         let set: Vec<Assignment> = set.collect::<Result<_, _>>()?;
         assignment::set_conditions(&mut self.conditions, &set);
         self.vehicle = assignment::set_vehicle(&self.vehicle, &set)?;
-        let of_solver = |one: &&Assignment| one.parameter().program_name().starts_with("solver.");
-        for one in set.iter().filter(of_solver) {
+        for one in set.iter().filter(|one| one.is_of_solver()) {
             self.solver.write(one.path(), one.value());
         }
         Ok(self)

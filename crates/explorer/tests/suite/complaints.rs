@@ -238,5 +238,5 @@ fn what_cannot_be_explored_is_refused_with_its_file() {
             .starts_with("a.csv: expected a table of transitions or of landings")
     );
     assert!(complaint("a.toml", "mass_slug = 1\n").starts_with("a.toml:1: name is missing"));
-    assert!(complaint("a.toml", "[axes]\n").starts_with("a.toml:1: title is missing"));
+    assert!(complaint("a.toml", "[axes]\n").starts_with("a.toml:1: vehicle is missing"));
 }

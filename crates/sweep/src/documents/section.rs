@@ -145,6 +145,12 @@ impl<'d> Section<'d> {
         InputError::missing(&self.dotted(key), allowed).at(self.place.line(line))
     }
 
+    /// Any error about keys that this section lacks.
+    pub(crate) fn lacks(&self, complaint: &str) -> InputError {
+        let line = self.layers.last().map_or(1, |layer| layer.line);
+        InputError::other(complaint).at(self.place.line(line))
+    }
+
     /// The value of `key`, if any.
     pub fn optional(&self, key: &str) -> Option<LocatedValue<'d>> {
         self.all(key).next()

@@ -302,8 +302,17 @@ impl NamedConditions {
     }
 }
 
+/// Conditions of every touchdown without default.
+pub(crate) const REQUIRED: [&str; 5] = [
+    "vertical_velocity_fps",
+    HORIZONTAL_VELOCITY,
+    "cross_slope_deg",
+    "slope_deg",
+    "friction",
+];
+
 /// Meaning of a condition without default.
-fn meaning(name: &str) -> &'static str {
+pub(crate) fn meaning(name: &str) -> &'static str {
     match name {
         "vertical_velocity_fps" => "the downward velocity, ft/s, ≥ 0",
         HORIZONTAL_VELOCITY => "the horizontal velocity, ft/s, ≥ 0",

@@ -2,7 +2,7 @@
 
 use crate::boundary::{Extent, Search};
 use crate::certainty::Doubt;
-use crate::choice::choice;
+use crate::choice::{choice, words};
 use crate::input_error::InputError;
 use crate::refine::Refinement;
 use crate::scan::Scan;
@@ -33,15 +33,22 @@ pub(crate) const DOUBTS: [(&str, Doubt); 3] = [
     ("all", Doubt::All),
     ("none", Doubt::None),
 ];
-/// Keys of `[search]` that are numbers.
-pub(crate) const NUMBERS: [&str; 7] = [
-    "from_fps",
-    "to_fps",
-    "scan_step_fps",
-    "parts_below",
-    "tolerance_fps",
-    "scan_looseness",
-    "keep_deg",
+/// Keys of `[search]` that take words, and their words.
+pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 4] {
+    [
+        ("bands", words(&EXTENTS)),
+        ("scan", words(&SCANS)),
+        ("refinement", words(&REFINEMENTS)),
+        ("certainty", words(&DOUBTS)),
+    ]
+}
+
+/// Keys of `[search]` without default, and their meanings.
+pub(crate) const REQUIRED: [(&str, &str); 4] = [
+    ("from_fps", "the lowest horizontal velocity, ft/s"),
+    ("to_fps", "the highest horizontal velocity, ft/s"),
+    ("scan_step_fps", "the step of the scan, ft/s"),
+    ("tolerance_fps", "the width of a bracket, ft/s"),
 ];
 /// Parts of a scan step below the first transition, if none are given, and the most.
 const PARTS_BELOW: u64 = 8;

@@ -1,6 +1,8 @@
 //! Settings of landings: the table `[solver]` of input files and its words.
 
-use serde_json::{Map, Value, json};
+use std::path::Path;
+
+use serde_json::{Map, json};
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::rules::{
     ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
@@ -9,7 +11,9 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::choice::{choice, chosen_by, word, words};
+use crate::document::{Document, Value};
 use crate::input_error::InputError;
+use crate::key_path::KeyPath;
 use crate::method_input::{self, method_name};
 use crate::section::{LocatedValue, Section};
 
@@ -97,7 +101,7 @@ pub fn rules_by_key(rules: Rules) -> [(&'static str, &'static str); 5] {
 }
 
 /// Settings of a vehicle's landings, as written to a report or record.
-pub fn solver_in_record(settings: &Settings, vehicle: &Vehicle) -> Value {
+pub fn solver_in_record(settings: &Settings, vehicle: &Vehicle) -> serde_json::Value {
     let mut solver = json!({
         "tolerance": settings.tolerance(),
         "time_limit_s": settings.time_limit(),
@@ -116,7 +120,7 @@ pub fn solver_in_record(settings: &Settings, vehicle: &Vehicle) -> Value {
 }
 
 /// The rules in force, by key and in words.
-fn rules_in_record(rules: Rules) -> Map<String, Value> {
+fn rules_in_record(rules: Rules) -> Map<String, serde_json::Value> {
     let keys = rules_by_key(rules).into_iter();
     keys.map(|(key, word)| (key.to_owned(), json!(word)))
         .chain([("rules_in_full".to_owned(), json!(rules_in_words(rules)))])
@@ -188,6 +192,43 @@ pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
 /// Reads `[solver]` of single landings.
 pub(crate) fn settings_of_landing(root: &Section) -> Result<Settings, InputError> {
     settings_from(root, Settings::DEFAULT_TOLERANCE)
+}
+
+/// Settings of single landings by the method "located", with these values of `[solver]` replaced. The tolerance stays
+/// only where the method does.
+///
+/// # Errors
+/// If a value is not allowed. The error has no place.
+pub fn settings_with<'v>(
+    given: &Settings,
+    values: impl Iterator<Item = (&'v KeyPath, &'v Value)> + Clone,
+) -> Result<Settings, InputError> {
+    let method = KeyPath::parse("solver.method");
+    let is_located = |(path, value): (&KeyPath, &Value)| {
+        Some(path) != method.as_ref()
+            || matches!(value, Value::Text(word) if word == method_name(&Method::Located))
+    };
+    let mut text = format!(
+        "[solver]\ntime_limit_s = {}\nfriction_profile = \"{}\"\n",
+        given.time_limit(),
+        word(&FRICTION_PROFILES, given.friction_profile())
+    );
+    for (key, word) in chosen_rules(given.rule_choices()) {
+        text += &format!("{key} = \"{word}\"\n");
+    }
+    if given.goes_on() {
+        text += "stop = \"time\"\n";
+    }
+    if values.clone().all(is_located) {
+        text += &format!("tolerance = {}\n", given.tolerance());
+    }
+    let mut document = Document::parse(Path::new("solver"), &text)?;
+    for (path, value) in values {
+        document.write(path, value.clone());
+    }
+    Section::root(&document, &["solver"])
+        .and_then(|root| settings_of_landing(&root))
+        .map_err(InputError::nowhere)
 }
 
 /// Location of the `stop` key in `[solver]`.

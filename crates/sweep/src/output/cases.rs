@@ -25,14 +25,6 @@ use crate::scene_input::NamedConditions;
 use crate::settings_input::solver_in_record;
 use crate::vehicle_file::{self, VehicleFile};
 
-/// Required columns of a table of cases.
-pub(crate) const REQUIRED: [&str; 5] = [
-    "vertical_velocity_fps",
-    "horizontal_velocity_fps",
-    "cross_slope_deg",
-    "slope_deg",
-    "friction",
-];
 /// Columns that are not parameters: the name of the case, its vehicle file, and a remark without effect.
 pub(crate) const OWN: [&str; 3] = ["case", "vehicle", "note"];
 

@@ -34,7 +34,7 @@ pub fn tables() -> Vec<KeyTable> {
         keys: keys.to_vec(),
     };
     let solver = [&settings_input::SOLVER[..], &method_input::KEYS].concat();
-    let of_cases = [&cases::OWN[..], &cases::REQUIRED].concat();
+    let of_cases = [&cases::OWN[..], &scene_input::REQUIRED].concat();
     vec![
         table("vehicle", &vehicle_file::VEHICLE),
         table("vehicle.inertia_slug_ft2", &vehicle_file::INERTIA),
@@ -71,12 +71,9 @@ pub fn word_choices() -> Vec<WordChoice> {
     let mut choices = vec![
         choice("kind", words(&vehicle_file::STRUT_KINDS)),
         choice("distribution", words(&sample_input::DISTRIBUTIONS)),
-        choice("bands", words(&search_input::EXTENTS)),
-        choice("scan", words(&search_input::SCANS)),
-        choice("refinement", words(&search_input::REFINEMENTS)),
-        choice("certainty", words(&search_input::DOUBTS)),
     ];
-    let of_solver = settings_input::word_keys().into_iter();
-    choices.extend(of_solver.map(|(key, words)| choice(key, words)));
+    let of_search = search_input::word_keys().into_iter();
+    let more = of_search.chain(settings_input::word_keys());
+    choices.extend(more.map(|(key, words)| choice(key, words)));
     choices
 }

@@ -51,6 +51,11 @@ impl Assignment {
         &self.parameter
     }
 
+    /// True for a key of `[solver]`.
+    pub fn is_of_solver(&self) -> bool {
+        self.parameter.program_name().starts_with("solver.")
+    }
+
     /// The value as typed.
     pub fn text(&self) -> &str {
         &self.text

@@ -27,7 +27,8 @@ const SAMPLED: [&str; 7] = [
 const ALLOWED: &str = "a list, { from = …, to = …, step = … } or { from = …, to = …, count = … }";
 /// Stands for every leg in the name of an axis.
 const ANY_LEG: &str = "[*]";
-const NEEDED: &str = "a table [axes] with at least one condition that varies";
+/// Meaning of the table.
+pub(crate) const NEEDED: &str = "a table [axes] with at least one condition that varies";
 
 /// A parameter and the location of its values.
 #[derive(Debug, Clone)]
@@ -54,6 +55,10 @@ pub(crate) fn entries<'d>(
         let Some(parameter) = Parameter::named(&name, legs) else {
             return Err(found.complain_that(&Parameter::unknown(&name, legs)));
         };
+        if parameter.program_name() == "search.bands" {
+            return Err(found
+                .complain_that("cannot vary: expected [search] bands, one for the whole sweep"));
+        }
         if entries.iter().any(|other| other.parameter == parameter) {
             return Err(found.complain_that("varies twice: expected one axis for each parameter"));
         }

@@ -66,10 +66,8 @@ impl Parameter {
             Some(path) => (Home::Vehicle, path),
             None => (Home::Sweep, program_name.as_str()),
         };
-        let words = settings_input::word_keys()
-            .into_iter()
-            .find(|(key, _)| program_name.strip_prefix("solver.") == Some(key))
-            .map_or(Vec::new(), |(_, words)| words);
+        let words = word_keys().find(|(key, _)| program_name == *key);
+        let words = words.map_or(Vec::new(), |(_, words)| words);
         Some(Self {
             name: name.to_owned(),
             path: KeyPath::parse(path)?,
@@ -234,10 +232,19 @@ pub fn names(legs: usize) -> impl Iterator<Item = String> {
     scene.chain(dotted_names(legs))
 }
 
+/// Parameters that take words, and their words.
+fn word_keys() -> impl Iterator<Item = (String, Vec<&'static str>)> {
+    let search = search_input::word_keys().into_iter();
+    let solver = settings_input::word_keys().into_iter();
+    search
+        .map(|(key, words)| (format!("search.{key}"), words))
+        .chain(solver.map(|(key, words)| (format!("solver.{key}"), words)))
+}
+
 /// Names of all parameters outside the scene.
 fn dotted_names(legs: usize) -> Vec<String> {
     let vehicle = vehicle_file::numbers(legs).into_iter();
-    let search = search_input::NUMBERS.iter();
+    let search = search_input::SEARCH.iter();
     let solver = settings_input::SOLVER.iter().chain(&method_input::KEYS);
     vehicle
         .map(|name| format!("vehicle.{name}"))

@@ -40,14 +40,22 @@ impl Sweep {
     pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
         let document = library.document(path)?;
         let root = Section::root(&document, &SWEEP)?;
-        let title = root.text("title")?.to_owned();
+        let title = match root.optional("title") {
+            Some(found) => found.text()?.to_owned(),
+            None => path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+        };
+        let asked = asked(&root)?;
+        check_complete(&root, asked)?;
         let statement = match root.optional("statement") {
             Some(found) => Some(found.text()?.to_owned()),
             None => None,
         };
         let units = OutputUnits::read(&root)?;
         let vehicle = vehicle_document(&root, path, library)?;
-        let asked = asked(&root)?;
         let scene = root.section("scene", &scene_input::scene_keys())?;
         let entries = axis_input::entries(&root, vehicle_file::leg_count(&vehicle))?;
         check_names(&root, &scene, &entries, asked)?;
@@ -130,10 +138,7 @@ impl Sweep {
 }
 
 fn vehicle_document(root: &Section, path: &Path, library: Library) -> Result<Document, InputError> {
-    let found = root.value(
-        "vehicle",
-        "the path of a vehicle file, relative to this file",
-    )?;
+    let found = root.value("vehicle", VEHICLE)?;
     named_vehicle(&found, path, library)
 }
 
@@ -145,9 +150,7 @@ pub(crate) fn named_vehicle(
 ) -> Result<Document, InputError> {
     let file = path.parent().unwrap_or(Path::new("")).join(found.text()?);
     if let Some(refusal) = library.refusal(&file) {
-        return Err(found.complain_that(&format!(
-            "{refusal}: expected the path of a vehicle file, relative to this file"
-        )));
+        return Err(found.complain_that(&format!("{refusal}: expected {VEHICLE}")));
     }
     library.document(&file)
 }
@@ -167,6 +170,52 @@ fn asked(root: &Section) -> Result<JobWord, InputError> {
     ];
     choice(root, "job", &jobs)
 }
+
+/// Keys without default that a sweep file lacks are named all at once; the first of them is named where it is read.
+fn check_complete(root: &Section, asked: JobWord) -> Result<(), InputError> {
+    let has_axes = root.optional("axes").is_some();
+    let entries = match has_axes {
+        true => axis_input::entries(root, MOST_LEGS),
+        false => Ok(Vec::new()),
+    };
+    let Ok(entries) = entries else {
+        return Ok(());
+    };
+    let varies = |name: &str| {
+        let mut parameters = entries.iter().map(|entry| &entry.parameter);
+        parameters.any(|parameter| parameter.program_name() == name)
+    };
+    let scene = root.optional_section("scene", &scene_input::scene_keys())?;
+    let search = root.optional_section("search", &search_input::SEARCH)?;
+    let searched = |name: &str| asked == JobWord::Boundary && name == HORIZONTAL_VELOCITY;
+    let of_scene = scene_input::REQUIRED.into_iter().filter(|name| {
+        let given = (scene.as_ref()).and_then(|scene| scene_input::find(scene, name));
+        given.is_none() && !varies(name) && !searched(name)
+    });
+    let of_search = search_input::REQUIRED.into_iter().filter(|(key, _)| {
+        let given = search.as_ref().and_then(|search| search.optional(key));
+        asked == JobWord::Boundary && given.is_none() && !varies(&format!("search.{key}"))
+    });
+    let of_scene = of_scene.map(|name| (format!("scene.{name}"), scene_input::meaning(name)));
+    let of_search = of_search.map(|(key, meaning)| (format!("search.{key}"), meaning));
+    let vehicle = (root.optional("vehicle").is_none()).then(|| ("vehicle".to_owned(), VEHICLE));
+    let missing: Vec<(String, &str)> = (vehicle.into_iter())
+        .chain(of_scene)
+        .chain((!has_axes).then(|| ("axes".to_owned(), axis_input::NEEDED)))
+        .chain(of_search)
+        .collect();
+    if missing.len() < 2 {
+        return Ok(());
+    }
+    let lines = missing
+        .iter()
+        .map(|(key, meaning)| format!("\n  {key}: {meaning}"));
+    let lines: String = lines.collect();
+    Err(root.lacks(&format!("{} keys are missing:{lines}", missing.len())))
+}
+
+/// Meaning of the key `vehicle`.
+const VEHICLE: &str = "the path of a vehicle file, relative to this file";
 
 /// Checks that nothing is given twice or without effect.
 fn check_names(

@@ -85,8 +85,8 @@ pub struct Options {
     /// Vehicle file (TOML)
     #[arg(long, value_name = "FILE", required_unless_present = "scene")]
     vehicle: Option<PathBuf>,
-    /// Set one value of the vehicle or the touchdown by its dotted name, e.g. vehicle.strut.preload_lb=200; may be
-    /// repeated
+    /// Set one value of the vehicle, the touchdown or the solver by its dotted name, e.g. vehicle.strut.preload_lb=200 or
+    /// solver.tolerance=1e-8; may be repeated
     #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse, conflicts_with = "scene")]
     set: Vec<Assignment>,
     #[command(flatten)]
@@ -146,7 +146,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return scene_cases::run(scene, out, options.interval, options.overwrite, units);
     }
     let units = options.units.given.unwrap_or_default();
-    let settings = options.solver.settings()?;
+    let settings = options.solver.settings_with(&options.set)?;
     let Some(vehicle_path) = &options.vehicle else {
         return Err(InputError::missing("--vehicle", "a vehicle file").into());
     };
@@ -161,8 +161,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
                     .refuse("with --cases the table gives the touchdown")
                     .into());
             }
+            Home::Sweep if one.is_of_solver() => {}
             Home::Sweep => {
-                let complaint = "expected a key of the vehicle or the touchdown; options such as --tolerance set the solver";
+                let complaint = "expected a key of the vehicle, the touchdown or the solver";
                 return Err(one.refuse(complaint).into());
             }
         }

@@ -2,16 +2,19 @@
 
 use clap::Args;
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::rules::{
     ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
 use touchdown_dynamics::scene::Settings;
+use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::choice::{chosen, words};
+use touchdown_sweep::document::Value;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
 use touchdown_sweep::settings_input::{
     CONTACT_RULES, CRUSH_RULES, FRICTION_PROFILES, REST_RULES, RULES, STOPS, Stop, TOPPLING_RULES,
-    stopping,
+    settings_with, stopping,
 };
 
 use crate::touchdown_options::finite;
@@ -79,6 +82,22 @@ pub fn choice<T: Copy + Send + Sync>(
 }
 
 impl SolverOptions {
+    /// The settings, with those that are set by name in place of those of the options.
+    pub fn settings_with(&self, set: &[Assignment]) -> Result<Settings, InputError> {
+        let settings = self.settings()?;
+        let of_solver = || set.iter().filter(|one| one.is_of_solver());
+        let Some(first) = of_solver().next() else {
+            return Ok(settings);
+        };
+        if settings.method() != Method::Located {
+            return Err(first.refuse("not beside --method: set solver.method too"));
+        }
+        let values: Vec<Value> = of_solver().map(Assignment::value).collect();
+        let values = of_solver().map(Assignment::path).zip(&values);
+        settings_with(&settings, values)
+            .map_err(|error| InputError::other(format!("--set {error}")))
+    }
+
     /// The settings, with complaints in the words of the command line.
     pub fn settings(&self) -> Result<Settings, InputError> {
         let numbers = MethodNumbers {

@@ -158,8 +158,11 @@ impl TouchdownOptions {
     }
 }
 
-/// The option that gives a condition: its name without the unit of the program.
+/// The option that gives a condition: its name without the unit of the program. Dotted names are of the vehicle, and no options.
 fn option_of(name: &str) -> String {
+    if name.contains('.') {
+        return name.to_owned();
+    }
     let bare = ["_fps", "_deg", "_x_dps", "_y_dps", "_z_dps"]
         .into_iter()
         .find_map(|unit| name.strip_suffix(unit))
@@ -207,6 +210,8 @@ mod tests {
     fn conditions_are_named_as_their_options() {
         assert_eq!(option_of("tip_azimuth_deg"), "--tip-azimuth");
         assert_eq!(option_of("friction"), "--friction");
+        let edge = "vehicle.footpad.edge_load_lb";
+        assert_eq!(option_of(edge), edge);
         assert_eq!(option_of("angular_velocity_y_dps"), "--angular-velocity");
         let allowed = in_options("either pitch_deg, yaw_deg or tip_deg, not both");
         assert_eq!(allowed, "either --pitch, --yaw or --tip, not both");

@@ -49,6 +49,40 @@ const SWEEPS: [(&str, &str, &[&str]); 36] = [
     ("vehicle = \"surveyor.toml\"", "vehicle = \".\"", &["sweep.toml:2: vehicle = \".\": . is a folder"]),
 ];
 
+/// All keys without default are asked for at once, those that vary excepted; a title is that of the file.
+#[test]
+fn missing_keys_are_named_all_at_once() {
+    let bench = Bench::new();
+    bench.write(
+        "sweep.toml",
+        "[axes]\nfriction = [0.5, 1]\nsearch.scan_step_fps = [1, 2]\n",
+    );
+    let names = [
+        "vehicle",
+        "scene.vertical_velocity_fps",
+        "scene.cross_slope_deg",
+        "scene.slope_deg",
+        "search.from_fps",
+        "search.to_fps",
+        "search.tolerance_fps",
+    ];
+    let done = bench.run(&["sweep", "sweep.toml"]);
+    done.refused(&["sweep.toml:1: 7 keys are missing:"]);
+    let listed = done.err.lines().filter_map(|line| line.strip_prefix("  "));
+    let listed: Vec<&str> = listed.filter_map(|line| line.split(':').next()).collect();
+    assert_eq!(listed, names);
+    bench.write("sweep.toml", "job = \"outcome\"\n[scene]\nslope_deg = 1\n");
+    let outcome = bench.run(&["sweep", "sweep.toml"]);
+    outcome.refused(&[
+        "scene.horizontal_velocity_fps: ",
+        "\n  axes: a table [axes]",
+    ]);
+    assert!(!outcome.err.contains("search."), "{}", outcome.err);
+    bench.write("untitled.toml", &SWEEP.replacen("title", "#", 1));
+    let untitled = bench.run(&["sweep", "untitled.toml", "--dry-run"]);
+    assert!(untitled.out.starts_with("untitled\n"), "{}", untitled.out);
+}
+
 /// The same for the vehicle file.
 #[rustfmt::skip]
 const VEHICLES: [(&str, &str, &[&str]); 9] = [

@@ -137,6 +137,63 @@ fn a_sweep_with_set_values_is_that_of_changed_files_also_when_merged() {
 }
 
 #[test]
+fn a_set_number_of_the_solver_is_its_option() {
+    let bench = Bench::new();
+    let told = |more: &[&str]| {
+        let done = bench.run(&[&BASELINE[..], more, &["--json"]].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let told: serde_json::Value = serde_json::from_str(&done.out).unwrap();
+        [told["result"].clone(), told["solver"].clone()]
+    };
+    let set = [
+        "--set",
+        "solver.tolerance=1e-8",
+        "--set",
+        "solver.rules=physical",
+    ];
+    assert_eq!(
+        told(&set),
+        told(&["--tolerance", "1e-8", "--rules", "physical"])
+    );
+    // The method is one of them, with its own numbers.
+    let set = [
+        "--set",
+        "solver.method=rk4",
+        "--set",
+        "solver.interval_s=0.001",
+    ];
+    assert_eq!(
+        told(&set),
+        told(&["--method", "rk4", "--fixed-interval", "0.001"])
+    );
+}
+
+#[test]
+fn words_of_the_search_can_be_set() {
+    let bench = Bench::new();
+    bench.write("sweep.toml", SWEEP);
+    let words = "bands = \"all\"\ncertainty = \"none\"\nrefinement = \"bisection\"\n";
+    bench.write("changed.toml", &format!("{SWEEP}{words}"));
+    let run = |more: &[&str]| {
+        let done = bench.run(&[&["sweep", "--out", "out"], more].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    };
+    run(&["changed.toml"]);
+    let set = ["bands=all", "certainty=none", "refinement=bisection"];
+    let set: Vec<String> = set
+        .iter()
+        .map(|one| format!("--set=search.{one}"))
+        .collect();
+    let set: Vec<&str> = set.iter().map(String::as_str).collect();
+    run(&[&["sweep.toml"][..], &set].concat());
+    for end in ["", "-bands"] {
+        let [set, changed] =
+            ["sweep", "changed"].map(|stem| bench.read(&format!("out/{stem}{end}.csv")));
+        assert_eq!(set, changed);
+    }
+}
+
+#[test]
 #[rustfmt::skip]
 fn what_cannot_be_set_is_refused() {
     let bench = Bench::new();
@@ -145,7 +202,9 @@ fn what_cannot_be_set_is_refused() {
         (&["--set", "slope_deg=95"], &["--slope", "slope_deg=95"]),
         (&["--set", "vehicle.mass_slug=-1"], &["--set vehicle.mass_slug=-1", "mass_slug = -1"]),
         (&["--set", "roll_deg=1", "--set", "roll_deg=2"], &["roll_deg=2", "twice"]),
-        (&["--set", "solver.tolerance=1e-5"], &["solver.tolerance=1e-5", "--tolerance"]),
+        (&["--set", "solver.tolerance=1"], &["--set solver.tolerance = 1", "1e-12 ≤ value ≤ 1e-2"]),
+        (&["--set", "search.to_fps=1"], &["search.to_fps=1", "or the solver"]),
+        (&["--set", "solver.rules=physical", "--method", "rk4"], &["solver.rules=physical", "solver.method"]),
         (&["--set", "tip_deg=9", "--set", "tip_azimuth_deg=0", "--pitch", "3"], &["not both"]),
     ] {
         bench.run(&[&BASELINE[..], set].concat()).refused(fragments);
@@ -156,6 +215,7 @@ fn what_cannot_be_set_is_refused() {
         ("vehicle.mass_slug=0", "mass_slug = 0"),
         ("slope_deg=95", "slope_deg"),
         ("search.to_fps=1", "to_fps = 1"),
+        ("search.certainty=some", "one of doubtful, all, none"),
     ] {
         bench.run(&["sweep", "sweep.toml", "--set", set]).refused(&[fragment]);
     }

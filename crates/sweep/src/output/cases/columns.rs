@@ -1,21 +1,17 @@
 //! The columns of a table of cases, and the values of a row in them.
 
-use std::path::Path;
-
 use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
+use super::OWN;
 use super::cells::{CaseCell, CaseCells};
-use super::{OWN, REQUIRED};
-use crate::choice::word;
-use crate::document::{Document, Value};
+use crate::document::Value;
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
-use crate::scene_input::NamedConditions;
-use crate::section::Section;
-use crate::settings_input::{self, FRICTION_PROFILES, chosen_rules};
+use crate::scene_input::{NamedConditions, REQUIRED};
+use crate::settings_input;
 use crate::spelling::did_you_mean;
 
 /// A row of a table.
@@ -146,31 +142,8 @@ impl Columns {
             let said = "solver.… columns and --method exclude each other: write solver.method here";
             return Err(InputError::other(said));
         }
-        let is_located = |one: &Given| {
-            one.parameter.name() != "solver.method"
-                || matches!(&one.value, Value::Text(word) if word == "located")
-        };
-        let mut text = format!(
-            "[solver]\ntime_limit_s = {}\nfriction_profile = \"{}\"\n",
-            given.time_limit(),
-            word(&FRICTION_PROFILES, given.friction_profile())
-        );
-        for (key, word) in chosen_rules(given.rule_choices()) {
-            text += &format!("{key} = \"{word}\"\n");
-        }
-        if given.goes_on() {
-            text += "stop = \"time\"\n";
-        }
-        if values.iter().all(is_located) {
-            text += &format!("tolerance = {}\n", given.tolerance());
-        }
-        let mut document = Document::parse(Path::new("solver"), &text)?;
-        for one in &values {
-            document.write(one.parameter.path(), one.value.clone());
-        }
-        Section::root(&document, &["solver"])
-            .and_then(|root| settings_input::settings_of_landing(&root))
-            .map_err(|error| at(&values, &error.nowhere()))
+        let replaced = values.iter().map(|one| (one.parameter.path(), &one.value));
+        settings_input::settings_with(given, replaced).map_err(|error| at(&values, &error))
     }
 }
 
