@@ -25,7 +25,7 @@ use touchdown_sweep::results::COMMIT;
 pub use options::touchdown_options::finite;
 
 use failure::Failure;
-use landings::{cases, integration_report, land, land_files, report, scene_cases};
+use landings::{cases, integration_report, land, land_files, land_while, report, scene_cases};
 use options::{overrides, solver_options, touchdown_options, units};
 use pictures::plot;
 use sweeps::{axis_words, dry_run, estimate, merge, overview, sweep, sweep_files, sweep_results};

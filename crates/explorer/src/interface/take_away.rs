@@ -88,13 +88,13 @@ pub fn history_file(named: &Named, request: &str, is_over: IsOver) -> Result<Str
     let touchdown = Touchdown::of(named, &request.touchdown)?;
     let scene = touchdown.scene()?;
     let seconds = interval(&touchdown, request.interval_s)?;
-    let mut history = History::new(units);
+    let mut history = History::new(Vec::new(), units);
     let mut observe = |instant: &Instant| history.add(instant);
     let vehicle = &touchdown.vehicle.vehicle;
     let (settings, goes_on) = (&touchdown.settings, || !is_over());
     land_located_while(vehicle, &scene, settings, seconds, &mut observe, goes_on)
         .ok_or_else(Complaint::over)?;
-    let table = history.table().map_err(Complaint::engine)?;
+    let table = history.end().map_err(Complaint::engine)?;
     let text = String::from_utf8(table).map_err(Complaint::engine)?;
     written(&json!({"files": [json!({"name": "history.csv", "text": text})]}))
 }

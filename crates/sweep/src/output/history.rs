@@ -1,25 +1,27 @@
 //! The history of a landing as a table: motion, loads and deformations, energies.
 
+use std::io::{self, Write};
+
 use touchdown_dynamics::landing::{Instant, LegInstant};
 
 use crate::column::Column;
 use crate::output_units::{OutputUnits, Quantity};
 
-/// A history being written.
+/// A history being written as CSV.
 #[derive(Debug)]
-pub struct History {
-    writer: csv::Writer<Vec<u8>>,
+pub struct History<W: Write> {
+    writer: csv::Writer<W>,
     units: OutputUnits,
     /// Quantities of the columns, known from the first instant.
     quantities: Vec<Quantity>,
     written: Result<(), csv::Error>,
 }
 
-impl History {
+impl<W: Write> History<W> {
     /// An empty history.
-    pub fn new(units: OutputUnits) -> Self {
+    pub fn new(writer: W, units: OutputUnits) -> Self {
         Self {
-            writer: csv::Writer::from_writer(Vec::new()),
+            writer: csv::Writer::from_writer(writer),
             units,
             quantities: Vec::new(),
             written: Ok(()),
@@ -45,15 +47,14 @@ impl History {
         self.writer.write_record(values)
     }
 
-    /// The table as CSV.
+    /// Ends the table; its writer.
     ///
     /// # Errors
-    /// Only out of memory.
-    pub fn table(self) -> Result<Vec<u8>, csv::Error> {
+    /// The first error of writing.
+    pub fn end(self) -> io::Result<W> {
         self.written?;
-        self.writer
-            .into_inner()
-            .map_err(|error| error.into_error().into())
+        let ended = self.writer.into_inner();
+        ended.map_err(csv::IntoInnerError::into_error)
     }
 }
 
@@ -309,10 +310,10 @@ mod tests {
             legs: [leg; 3].into(),
         };
         let written = |units| {
-            let mut history = History::new(units);
+            let mut history = History::new(Vec::new(), units);
             history.add(&instant);
             history.add(&instant);
-            String::from_utf8(history.table().unwrap()).unwrap()
+            String::from_utf8(history.end().unwrap()).unwrap()
         };
         let si = written(OutputUnits::Si);
         assert!(si.starts_with("t_s,x_m,y_m,z_m,x_rate_mps"), "{si}");
@@ -326,14 +327,14 @@ mod tests {
         assert_eq!(lines[0].split(',').count(), 17 + 3 * 19);
         assert_eq!(lines[1].split(',').count(), 17 + 3 * 19);
         assert!(lines[1].starts_with("0.5,0,0,0"));
-        let mut history = History::new(OutputUnits::Si);
+        let mut history = History::new(Vec::new(), OutputUnits::Si);
         let thrust_work = Some(-2.0);
         let under_thrust = Instant {
             thrust_work,
             ..instant
         };
         history.add(&under_thrust);
-        let text = String::from_utf8(history.table().unwrap()).unwrap();
+        let text = String::from_utf8(history.end().unwrap()).unwrap();
         assert!(text.contains(",potential_energy_change_j,thrust_work_j,gamma_1_deg,"));
         assert!(text.contains(",-2.711635896"), "{text}");
     }

@@ -2,13 +2,13 @@
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
-use touchdown_dynamics::land::land_with_summary;
-use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::assignment::{self, Assignment};
+use touchdown_sweep::file_writer::Draft;
 use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::landing_report::{self, LandingReport};
@@ -19,7 +19,9 @@ use touchdown_sweep::run::Workers;
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
-use crate::land_files::{interval, is_history, place_of};
+use crate::interrupt;
+use crate::land_files::{ended, interval, is_history, place_of};
+use crate::land_while::Observed;
 use crate::print::print;
 use crate::report;
 use crate::solver_options::SolverOptions;
@@ -210,21 +212,22 @@ fn land_once(
         Some(_) => interval(options.interval, settings.time_limit())?,
         None => f64::INFINITY,
     };
-    let history_place = options.history.as_deref().map(place_of).transpose()?;
-
-    let mut history = History::new(units);
-    let mut observe = |instant: &Instant| {
-        if history_place.is_some() {
-            history.add(instant);
+    let observed = Observed {
+        vehicle: &vehicle.vehicle,
+        scene: &scene,
+        settings,
+        interval,
+    };
+    let (landing, integration) = match options.history.as_deref().map(place_of).transpose()? {
+        None => observed.land(&mut |_| {}, &AtomicBool::new(false))?,
+        Some((folder, name)) => {
+            let mut history = History::new(folder.draft(&name)?, units);
+            let landed =
+                observed.land(&mut |instant| history.add(instant), &*interrupt::flag()?)?;
+            Draft::put_in_place(vec![ended(history, folder.path(&name))?])?;
+            landed
         }
     };
-    let (landing, integration) =
-        land_with_summary(&vehicle.vehicle, &scene, settings, interval, &mut observe);
-
-    if let Some((folder, name)) = history_place {
-        let table = history.table().map_err(Failure::running)?;
-        folder.write_files(&[(name, table)])?;
-    }
     let report = LandingReport {
         version: env!("CARGO_PKG_VERSION"),
         vehicle,

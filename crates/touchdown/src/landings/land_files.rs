@@ -1,8 +1,9 @@
 //! The files that `land` writes: where they go, and how long a history may be.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::file_writer::{Draft, Folder, WriteError};
+use touchdown_sweep::history::History;
 use touchdown_sweep::input_error::InputError;
 
 /// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
@@ -22,6 +23,14 @@ pub fn interval(seconds: f64, time_limit: f64) -> Result<f64, InputError> {
 /// Whether a file that begins with this line is a history.
 pub fn is_history(line: &str) -> bool {
     line.starts_with("t_s,")
+}
+
+/// The file of a finished history.
+///
+/// # Errors
+/// Names the file that could not be written.
+pub fn ended(history: History<Draft>, path: PathBuf) -> Result<Draft, WriteError> {
+    history.end().map_err(|error| WriteError { path, error })
 }
 
 /// Folder, checked to be writable, and name of a file that will be written.

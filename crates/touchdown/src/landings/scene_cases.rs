@@ -1,22 +1,30 @@
 //! `touchdown land SCENE.toml`: the cases of a scene file, each with its history.
 
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
 
-use touchdown_dynamics::land::land_with_summary;
-use touchdown_dynamics::landing::{Instant, Landing};
-use touchdown_sweep::file_writer::Folder;
+use touchdown_dynamics::landing::Landing;
+use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::history::History;
 use touchdown_sweep::landing_report;
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::run::Observer;
 use touchdown_sweep::scene_file::{self, SceneCase, SceneFile};
 use touchdown_sweep::{cases, method_input::method_words};
 
 use crate::failure::Failure;
-use crate::land_files::{interval, is_history};
+use crate::interrupt;
+use crate::land_files::{ended, interval, is_history};
+use crate::land_while::Observed;
 use crate::print::print;
+use crate::progress::Progress;
 use crate::report::degrees;
 use crate::summary;
+
+/// Time after which progress is shown.
+const SHOWN_AFTER: Duration = Duration::from_secs(2);
 
 /// Lands all cases and writes their histories, every `seconds`, and their results to a folder, in the units of the file or
 /// those given.
@@ -45,17 +53,30 @@ pub fn run(
     }
     guard.check(&folder.path(&format!("{stem}.csv")), cases::is_table)?;
 
-    let mut files = Vec::new();
-    let mut landings = Vec::new();
-    for case in &cases {
-        let (landing, history) = land(case, seconds, units)?;
-        files.push((format!("{stem}-{}.csv", case.name), history));
+    let (cancel, start) = (interrupt::flag()?, Instant::now());
+    let mut progress: Option<Progress> = None;
+    let (mut written, mut landings) = (Vec::new(), Vec::new());
+    for (done, case) in cases.iter().enumerate() {
+        if progress.is_none() && start.elapsed() > SHOWN_AFTER {
+            let shown = Progress::start("cases", cases.len(), false);
+            shown.skip(done);
+            progress = Some(shown);
+        }
+        // A history is kept once its case has landed, whatever becomes of the others.
+        let draft = folder.draft(&format!("{stem}-{}.csv", case.name))?;
+        let (landing, draft) = land(case, seconds, units, draft, &cancel)?;
+        written.extend(Draft::put_in_place(vec![draft])?);
         landings.push(landing);
+        if let Some(progress) = &progress {
+            progress.point(done);
+        }
+    }
+    if let Some(progress) = &progress {
+        progress.finish();
     }
     let names = cases.iter().map(|case| case.name.as_str());
     let results = cases::table(names.zip(&landings), units).map_err(Failure::running)?;
-    files.push((format!("{stem}.csv"), results));
-    let written = folder.write_files(&files)?;
+    written.extend(folder.write_files(&[(format!("{stem}.csv"), results)])?);
     print(&text(&cases, &landings, units))?;
     for (case, landing) in cases.iter().zip(&landings) {
         if let Some(warning) = landing_report::warning(landing, units) {
@@ -66,12 +87,24 @@ pub fn run(
     Ok(())
 }
 
-fn land(case: &SceneCase, seconds: f64, units: OutputUnits) -> Result<(Landing, Vec<u8>), Failure> {
-    let mut history = History::new(units);
-    let (vehicle, scene) = (&case.vehicle.vehicle, &case.scene);
-    let mut observe = |instant: &Instant| history.add(instant);
-    let (landing, _) = land_with_summary(vehicle, scene, &case.settings, seconds, &mut observe);
-    Ok((landing, history.table().map_err(Failure::running)?))
+/// Lands a case and writes its history.
+fn land(
+    case: &SceneCase,
+    seconds: f64,
+    units: OutputUnits,
+    draft: Draft,
+    cancel: &AtomicBool,
+) -> Result<(Landing, Draft), Failure> {
+    let path = draft.place().to_owned();
+    let mut history = History::new(draft, units);
+    let observed = Observed {
+        vehicle: &case.vehicle.vehicle,
+        scene: &case.scene,
+        settings: &case.settings,
+        interval: seconds,
+    };
+    let (landing, _) = observed.land(&mut |instant| history.add(instant), cancel)?;
+    Ok((landing, ended(history, path)?))
 }
 
 /// The results in columns.

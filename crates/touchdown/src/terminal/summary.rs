@@ -270,11 +270,17 @@ pub fn columns<const COUNT: usize>(rows: &[[String; COUNT]], right: &[usize]) ->
     rows.iter().map(line).collect()
 }
 
-/// The files of a run.
+/// The files of a run; of very many the first and the last.
 pub fn written(files: &[PathBuf]) -> String {
+    const SHOWN: usize = 100;
     let names: Vec<String> = files
         .iter()
         .map(|file| file.display().to_string())
         .collect();
-    format!("written: {}\n", names.join(", "))
+    match &names[..] {
+        [first, .., last] if names.len() > SHOWN => {
+            format!("written: {first} to {last}, {} files\n", names.len())
+        }
+        names => format!("written: {}\n", names.join(", ")),
+    }
 }

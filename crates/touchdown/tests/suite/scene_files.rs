@@ -119,3 +119,52 @@ fn what_a_scene_file_says_is_not_said_beside_it() {
     bench.run(&out).refused(&["--out requires"]);
     assert_eq!(bench.list("new"), [""; 0]);
 }
+
+/// Lands `deck.toml` into `out` by a shell that sets a limit first: whether that succeeded, and what was said.
+#[cfg(unix)]
+fn land_within(bench: &Bench, limit: &str) -> (bool, String) {
+    let land = format!(
+        "ulimit {limit}; '{}' land deck.toml --out out --interval 1",
+        crate::PROGRAM
+    );
+    let mut shell = std::process::Command::new("sh");
+    let shell = shell.args(["-c", &land]).current_dir(bench.path("."));
+    let done = shell.output().unwrap();
+    let said = [done.stdout, done.stderr].concat();
+    (done.status.success(), String::from_utf8(said).unwrap())
+}
+
+/// A history is written when its case has landed: no more files are open at a time for more cases.
+#[test]
+#[cfg(unix)]
+fn more_cases_than_files_may_be_open_are_landed() {
+    let bench = Bench::new();
+    let case = |case: i32| {
+        let speed = 1.0 + 1e-3 * f64::from(case);
+        format!("[[case]]\nhorizontal_velocity_fps = {speed}\n")
+    };
+    let cases: String = (0..120).map(case).collect();
+    bench.write("deck.toml", &format!("{SCENE}{cases}"));
+    let (has_landed, said) = land_within(&bench, "-n 40");
+    assert!(has_landed, "{said}");
+    assert_eq!(bench.list("out").len(), 121);
+    let written = "written: out/deck-1.csv to out/deck.csv, 121 files";
+    assert!(said.contains(written), "{said}");
+}
+
+/// What has landed is kept when the history of another case cannot be written.
+#[test]
+#[cfg(unix)]
+fn histories_of_finished_cases_stay() {
+    let bench = Bench::new();
+    let cases = "[[case]]\n[[case]]\nsolver.stop = \"time\"\nsolver.time_limit_s = 60\n";
+    bench.write("deck.toml", &format!("{SCENE}{cases}"));
+    let (has_landed, said) = land_within(&bench, "-f 40");
+    assert!(!has_landed, "{said}");
+    assert!(
+        said.contains("out/deck-2.csv: cannot be written: "),
+        "{said}"
+    );
+    assert_eq!(bench.list("out"), ["deck-1.csv"]);
+    assert!(bench.read("out/deck-1.csv").starts_with("t_s,"));
+}
