@@ -16,11 +16,11 @@ use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::fingerprint::fingerprint_of_bytes;
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::journal::{InOrder, Journal};
 use touchdown_sweep::landing_table;
 use touchdown_sweep::output_guard::OutputGuard;
 use touchdown_sweep::output_units::{OutputUnits, Quantity};
 use touchdown_sweep::run::{Observer, Workers};
+use touchdown_sweep::runner::{Runner, Task};
 use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::warnings;
 
@@ -119,14 +119,16 @@ fn landed_into(
 ) -> Result<(Results, Vec<String>), Failure> {
     let folder = Folder::of(out)?;
     let name = out.file_name().unwrap_or_default().to_string_lossy();
-    let journal = folder.path(&format!("{name}.journal"));
-    let mut opened = Journal::open(&journal, &table.header(crate::VERSION))?;
-    let of_journal = std::mem::take(&mut opened.warnings);
-    work.skip(opened.done.len());
-    workers.case_table(table, &mut opened, work, &work.cancel)?;
-
-    let records = opened.journal.into_records()?;
-    let mut found = InOrder::new(vec![records], table.len(), &folder.path("."))?;
+    let runner = Runner {
+        workers,
+        folder: &folder,
+        observer: work,
+        cancel: &work.cancel,
+        version: crate::VERSION,
+    };
+    let run = runner.begin(Task::Cases(table, &name))?;
+    let of_journal = run.warnings().to_vec();
+    let mut found = run.compute()?.results()?;
     let mut landings = Vec::with_capacity(table.len());
     for row in 0..table.len() {
         let bytes = found.result(row)?;

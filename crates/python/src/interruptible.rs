@@ -33,17 +33,16 @@ pub struct Work {
 }
 
 impl Work {
-    /// Counts points that were done before.
-    pub fn skip(&self, points: usize) {
-        self.done.fetch_add(points as u64, Ordering::Relaxed);
-    }
-
     fn counts(&self) -> [u64; 3] {
         [&self.done, &self.wanted, &self.landings].map(|count| count.load(Ordering::Relaxed))
     }
 }
 
 impl Observer for Work {
+    fn skip(&self, points: usize) {
+        self.done.fetch_add(points as u64, Ordering::Relaxed);
+    }
+
     fn more(&self, points: usize) {
         self.wanted.fetch_add(points as u64, Ordering::Relaxed);
     }

@@ -3,21 +3,19 @@
 use std::collections::HashMap;
 use std::fs;
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use serde_json::Value;
 use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::header::Header;
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::journal::{InOrder, Journal};
-use touchdown_sweep::journal_files;
 use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::result_files::{self, NamedFiles};
 use touchdown_sweep::results;
 use touchdown_sweep::run::{Observer, Workers};
+use touchdown_sweep::runner::{Runner, Task};
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file;
@@ -107,7 +105,7 @@ impl Sweep {
             if !overwrite && is_there(&sweep, &folder, is_parquet)? {
                 return Ok([Vec::new(), Vec::new()]);
             }
-            run(&sweep, &folder, &out, is_parquet, threads, work)
+            run(&sweep, &folder, is_parquet, threads, work)
         })
     }
 }
@@ -155,24 +153,24 @@ fn input_of(record: &str) -> Value {
 fn run(
     sweep: &sweep_file::Sweep,
     folder: &Folder,
-    out: &Path,
     is_parquet: bool,
     threads: Option<NonZeroUsize>,
     work: &Work,
 ) -> Result<[Vec<String>; 2], Failure> {
     let workers = Workers::start(threads)?;
-    let header = Header::new(sweep, VERSION, Shard::WHOLE).map_err(Failure::engine)?;
-    let path = folder.path(&journal_files::name(&sweep.stem(), Shard::WHOLE));
-    let mut opened = Journal::open(&path, &header)?;
-    let of_journal = std::mem::take(&mut opened.warnings);
+    let runner = Runner {
+        workers: &workers,
+        folder,
+        observer: work,
+        cancel: &work.cancel,
+        version: VERSION,
+    };
     // The number of points of a map emerges round by round.
     let known_before = sweep.map().is_none().then(|| sweep.design.count());
     work.more(known_before.unwrap_or(0));
-    work.skip(opened.done.len());
-    workers.sweep(sweep, Shard::WHOLE, &mut opened, work, &work.cancel)?;
-
-    let records = opened.journal.into_records()?;
-    let mut found = InOrder::new(vec![records], sweep.design.count(), out)?;
+    let run = runner.begin(Task::Sweep(sweep, Shard::WHOLE))?;
+    let of_journal = run.warnings().to_vec();
+    let mut found = run.compute()?.results()?;
     let draw = |_: &_, _: &str| Ok::<_, Failure>(NamedFiles::new());
     let written =
         workers.lend(|| result_files::write(sweep, &mut found, folder, VERSION, is_parquet, draw));

@@ -64,4 +64,4 @@ pub use sweeps::{
     case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,
 };
 use threads::landing_queue;
-pub use threads::run;
+pub use threads::{run, runner};

@@ -2,3 +2,4 @@
 
 pub(crate) mod landing_queue;
 pub mod run;
+pub mod runner;

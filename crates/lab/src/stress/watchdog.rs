@@ -76,6 +76,14 @@ impl<O: Observer> Observer for Watchdog<'_, O> {
         self.observer.begin(point);
     }
 
+    fn more(&self, points: usize) {
+        self.observer.more(points);
+    }
+
+    fn skip(&self, points: usize) {
+        self.observer.skip(points);
+    }
+
     fn landing(&self) {
         self.observer.landing();
     }

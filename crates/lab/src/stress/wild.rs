@@ -4,9 +4,8 @@ use std::time::Duration;
 
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::header::Header;
-use touchdown_sweep::journal::{InOrder, Journal, Opened};
-use touchdown_sweep::run::RunError;
+use touchdown_sweep::journal::InOrder;
+use touchdown_sweep::runner::{Runner, Task};
 use touchdown_sweep::shard::Shard;
 
 use super::Bench;
@@ -31,17 +30,9 @@ pub fn run(bench: &Bench, sweeps: &[WildSweep]) -> Result<(), Failure> {
     let mut accounts = Vec::new();
     for wild in sweeps {
         let count = wild.sweep.design.count();
-        let header = Header::new(&wild.sweep, env!("CARGO_PKG_VERSION"), Shard::WHOLE);
-        let header = header.map_err(Failure::running)?;
-        let mut opened = Journal::open(&bench.folder.path(&wild.journal_file()), &header)?;
-        for warning in &opened.warnings {
-            eprintln!("touchdown: {warning}");
-        }
-        let now = count - opened.done.len();
-        let wall_time = land(bench, wild, &mut opened)?.as_secs_f64();
-        let records = opened.journal.into_records()?;
-        let mut results = InOrder::new(vec![records], count, &bench.options.out)?;
+        let (mut results, now, wall_time) = land(bench, wild)?;
         let account = account(wild, &mut results)?;
+        let wall_time = wall_time.as_secs_f64();
         let rate = now as f64 / wall_time.max(1e-9);
         print(&format!(
             "{count} wild landings of {}, seed {}, tolerance {:e}, model version {MODEL_VERSION}; {now} of them in \
@@ -89,12 +80,23 @@ fn account(wild: &WildSweep, results: &mut InOrder) -> Result<Account, Failure> 
     Ok(account)
 }
 
-/// Computes what is not in the journal; the time that it took.
-fn land(bench: &Bench, wild: &WildSweep, opened: &mut Opened) -> Result<Duration, Failure> {
-    let sweep = &wild.sweep;
-    let progress = Progress::start("landings", sweep.design.count(), bench.options.quiet);
-    progress.skip(opened.done.len());
+/// Computes what is not in the journal: the results, and how many landings that took in what time.
+fn land(bench: &Bench, wild: &WildSweep) -> Result<(InOrder, usize, Duration), Failure> {
+    let count = wild.sweep.design.count();
+    let progress = Progress::start("landings", count, bench.options.quiet);
     let guard = Watchdog::before(&progress);
+    let runner = Runner {
+        workers: bench.workers,
+        folder: bench.folder,
+        observer: &guard,
+        cancel: bench.cancel,
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    let run = runner.begin(Task::Sweep(&wild.sweep, Shard::WHOLE))?;
+    for warning in run.warnings() {
+        eprintln!("touchdown: {warning}");
+    }
+    let now = count - run.earlier();
     let give_up = |landings: &[usize], why: &str| {
         let reasons = landings
             .iter()
@@ -111,23 +113,14 @@ fn land(bench: &Bench, wild: &WildSweep, opened: &mut Opened) -> Result<Duration
         // No thread can be made to leave a landing.
         std::process::exit(1);
     };
-    let ran = guard.over(LONGEST_RUN, on_timeout, || {
-        let workers = bench.workers;
-        workers.sweep(sweep, Shard::WHOLE, opened, &guard, bench.cancel)
-    });
+    let computed = guard.over(LONGEST_RUN, on_timeout, || run.compute());
     let wall_time = progress.finish();
-    match ran {
-        Ok(Ok(())) => Ok(wall_time),
-        Ok(Err(RunError::Cancelled)) => Err(Failure::Interrupted(format!(
-            "finished landings are kept in {}: run the command again to continue",
-            bench.folder.path(&wild.journal_file()).display()
-        ))),
-        Ok(Err(other)) => Err(other.into()),
-        Err(beside) => Err(Failure::running(give_up(
-            &beside,
-            "panicked, or another one of the same batch did",
-        ))),
-    }
+    let computed = computed
+        .map_err(|beside: Vec<usize>| {
+            give_up(&beside, "panicked, or another one of the same batch did")
+        })
+        .map_err(Failure::running)?;
+    Ok((computed?.results()?, now, wall_time))
 }
 
 /// Writes cases and their vehicles; the files in words.

@@ -34,7 +34,6 @@ impl WildSweep {
         seed: u32,
         settings: Settings,
     ) -> Result<Self, InputError> {
-        const FILE: &str = "sweeps/stress/wild.toml";
         let scene = SWEEP.split("[sample]").next().unwrap_or(SWEEP);
         let text = format!(
             "{scene}[sample]\ndesign = \"monte-carlo\"\ncount = {count}\nseed = {seed}\n\
@@ -42,7 +41,9 @@ impl WildSweep {
             settings.tolerance()
         );
         let vehicle = surveyor(legs, rules);
-        let file = Path::new(FILE);
+        // Its name is that of the journal.
+        let file = format!("sweeps/stress/{}.toml", stem(legs, rules));
+        let file = Path::new(&file);
         let source = |path: &Path, text: &str| Source {
             path: path.to_owned(),
             text: text.to_owned(),
@@ -71,16 +72,12 @@ impl WildSweep {
     }
 
     pub fn vehicle_file(&self) -> String {
-        format!("{}.toml", self.stem())
+        format!("{}.toml", stem(self.legs, self.rules))
     }
+}
 
-    pub fn journal_file(&self) -> String {
-        format!("{}.journal", self.stem())
-    }
-
-    fn stem(&self) -> String {
-        format!("stress-{}-legs-{}", self.legs, self.rules)
-    }
+fn stem(legs: usize, rules: &str) -> String {
+    format!("stress-{legs}-legs-{rules}")
 }
 
 /// The Surveyor with so many of its legs, evenly round the centreline, under these rules.

@@ -8,6 +8,7 @@ mod cases;
 mod points;
 
 use std::num::NonZeroUsize;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Poll, ready};
@@ -33,6 +34,8 @@ pub trait Observer: Sync {
     fn begin(&self, _point: usize) {}
     /// The number of wanted points has grown by this much.
     fn more(&self, _points: usize) {}
+    /// An earlier run has finished so many points.
+    fn skip(&self, _points: usize) {}
     /// A landing was computed.
     fn landing(&self) {}
     /// A point of the grid, or a case, by number, is done.
@@ -48,6 +51,9 @@ pub enum RunError {
     /// The run was cancelled.
     #[error("cancelled")]
     Cancelled,
+    /// The run was cancelled; what is finished is kept in this journal.
+    #[error("cancelled; what is finished is kept in {}", .0.display())]
+    Kept(PathBuf),
     /// A point of the grid has no valid input.
     #[error("the point {place} has no valid input: {fault}")]
     Point {

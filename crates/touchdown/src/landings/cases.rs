@@ -7,9 +7,10 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::cases::{self, CaseTable};
 use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::journal::{InOrder, Journal};
+use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::run::{RunError, Workers};
+use touchdown_sweep::run::Workers;
+use touchdown_sweep::runner::{Runner, Task};
 use touchdown_sweep::vehicle_file::VehicleFile;
 use touchdown_sweep::warnings;
 
@@ -34,30 +35,29 @@ pub fn run(
     let (folder, name) = place_of(out)?;
     let cancel = interrupt::flag()?;
 
-    let path = folder.path(&format!("{name}.journal"));
-    let mut opened = Journal::open(&path, &table.header(env!("CARGO_PKG_VERSION")))?;
-    for warning in &opened.warnings {
-        eprintln!("touchdown: {warning}");
-    }
     let count = table.len();
     let progress = Progress::start("cases", count, quiet);
-    let earlier = opened.done.len();
-    progress.skip(earlier);
-    if earlier > 0 && !quiet {
-        eprintln!("{earlier} of {count} cases are in {}", path.display());
+    let runner = Runner {
+        workers,
+        folder: &folder,
+        observer: &progress,
+        cancel: &cancel,
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    let run = runner.begin(Task::Cases(&table, &name))?;
+    for warning in run.warnings() {
+        eprintln!("touchdown: {warning}");
     }
-    let landed = workers.case_table(&table, &mut opened, &progress, &cancel);
+    let earlier = run.earlier();
+    if earlier > 0 && !quiet {
+        eprintln!(
+            "{earlier} of {count} cases are in {}",
+            run.journal().display()
+        );
+    }
+    let computed = run.compute();
     let wall_time = progress.finish();
-    landed.map_err(|error| match error {
-        RunError::Cancelled => Failure::Interrupted(format!(
-            "what is finished is kept in {}: run again to go on",
-            path.display()
-        )),
-        other => other.into(),
-    })?;
-
-    let records = opened.journal.into_records()?;
-    let mut results = InOrder::new(vec![records], count, &folder.path("."))?;
+    let mut results = computed?.results()?;
     let landings = landings(&table, &mut results)?;
     let names: Vec<String> = (0..count).map(|row| table.name(row)).collect();
     let rows = names.iter().map(String::as_str).zip(&landings);

@@ -9,14 +9,13 @@ use std::time::Instant;
 
 use clap::Args;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::header::Header;
 use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::journal::{InOrder, Journal};
 use touchdown_sweep::journal_files;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::result_files;
 use touchdown_sweep::results::Circumstances;
-use touchdown_sweep::run::{RunError, Workers};
+use touchdown_sweep::run::Workers;
+use touchdown_sweep::runner::{self, Runner, Task};
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::Sweep;
 
@@ -188,7 +187,7 @@ enum Done {
 
 /// A sweep that was computed.
 struct Computed {
-    journal: Journal,
+    points: runner::Computed,
     circumstances: Circumstances<'static>,
 }
 
@@ -222,32 +221,26 @@ impl Night<'_> {
             let complaint = "there is nothing to resume: run without --resume to begin";
             return Err(InputError::in_file(&path, complaint).into());
         }
-        let header = Header::new(sweep, env!("CARGO_PKG_VERSION"), shard)
-            .map_err(|fault| Failure::running(format!("the first point: {fault}")))?;
-        let mut opened = Journal::open(&path, &header)?;
-        for warning in &opened.warnings {
+        let runner = Runner {
+            workers: self.workers,
+            folder: self.folder,
+            observer: self.progress,
+            cancel: self.cancel,
+            version: env!("CARGO_PKG_VERSION"),
+        };
+        let run = runner.begin(Task::Sweep(sweep, shard))?;
+        for warning in run.warnings() {
             eprintln!("touchdown: {warning}");
         }
-        let points = shard.len(sweep.design.count());
-        let earlier = opened.done.len();
-        self.progress.skip(earlier);
+        let earlier = run.earlier();
         if earlier > 0 && !self.options.quiet {
             let of_all = match sweep.map() {
                 Some(_) => String::new(),
-                None => format!(" of {points}"),
+                None => format!(" of {}", shard.len(sweep.design.count())),
             };
             eprintln!("{earlier}{of_all} points are in {}", path.display());
         }
-        let ran = self
-            .workers
-            .sweep(sweep, shard, &mut opened, self.progress, self.cancel);
-        ran.map_err(|error| match error {
-            RunError::Cancelled => Failure::Interrupted(format!(
-                "what is finished is kept in {}: run again to go on",
-                path.display()
-            )),
-            other => other.into(),
-        })?;
+        let points = run.compute()?;
         // Time and threads of a run that went on with another's work say nothing of the whole.
         let is_one_run = earlier == 0;
         let circumstances = Circumstances {
@@ -256,7 +249,7 @@ impl Night<'_> {
             wall_time: is_one_run.then(|| start.elapsed().as_secs_f64()),
         };
         Ok(Computed {
-            journal: opened.journal,
+            points,
             circumstances,
         })
     }
@@ -276,12 +269,10 @@ impl Night<'_> {
             )));
         }
         let Computed {
-            journal,
+            points,
             circumstances,
         } = computed;
-        let records = journal.into_records()?;
-        let count = sweep.design.count();
-        let mut results = InOrder::new(vec![records], count, &self.options.out)?;
+        let mut results = points.results()?;
         let (folder, format) = (self.folder, self.options.format);
         let written = (self.workers)
             .lend(|| sweep_results::write(sweep, &mut results, folder, circumstances, format))?;

@@ -100,6 +100,10 @@ impl From<TablesError> for Failure {
 impl From<RunError> for Failure {
     fn from(error: RunError) -> Self {
         match error {
+            RunError::Kept(journal) => Self::Interrupted(format!(
+                "what is finished is kept in {}: run again to go on",
+                journal.display()
+            )),
             RunError::Cancelled => Self::Interrupted("no unfinished result was written".to_owned()),
             RunError::Journal(error) => error.into(),
             RunError::TooManyThreads { .. } => Self::Input(InputError::other(error.to_string())),

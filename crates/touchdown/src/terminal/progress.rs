@@ -52,17 +52,6 @@ impl Progress {
         }
     }
 
-    /// Counts points that were done before this run began.
-    pub fn skip(&self, points: usize) {
-        let points = points as u64;
-        self.done.fetch_add(points, Ordering::Relaxed);
-        self.earlier.fetch_add(points, Ordering::Relaxed);
-        if let Show::Bar(bar) = &self.show {
-            bar.inc(points);
-            bar.reset_eta();
-        }
-    }
-
     /// Takes the bar away; the time since the start.
     pub fn finish(&self) -> Duration {
         if let Show::Bar(bar) = &self.show {
@@ -109,6 +98,16 @@ impl Progress {
 }
 
 impl Observer for Progress {
+    fn skip(&self, points: usize) {
+        let points = points as u64;
+        self.done.fetch_add(points, Ordering::Relaxed);
+        self.earlier.fetch_add(points, Ordering::Relaxed);
+        if let Show::Bar(bar) = &self.show {
+            bar.inc(points);
+            bar.reset_eta();
+        }
+    }
+
     fn landing(&self) {
         self.landings.fetch_add(1, Ordering::Relaxed);
         if matches!(self.show, Show::Lines) {

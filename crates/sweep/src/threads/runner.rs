@@ -1,0 +1,186 @@
+//! Runs that lose nothing: what is finished goes to a journal beside the results, from which an interrupted run goes on.
+//!
+//! A sweep from its file to the table of its points:
+//!
+//! ```
+//! use std::path::Path;
+//! use std::sync::atomic::AtomicBool;
+//!
+//! use touchdown_sweep::file_writer::Folder;
+//! use touchdown_sweep::result_files::{self, NamedFiles};
+//! use touchdown_sweep::run::Workers;
+//! use touchdown_sweep::runner::{Runner, Task};
+//! use touchdown_sweep::shard::Shard;
+//! use touchdown_sweep::sweep_file::Sweep;
+//! use touchdown_sweep::tables::TablesError;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # std::env::set_current_dir("../..")?;
+//! # let home = tempfile::tempdir()?;
+//! # let out = home.path();
+//! let sweep = Sweep::read(Path::new("sweeps/figure-4-09.toml"))?;
+//! let (workers, folder) = (Workers::start(None)?, Folder::open(out)?);
+//! let runner = Runner {
+//!     workers: &workers,
+//!     folder: &folder,
+//!     observer: &(),
+//!     cancel: &AtomicBool::new(false),
+//!     version: "0.1.0",
+//! };
+//! let run = runner.begin(Task::Sweep(&sweep, Shard::WHOLE))?;
+//! let mut results = run.compute()?.results()?;
+//! let draw = |_: &_, _: &str| Ok::<_, TablesError>(NamedFiles::new());
+//! let (counts, _) = result_files::write(&sweep, &mut results, &folder, "0.1.0", false, draw)?;
+//! results.remove_journals()?;
+//! assert_eq!(counts.points, 25);
+//! # Ok(())
+//! # }
+//! ```
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use crate::cases::CaseTable;
+use crate::file_writer::Folder;
+use crate::header::Header;
+use crate::journal::{InOrder, Journal, JournalError, Opened};
+use crate::journal_files;
+use crate::run::{Observer, RunError, Workers};
+use crate::shard::Shard;
+use crate::sweep_file::Sweep;
+
+/// What runs are run with.
+#[derive(Debug)]
+pub struct Runner<'r, O> {
+    /// The threads.
+    pub workers: &'r Workers,
+    /// Folder of the journals.
+    pub folder: &'r Folder,
+    /// Progress callbacks.
+    pub observer: &'r O,
+    /// Set to stop a run.
+    pub cancel: &'r AtomicBool,
+    /// Version of the program, for the journals.
+    pub version: &'r str,
+}
+
+/// What is computed.
+#[derive(Debug, Clone, Copy)]
+pub enum Task<'w> {
+    /// The points of a shard of a sweep.
+    Sweep(&'w Sweep, Shard),
+    /// The rows of a table of cases, whose results have this file name.
+    Cases(&'w CaseTable, &'w str),
+}
+
+impl Task<'_> {
+    /// Number of its points, of all shards together.
+    fn points(&self) -> usize {
+        match self {
+            Self::Sweep(sweep, _) => sweep.design.count(),
+            Self::Cases(table, _) => table.len(),
+        }
+    }
+}
+
+/// A run whose journal is open.
+#[derive(Debug)]
+pub struct Run<'r, O> {
+    runner: &'r Runner<'r, O>,
+    task: Task<'r>,
+    path: PathBuf,
+    opened: Opened,
+}
+
+impl<'r, O: Observer> Runner<'r, O> {
+    /// Opens the journal of a run, or creates it, and tells the observer how many points it has.
+    ///
+    /// # Errors
+    /// If the journal belongs to other input or cannot be opened.
+    pub fn begin(&'r self, task: Task<'r>) -> Result<Run<'r, O>, RunError> {
+        let (name, header) = match task {
+            Task::Sweep(sweep, shard) => {
+                let header = Header::new(sweep, self.version, shard);
+                let header = header.map_err(|fault| RunError::Point {
+                    place: sweep.place(0),
+                    fault,
+                });
+                (journal_files::name(&sweep.stem(), shard), header?)
+            }
+            Task::Cases(table, name) => (format!("{name}.journal"), table.header(self.version)),
+        };
+        let path = self.folder.path(&name);
+        let opened = Journal::open(&path, &header).map_err(RunError::Journal)?;
+        self.observer.skip(opened.done.len());
+        Ok(Run {
+            runner: self,
+            task,
+            path,
+            opened,
+        })
+    }
+}
+
+impl<O: Observer> Run<'_, O> {
+    /// The journal.
+    pub fn journal(&self) -> &Path {
+        &self.path
+    }
+
+    /// Damage found in the journal, and its treatment.
+    pub fn warnings(&self) -> &[String] {
+        &self.opened.warnings
+    }
+
+    /// Points in the journal.
+    pub fn earlier(&self) -> usize {
+        self.opened.done.len()
+    }
+
+    /// Computes the points that are not in the journal.
+    ///
+    /// # Errors
+    /// If the run was stopped, or a result cannot be stored. Results in the journal stay valid.
+    pub fn compute(mut self) -> Result<Computed, RunError> {
+        let Runner {
+            workers,
+            folder,
+            observer,
+            cancel,
+            ..
+        } = *self.runner;
+        let opened = &mut self.opened;
+        let computed = match self.task {
+            Task::Sweep(sweep, shard) => workers.sweep(sweep, shard, opened, observer, cancel),
+            Task::Cases(table, _) => workers.case_table(table, opened, observer, cancel),
+        };
+        computed.map_err(|error| match error {
+            RunError::Cancelled => RunError::Kept(self.path),
+            other => other,
+        })?;
+        Ok(Computed {
+            journal: self.opened.journal,
+            points: self.task.points(),
+            folder: folder.path("."),
+        })
+    }
+}
+
+/// A run whose points are all in its journal.
+#[derive(Debug)]
+pub struct Computed {
+    journal: Journal,
+    points: usize,
+    folder: PathBuf,
+}
+
+impl Computed {
+    /// The results in the order of the points. Their journal stays until it is removed.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    pub fn results(self) -> Result<InOrder, JournalError> {
+        let records = self.journal.into_records()?;
+        InOrder::new(vec![records], self.points, &self.folder)
+    }
+}
