@@ -60,7 +60,7 @@ FLOORS = {
         ["main"],
         ["lib"],
         ["explore"],
-        ["landings", "surface", "sweeps"],
+        ["landings", "ask", "surface", "sweeps"],
         ["pictures"],
         ["import_deck", "new", "shell"],
         ["options"],

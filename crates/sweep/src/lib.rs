@@ -61,7 +61,8 @@ pub use search::{
 use search::{join_all, narrowed_scan, run_out};
 pub use summary::{findings, probabilities, sweep_counts, transition_statistics};
 pub use sweeps::{
-    case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,
+    case, measured_scenes, overrides, place, resolved_input, scene_file, single_landing, sweep,
+    sweep_file,
 };
 use threads::landing_queue;
 pub use threads::{run, runner};

@@ -4,6 +4,7 @@ pub mod case;
 mod input_in_units;
 pub mod measured_scenes;
 pub mod overrides;
+pub mod place;
 pub mod resolved_input;
 pub mod scene_file;
 pub mod single_landing;

@@ -4,6 +4,7 @@
 //! the lander begins to topple. The laboratory (`crates/lab`) uses what is public here: the commands, and how they speak
 //! to the terminal.
 
+mod ask;
 mod explore;
 mod import_deck;
 mod landings;
@@ -61,6 +62,8 @@ pub enum Command {
     Land(Box<land::Options>),
     /// Find the horizontal velocity at which landings cease to be stable, at every point of a grid or a sample
     Sweep(sweep::Options),
+    /// Find V_H at any place of a sweep, or of its stored results
+    Ask(ask::Options),
     /// Write the results of sweeps that were computed in shards
     Merge(merge::Options),
     /// Draw the pictures of result tables
@@ -88,6 +91,7 @@ impl Command {
         match self {
             Self::Land(options) => land::run(&options),
             Self::Sweep(options) => sweep::run(&options),
+            Self::Ask(options) => ask::run(&options),
             Self::Merge(options) => merge::run(&options),
             Self::Plot(options) => plot::run(&options),
             Self::Explore(options) => explore::run(&options),

@@ -4,13 +4,13 @@ use std::path::Path;
 
 use serde_json::{Map, Value as Json};
 use touchdown_sweep::assignment::Assignment;
-use touchdown_sweep::document::{Document, Entry, Node, Value};
+use touchdown_sweep::document::{Document, Entry, Value};
 use touchdown_sweep::input_error::{InputError, Place};
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
 use touchdown_sweep::settings_input::SOLVER;
 use touchdown_sweep::single_landing::Touchdown;
-use touchdown_sweep::toml_text;
+use touchdown_sweep::toml_text::{self, entries, entry, node, written};
 use touchdown_sweep::vehicle_file::VehicleFile;
 
 use super::source::{SEARCHED, Source, SourceKind, nothing, stem};
@@ -113,43 +113,11 @@ fn solver(solver: &Json) -> Result<Document, InputError> {
         true => nothing(),
         false => document(
             Path::new(""),
-            vec![entry("solver", to_node(Value::Table(known)))],
+            vec![entry("solver", written(Value::Table(known)))],
         ),
     }
 }
 
 fn document(path: &Path, entries: Vec<Entry>) -> Result<Document, InputError> {
     Document::parse(path, &toml_text::text(&entries))
-}
-
-fn entries(object: &Map<String, Json>) -> Vec<Entry> {
-    let entries = object.iter().filter(|(_, value)| !value.is_null());
-    entries
-        .map(|(key, value)| entry(key, node(value)))
-        .collect()
-}
-
-fn entry(key: &str, node: Node) -> Entry {
-    Entry {
-        key: key.to_owned(),
-        node,
-    }
-}
-
-fn node(value: &Json) -> Node {
-    to_node(match value {
-        Json::Number(number) => Value::Number(number.as_f64().unwrap_or(f64::NAN)),
-        Json::String(text) => Value::Text(text.clone()),
-        Json::Array(items) => Value::List(items.iter().map(node).collect()),
-        Json::Object(object) => Value::Table(entries(object)),
-        Json::Null | Json::Bool(_) => Value::Foreign,
-    })
-}
-
-fn to_node(value: Value) -> Node {
-    Node {
-        line: 1,
-        written: String::new(),
-        value,
-    }
 }

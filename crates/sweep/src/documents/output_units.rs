@@ -3,8 +3,9 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
-use crate::column::Cell;
+use crate::column::{Cell, Column, cells, headings};
 use crate::input_error::InputError;
 use crate::section::Section;
 use crate::spelling::{Conversion, dotted_conversion, spelling_for_results};
@@ -51,6 +52,16 @@ impl OutputUnits {
     pub fn named(name: &str) -> Option<Self> {
         let all = [Self::Us, Self::Si];
         all.into_iter().find(|units| units.to_string() == name)
+    }
+
+    /// Results of a row by column, in these units.
+    pub fn by_name<R>(self, columns: &[Column<R>], row: &R, legs: usize) -> Map<String, Value> {
+        let named = headings(columns, legs).zip(cells(columns, row, legs));
+        let named = named.map(|(heading, cell)| {
+            let quantity = self.quantity(&heading.name);
+            (quantity.name().to_owned(), quantity.cell(cell).into())
+        });
+        named.collect()
     }
 
     /// Output form of a quantity, given by its name with the program unit. A name with an SI unit keeps it.

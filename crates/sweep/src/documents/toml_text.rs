@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use serde_json::{Map, Value as Json};
+
 use crate::document::{Entry, Node, Value};
 
 /// Longest number written without an exponent.
@@ -13,6 +15,42 @@ pub fn text(entries: &[Entry]) -> String {
     let mut text = String::new();
     write_table(&mut text, "", entries);
     text
+}
+
+/// Entries of a JSON object; null is none.
+pub fn entries(object: &Map<String, Json>) -> Vec<Entry> {
+    let entries = object.iter().filter(|(_, value)| !value.is_null());
+    entries
+        .map(|(key, value)| entry(key, node(value)))
+        .collect()
+}
+
+/// A key with its value.
+pub fn entry(key: &str, node: Node) -> Entry {
+    Entry {
+        key: key.to_owned(),
+        node,
+    }
+}
+
+/// The node of a JSON value.
+pub fn node(value: &Json) -> Node {
+    written(match value {
+        Json::Number(number) => Value::Number(number.as_f64().unwrap_or(f64::NAN)),
+        Json::String(text) => Value::Text(text.clone()),
+        Json::Array(items) => Value::List(items.iter().map(node).collect()),
+        Json::Object(object) => Value::Table(entries(object)),
+        Json::Null | Json::Bool(_) => Value::Foreign,
+    })
+}
+
+/// The node of a value that no file contains yet.
+pub fn written(value: Value) -> Node {
+    Node {
+        line: 1,
+        written: String::new(),
+        value,
+    }
 }
 
 fn write_table(text: &mut String, path: &str, entries: &[Entry]) {

@@ -6,7 +6,6 @@ use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 use touchdown_dynamics::scene::Settings;
 
 use crate::assignment::Assignment;
-use crate::column::{Column, cells, headings};
 use crate::contact_warnings::ContactWarnings;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
@@ -50,6 +49,7 @@ impl LandingReport<'_> {
     /// The report.
     pub fn json(&self) -> Value {
         let (vehicle, settings, landing) = (self.vehicle, self.settings, self.landing);
+        let legs = landing.leg_count();
         let scene: Map<String, Value> = (self.scene())
             .map(|(name, value)| (name, json!(value)))
             .collect();
@@ -63,11 +63,14 @@ impl LandingReport<'_> {
                 .collect::<Map<String, Value>>(),
             "scene": scene,
             "solver": solver_in_record(settings, &vehicle.vehicle),
-            "result": self.columns(&landing_table::COLUMNS),
+            "result": self.units.by_name(&landing_table::COLUMNS, landing, legs),
             "why": why(&landing.outcome),
-            "integration": integration(self.integration, landing.leg_count()),
+            "integration": integration(self.integration, legs),
         });
-        for (name, value) in self.columns(&landing_table::OF_REPORTS) {
+        for (name, value) in self
+            .units
+            .by_name(&landing_table::OF_REPORTS, landing, legs)
+        {
             report[name] = value;
         }
         if let Some(beyond) = &landing.beyond {
@@ -75,17 +78,6 @@ impl LandingReport<'_> {
             report["went_on_to"] = json!(beyond.end.to_string());
         }
         report
-    }
-
-    /// Results of the landing by column.
-    fn columns(&self, columns: &[Column<Landing>]) -> Map<String, Value> {
-        let legs = self.landing.leg_count();
-        let told = headings(columns, legs).zip(cells(columns, self.landing, legs));
-        let told = told.map(|(heading, cell)| {
-            let quantity = self.units.quantity(&heading.name);
-            (quantity.name().to_owned(), quantity.cell(cell).into())
-        });
-        told.collect()
     }
 }
 

@@ -3,6 +3,7 @@
 mod disputed;
 mod fuzz;
 mod hidden_bands;
+mod place;
 mod reference_of_keys;
 mod search_switches;
 mod sensitivity;

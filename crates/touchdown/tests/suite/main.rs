@@ -2,6 +2,7 @@
 
 mod common;
 
+mod ask;
 mod bad_landings;
 mod bad_sweeps;
 mod committed_results;

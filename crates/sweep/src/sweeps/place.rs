@@ -1,0 +1,205 @@
+//! A sweep at a single place, and sweeps read back from their records.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Map, Value as Json};
+
+use crate::assignment::Assignment;
+use crate::column::Cell;
+use crate::design::Design;
+use crate::document::{Entry, Node, Value};
+use crate::grid::Grid;
+use crate::input_error::{InputError, Place};
+use crate::levels::Levels;
+use crate::library::{Library, Source};
+use crate::method_input;
+use crate::parameter::Parameter;
+use crate::scene_input::FOOTING;
+use crate::settings_input::SOLVER;
+use crate::sweep::Sweep;
+use crate::toml_text::{self, entries, entry, node};
+
+/// Name of the vehicle file of a sweep that is read from a record.
+const VEHICLE: &str = "vehicle.toml";
+
+impl Sweep {
+    /// The sweep with a single point, at these values of its axes, which may lie between or beyond those of its design.
+    ///
+    /// # Errors
+    /// If an axis has no value, a value has no axis, or the place is not allowed.
+    pub fn at(mut self, values: &[Assignment]) -> Result<Self, InputError> {
+        let varies = |one: &&Assignment| self.axes.contains(one.parameter());
+        if let Some(other) = values.iter().find(|one| !varies(one)) {
+            let name = other.parameter().name();
+            let expected = names(&self.axes);
+            return Err(InputError::other(format!(
+                "{name} = {}: does not vary in the sweep: expected {expected}",
+                other.text()
+            )));
+        }
+        let coordinates = self.axes.iter().map(|axis| {
+            let given = values.iter().find(|one| one.parameter() == axis);
+            given.and_then(|one| coordinate(axis, one)).ok_or_else(|| {
+                let expected = format!("a value of each axis of the sweep: {}", names(&self.axes));
+                InputError::missing(axis.name(), &expected)
+            })
+        });
+        let coordinates: Vec<f64> = coordinates.collect::<Result<_, _>>()?;
+        self.case_at(&coordinates)
+            .map_err(|fault| InputError::other(fault.to_string()))?;
+        let level = |value: &f64| Some((Levels::list(vec![*value])?, None));
+        let levels: Option<Vec<_>> = coordinates.iter().map(level).collect();
+        let grid = levels.and_then(|levels| Grid::new(levels).ok());
+        let finite = || InputError::other("expected finite values of the axes");
+        self.design = Design::Grid(grid.ok_or_else(finite)?);
+        Ok(self)
+    }
+
+    /// Reads the sweep of a record (`NAME.json`) at one place. Nothing but the record is read.
+    ///
+    /// # Errors
+    /// If the text is no record of a sweep that this version can compute; as [`Sweep::at`].
+    pub fn of_record(text: &str, path: &Path, values: &[Assignment]) -> Result<Self, InputError> {
+        let refuse = |complaint: &str| InputError::other(complaint).at(Place::file(path));
+        let record: Json = serde_json::from_str(text).unwrap_or_default();
+        let part = |key: &str| record["input"][key].as_object();
+        let (Some(vehicle), Some(scene), Some(axes)) =
+            (part("vehicle"), part("scene"), part("axes"))
+        else {
+            return Err(refuse("expected the record of a sweep"));
+        };
+        let Some(search) = part("search") else {
+            return Err(refuse(
+                "expected the record of a sweep that searches transitions",
+            ));
+        };
+        let title = record["title"].as_str().unwrap_or_default();
+        let mut input = vec![
+            entry("title", word(title)),
+            entry("vehicle", word(VEHICLE)),
+            entry("scene", table(scene_entries(&fixed(scene, axes)))),
+            entry("axes", table(axis_entries(axes, values)?)),
+            entry("search", table(entries(search))),
+            entry("solver", table(solver_entries(part("solver")))),
+        ];
+        if search.contains_key("to_mps") {
+            input.insert(0, entry("units", word("SI")));
+        }
+        let copies = [
+            (path.with_extension("toml"), toml_text::text(&input)),
+            (beside(path), toml_text::text(&entries(vehicle))),
+        ];
+        let copies = copies.map(|(path, text)| Source { path, text });
+        let sweep = Self::read_from(&copies[0].path, Library::Copies(&copies));
+        sweep
+            .map_err(|error| error.nowhere().at(Place::file(path)))?
+            .at(values)
+    }
+}
+
+fn beside(path: &Path) -> PathBuf {
+    path.parent().unwrap_or(Path::new("")).join(VEHICLE)
+}
+
+/// Coordinate of an axis that a value, in any unit, stands for.
+fn coordinate(axis: &Parameter, value: &Assignment) -> Option<f64> {
+    match value.value() {
+        Value::Number(number) => Some(axis.in_own_unit(number)),
+        Value::Text(word) => {
+            let place = axis.words().iter().position(|known| *known == word);
+            place.map(|place| place as f64)
+        }
+        _ => None,
+    }
+}
+
+fn names(axes: &[Parameter]) -> String {
+    let names: Vec<&str> = axes.iter().map(Parameter::name).collect();
+    names.join(", ")
+}
+
+/// Recorded conditions without the angles that are 0 by default, where the attitude varies by its tip.
+fn fixed(scene: &Map<String, Json>, axes: &Map<String, Json>) -> Map<String, Json> {
+    let mut fixed = scene.clone();
+    if axes.keys().any(|name| name.starts_with("tip_")) {
+        fixed.retain(|name, _| !["pitch_deg", "yaw_deg", "roll_deg"].contains(&name.as_str()));
+    }
+    fixed
+}
+
+/// The table `[scene]` of recorded conditions, whose names are dotted.
+fn scene_entries(scene: &Map<String, Json>) -> Vec<Entry> {
+    let mut own = Vec::new();
+    let mut below: Vec<(&str, Vec<Entry>)> = Vec::new();
+    for (name, value) in scene {
+        match name.split_once('.') {
+            None => own.push(entry(name, node(value))),
+            Some((above, key)) => {
+                let one = entry(key, node(value));
+                match below.iter_mut().find(|(known, _)| *known == above) {
+                    Some((_, entries)) => entries.push(one),
+                    None => below.push((above, vec![one])),
+                }
+            }
+        }
+    }
+    // Ground under legs is a list, whose entries are counted from 1.
+    let leg = |name: &str| -> Option<usize> {
+        let number = name.strip_prefix(FOOTING)?.strip_prefix('[')?;
+        number.strip_suffix(']')?.parse().ok()
+    };
+    let most = below.iter().filter_map(|(name, _)| leg(name)).max();
+    let mut footing: Vec<Vec<Entry>> = vec![Vec::new(); most.unwrap_or(0)];
+    for (name, entries) in below {
+        match leg(name) {
+            Some(leg) if leg > 0 => footing[leg - 1] = entries,
+            _ => own.push(entry(name, table(entries))),
+        }
+    }
+    if !footing.is_empty() {
+        let legs = footing.into_iter().map(table).collect();
+        own.push(entry(FOOTING, of(Value::List(legs))));
+    }
+    own
+}
+
+/// The table `[axes]` with these values alone.
+fn axis_entries(axes: &Map<String, Json>, values: &[Assignment]) -> Result<Vec<Entry>, InputError> {
+    let names: Vec<&str> = axes.keys().map(String::as_str).collect();
+    let entries = axes.keys().map(|name| {
+        let given = values.iter().find_map(|one| {
+            let axis = Parameter::named(name, touchdown_dynamics::per_leg::MOST_LEGS)?;
+            let is_it = axis == *one.parameter();
+            is_it.then(|| axis.cell(coordinate(&axis, one).unwrap_or(f64::NAN)))
+        });
+        let value = match given {
+            Some(Cell::Word(known)) => word(&known),
+            Some(Cell::Number(number)) => of(Value::Number(number)),
+            _ => {
+                let expected = format!("a value of each axis of the sweep: {}", names.join(", "));
+                return Err(InputError::missing(name, &expected));
+            }
+        };
+        Ok(entry(name, of(Value::List(vec![value]))))
+    });
+    entries.collect()
+}
+
+/// The table `[solver]` without what the record says in other words.
+fn solver_entries(solver: Option<&Map<String, Json>>) -> Vec<Entry> {
+    let keys = SOLVER.iter().chain(&method_input::KEYS);
+    let given = keys.filter_map(|key| Some(entry(key, node(solver?.get(*key)?))));
+    given.collect()
+}
+
+fn table(entries: Vec<Entry>) -> Node {
+    of(Value::Table(entries))
+}
+
+fn word(word: &str) -> Node {
+    of(Value::Text(word.to_owned()))
+}
+
+fn of(value: Value) -> Node {
+    toml_text::written(value)
+}
