@@ -45,8 +45,8 @@ beyond its verdict, those called toppled until they lie on their side. A verdict
 Small changes: a lander of that kind is landed at every quarter of a metre per second sideways until it is no longer stable; then
 at a speed drawn between 0 and two thirds of that, and again with its CG 1 mm to the side, with 1 g more, and with its first
 footpad 1 mm higher. small-changes.csv lists every landing whose outcome differs. Its lander is landed at 300 speeds and more, at
-most a centimetre per second apart, too: if it is not stable at less than one and a half times the speed of the landing, the landing
-is one near a transition.
+most a centimetre per second apart, and if need be at 6000: if it is not stable at less than one and a half times the speed of the
+landing, the landing is one near a transition.
 
 verdicts.csv lists the verdicts by kind, verdict-exceptions.csv every landing that contradicts its own.
 

@@ -21,10 +21,10 @@ const SPEEDS: u32 = 16;
 const APART: f64 = HIGHEST / SPEEDS as f64;
 /// Share of the speed of the first transition up to which landings are changed.
 const SHARE: f64 = 2.0 / 3.0;
-/// Closer look for a first transition of landers whose outcome a change has changed: speeds are no farther apart than
-/// this, ft/s, and at least so many.
+/// Closer looks for a first transition of landers whose outcome a change has changed, until one is found: speeds are no
+/// farther apart than this, ft/s, and so many at least.
 const CLOSE: f64 = 0.01 / 0.3048;
-const CLOSE_SPEEDS: f64 = 300.0;
+const CLOSE_SPEEDS: [f64; 2] = [300.0, 6000.0];
 /// Changes: a millimetre in ft, a gram in slug.
 const LENGTH: f64 = 1e-3 / 0.3048;
 const MASS: f64 = 1e-3 / 14.593_902_937_206_364;
@@ -199,12 +199,21 @@ fn transitions(draws: &[Draw]) -> Result<Vec<f64>, Failure> {
 
 /// Lowest of closely spaced speeds below a limit (ft/s) at which a lander is not stable, ft/s.
 fn closer_transition(draw: &Draw, limit: f64) -> Result<Option<f64>, Failure> {
+    for least in CLOSE_SPEEDS {
+        let step = CLOSE.min(limit / least);
+        let speeds = (0..).map(|count| step * f64::from(count));
+        let speeds: Vec<f64> = speeds.take_while(|speed| *speed < limit).collect();
+        let found = first_not_stable(draw, &speeds)?;
+        if found.is_some() {
+            return Ok(found);
+        }
+    }
+    Ok(None)
+}
+
+/// The first of some speeds (ft/s) at which a lander is not stable.
+fn first_not_stable(draw: &Draw, speeds: &[f64]) -> Result<Option<f64>, Failure> {
     let settings = settings(LIMIT)?;
-    let step = CLOSE.min(limit / CLOSE_SPEEDS);
-    let speeds: Vec<f64> = (0..)
-        .map(|count| step * f64::from(count))
-        .take_while(|speed| *speed < limit)
-        .collect();
     let landings: Result<Vec<Draw>, Invalid> = (speeds.iter())
         .map(|&speed| draw.at_speed(speed, Arc::clone(&draw.vehicle)))
         .collect();
