@@ -12,6 +12,8 @@ pub(crate) fn read(
     file: &Place,
     text: &str,
 ) -> Result<(StringRecord, Vec<StringRecord>), InputError> {
+    // With both characters at the end of a line, positions of records are a line too low.
+    let text = text.replace("\r\n", "\n");
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());

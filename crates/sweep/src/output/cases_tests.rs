@@ -168,6 +168,13 @@ fn complaints_name_line_row_column_and_value() {
     assert!(row("2,,14,NaN,180,0,0,0,15,1").contains("horizontal_velocity_fps = NaN"));
     assert!(row("2,,14,11,180,0,0,0,95,1").contains("c.csv:3: row 2: slope_deg = 95"));
     assert!(row("2,,14,11,180,0,0,0,15,").contains("row 2: friction is missing"));
+    let of_windows = complaint(&format!(
+        "{HEADING}\r\n{good}\r\n2,,14,11,180,0,0,0,15,\r\n"
+    ));
+    assert!(
+        of_windows.starts_with("c.csv:3: row 2: friction is missing"),
+        "{of_windows}"
+    );
     assert!(row("2,,14").contains("c.csv:3: not a table"));
     assert!(complaint(HEADING).contains("no rows"));
     let without = HEADING.replace(",slope_deg,fr", ",fr");
