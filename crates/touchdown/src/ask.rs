@@ -10,6 +10,7 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::bands_table;
 use touchdown_sweep::boundary::Boundary;
+use touchdown_sweep::document::Value;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::landing_table::{self, why};
@@ -100,18 +101,17 @@ fn read(file: &Path, place: &[Assignment]) -> Result<Sweep, InputError> {
 /// The landing at the place at a horizontal velocity (ft/s), and that velocity.
 fn land_at(sweep: &Sweep, speed: &Assignment) -> Result<(f64, Landing), Failure> {
     let case = sweep.case(0).map_err(Failure::running)?;
-    let text = speed.text();
-    let number = text
-        .parse()
-        .map_err(|_| speed.refuse("expected a number"))?;
-    let speed = speed.parameter().to_program(number);
-    let scene = case.scene.with_horizontal_velocity(speed);
-    let scene = scene
-        .map_err(|fault| InputError::value("--at horizontal velocity", text, &fault.allowed))?;
-    Ok((speed, land(&case.vehicle, &scene, &case.settings)))
+    let Value::Number(fps) = speed.value() else {
+        return Err(speed.refuse("expected a number").into());
+    };
+    let scene = case.scene.with_horizontal_velocity(fps);
+    let scene = scene.map_err(|fault| {
+        InputError::value("--at horizontal velocity", speed.text(), &fault.allowed)
+    })?;
+    Ok((fps, land(&case.vehicle, &scene, &case.settings)))
 }
 
-/// What there is at a place.
+/// Boundary at a place, and the landing there if asked for.
 struct Answer<'a> {
     sweep: &'a Sweep,
     boundary: &'a Boundary,

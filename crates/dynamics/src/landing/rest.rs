@@ -19,8 +19,8 @@ use crate::vehicle::Vehicle;
 
 /// Greatest share of the toppling energy that a held vehicle may have.
 const SHARE: f64 = 0.5;
-/// The same under an engine that stays on. A vehicle that is light on its feet loses little energy at each hop, and a
-/// slope gives it back.
+/// Greatest such share under an engine that stays on. A vehicle that is light on its feet loses little energy at each
+/// hop, and a slope gives it back.
 const SHARE_UNDER_THRUST: f64 = 0.02;
 /// Time that the vehicle must stand to be at rest, or its CG be beyond its feet to have toppled, in free falls of the
 /// CG from its height on extended legs.

@@ -67,7 +67,7 @@ enum End {
 }
 
 impl Account {
-    /// Of no landings yet, computed with these settings.
+    /// An account without landings; they are computed with these settings.
     pub fn of(settings: &Settings) -> Self {
         Self {
             checks: LandingChecks::of(settings),

@@ -21,7 +21,7 @@ pub struct LandingChecks {
 }
 
 impl LandingChecks {
-    /// Of landings computed with these settings.
+    /// Limits for landings computed with these settings.
     pub fn of(settings: &Settings) -> Self {
         Self {
             time_limit: settings.time_limit(),

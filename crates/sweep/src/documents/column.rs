@@ -92,7 +92,7 @@ impl Heading {
 /// Stands for the number of a leg in names.
 const LEG: &str = "#";
 
-/// Where the cells of a column come from.
+/// Source of the cells of a column.
 #[derive(Debug)]
 enum Source<R> {
     Word(fn(&R) -> String),
@@ -163,7 +163,7 @@ impl<R> Column<R> {
         Self::new(name, Source::Legs(of), about)
     }
 
-    /// The same column with its unit in words.
+    /// Sets the unit in words.
     #[must_use]
     pub const fn in_unit(mut self, unit: &'static str) -> Self {
         self.unit = Some(unit);

@@ -97,7 +97,7 @@ pub const COLUMNS: [Column<Landing>; 17] = [
     ),
 ];
 
-/// What reports of single landings have besides.
+/// Additional results in reports of single landings.
 pub const OF_REPORTS: [Column<Landing>; 10] = [
     Column::number(
         "min_stability_time_s",

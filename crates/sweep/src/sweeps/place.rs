@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value as Json};
+use touchdown_dynamics::per_leg::MOST_LEGS;
 
 use crate::assignment::Assignment;
-use crate::column::Cell;
 use crate::design::Design;
 use crate::document::{Entry, Node, Value};
 use crate::grid::Grid;
@@ -28,23 +28,7 @@ impl Sweep {
     /// # Errors
     /// If an axis has no value, a value has no axis, or the place is not allowed.
     pub fn at(mut self, values: &[Assignment]) -> Result<Self, InputError> {
-        let varies = |one: &&Assignment| self.axes.contains(one.parameter());
-        if let Some(other) = values.iter().find(|one| !varies(one)) {
-            let name = other.parameter().name();
-            let expected = names(&self.axes);
-            return Err(InputError::other(format!(
-                "{name} = {}: does not vary in the sweep: expected {expected}",
-                other.text()
-            )));
-        }
-        let coordinates = self.axes.iter().map(|axis| {
-            let given = values.iter().find(|one| one.parameter() == axis);
-            given.and_then(|one| coordinate(axis, one)).ok_or_else(|| {
-                let expected = format!("a value of each axis of the sweep: {}", names(&self.axes));
-                InputError::missing(axis.name(), &expected)
-            })
-        });
-        let coordinates: Vec<f64> = coordinates.collect::<Result<_, _>>()?;
+        let coordinates = coordinates(&self.axes, values)?;
         self.case_at(&coordinates)
             .map_err(|fault| InputError::other(fault.to_string()))?;
         let level = |value: &f64| Some((Levels::list(vec![*value])?, None));
@@ -90,15 +74,33 @@ impl Sweep {
             (beside(path), toml_text::text(&entries(vehicle))),
         ];
         let copies = copies.map(|(path, text)| Source { path, text });
-        let sweep = Self::read_from(&copies[0].path, Library::Copies(&copies));
-        sweep
-            .map_err(|error| error.nowhere().at(Place::file(path)))?
-            .at(values)
+        Self::read_from(&copies[0].path, Library::Copies(&copies))
+            .map_err(|error| error.nowhere().at(Place::file(path)))
     }
 }
 
 fn beside(path: &Path) -> PathBuf {
     path.parent().unwrap_or(Path::new("")).join(VEHICLE)
+}
+
+/// Coordinates of the place where axes have these values.
+fn coordinates(axes: &[Parameter], values: &[Assignment]) -> Result<Vec<f64>, InputError> {
+    let names: Vec<&str> = axes.iter().map(Parameter::name).collect();
+    let names = names.join(", ");
+    if let Some(other) = values.iter().find(|one| !axes.contains(one.parameter())) {
+        let (name, text) = (other.parameter().name(), other.text());
+        return Err(InputError::other(format!(
+            "{name} = {text}: does not vary in the sweep: expected {names}"
+        )));
+    }
+    let coordinate = |axis: &Parameter| {
+        let given = values.iter().find(|one| one.parameter() == axis);
+        given.and_then(|one| coordinate(axis, one)).ok_or_else(|| {
+            let expected = format!("a value of each axis of the sweep: {names}");
+            InputError::missing(axis.name(), &expected)
+        })
+    };
+    axes.iter().map(coordinate).collect()
 }
 
 /// Coordinate of an axis that a value, in any unit, stands for.
@@ -111,11 +113,6 @@ fn coordinate(axis: &Parameter, value: &Assignment) -> Option<f64> {
         }
         _ => None,
     }
-}
-
-fn names(axes: &[Parameter]) -> String {
-    let names: Vec<&str> = axes.iter().map(Parameter::name).collect();
-    names.join(", ")
 }
 
 /// Recorded conditions without the angles that are 0 by default, where the attitude varies by its tip.
@@ -165,24 +162,19 @@ fn scene_entries(scene: &Map<String, Json>) -> Vec<Entry> {
 
 /// The table `[axes]` with these values alone.
 fn axis_entries(axes: &Map<String, Json>, values: &[Assignment]) -> Result<Vec<Entry>, InputError> {
-    let names: Vec<&str> = axes.keys().map(String::as_str).collect();
-    let entries = axes.keys().map(|name| {
-        let given = values.iter().find_map(|one| {
-            let axis = Parameter::named(name, touchdown_dynamics::per_leg::MOST_LEGS)?;
-            let is_it = axis == *one.parameter();
-            is_it.then(|| axis.cell(coordinate(&axis, one).unwrap_or(f64::NAN)))
-        });
-        let value = match given {
-            Some(Cell::Word(known)) => word(&known),
-            Some(Cell::Number(number)) => of(Value::Number(number)),
-            _ => {
-                let expected = format!("a value of each axis of the sweep: {}", names.join(", "));
-                return Err(InputError::missing(name, &expected));
-            }
+    let known = axes
+        .keys()
+        .filter_map(|name| Parameter::named(name, MOST_LEGS));
+    let axes: Vec<Parameter> = known.collect();
+    let coordinates = coordinates(&axes, values)?;
+    let entries = axes.iter().zip(coordinates).map(|(axis, coordinate)| {
+        let value = match axis.word(coordinate) {
+            Some(known) => word(known),
+            None => of(Value::Number(coordinate)),
         };
-        Ok(entry(name, of(Value::List(vec![value]))))
+        entry(axis.name(), of(Value::List(vec![value])))
     });
-    entries.collect()
+    Ok(entries.collect())
 }
 
 /// The table `[solver]` without what the record says in other words.

@@ -49,7 +49,7 @@ use crate::run::{Observer, RunError, Workers};
 use crate::shard::Shard;
 use crate::sweep_file::Sweep;
 
-/// What runs are run with.
+/// Threads, folder and callbacks shared by runs.
 #[derive(Debug)]
 pub struct Runner<'r, O> {
     /// The threads.
@@ -64,7 +64,7 @@ pub struct Runner<'r, O> {
     pub version: &'r str,
 }
 
-/// What is computed.
+/// A sweep or a table of cases to compute.
 #[derive(Debug, Clone, Copy)]
 pub enum Task<'w> {
     /// The points of a shard of a sweep.

@@ -22,7 +22,7 @@ fn row(table: &str, number: usize) -> Vec<(String, String)> {
     heading.into_iter().zip(row).collect()
 }
 
-/// What the sweep finds at the place of a row, by name.
+/// Results of the sweep at its first point, by name.
 fn found(sweep: &Sweep) -> Vec<(String, String)> {
     let found = Workers::start(None).unwrap().points(sweep, &[0]).unwrap();
     let cells = results::row(sweep, 0, &found[0]).into_iter();

@@ -152,7 +152,7 @@ fn more_cases_than_files_may_be_open_are_landed() {
     assert!(said.contains(written), "{said}");
 }
 
-/// What has landed is kept when the history of another case cannot be written.
+/// Histories of cases that have landed are kept when that of another cannot be written.
 #[test]
 #[cfg(unix)]
 fn histories_of_finished_cases_stay() {
