@@ -41,6 +41,8 @@ pub struct Source<'s> {
     pub bands: Option<&'s str>,
     /// The table of edges beside the triangles of a map.
     pub edges: Option<&'s str>,
+    /// The table of points beside the triangles of a map.
+    pub points: Option<&'s str>,
     /// The record beside it.
     pub record: Option<&'s str>,
 }
@@ -115,7 +117,7 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
     }
     choices.check("a sweep", true, false)?;
     if map_table::is_one(table) {
-        let map = MapTable::parse(table, source.edges)?;
+        let map = MapTable::parse(table, source.edges, source.points)?;
         let levels = choices.levels.as_ref();
         return Ok(vec![
             Picture {

@@ -56,7 +56,7 @@ pub use points::{assignment, design, distribution, grid, levels, parameter, refi
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
 pub use search::{
     bands, boundary, certainty, contact_warnings, first_transition, hidden, hidden_band_checks,
-    lattice, refine, scan, search_range, skipped, trial,
+    lattice, patchy, refine, scan, search_range, skipped, trial,
 };
 use search::{join_all, narrowed_scan, run_out};
 pub use summary::{findings, probabilities, sweep_counts, transition_statistics};

@@ -14,6 +14,7 @@ use touchdown_sweep::document::Value;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::landing_table::{self, why};
+use touchdown_sweep::probabilities::wilson;
 use touchdown_sweep::results;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::scene_input::HORIZONTAL_VELOCITY;
@@ -142,6 +143,21 @@ impl Answer<'_> {
                 )
             }
         };
+        if let Some(patchy) = boundary.patchy {
+            let share = wilson(patchy.not_stable, patchy.landings).map(|share| 100.0 * share);
+            text += &format!(
+                "  patchy up to {}: {} of {} landings there are not stable (95 % interval {:.0} to {:.0} %)\n",
+                told(patchy.to),
+                patchy.not_stable,
+                patchy.landings,
+                share[0],
+                share[1]
+            );
+        }
+        if boundary.transition.is_some() {
+            let below = number(boundary.stable_below as usize, "landing");
+            text += &format!("  {below} below, all stable\n");
+        }
         for band in &boundary.bands {
             text += &format!(
                 "  {} from {} to {}\n",

@@ -59,7 +59,7 @@
  *
  * @typedef {{ name: string, title: string, unit: string, values: number[], fixed?: number | string }} Axis
  * @typedef {{ place: number[], speed: number | null, low: number | null, high: number | null, to: Class | null,
- *   certainty: string | null, disputed: [number, number] | null, bands?: (Kind & { from: number, to: number })[] }} MapPoint
+ *   certainty: string | null, disputed: [number, number] | null, patchy_to: number | null, bands?: (Kind & { from: number, to: number })[] }} MapPoint
  * @typedef {{ title: string, conditions: string, statement: string | null, source: string, speed_unit: string, speed_column: string, axes: Axis[],
  *   other_axes: Axis[], points: MapPoint[], grid: { speeds: (number | null)[][] } | null,
  *   triangles: [number, number, number][][] | null, jump: number | null, jump_bars: [number, number][][], bisector: [number, number][][],

@@ -2,7 +2,7 @@ import { element } from "../look/elements.js";
 import { colours, onTheme } from "../look/theme.js";
 import { font, scaled, textScale, writeWords } from "../look/text.js";
 import { label, roundValues } from "../look/words.js";
-import { crosshair, disc, openTriangle } from "./marks.js";
+import { crosshair, disc, openTriangle, ring } from "./marks.js";
 import { band, bandsOf, joined, pieces, trianglesOf } from "./triangles.js";
 import { nearestPoint, viewOf } from "./view.js";
 
@@ -281,7 +281,8 @@ export class ContourMap {
       }
     }
     if (!map.grid && !map.triangles) this.#scattered(context, map);
-    for (const { place, to, certainty } of map.points) {
+    for (const { place, to, certainty, patchy_to } of map.points) {
+      if (patchy_to !== null) ring(context, ...this.pixel(place[0], place[1]), 3, now.stable);
       const isDoubtful = to === "failure" || to === "undecided";
       if (isDoubtful) disc(context, ...this.pixel(place[0], place[1]), 3.5, now[/** @type {"failure"} */ (to)]);
       if (certainty !== "disputed") continue;

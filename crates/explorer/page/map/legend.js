@@ -20,6 +20,7 @@ export function legendOf(map) {
   const edges = new Set(map.edges.map(({ kind }) => kind));
   for (const kind of ["end", "jump", "bands"]) if (edges.has(/** @type {"end"} */ (kind))) add(`edge-${kind}`, map.words[kind === "jump" ? "edge_jump" : kind]);
   if (map.points.some(({ certainty }) => certainty === "disputed")) add("disputed", "disputed: the smallest change of the input decides");
+  if (map.points.some(({ patchy_to }) => patchy_to !== null)) add("patchy", "patchy: stable landings among others");
   for (const kind of ["failure", "undecided"]) {
     if (map.points.some(({ to }) => to === kind)) add(kind, map.kinds.find((known) => known.class === kind)?.word ?? kind);
   }

@@ -201,7 +201,8 @@ export class MapTab extends EventTarget {
     const bracket = point.low !== null && point.high !== null ? `, between ${label(point.low, 8)} and ${label(point.high, 8)}` : "";
     const certain = point.certainty ? `; ${point.certainty}` : "";
     const disputed = point.disputed ? ` from ${label(point.disputed[0], 7)} to ${label(point.disputed[1], 7)}` : "";
-    this.reading.replaceChildren(subscripted(`${where}: ${value}${bracket}${certain}${disputed}`));
+    const patchy = point.patchy_to === null ? "" : `; patchy up to ${label(point.patchy_to, 7)}`;
+    this.reading.replaceChildren(subscripted(`${where}: ${value}${bracket}${certain}${disputed}${patchy}`));
   }
 
   /** Lands on both sides of the boundary at a point. @param {MapPoint} point */

@@ -20,6 +20,15 @@ export function disc(context, x, y, radius, colour) {
   context.fill();
 }
 
+/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} radius @param {string} colour */
+export function ring(context, x, y, radius, colour) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.strokeStyle = colour;
+  context.lineWidth = 1.5;
+  context.stroke();
+}
+
 /** A crosshair at what is chosen. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {string} halo */
 export function crosshair(context, x, y, colour, halo) {
   for (const [width, style] of /** @type {[number, string][]} */ ([[5, halo], [2, colour]])) {

@@ -68,7 +68,7 @@ function throughTriangles(map, along, at) {
     const next = cuts[index + 1];
     const place = (/** @type {[number, number]} */ [x, speed], /** @type {boolean} */ breaks) => {
       const coordinates = along === 0 ? [x, at] : [at, x];
-      return { x, breaks, point: { place: coordinates, speed, low: null, high: null, to: kind, certainty: null, disputed: null } };
+      return { x, breaks, point: { place: coordinates, speed, low: null, high: null, to: kind, certainty: null, disputed: null, patchy_to: null } };
     };
     const isLast = !next || Math.abs(next.from[0] - to[0]) + Math.abs(next.from[1] - to[1]) > 1e-6;
     return isLast ? [place(from, false), place(to, true)] : [place(from, false)];

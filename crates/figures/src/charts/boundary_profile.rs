@@ -7,7 +7,7 @@ use crate::canvas::Canvas;
 use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
-use crate::legend::{Mark, draw_mark};
+use crate::legend::{Mark, draw_mark, stripe};
 use crate::profile_points::{self, ProfilePoint};
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Colour, Style};
@@ -66,10 +66,28 @@ fn draw_body(
         let same: Vec<_> = same.map(|region| frame.places(region.corners)).collect();
         canvas.fill_areas(&same, palette::region(kind));
     }
+    draw_stripes(canvas, &frame, &shading::patchy(points, high));
     frame.draw(canvas, Style::stroke(palette::GRID, 1.0));
     draw_line(canvas, &frame, points);
     draw_marks(canvas, &frame, points, high);
     draw_words(canvas, &frame, points, (low, high));
+}
+
+/// Upright stripes where stable landings and others alternate, at even distances over the whole picture.
+fn draw_stripes(canvas: &mut Canvas, frame: &Frame, areas: &[[(f64, f64); 4]]) {
+    for corners in areas {
+        let corners = frame.places(*corners);
+        let [(a, low), (b, other_low), (_, other_high), (_, high)] = corners[..] else {
+            continue;
+        };
+        let at = |x: f64, [y, z]: [f64; 2]| y + (z - y) * (x - a) / (b - a);
+        let apart = palette::STRIPES_APART;
+        let [first, end] = [a.min(b), a.max(b)].map(|x| (x / apart).ceil() as i64);
+        for x in (first..end).map(|index| apart * index as f64) {
+            let ends = [(x, at(x, [low, other_low])), (x, at(x, [high, other_high]))];
+            canvas.curve(&ends, stripe());
+        }
+    }
 }
 
 /// Joins the transitions of neighbours, and draws the bracket of each.
@@ -165,6 +183,9 @@ fn legend(points: &[ProfilePoint], caption: &Caption) -> Vec<(Mark, String)> {
         let region = Mark::Area(Style::fill(palette::region(kind)));
         (region, palette::word(kind).to_owned())
     }));
+    if !shading::patchy(points, high).is_empty() {
+        entries.push((Mark::Patchy, palette::PATCHY_WORDS.to_owned()));
+    }
     if points.iter().any(|point| point.transition.is_none()) {
         entries.push((Mark::NoTransition, caption.without_transition()));
     }

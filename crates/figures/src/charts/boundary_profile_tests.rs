@@ -110,3 +110,23 @@ fn two_axes_are_refused() {
         "{complaint}"
     );
 }
+
+#[test]
+fn patchy_stretches_are_striped() {
+    let mut rows = TABLE.lines().map(|row| match row {
+        row if row.starts_with("roll") => format!("{row},patchy_to_fps\n"),
+        row if row.starts_with("0,") => format!("{row},13\n"),
+        row => format!("{row},\n"),
+    });
+    let table: String = rows.by_ref().collect();
+    let (striped, sharp) = (
+        draw(&table, &caption()).unwrap(),
+        draw(TABLE, &caption()).unwrap(),
+    );
+    let stripes = |svg: &str| svg.matches("stroke=\"#008264\"").count();
+    assert!(striped.contains(palette::PATCHY_WORDS) && !sharp.contains(palette::PATCHY_WORDS));
+    // From half-way between -10 and 0 deg to half-way between 0 and 10 deg, of 42 deg over 796 pixels; four in the legend.
+    let expected = 796.0 * 10.0 / 42.0 / palette::STRIPES_APART + 4.0;
+    let more = stripes(&striped) - stripes(&sharp);
+    assert!((more as f64 - expected).abs() < 1.5, "{more} {expected}");
+}

@@ -83,6 +83,38 @@ fn bands(point: &ProfilePoint, high: f64) -> Vec<Band> {
     }
 }
 
+/// Ranges of speeds, up to `high`, in which stable landings and others alternate above a first transition: half-way to each neighbour, or up
+/// to a neighbour that has one too: corners as those of a region.
+pub fn patchy(points: &[ProfilePoint], high: f64) -> Vec<[(f64, f64); 4]> {
+    let ends = |point: &ProfilePoint| {
+        let found = point.transition?;
+        Some((found.speed, found.patchy_to?.min(high)))
+    };
+    let speed = |point: &ProfilePoint| Some(point.transition?.speed);
+    let mut found = Vec::new();
+    for pair in points.windows(2) {
+        let [left, right] = [&pair[0], &pair[1]];
+        if let (Some((a, b)), Some((c, d))) = (ends(left), ends(right)) {
+            found.push([(left.x, a), (right.x, c), (right.x, d), (left.x, b)]);
+            continue;
+        }
+        for (point, beside) in [(left, right), (right, left)] {
+            if let Some((from, to)) = ends(point) {
+                let middle = 0.5 * (point.x + beside.x);
+                let border = speed(beside).map_or(from, |beside| 0.5 * (from + beside));
+                let top = to.max(border);
+                found.push([
+                    (point.x, from),
+                    (middle, border),
+                    (middle, top),
+                    (point.x, to),
+                ]);
+            }
+        }
+    }
+    found
+}
+
 /// Middle of the widest run of at least two regions of a kind, and its mean height there.
 pub fn broadest(points: &[ProfilePoint], kind: Kind, high: f64) -> Option<(f64, f64)> {
     let regions = regions(points, high);
@@ -164,6 +196,23 @@ mod tests {
         assert_eq!(found.len(), 2);
         assert_eq!(found[1].kind, Kind::Bottomed);
         assert_eq!(found[1].corners[0], (0.0, 20.0));
+    }
+
+    #[test]
+    fn a_patchy_stretch_ends_half_way_to_a_sharp_neighbour() {
+        let mut points = [0.0, 1.0, 2.0, 3.0].map(|x| point(x, Some(11.0 + x)));
+        for (point, to) in points[..2].iter_mut().zip([12.0, 14.0]) {
+            point.transition.as_mut().unwrap().patchy_to = Some(to);
+        }
+        points[3].transition = None;
+        assert_eq!(
+            patchy(&points, 13.5),
+            [
+                [(0.0, 11.0), (1.0, 12.0), (1.0, 13.5), (0.0, 12.0)],
+                [(1.0, 12.0), (1.5, 12.5), (1.5, 13.5), (1.0, 13.5)],
+            ]
+        );
+        assert!(patchy(&points[2..], 25.0).is_empty());
     }
 
     #[test]

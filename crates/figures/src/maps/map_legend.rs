@@ -86,5 +86,9 @@ fn of_points(surface: &Surface, caption: &Caption) -> Vec<Entry> {
             entries.push((mark, words));
         }
     }
+    let patchy = Mark::Ring(palette::PATCHY);
+    if surface.doubtful.iter().any(|(_, found)| *found == patchy) {
+        entries.push((patchy, palette::PATCHY_WORDS.to_owned()));
+    }
     entries
 }

@@ -3,7 +3,7 @@
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::isolines;
-use crate::legend::{Entry, Mark};
+use crate::legend::{Entry, Mark, draw_mark};
 use crate::levels::Levels;
 use crate::map_table::{EdgeKind, MapTable};
 use crate::map_view::View;
@@ -40,8 +40,16 @@ pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> S
     for edge in &map.edges {
         canvas.curve(&places(&edge.places), style(edge.kind));
     }
+    for place in frame.places(map.patchy.iter().map(|place| view.at(*place))) {
+        draw_mark(&mut canvas, patchy(), place, palette::SMALL_MARK);
+    }
     colour_bar::draw(&mut canvas, right, &extent, &levels, caption.speed_unit);
     canvas.into_svg()
+}
+
+/// Mark of a point above which stable landings and others alternate.
+fn patchy() -> Mark {
+    Mark::Ring(palette::PATCHY)
 }
 
 /// Draws the perspective as SVG.
@@ -143,6 +151,9 @@ fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
     let mut entries: Vec<Entry> = (EdgeKind::ALL.into_iter().filter(is_there))
         .map(|kind| (Mark::Line(style(kind)), words(kind).to_owned()))
         .collect();
+    if !map.patchy.is_empty() {
+        entries.push((patchy(), palette::PATCHY_WORDS.to_owned()));
+    }
     let words = format!("white: {}", caption.without_transition());
     entries.push((
         Mark::Area(Style::fill(WHITE).outlined(palette::GRID, 1.0)),

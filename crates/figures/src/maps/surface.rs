@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use crate::boundary_table::{BoundaryTable, Kind, Transition};
 use crate::legend::Mark;
+use crate::palette;
 use crate::ticks::round_step;
 
 /// Part of the whole range below which a difference between neighbours is never a jump.
@@ -24,7 +25,7 @@ pub struct Surface {
     /// Velocities, one row for each value of the slow axis; `None` without a transition.
     pub speeds: Vec<Vec<Option<f64>>>,
     /// Points whose transition is no boundary between stable landings and others: landings there cannot be computed or
-    /// are undecided, or those at the lowest speed searched are not stable.
+    /// are undecided, those at the lowest speed searched are not stable, or stable landings and others alternate above it.
     pub doubtful: Vec<([f64; 2], Mark)>,
     /// Difference above which the transitions of neighbours belong to different kinds of motion: the boundary jumps
     /// between them, and nothing between them is known.
@@ -212,7 +213,7 @@ impl Surface {
     }
 }
 
-/// The mark of a transition that is no boundary between stable landings and others.
+/// The mark of a transition that is no boundary between stable landings and others, or a patchy one.
 fn doubt(found: Transition) -> Option<Mark> {
     match found {
         Transition {
@@ -222,6 +223,9 @@ fn doubt(found: Transition) -> Option<Mark> {
             kind: kind @ (Kind::Failure | Kind::Undecided),
             ..
         } => Some(Mark::Transition(kind)),
+        Transition {
+            patchy_to: Some(_), ..
+        } => Some(Mark::Ring(palette::PATCHY)),
         _ => None,
     }
 }

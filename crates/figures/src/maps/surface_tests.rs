@@ -1,4 +1,5 @@
 use super::*;
+use crate::map_table::MapTable;
 
 /// Three by four points, one without transition, one across a jump.
 pub(crate) const TABLE: &str = "\
@@ -99,4 +100,26 @@ fn what_fills_no_grid_is_no_surface() {
     assert_eq!(Surface::of(&table, |_| true), None);
     assert_eq!(Surface::of(&table, |slow| slow < 100.0), None);
     assert!(Surface::of(&table, |slow| slow < 150.0).is_some());
+}
+
+#[test]
+fn patchy_transitions_are_marked() {
+    let mut table = String::new();
+    for row in TABLE.lines() {
+        let cell = match row {
+            row if row.starts_with("cross") => "patchy_to_fps",
+            row if row.starts_with("130,10") => "13.5",
+            _ => "",
+        };
+        table += &format!("{row},{cell}\n");
+    }
+    let surface = Surface::of(&BoundaryTable::parse(&table).unwrap(), |_| true).unwrap();
+    let ring = Mark::Ring(palette::PATCHY);
+    assert_eq!(surface.doubtful, [([130.0, 10.0], ring)]);
+    let map = MapTable::parse(
+        "cross_slope_deg,roll_deg,triangle,first_transition_fps\n80,-30,1,12\n80,30,1,12\n180,30,1,14\n",
+        None,
+        Some(&table),
+    );
+    assert_eq!(map.unwrap().patchy, [[130.0, 10.0]]);
 }

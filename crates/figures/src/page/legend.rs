@@ -31,6 +31,8 @@ pub enum Mark {
     Line(Style),
     /// An area of this style.
     Area(Style),
+    /// A striped area: stable landings and others alternate.
+    Patchy,
 }
 
 /// Draws a mark of half breadth `side`, centred at a place, pixels.
@@ -89,6 +91,12 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
         Mark::Line(style) => {
             canvas.curve(&[(x - LINE / 2.0, y), (x + LINE / 2.0, y)], style);
         }
+        Mark::Patchy => {
+            for left in [-1.5, -0.5, 0.5, 1.5] {
+                let x = x + left * palette::STRIPES_APART;
+                canvas.curve(&[(x, y - side), (x, y + side)], stripe());
+            }
+        }
         Mark::Area(style) => {
             canvas.rectangle(
                 (x - side - 4.0, y - side),
@@ -97,6 +105,11 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
             );
         }
     }
+}
+
+/// Style of the stripes of a patchy area.
+pub fn stripe() -> Style {
+    Style::stroke(palette::PATCHY, palette::STRIPE)
 }
 
 /// Length of the sample of a line, pixels.
@@ -114,7 +127,7 @@ pub type Entry = (Mark, String);
 fn mark_width(mark: Mark) -> f64 {
     match mark {
         Mark::Line(_) => LINE + 8.0,
-        Mark::Area(_) => 26.0,
+        Mark::Area(_) | Mark::Patchy => 26.0,
         _ => 18.0,
     }
 }

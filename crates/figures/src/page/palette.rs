@@ -24,10 +24,18 @@ pub const JUMP: Colour = Colour(190, 30, 100);
 pub const BISECTOR: Colour = Colour(0, 0, 0);
 /// The lowest transition of each row of a map.
 pub const LOWEST: Colour = Colour(230, 90, 0);
+/// Stripes, and rings of points, where stable landings and others alternate above the transition.
+pub const PATCHY: Colour = Colour(0, 130, 100);
 /// Marks of points without a transition.
 pub const NONE: Colour = Colour(0, 130, 100);
 /// Width of the bars where the boundary jumps, pixels.
 pub const JUMP_WIDTH: f64 = 3.0;
+/// Words for them.
+pub const PATCHY_WORDS: &str = "patchy: stable landings among others";
+/// Width of stripes, pixels.
+pub const STRIPE: f64 = 1.5;
+/// Their distance, pixels.
+pub const STRIPES_APART: f64 = 5.0;
 /// Half the breadth of a mark, pixels.
 pub const MARK: f64 = 5.0;
 /// Half the breadth of marks that would otherwise touch, pixels.

@@ -10,6 +10,7 @@ const KIND: &str = "first_transition_to";
 const SPEED: &str = "first_transition_fps";
 const LOW: &str = "bracket_low_fps";
 const HIGH: &str = "bracket_high_fps";
+const PATCHY: &str = "patchy_to_fps";
 
 /// Outcome of landings above a transition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,6 +64,8 @@ pub struct Transition {
     pub low: Option<f64>,
     /// Upper end of its bracket.
     pub high: f64,
+    /// Speed up to which stable landings and others alternate; `None` where it is sharp, or where nobody looked.
+    pub patchy_to: Option<f64>,
 }
 
 /// A row of the table.
@@ -148,6 +151,7 @@ impl BoundaryTable {
             table.column(LOW)?,
             table.column(HIGH)?,
         ];
+        let patchy = table.find(PATCHY);
         let known = &table.names()[..kind];
         let mut columns: Vec<usize> = Vec::new();
         for axis in axes {
@@ -174,7 +178,7 @@ impl BoundaryTable {
                 .map(|column| Ok(row.number(*column)? + 0.0))
                 .collect::<Result<_, FigureError>>()?;
             let point = Point {
-                transition: transition(row, kind, velocities)?,
+                transition: transition(row, kind, velocities, patchy)?,
                 coordinates,
             };
             let bits = point.coordinates.iter().map(|value| value.to_bits());
@@ -209,20 +213,23 @@ fn transition(
     row: Row,
     kind: usize,
     [speed, low, high]: [usize; 3],
+    patchy: Option<usize>,
 ) -> Result<Option<Transition>, FigureError> {
     let kind = match row.text(kind) {
         "none" => return Ok(None),
         name => Kind::from_name(name)
             .ok_or_else(|| row.error(kind, "unstable, bottomed, failure, undecided or none"))?,
     };
+    let optional = |column: usize| match row.text(column) {
+        "" => Ok(None),
+        _ => row.velocity(column).map(Some),
+    };
     Ok(Some(Transition {
         kind,
         speed: row.velocity(speed)?,
-        low: match row.text(low) {
-            "" => None,
-            _ => Some(row.velocity(low)?),
-        },
+        low: optional(low)?,
         high: row.velocity(high)?,
+        patchy_to: patchy.map_or(Ok(None), optional)?,
     }))
 }
 

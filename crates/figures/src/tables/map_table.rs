@@ -1,5 +1,6 @@
 //! Reads the surface of a map, as triangles, and its edges.
 
+use crate::boundary_table::{BoundaryTable, Point};
 use crate::figure_error::FigureError;
 use crate::table::{Row, Table, has_column};
 
@@ -54,6 +55,8 @@ pub struct MapTable {
     pub triangles: Vec<[Corner; 3]>,
     /// Its edges.
     pub edges: Vec<Edge>,
+    /// Its points above which stable landings and others alternate.
+    pub patchy: Vec<[f64; 2]>,
 }
 
 /// Returns whether a table is one of triangles.
@@ -62,11 +65,15 @@ pub fn is_one(csv: &str) -> bool {
 }
 
 impl MapTable {
-    /// Reads the table of triangles and that of edges, if there is one.
+    /// Reads the table of triangles, and those of edges and of points, if there are.
     ///
     /// # Errors
     /// When they are not as the program writes them, or not over two axes.
-    pub fn parse(triangles: &str, edges: Option<&str>) -> Result<Self, FigureError> {
+    pub fn parse(
+        triangles: &str,
+        edges: Option<&str>,
+        points: Option<&str>,
+    ) -> Result<Self, FigureError> {
         let table = Table::parse(triangles)?;
         let (triangle, speed) = (table.column(TRIANGLE)?, table.column(SPEED)?);
         let [slow, fast] = table.names()[..triangle] else {
@@ -84,12 +91,25 @@ impl MapTable {
             Some(edges) => read_edges(edges)?,
             None => Vec::new(),
         };
+        let patchy = match points {
+            Some(points) => patchy(&BoundaryTable::worst_by(points, &axes)?),
+            None => Vec::new(),
+        };
         Ok(Self {
             axes,
             triangles: triangles.to_vec(),
             edges,
+            patchy,
         })
     }
+}
+
+fn patchy(points: &BoundaryTable) -> Vec<[f64; 2]> {
+    let place = |point: &Point| match (point.transition?.patchy_to, &point.coordinates[..]) {
+        (Some(_), [slow, fast]) => Some([*slow, *fast]),
+        _ => None,
+    };
+    points.points.iter().filter_map(place).collect()
 }
 
 fn place(row: Row) -> Result<[f64; 2], FigureError> {

@@ -83,6 +83,7 @@ pub(crate) mod tests {
             speed,
             low: Some(speed),
             high: speed,
+            patchy_to: None,
         });
         ProfilePoint {
             x,

@@ -48,9 +48,8 @@ pub fn files(vehicle: &Vehicle) -> Result<Vec<(String, Vec<u8>)>, Failure> {
         let source = Source {
             name: stem,
             table: &table,
-            bands: None,
-            edges: None,
             record: Some(&record),
+            ..Source::default()
         };
         let pictures = picture::draw(&source, &Choices::default()).map_err(Failure::running)?;
         files.extend(crate::as_files(stem, pictures));

@@ -91,6 +91,13 @@ class Boundary(InBothUnits):
         Between which velocities it is disputed, ft/s.
     solver_tolerance : float or None
         Tolerance at which both ends of the bracket were landed.
+    stable_landings_below : int
+        Landings below it, all stable.
+    patchy_to_fps : float or None
+        Upper end of a patchy stretch, in which stable landings and others alternate from the transition on, ft/s; None where the
+        transition is sharp.
+    patchy_landings, patchy_not_stable : int
+        Landings at even parts of that stretch, and those of them that are not stable.
     bands : tuple of Band
         All bands of the range, from below; empty with ``bands = "first"``.
     landings, derivative_evaluations : int
@@ -111,6 +118,10 @@ class Boundary(InBothUnits):
     disputed_from_fps: float | None
     disputed_to_fps: float | None
     solver_tolerance: float | None
+    stable_landings_below: int
+    patchy_to_fps: float | None
+    patchy_landings: int
+    patchy_not_stable: int
     bands: tuple[Band, ...]
     landings: int
     derivative_evaluations: int
@@ -151,6 +162,8 @@ class Boundary(InBothUnits):
         else:
             speed = told("first_transition_fps", self.first_transition_fps, self.units)
             found = f"V_H {speed} to {self.first_transition_to}, {self.certainty or 'untested'}"
+            if self.patchy_to_fps is not None:
+                found += f", patchy up to {told('patchy_to_fps', self.patchy_to_fps, self.units)}"
         bands = {0: "", 1: ", 1 band"}.get(len(self.bands), f", {len(self.bands)} bands")
         return f"<Boundary of {self.vehicle.name}: {found}{bands}>"
 

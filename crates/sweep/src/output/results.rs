@@ -16,7 +16,7 @@ use crate::sweep_file::{Job, Sweep};
 use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
 
 /// Columns of the table of a boundary sweep, after the axes.
-pub const COLUMNS: [Column<Boundary>; 10] = [
+pub const COLUMNS: [Column<Boundary>; 14] = [
     Column::word(
         "first_transition_to",
         transition_name,
@@ -71,6 +71,27 @@ pub const COLUMNS: [Column<Boundary>; 10] = [
         |found| found.transition.map(|transition| transition.tolerance),
         "tolerance at which both ends of the bracket were landed: that of `[solver]`, or the tighter one that a \
          disputed transition took to become certain, or was given up at; empty where there is no transition",
+    ),
+    Column::count(
+        "stable_landings_below",
+        |found| found.stable_below,
+        "landings below the transition, all stable; of `none` all landings",
+    ),
+    Column::number(
+        "patchy_to_fps",
+        |found| found.patchy.map(|patchy| patchy.to),
+        "upper end of a *patchy* stretch, in which stable landings and others alternate from the transition on; \
+         empty where the transition is sharp, as landings for a scan step above it are not stable",
+    ),
+    Column::count(
+        "patchy_landings",
+        |found| found.patchy.map_or(0, |patchy| patchy.landings),
+        "landings at even parts of that stretch",
+    ),
+    Column::count(
+        "patchy_not_stable",
+        |found| found.patchy.map_or(0, |patchy| patchy.not_stable),
+        "those of them that are not stable",
     ),
 ];
 
@@ -206,6 +227,9 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
             "bands": counts.bands,
             "landings_closer_below_transitions": counts.checks.below.checks,
             "transitions_lowered_by_them": counts.checks.below.finds,
+            "speeds_drawn_below_transitions": counts.checks.drawn.checks,
+            "drawn_speeds_not_stable": counts.checks.drawn.finds,
+            "patchy_transitions": counts.patchy,
             "looks_for_hidden_bands": counts.checks.all().checks,
             "hidden_bands_found": counts.checks.all().finds,
             "map_cells": counts.coarse_cells.cells,
@@ -297,7 +321,8 @@ mod tests {
         assert_eq!(
             names(heading(&sweep)),
             "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
-             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,solver_tolerance"
+             landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,solver_tolerance,\
+             stable_landings_below,patchy_to_fps,patchy_landings,patchy_not_stable"
         );
         let rows = boundaries.iter().enumerate();
         let rows = rows.map(|(point, boundary)| {
@@ -306,10 +331,10 @@ mod tests {
         assert_eq!(
             rows.collect::<Vec<_>>(),
             [
-                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,,3e-5",
-                "-55,none,,25,,101,2000,above,,,",
-                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,,3e-5",
-                "-45,failure,8,,8,0,0,at-or-below,,,3e-5"
+                "-60,unstable,11.375,11.25,11.5,50,1000,certain,,,3e-5,0,,0,0",
+                "-55,none,,25,,101,2000,above,,,,0,,0,0",
+                "-50,bottomed,0.2,0.1,0.3,50,1000,certain,,,3e-5,0,,0,0",
+                "-45,failure,8,,8,0,0,at-or-below,,,3e-5,0,,0,0"
             ]
         );
     }

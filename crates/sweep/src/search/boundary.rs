@@ -9,6 +9,7 @@ use crate::certainty::Certainty;
 use crate::contact_warnings::ContactWarnings;
 use crate::hidden_band_checks::HiddenBandChecks;
 use crate::narrowed_scan::NarrowedScan;
+use crate::patchy::PatchyStretch;
 use crate::skipped::Skipped;
 use crate::trial::{Sample, first_unstable};
 
@@ -72,11 +73,20 @@ impl Transition {
     }
 }
 
+/// Number of landings (in order) below the first that is not stable.
+fn stable_below(samples: &[Sample]) -> u64 {
+    first_unstable(samples).unwrap_or(samples.len()) as u64
+}
+
 /// Result and cost of a search.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Boundary {
     /// The first transition, if there is one in the range.
     pub transition: Option<Transition>,
+    /// Alternating landings above the first transition; `None` where it is sharp, or where the search did not look.
+    pub patchy: Option<PatchyStretch>,
+    /// Landings below the first transition, all stable.
+    pub stable_below: u64,
     /// Highest speed computed, ft/s; without a transition, landings are stable up to there.
     pub searched_to: f64,
     /// All bands of the range, lowest first; empty if only the first transition was sought.
@@ -133,6 +143,7 @@ impl Boundary {
     pub(crate) fn settle(&mut self, settled: &Settled) {
         settled.tests.iter().for_each(|tested| self.count(tested));
         self.transition = Transition::first_of(&settled.samples);
+        self.stable_below = stable_below(&settled.samples);
         if let Some(found) = &mut self.transition
             && let (Some(_), Some(tested)) = (found.low, settled.tests.first())
         {
@@ -145,6 +156,7 @@ impl Boundary {
         let mut boundary = Self {
             checks: scan.checks,
             skipped: scan.skipped,
+            patchy: scan.patchy,
             ..Self::of(&scan.samples)
         };
         boundary.landings += scan.spent[0];
@@ -156,6 +168,7 @@ impl Boundary {
     pub(crate) fn of(samples: &[Sample]) -> Self {
         Self {
             transition: Transition::first_of(samples),
+            stable_below: stable_below(samples),
             searched_to: samples.last().map_or(0.0, |highest| highest.speed),
             landings: samples.len() as u64,
             evaluations: samples.iter().map(|sample| sample.trial.evaluations).sum(),

@@ -48,6 +48,8 @@ pub struct HiddenBandChecks {
     pub gaps: CheckCounts,
     /// Landings below the first change of the scan, closer than its steps; searches whose first change they lowered.
     pub below: CheckCounts,
+    /// Landings at a speed drawn at random below the first transition; those that are not stable, and lower it.
+    pub drawn: CheckCounts,
 }
 
 impl HiddenBandChecks {
@@ -77,5 +79,6 @@ impl AddAssign for HiddenBandChecks {
         self.stroke += more.stroke;
         self.gaps += more.gaps;
         self.below += more.below;
+        self.drawn += more.drawn;
     }
 }

@@ -8,12 +8,15 @@
 
 use std::cell::RefCell;
 
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use touchdown_dynamics::outcome::{Class, Outcome};
 
 use crate::certainty::Variation;
 use crate::hidden;
 use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
 use crate::join_all::join_all;
+use crate::patchy::PatchyStretch;
 use crate::refine::Narrowed;
 use crate::run_out::run_outs;
 use crate::search_range::{Scan, Search};
@@ -32,6 +35,8 @@ pub(crate) struct NarrowedScan {
     pub(crate) checks: HiddenBandChecks,
     /// Skipped work.
     pub(crate) skipped: Skipped,
+    /// Alternating landings above the first transition.
+    pub(crate) patchy: Option<PatchyStretch>,
     /// Landings that are not among the samples, and their evaluations.
     pub(crate) spent: [u64; 2],
 }
@@ -100,12 +105,18 @@ impl Search {
             let (landings, first) = (scan.samples.len(), scan.first_change());
             scan.look_closer(self, &of_scan, &sample).await?;
             scan.follow_margins(&sample).await?;
-            let is_lowered = scan.first_change() < first;
             scan.checks.below = CheckCounts {
                 checks: (scan.samples.len() - landings) as u64,
-                finds: u64::from(is_lowered),
+                finds: u64::from(scan.first_change() < first),
             };
-            if is_lowered {
+            scan.draw_below(self.from, &of_scan, &sample).await?;
+            if scan.first_change() < first {
+                self.narrow_changes(&mut scan, to_first, &sample).await?;
+            }
+            if scan.is_first_irregular(self.scan_step) {
+                scan.look_just_below(self, &of_scan, &sample).await?;
+                self.narrow_changes(&mut scan, to_first, &sample).await?;
+                scan.look_just_above(self, &of_scan, &sample).await?;
                 self.narrow_changes(&mut scan, to_first, &sample).await?;
             }
         }
@@ -162,7 +173,7 @@ impl NarrowedScan {
     }
 
     /// Lowest speed that is not stable, ft/s; infinite if there is none.
-    fn first_change(&self) -> f64 {
+    pub(crate) fn first_change(&self) -> f64 {
         first_unstable(&self.samples).map_or(f64::INFINITY, |index| self.samples[index].speed)
     }
 
@@ -191,22 +202,42 @@ impl NarrowedScan {
         sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
     ) -> Result<(), Stop> {
         let dropped = RefCell::new(Vec::new());
-        let confirmed = async |speed| match of_scan(speed).await? {
-            loose if !loose.is_loose || loose.class() == Class::Stable => Ok(loose),
-            loose => {
-                dropped.borrow_mut().push(loose);
-                sample(speed).await
-            }
+        let closer = async |speed| confirmed(speed, Class::Stable, of_scan, sample, &dropped).await;
+        let closer = search.scanned_closer(&self.samples, &closer).await?;
+        self.keep(closer, dropped);
+        Ok(())
+    }
+
+    /// Lands at a speed drawn at random below the first change. The lowest landing seeds it, so that a place has the
+    /// same speed in any sweep.
+    async fn draw_below<Stop>(
+        &mut self,
+        from: f64,
+        of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    ) -> Result<(), Stop> {
+        let [lowest, .., highest] = self.below_first() else {
+            return Ok(());
         };
-        let closer = search.scanned_closer(&self.samples, &confirmed).await?;
-        self.skipped.loose += closer.iter().filter(|sample| sample.is_loose).count() as u64;
-        self.insert(closer);
+        let seed = lowest.trial.least_angle.to_bits() ^ lowest.trial.duration.to_bits();
+        let part: f64 = ChaCha8Rng::seed_from_u64(seed).random();
+        let speed = from + part * (highest.speed - from);
+        let dropped = RefCell::new(Vec::new());
+        let drawn = confirmed(speed, Class::Stable, of_scan, sample, &dropped).await?;
+        self.checks.drawn.count(drawn.class() != Class::Stable);
+        self.keep(vec![drawn], dropped);
+        Ok(())
+    }
+
+    /// Adds landings, and counts the loose ones that they replace.
+    pub(crate) fn keep(&mut self, landings: Vec<Sample>, dropped: RefCell<Vec<Sample>>) {
+        self.skipped.loose += landings.iter().filter(|sample| sample.is_loose).count() as u64;
+        self.insert(landings);
         for loose in dropped.into_inner() {
             self.spend(&loose);
             self.skipped.loose += 1;
             self.skipped.replaced += 1;
         }
-        Ok(())
     }
 
     /// Checks the intervals that may hide a band.
@@ -282,6 +313,24 @@ impl NarrowedScan {
         }
         unproven
     }
+}
+
+/// A loose landing if it is stable, or is not, as a landing of class `expected`; else one at the solver's tolerance, the
+/// loose one going to `dropped`.
+pub(crate) async fn confirmed<Stop>(
+    speed: f64,
+    expected: Class,
+    of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    dropped: &RefCell<Vec<Sample>>,
+) -> Result<Sample, Stop> {
+    let loose = of_scan(speed).await?;
+    let is_stable = |class| class == Class::Stable;
+    if !loose.is_loose || is_stable(loose.class()) == is_stable(expected) {
+        return Ok(loose);
+    }
+    dropped.borrow_mut().push(loose);
+    sample(speed).await
 }
 
 #[cfg(test)]

@@ -143,6 +143,8 @@ pub(crate) mod tests {
                 tolerance: 1e-9,
                 certainty: Certainty::Disputed([1.0, 2.0]),
             }),
+            patchy: None,
+            stable_below: 3,
             searched_to: 25.0,
             bands: vec![Band {
                 from: -0.0,

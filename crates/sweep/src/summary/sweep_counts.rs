@@ -45,6 +45,8 @@ pub struct SweepCounts {
     pub at_or_below: usize,
     /// Points with a disputed first transition.
     pub disputed: usize,
+    /// Points with stable landings among others above the first transition.
+    pub patchy: usize,
     /// Points with a transition to, or a band of, landings that could not be computed; below, that were undecided at
     /// the time limit.
     pub with_failures: usize,
@@ -186,6 +188,7 @@ impl SweepCounts {
             self.at_or_below += usize::from(transition.low.is_none());
             let is_disputed = matches!(transition.certainty, Certainty::Disputed(_));
             self.disputed += usize::from(is_disputed);
+            self.patchy += usize::from(boundary.patchy.is_some());
         }
         let is_lower = |transition: Transition| match self.lowest {
             Some((_, lowest)) => transition.speed() < lowest.speed(),

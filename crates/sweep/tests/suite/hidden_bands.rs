@@ -95,6 +95,10 @@ fn a_margin_that_runs_out_betrays_a_band_below_the_transition() {
     assert!((11.9..12.0).contains(&speed(&coarse)));
     assert!((11.62..11.66).contains(&speed(&close)));
     assert_eq!(close.checks.below.finds, 1);
-    // The landings are those that were not spent before.
-    assert!(close.landings < coarse.landings + 25);
+    assert!(close.checks.below.checks < 25);
+    // Of the half foot per second above it, 0.09 topple at its lower end and 0.19 at its upper one.
+    let patchy = close.patchy.unwrap();
+    assert!((12.13..12.16).contains(&patchy.to), "{patchy:?}");
+    assert_eq!([patchy.landings, patchy.not_stable], [32, 18]);
+    assert_eq!(coarse.patchy, None);
 }

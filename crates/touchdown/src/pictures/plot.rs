@@ -107,6 +107,7 @@ struct Files {
     table: String,
     bands: Option<String>,
     edges: Option<String>,
+    points: Option<String>,
     record: Option<String>,
 }
 
@@ -128,6 +129,7 @@ impl Files {
             table,
             bands: beside(format!("{name}-bands.csv")),
             edges: of_map.and_then(|stem| beside(format!("{stem}-edges.csv"))),
+            points: of_map.and_then(|stem| beside(format!("{stem}.csv"))),
             record,
             name,
         })
@@ -139,6 +141,7 @@ impl Files {
             table: &self.table,
             bands: self.bands.as_deref(),
             edges: self.edges.as_deref(),
+            points: self.points.as_deref(),
             record: self.record.as_deref(),
         }
     }

@@ -109,11 +109,14 @@ fn pictures(
     }
     let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
     if let [edges, _, surface] = tables.of_map.as_slice() {
-        let (edges, surface) = (edges.text(LONGEST_REDUCED)?, surface.text(LONGEST_REDUCED)?);
+        let [edges, surface, points] =
+            [edges, surface, &tables.points].map(|table| table.text(LONGEST_REDUCED));
+        let (edges, surface, points) = (edges?, surface?, points?);
         let source = Source {
             name: &sweep.stem(),
             table: surface.as_deref().unwrap_or_default(),
             edges: edges.as_deref(),
+            points: points.as_deref(),
             record: Some(record),
             ..Source::default()
         };
@@ -154,8 +157,8 @@ fn pictures(
         name: &stem,
         table: &points,
         bands: bands.as_deref(),
-        edges: None,
         record: Some(record),
+        ..Source::default()
     };
     let pictures = match picture::draw(&source, &Choices::default()) {
         Ok(pictures) => pictures,

@@ -80,14 +80,7 @@ pub fn sweep(
     {
         text += &bands(counts);
     }
-    let below = counts.checks.below;
-    if below.checks > 0 {
-        text += &format!(
-            "  below first transitions: {} closer than the scan's steps lowered {}\n",
-            number(below.checks, "landing"),
-            number(below.finds, "transition"),
-        );
-    }
+    text += &below(counts);
     let [asked, smooth] = counts.slopes;
     if asked > 0 {
         text += &format!("  sensitivities: {smooth} of {asked} have a derivative\n");
@@ -158,6 +151,7 @@ fn bands(counts: &SweepCounts) -> String {
         stroke,
         gaps,
         below: _,
+        drawn: _,
     } = counts.checks;
     let all = counts.checks.all();
     format!(
@@ -167,6 +161,35 @@ fn bands(counts: &SweepCounts) -> String {
         number(all.checks, "check"),
         all.finds
     )
+}
+
+/// What is known of the speeds below first transitions, and just above them.
+fn below(counts: &SweepCounts) -> String {
+    let HiddenBandChecks { below, drawn, .. } = counts.checks;
+    let mut text = String::new();
+    if below.checks > 0 {
+        text += &format!(
+            "  below first transitions: {} closer than the scan's steps lowered {}\n",
+            number(below.checks, "landing"),
+            number(below.finds, "transition"),
+        );
+    }
+    if drawn.checks > 0 {
+        let [_, most] = wilson(drawn.finds, drawn.checks);
+        text += &format!(
+            "  {} drawn at random there, {} not stable: at most {:.2} % of the speeds below are not (95 %)\n",
+            number(drawn.checks, "speed"),
+            drawn.finds,
+            100.0 * most
+        );
+    }
+    if counts.patchy > 0 {
+        text += &format!(
+            "  patchy first transitions, with stable landings up to a scan step above: {}\n",
+            counts.patchy
+        );
+    }
+    text
 }
 
 /// Landings that each shortcut of the search saved or cost, where it was used.

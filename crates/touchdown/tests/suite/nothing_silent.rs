@@ -70,7 +70,7 @@ fn a_transition_at_the_end_of_the_range_is_told_as_a_bound() {
     let table = bench.read("results/above.csv");
     let row = table.lines().find(|row| row.starts_with("0,")).unwrap();
     assert!(row.starts_with("0,unstable,12,,12,"), "{row}");
-    assert!(row.ends_with(",at-or-below,,,3e-5"), "{row}");
+    assert!(row.ends_with(",at-or-below,,,3e-5,0,,0,0"), "{row}");
     let picture = bench.read("results/above.svg");
     assert!(picture.contains("at or below the lowest speed searched"));
 
@@ -79,7 +79,7 @@ fn a_transition_at_the_end_of_the_range_is_told_as_a_bound() {
     ran(&bench, &["sweep", "below.toml"]);
     let table = bench.read("results/below.csv");
     assert!(table.contains("\n0,none,,2,,"), "{table}");
-    assert!(table.contains(",above,,,\n"), "{table}");
+    assert!(table.contains(",above,,,,4,,0,0\n"), "{table}");
 }
 
 /// A run leaves nothing of the one before, and pictures are not drawn from tables of two runs.

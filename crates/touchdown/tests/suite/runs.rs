@@ -68,7 +68,7 @@ fn a_sweep_writes_table_picture_and_record_the_same_for_any_threads() {
         rows[0],
         "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
          landings,derivative_evaluations,certainty,disputed_from_fps,disputed_to_fps,\
-         solver_tolerance"
+         solver_tolerance,stable_landings_below,patchy_to_fps,patchy_landings,patchy_not_stable"
     );
     assert_eq!(rows.len(), 4);
     assert!(rows[1].starts_with("-10,") && rows[2].starts_with("0,") && rows[3].starts_with("10,"));

@@ -51,7 +51,7 @@ impl Picture {
     ) -> Result<Self, Complaint> {
         let gap_words = caption.without_transition();
         if let (Some(surface), 2, [0, 1]) = (&results.surface, all.axes.len(), [slow, fast]) {
-            let refined = MapTable::parse(surface, results.edges.as_deref())
+            let refined = MapTable::parse(surface, results.edges.as_deref(), None)
                 .map_err(|error| of_table(results, error))?;
             let levels = refined_map::levels(&refined);
             return Ok(Self {
@@ -146,6 +146,7 @@ fn table(points: &[&Point], axes: [usize; 2], names: &[String; 2]) -> Option<Bou
                         speed: found.speed,
                         low: found.low,
                         high: found.high,
+                        patchy_to: found.patchy_to,
                     }),
                 },
             })

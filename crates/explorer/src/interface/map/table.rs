@@ -45,6 +45,8 @@ pub struct Transition {
     pub low: Option<f64>,
     /// Upper end of the bracket.
     pub high: f64,
+    /// Speed up to which stable landings and others alternate, if they do.
+    pub patchy_to: Option<f64>,
 }
 
 impl Point {
@@ -59,6 +61,7 @@ impl Point {
             "high": transition.map(|found| found.high),
             "certainty": Some(&self.certainty).filter(|word| !word.is_empty()),
             "disputed": self.disputed,
+            "patchy_to": transition.and_then(|found| found.patchy_to),
         })
     }
 }
@@ -223,6 +226,7 @@ struct Columns {
     high: Option<usize>,
     certainty: Option<usize>,
     disputed: [Option<usize>; 2],
+    patchy_to: Option<usize>,
 }
 
 impl Columns {
@@ -238,6 +242,7 @@ impl Columns {
             high: named("bracket_high"),
             certainty: named("certainty"),
             disputed: [named("disputed_from"), named("disputed_to")],
+            patchy_to: named("patchy_to"),
         }
     }
 
@@ -259,6 +264,7 @@ impl Columns {
                     speed: number(self.speed).unwrap_or(high),
                     low: number(self.low),
                     high,
+                    patchy_to: number(self.patchy_to),
                 })
             }
         };
