@@ -19,6 +19,7 @@ _EXACT: Any = {} if int(pd.__version__.split(".")[0]) >= 3 else {"float_precisio
 _COUNTS = {
     *("landings", "derivative_evaluations", "steps", "points", "level", "band", "edge", "triangle"),
     *("toppled", "bottomed", "undecided", "failed", "not_stable"),
+    *("stable_landings_below", "patchy_landings", "patchy_not_stable"),
 }
 _KINDS = "a table or record that touchdown has written (.csv, .parquet, .json)"
 
