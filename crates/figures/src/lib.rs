@@ -14,7 +14,7 @@ pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, wor
 use charts::{
     distribution_chart, history_page, outcome_chart, probability_chart, shading, tornado_words,
 };
-use maps::{colour_bar, isolines, view_point};
+use maps::{colour_bar, hatching, isolines, view_point};
 pub use maps::{
     contour_map, leading_feet, levels, map_legend, map_view, perspective, refined_map, surface,
 };

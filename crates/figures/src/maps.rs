@@ -2,6 +2,7 @@
 
 pub mod colour_bar;
 pub mod contour_map;
+pub mod hatching;
 pub mod isolines;
 pub mod leading_feet;
 pub mod levels;

@@ -43,6 +43,8 @@ pub struct Source<'s> {
     pub edges: Option<&'s str>,
     /// The table of points beside the triangles of a map.
     pub points: Option<&'s str>,
+    /// The regular table beside the triangles of a map.
+    pub grid: Option<&'s str>,
     /// The record beside it.
     pub record: Option<&'s str>,
 }
@@ -117,7 +119,7 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
     }
     choices.check("a sweep", true, false)?;
     if map_table::is_one(table) {
-        let map = MapTable::parse(table, source.edges, source.points)?;
+        let map = MapTable::parse(table, source.edges, source.points, source.grid)?;
         let levels = choices.levels.as_ref();
         return Ok(vec![
             Picture {

@@ -15,7 +15,8 @@
 //! vehicle; for a product of inertia that is 0, the mean moment of inertia. Any other parameter that is 0 has no step.
 //! With the customary search (bracket 0.001 ft/s, tolerance 3e-5) h is 3.4 % of the parameter, or 1 deg.
 //!
-//! **Without a derivative** a word replaces the number ([`Dependence`]).
+//! **Without a derivative** a word replaces the number ([`Dependence`]). Where V_H has a kink, jumps or vanishes within
+//! the step, ordinary searches give V_H at the ends of the parameter's span.
 
 pub mod difference;
 mod follow;
@@ -24,6 +25,13 @@ mod of_point;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use of_point::of_point;
+
+use crate::parameter::Parameter;
+
+/// Span as a fraction of the parameter.
+const SPAN: f64 = 0.1;
+/// Span of angles and rates of turn, deg and deg/s.
+const ANGULAR_SPAN: f64 = 1.0;
 
 /// Sensitivities of the first transition of a point.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -45,6 +53,32 @@ pub struct Slope {
     pub step: Option<f64>,
     /// Result.
     pub dependence: Dependence,
+    /// V_H at p − span and p + span, ft/s, where V_H has a kink, jumps or vanishes; `None` where there is no transition,
+    /// or where the input is not allowed.
+    pub ends: [Option<f64>; 2],
+}
+
+impl Slope {
+    /// A dependence without transitions at the ends of the span.
+    pub(crate) fn new(step: Option<f64>, dependence: Dependence) -> Self {
+        Self {
+            step,
+            dependence,
+            ends: [None; 2],
+        }
+    }
+}
+
+/// Span of a parameter of this value: the change for which the change of V_H is told, in the unit of the parameter. It
+/// is the step of the derivative where the value is 0.
+pub(crate) fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
+    if parameter.is_angular() {
+        parameter.in_own_unit(ANGULAR_SPAN)
+    } else if value == 0.0 {
+        step
+    } else {
+        SPAN * value.abs()
+    }
 }
 
 /// Dependence of the transition velocity on a parameter.
@@ -74,6 +108,14 @@ pub enum Dependence {
 }
 
 impl Dependence {
+    /// True if V_H is told over the span of the parameter, by the derivative or at both ends.
+    pub(crate) fn has_span(&self) -> bool {
+        match self {
+            Self::Smooth { .. } | Self::Kinked | Self::Jumps | Self::Vanishes => true,
+            Self::NotAllowed | Self::Disputed | Self::NoTransition | Self::NoStep => false,
+        }
+    }
+
     /// Word in tables.
     pub fn word(&self) -> &'static str {
         match self {

@@ -1,7 +1,8 @@
 //! The tornado chart: effect of a change of each parameter on the transition velocity.
 //!
 //! Bars belong to the point with the lowest transition, with the most effective parameter on top: dark where the
-//! parameter grows, pale where it falls. Rings are the other points of the sweep, for a growing parameter.
+//! parameter grows, pale where it falls. Their ends follow from the derivative, with its estimated error, or from
+//! searches where there is none. Rings are the other points of the sweep, for a growing parameter.
 
 use crate::canvas::Canvas;
 use crate::caption::Caption;
@@ -33,11 +34,11 @@ const FALLS: Colour = Colour(206, 223, 240);
 /// Draws the chart as SVG.
 ///
 /// # Errors
-/// When no point of the table has a derivative.
+/// When no point of the table has a known change.
 pub fn draw(table: &SensitivityTable, caption: &Caption) -> Result<String, FigureError> {
     let Some(lowest) = table.lowest() else {
         return Err(FigureError::Table(
-            "no point has a derivative to be drawn".to_owned(),
+            "no point has a change to be drawn".to_owned(),
         ));
     };
     let rows = rows(table, lowest);
@@ -61,10 +62,8 @@ pub fn draw(table: &SensitivityTable, caption: &Caption) -> Result<String, Figur
     let zero = frame.places([(0.0, 0.0), (0.0, count)]);
     canvas.curve(&zero, Style::stroke(palette::TEXT, 1.0));
     for (index, row) in rows.iter().enumerate() {
-        if row.slope.change.is_none() {
-            let (x, y) = frame.place((0.0, middle(index)));
-            let font = Font::new(12.0, palette::STATEMENT).anchor(Anchor::Start);
-            canvas.text(&reason(row.slope), (x + 8.0, y), font);
+        if row.slope.change.is_none_or(|change| change.error.is_none()) {
+            draw_reason(&mut canvas, &frame, row.slope, middle(index));
         }
     }
     Ok(canvas.into_svg())
@@ -76,13 +75,13 @@ struct Row<'t> {
     others: Vec<f64>,
 }
 
-/// The parameters, the most effective first, those without a derivative last.
+/// The parameters, the most effective first, those without a known change last.
 fn rows(table: &SensitivityTable, lowest: usize) -> Vec<Row<'_>> {
     let others = |parameter: usize| {
         let points = table.points.iter().enumerate();
         let others = points.filter(|(index, _)| *index != lowest);
         let changes = others.filter_map(|(_, point)| point.slopes[parameter].change);
-        changes.map(|change| change.speed).collect()
+        changes.filter_map(|change| change.grows).collect()
     };
     let slopes = table.points[lowest].slopes.iter().enumerate();
     let mut rows: Vec<Row> = slopes
@@ -91,7 +90,7 @@ fn rows(table: &SensitivityTable, lowest: usize) -> Vec<Row<'_>> {
             others: others(index),
         })
         .collect();
-    let size = |row: &Row| row.slope.change.map_or(-1.0, |change| change.speed.abs());
+    let size = |row: &Row| row.slope.change.map_or(-1.0, |change| change.size());
     rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
     rows
 }
@@ -99,7 +98,7 @@ fn rows(table: &SensitivityTable, lowest: usize) -> Vec<Row<'_>> {
 /// Extent of the axis to either side.
 fn reach(rows: &[Row]) -> f64 {
     let of_row = |row: &Row| {
-        let bar = row.slope.change.map_or(0.0, |c| c.speed.abs() + c.error);
+        let bar = (row.slope.change).map_or(0.0, |c| c.size() + c.error.unwrap_or(0.0));
         row.others
             .iter()
             .fold(bar, |most, other| most.max(other.abs()))
@@ -110,19 +109,42 @@ fn reach(rows: &[Row]) -> f64 {
 /// Bars, whiskers and rings of a row.
 fn draw_row(canvas: &mut Canvas, frame: &Frame, row: &Row, middle: f64) {
     let half = 0.5 * FILLED;
-    if let Some(Change { speed, error, .. }) = row.slope.change {
-        for (end, colour) in [(-speed, FALLS), (speed, GROWS)] {
+    if let Some(Change {
+        falls,
+        grows,
+        error,
+        ..
+    }) = row.slope.change
+    {
+        for (end, colour) in [(falls, FALLS), (grows, GROWS)] {
+            let Some(end) = end else { continue };
             let [from, to] = [(0.0, middle + half), (end, middle - half)];
             let style = Style::fill(colour).outlined(GROWS, 1.0);
             canvas.rectangle(frame.place(from), frame.place(to), style);
-            let whisker = frame.places([(end - error, middle), (end + error, middle)]);
-            canvas.curve(&whisker, Style::stroke(palette::TEXT, 2.0));
+            if let Some(error) = error {
+                let whisker = frame.places([(end - error, middle), (end + error, middle)]);
+                canvas.curve(&whisker, Style::stroke(palette::TEXT, 2.0));
+            }
         }
     }
     for x in &row.others {
         let style = Style::fill(WHITE).outlined(palette::LOWEST, 1.0);
         canvas.circle(frame.place((*x, middle)), palette::SMALL_MARK, style);
     }
+}
+
+/// Writes why a parameter has no derivative: beside its bars, on the side with more room.
+fn draw_reason(canvas: &mut Canvas, frame: &Frame, slope: &Slope, middle: f64) {
+    let ends = slope.change.map_or([None; 2], |one| [one.falls, one.grows]);
+    let ends = ends.map(|end| end.unwrap_or(0.0));
+    let [left, right] = [ends[0].min(ends[1]).min(0.0), ends[0].max(ends[1]).max(0.0)];
+    let (end, anchor, gap) = match right <= -left {
+        true => (right, Anchor::Start, 8.0),
+        false => (left, Anchor::End, -8.0),
+    };
+    let (x, y) = frame.place((end, middle));
+    let font = Font::new(12.0, palette::STATEMENT).anchor(anchor);
+    canvas.text(&reason(slope), (x + gap, y), font);
 }
 
 /// Legend of bars, whiskers and rings.

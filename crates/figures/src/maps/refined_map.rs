@@ -3,15 +3,15 @@
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::isolines;
-use crate::legend::{Entry, Mark, draw_mark};
+use crate::legend::{Entry, Mark, draw_mark, hatch};
 use crate::levels::Levels;
-use crate::map_table::{EdgeKind, MapTable};
+use crate::map_table::{EdgeKind, Grid, MapTable};
 use crate::map_view::View;
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Style, WHITE};
 use crate::surface::Surface;
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, contour_map, palette, perspective};
+use crate::{colour_bar, contour_map, hatching, number, palette, perspective};
 
 /// Draws the contour map as SVG.
 pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
@@ -32,6 +32,12 @@ pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> S
         canvas.fill_tiles(&polygons, levels.colour(low));
     }
     frame.draw(&mut canvas, Style::stroke(palette::TEXT, 1.0).opacity(0.12));
+    if let Some((grid, asked)) = estimates(map, caption) {
+        let width = frame.area.width() / (grid.coordinates[1].len() as f64 - 1.0);
+        for line in hatching(grid, asked, width) {
+            canvas.curve(&places(&line), hatch());
+        }
+    }
     let lines = levels.values().iter().map(|level| {
         let lines = isolines::lines_of(map.triangles.iter().copied(), *level);
         (*level, lines.iter().map(|line| places(line)).collect())
@@ -50,6 +56,31 @@ pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> S
 /// Mark of a point above which stable landings and others alternate.
 fn patchy() -> Mark {
     Mark::Ring(palette::PATCHY)
+}
+
+/// The regular table, and the error that was asked for, if both are known.
+fn estimates<'m>(map: &'m MapTable, caption: &Caption) -> Option<(&'m Grid, f64)> {
+    let asked = caption.map_error.filter(|error| *error > 0.0)?;
+    Some((map.grid.as_ref()?, asked))
+}
+
+/// Lines of hatching, as coordinates, over the places of a regular table whose estimated error is unknown or larger
+/// than asked; the columns of the table lie `width` pixels apart.
+fn hatching(grid: &Grid, asked: f64, width: f64) -> Vec<[[f64; 2]; 2]> {
+    let [slow, fast] = &grid.coordinates;
+    let is_coarse = |row: usize, column: usize| {
+        grid.errors[row * fast.len() + column].is_none_or(|error| error > asked)
+    };
+    let apart = (palette::HATCH_APART / width).round().max(1.0) as usize;
+    let at = |along: &[f64], index: f64| {
+        let low = (index.floor() as usize).min(along.len().saturating_sub(2));
+        let high = (low + 1).min(along.len() - 1);
+        along[low] + (index - low as f64) * (along[high] - along[low])
+    };
+    hatching::lines([slow.len(), fast.len()], apart, is_coarse)
+        .into_iter()
+        .map(|ends| ends.map(|[row, column]| [at(slow, row), at(fast, column)]))
+        .collect()
 }
 
 /// Draws the perspective as SVG.
@@ -153,6 +184,14 @@ fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
         .collect();
     if !map.patchy.is_empty() {
         entries.push((patchy(), palette::PATCHY_WORDS.to_owned()));
+    }
+    if let Some((_, asked)) = estimates(map, caption) {
+        let words = format!(
+            "estimated error above {} {}",
+            number::label(asked),
+            caption.speed_unit
+        );
+        entries.push((Mark::Hatched, words));
     }
     let words = format!("white: {}", caption.without_transition());
     entries.push((

@@ -1,5 +1,6 @@
 use super::*;
 use crate::map_table::MapTable;
+use crate::picture::{self, Choices, Source};
 
 /// Three by four points, one without transition, one across a jump.
 pub(crate) const TABLE: &str = "\
@@ -102,6 +103,57 @@ fn what_fills_no_grid_is_no_surface() {
     assert!(Surface::of(&table, |slow| slow < 150.0).is_some());
 }
 
+const TRIANGLE: &str = "\
+cross_slope_deg,roll_deg,triangle,first_transition_fps
+80,-30,1,12
+80,30,1,12
+180,30,1,14
+";
+
+#[test]
+fn a_map_is_hatched_where_it_falls_short_of_the_error_asked_for() {
+    // Unknown in the first row; larger than asked only in the middle of the others.
+    let grid = "\
+cross_slope_deg,roll_deg,first_transition_fps,estimated_error_fps
+80,-30,12,
+80,0,12,
+80,30,12,
+130,-30,12,0.1
+130,0,12,0.3
+130,30,12,0.2
+180,-30,12,0.1
+180,0,12,0.3
+180,30,12,0.2
+";
+    let hatched = |error: &str| {
+        let pictures = picture::draw(
+            &Source {
+                table: TRIANGLE,
+                grid: Some(grid),
+                record: Some(&format!(
+                    "{{\"input\": {{\"map\": {{\"error_fps\": {error}}}}}}}"
+                )),
+                ..Source::default()
+            },
+            &Choices::default(),
+        );
+        let contours = pictures.unwrap().remove(0).svg;
+        let lines = contours.matches("stroke=\"#F07D96\"").count();
+        (
+            lines,
+            contours.contains(&format!(">estimated error above {error} ft/s<")),
+        )
+    };
+    // A line on each diagonal with a marked place, and three in the legend.
+    assert_eq!(hatched("0.2"), (3 + 4, true));
+    assert_eq!(hatched("0.4"), (3 + 3, true));
+    assert_eq!(hatched("0"), (0, false));
+    let ragged = grid.trim_end().rsplit_once('\n').unwrap().0;
+    let complaint = MapTable::parse(TRIANGLE, None, None, Some(ragged));
+    let complaint = complaint.unwrap_err().to_string();
+    assert!(complaint.contains("regular table"), "{complaint}");
+}
+
 #[test]
 fn patchy_transitions_are_marked() {
     let mut table = String::new();
@@ -116,10 +168,6 @@ fn patchy_transitions_are_marked() {
     let surface = Surface::of(&BoundaryTable::parse(&table).unwrap(), |_| true).unwrap();
     let ring = Mark::Ring(palette::PATCHY);
     assert_eq!(surface.doubtful, [([130.0, 10.0], ring)]);
-    let map = MapTable::parse(
-        "cross_slope_deg,roll_deg,triangle,first_transition_fps\n80,-30,1,12\n80,30,1,12\n180,30,1,14\n",
-        None,
-        Some(&table),
-    );
+    let map = MapTable::parse(TRIANGLE, None, Some(&table), None);
     assert_eq!(map.unwrap().patchy, [[130.0, 10.0]]);
 }

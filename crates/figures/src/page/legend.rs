@@ -33,6 +33,8 @@ pub enum Mark {
     Area(Style),
     /// A striped area: stable landings and others alternate.
     Patchy,
+    /// A hatched area: the error of a map is estimated larger than asked.
+    Hatched,
 }
 
 /// Draws a mark of half breadth `side`, centred at a place, pixels.
@@ -97,6 +99,12 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
                 canvas.curve(&[(x, y - side), (x, y + side)], stripe());
             }
         }
+        Mark::Hatched => {
+            for left in [-1.0, 0.0, 1.0] {
+                let x = x + left * palette::HATCH_APART;
+                canvas.curve(&[(x - side, y - side), (x + side, y + side)], hatch());
+            }
+        }
         Mark::Area(style) => {
             canvas.rectangle(
                 (x - side - 4.0, y - side),
@@ -110,6 +118,11 @@ pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
 /// Style of the stripes of a patchy area.
 pub fn stripe() -> Style {
     Style::stroke(palette::PATCHY, palette::STRIPE)
+}
+
+/// Style of hatching.
+pub fn hatch() -> Style {
+    Style::stroke(palette::HATCH, palette::HATCH_WIDTH)
 }
 
 /// Length of the sample of a line, pixels.
@@ -127,7 +140,7 @@ pub type Entry = (Mark, String);
 fn mark_width(mark: Mark) -> f64 {
     match mark {
         Mark::Line(_) => LINE + 8.0,
-        Mark::Area(_) | Mark::Patchy => 26.0,
+        Mark::Area(_) | Mark::Patchy | Mark::Hatched => 26.0,
         _ => 18.0,
     }
 }

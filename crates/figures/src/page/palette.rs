@@ -32,6 +32,12 @@ pub const NONE: Colour = Colour(0, 130, 100);
 pub const JUMP_WIDTH: f64 = 3.0;
 /// Words for them.
 pub const PATCHY_WORDS: &str = "patchy: stable landings among others";
+/// Hatching of areas of a map whose estimated error is larger than asked; it differs from all colours of levels.
+pub const HATCH: Colour = Colour(240, 125, 150);
+/// Width of its lines, pixels.
+pub const HATCH_WIDTH: f64 = 0.8;
+/// Their distance, pixels.
+pub const HATCH_APART: f64 = 9.0;
 /// Width of stripes, pixels.
 pub const STRIPE: f64 = 1.5;
 /// Their distance, pixels.

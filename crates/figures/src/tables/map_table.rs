@@ -8,6 +8,7 @@ const TRIANGLE: &str = "triangle";
 const SPEED: &str = "first_transition_fps";
 const EDGE: &str = "edge";
 const KIND: &str = "edge_kind";
+const ERROR: &str = "estimated_error_fps";
 
 /// A place on a map, along the slower and the faster axis, and the first transition there.
 pub type Corner = ([f64; 2], f64);
@@ -57,6 +58,17 @@ pub struct MapTable {
     pub edges: Vec<Edge>,
     /// Its points above which stable landings and others alternate.
     pub patchy: Vec<[f64; 2]>,
+    /// Its regular table, if there is one.
+    pub grid: Option<Grid>,
+}
+
+/// Estimated errors of a map at even steps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// Coordinates along the slower and the faster axis, at least one each.
+    pub coordinates: [Vec<f64>; 2],
+    /// Estimated errors of the first transitions, row by row of the slower axis, where they are known.
+    pub errors: Vec<Option<f64>>,
 }
 
 /// Returns whether a table is one of triangles.
@@ -65,7 +77,7 @@ pub fn is_one(csv: &str) -> bool {
 }
 
 impl MapTable {
-    /// Reads the table of triangles, and those of edges and of points, if there are.
+    /// Reads the table of triangles, and those of edges, of points and of even steps, if there are.
     ///
     /// # Errors
     /// When they are not as the program writes them, or not over two axes.
@@ -73,6 +85,7 @@ impl MapTable {
         triangles: &str,
         edges: Option<&str>,
         points: Option<&str>,
+        grid: Option<&str>,
     ) -> Result<Self, FigureError> {
         let table = Table::parse(triangles)?;
         let (triangle, speed) = (table.column(TRIANGLE)?, table.column(SPEED)?);
@@ -87,19 +100,15 @@ impl MapTable {
             .map(|row| Ok((place(row)?, row.number(speed)?)));
         let corners = corners.collect::<Result<Vec<Corner>, FigureError>>()?;
         let (triangles, _) = corners.as_chunks::<3>();
-        let edges = match edges {
-            Some(edges) => read_edges(edges)?,
-            None => Vec::new(),
-        };
-        let patchy = match points {
-            Some(points) => patchy(&BoundaryTable::worst_by(points, &axes)?),
-            None => Vec::new(),
-        };
+        let edges = edges.map(read_edges).transpose()?;
+        let points = points.map(|points| BoundaryTable::worst_by(points, &axes));
+        let grid = grid.map(read_grid).transpose()?;
         Ok(Self {
             axes,
             triangles: triangles.to_vec(),
-            edges,
-            patchy,
+            edges: edges.unwrap_or_default(),
+            patchy: points.transpose()?.as_ref().map_or_else(Vec::new, patchy),
+            grid,
         })
     }
 }
@@ -114,6 +123,32 @@ fn patchy(points: &BoundaryTable) -> Vec<[f64; 2]> {
 
 fn place(row: Row) -> Result<[f64; 2], FigureError> {
     Ok([row.number(0)?, row.number(1)?])
+}
+
+fn read_grid(csv: &str) -> Result<Grid, FigureError> {
+    let table = Table::parse(csv)?;
+    let error = table.column(ERROR)?;
+    let places = table.nonempty_rows()?.map(place);
+    let places = places.collect::<Result<Vec<_>, FigureError>>()?;
+    let errors = table.rows().map(|row| row.optional_number(error));
+    let errors = errors.collect::<Result<Vec<_>, FigureError>>()?;
+    let first_row = places.iter().take_while(|place| place[0] == places[0][0]);
+    let fast: Vec<f64> = first_row.map(|place| place[1]).collect();
+    let slow: Vec<f64> = places
+        .iter()
+        .step_by(fast.len())
+        .map(|place| place[0])
+        .collect();
+    let coordinates = [slow, fast];
+    match coordinates.iter().map(Vec::len).product::<usize>() == errors.len() {
+        true => Ok(Grid {
+            coordinates,
+            errors,
+        }),
+        false => Err(FigureError::Table(
+            "its rows are not those of a regular table".to_owned(),
+        )),
+    }
 }
 
 fn read_edges(csv: &str) -> Result<Vec<Edge>, FigureError> {

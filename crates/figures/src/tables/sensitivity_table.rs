@@ -39,19 +39,29 @@ pub struct Slope {
     pub step: Option<f64>,
     /// Dependence of the transition on it, in a word.
     pub dependence: String,
-    /// Effect of a change, if the dependence is smooth.
+    /// Effect of a change, if it is known.
     pub change: Option<Change>,
 }
 
-/// A change of the transition velocity with one of a parameter.
+/// Changes of the transition velocity with one of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
     /// Change of the parameter, in its unit.
     pub span: f64,
-    /// Change of the transition velocity.
-    pub speed: f64,
-    /// Its estimated error.
-    pub error: f64,
+    /// Change of the transition velocity where the parameter falls by the span, if there is a transition.
+    pub falls: Option<f64>,
+    /// The same where it grows.
+    pub grows: Option<f64>,
+    /// Their estimated error, if they follow from a derivative.
+    pub error: Option<f64>,
+}
+
+impl Change {
+    /// The larger of both changes, without sign.
+    pub fn size(&self) -> f64 {
+        let ends = [self.falls, self.grows].into_iter().flatten();
+        ends.fold(0.0, |most, end| most.max(end.abs()))
+    }
 }
 
 /// Returns whether the heading of a table is one of sensitivities.
@@ -71,7 +81,8 @@ impl SensitivityTable {
         let columns = Columns::of(&table)?;
         let mut points: Vec<Point> = Vec::new();
         for row in table.nonempty_rows()? {
-            let slope = columns.slope(row)?;
+            let here = row.optional_number(speed)?;
+            let slope = columns.slope(row, here)?;
             let names = table.names().into_iter().take(axes).enumerate();
             let place: Vec<(String, String)> = names
                 .map(|(axis, name)| (name.to_owned(), row.text(axis).to_owned()))
@@ -80,7 +91,7 @@ impl SensitivityTable {
                 Some(point) => point.slopes.push(slope),
                 None => points.push(Point {
                     place,
-                    speed: row.optional_number(speed)?,
+                    speed: here,
                     slopes: vec![slope],
                 }),
             }
@@ -100,7 +111,7 @@ impl SensitivityTable {
         }
     }
 
-    /// Index of the point with the lowest transition, the first of those with a derivative.
+    /// Index of the point with the lowest transition, the first of those with a known change.
     pub fn lowest(&self) -> Option<usize> {
         let has_change = |point: &Point| point.slopes.iter().any(|slope| slope.change.is_some());
         let known = self.points.iter().enumerate();
@@ -119,7 +130,11 @@ struct Columns {
     value: usize,
     step: usize,
     dependence: usize,
-    changes: [usize; 3],
+    span: usize,
+    /// Change by the derivative, and its estimated error.
+    change: [usize; 2],
+    /// Transitions at both ends of the span; tables of earlier versions have none.
+    ends: [Option<usize>; 2],
 }
 
 impl Columns {
@@ -130,26 +145,40 @@ impl Columns {
             value: table.column("value")?,
             step: table.column("step")?,
             dependence: table.column("dependence")?,
-            changes: [
-                table.column("span")?,
+            span: table.column("span")?,
+            change: [
                 table.column("vh_change_fps")?,
                 table.column("vh_change_error_fps")?,
             ],
+            ends: ["vh_at_minus_span_fps", "vh_at_plus_span_fps"].map(|name| table.find(name)),
         })
     }
 
-    fn slope(&self, row: Row) -> Result<Slope, FigureError> {
-        let [span, speed, error] = self.changes.map(|column| row.optional_number(column));
+    /// The dependence in a row, at a point with a transition `here`.
+    fn slope(&self, row: Row, here: Option<f64>) -> Result<Slope, FigureError> {
+        let number = |column| row.optional_number(column);
+        let [by_derivative, error] = self.change.map(number);
+        let [minus, plus] = self.ends.map(|column| column.map_or(Ok(None), number));
+        let from_here = |end: Option<f64>| Some(end? - here?);
+        let by_derivative = by_derivative?;
+        let falls = by_derivative.map(|change| -change).or(from_here(minus?));
+        let grows = by_derivative.or(from_here(plus?));
+        let error = error?;
+        let change = |span| Change {
+            span,
+            falls,
+            grows,
+            error,
+        };
         Ok(Slope {
             parameter: row.text(self.parameter).to_owned(),
             unit: row.text(self.unit).to_owned(),
             value: row.optional_number(self.value)?,
             step: row.optional_number(self.step)?,
             dependence: row.text(self.dependence).to_owned(),
-            change: match (span?, speed?, error?) {
-                (Some(span), Some(speed), Some(error)) => Some(Change { span, speed, error }),
-                _ => None,
-            },
+            change: (row.optional_number(self.span)?)
+                .map(change)
+                .filter(|change| change.falls.or(change.grows).is_some()),
         })
     }
 }
@@ -161,13 +190,13 @@ pub(crate) mod tests {
     /// Two points over roll, three parameters; the second point has the lower transition.
     pub const TABLE: &str = "\
 roll_deg,parameter,unit,value,first_transition_to,first_transition_fps,dependence,step,dvh_dp_fps_per_unit,\
-dvh_dp_error_fps_per_unit,span,vh_change_fps,vh_change_error_fps
-0,friction,1,1,unstable,12.5,smooth,0.03,4,0.1,0.1,0.4,0.01
-0,vehicle.strut.preload_lb,lb,185,unstable,12.5,smooth,6,-0.01,0.001,18.5,-0.185,0.0185
-0,slope_deg,deg,15,unstable,12.5,smooth,1,-0.3,0.001,1,-0.3,0.001
-5,friction,1,1,unstable,11.25,smooth,0.03,2,0.2,0.1,0.2,0.02
-5,vehicle.strut.preload_lb,lb,185,unstable,11.25,jumps,6,,,,,
-5,slope_deg,deg,15,unstable,11.25,smooth,1,-0.5,0.001,1,-0.5,0.001
+dvh_dp_error_fps_per_unit,span,vh_change_fps,vh_change_error_fps,vh_at_minus_span_fps,vh_at_plus_span_fps
+0,friction,1,1,unstable,12.5,smooth,0.03,4,0.1,0.1,0.4,0.01,,
+0,vehicle.strut.preload_lb,lb,185,unstable,12.5,smooth,6,-0.01,0.001,18.5,-0.185,0.0185,,
+0,slope_deg,deg,15,unstable,12.5,smooth,1,-0.3,0.001,1,-0.3,0.001,,
+5,friction,1,1,unstable,11.25,smooth,0.03,2,0.2,0.1,0.2,0.02,,
+5,vehicle.strut.preload_lb,lb,185,unstable,11.25,jumps,6,,,18.5,,,11.5,
+5,slope_deg,deg,15,unstable,11.25,smooth,1,-0.5,0.001,1,-0.5,0.001,,
 ";
 
     #[test]
@@ -177,13 +206,24 @@ dvh_dp_error_fps_per_unit,span,vh_change_fps,vh_change_error_fps
         assert_eq!((table.points.len(), table.lowest()), (2, Some(1)));
         let point = &table.points[1];
         assert_eq!(point.place, [("roll_deg".to_owned(), "5".to_owned())]);
-        assert_eq!(point.slopes[1].change, None);
+        let change = |span, falls, grows, error| Change {
+            span,
+            falls,
+            grows,
+            error,
+        };
+        // No transition is left where the parameter grows.
+        let jump = change(18.5, Some(0.25), None, None);
+        assert_eq!(point.slopes[1].change, Some(jump));
         assert_eq!(point.slopes[1].dependence, "jumps");
-        let change = point.slopes[2].change.unwrap();
-        assert_eq!(
-            (change.span, change.speed, change.error),
-            (1.0, -0.5, 0.001)
-        );
+        let smooth = change(1.0, Some(0.5), Some(-0.5), Some(0.001));
+        assert_eq!(point.slopes[2].change, Some(smooth));
+        // Tables of earlier versions end after the derivatives.
+        let cut = |row: &str| format!("{}\n", row.rsplitn(3, ',').nth(2).unwrap());
+        let earlier: String = TABLE.lines().map(cut).collect();
+        let table = SensitivityTable::parse(&earlier).unwrap();
+        assert_eq!(table.points[1].slopes[1].change, None);
+        assert_eq!(table.points[1].slopes[2].change, Some(smooth));
     }
 
     #[test]

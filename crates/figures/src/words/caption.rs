@@ -24,6 +24,8 @@ pub struct Caption {
     pub statement: Option<String>,
     /// Highest speed searched, if known: the upper end of the picture.
     pub searched_to: Option<f64>,
+    /// Error that a refined map was asked for, if any.
+    pub map_error: Option<f64>,
     /// Unit of the speeds of the picture.
     pub speed_unit: SpeedUnit,
     /// True if the vehicle's feet are like the report's: three, at azimuths of 0, 120 and 240 deg about the CG.
@@ -92,6 +94,7 @@ impl Caption {
             worst_over: None,
             statement: text(&record["statement"]),
             searched_to,
+            map_error: input["map"][format!("error{}", speed_unit.ending())].as_f64(),
             speed_unit,
             has_report_feet: has_report_feet(&input["vehicle"]),
         })

@@ -133,10 +133,13 @@ def tornado(table: pd.DataFrame, ax: Axes | None = None) -> Axes:
     ax = ax or plt.figure().add_subplot()
     column = next(name for name in changes if "error" not in str(name))
     error = str(column).replace("vh_change_", "vh_change_error_")
-    known = table.dropna(subset=[column])
-    known = known.loc[known[column].abs().sort_values().index]
-    labels = [str(name).removeprefix("vehicle.") for name in known.index]
-    ax.barh(labels, known[column], xerr=known[error], color=["#d1495b" if change < 0 else "#4c9f70" for change in known[column]])
+    unit = str(column).removeprefix("vh_change_")
+    searched = table[f"vh_at_plus_span_{unit}"] - table[f"first_transition_{unit}"]
+    change = table[column].fillna(searched).dropna()
+    change = change.loc[change.abs().sort_values().index]
+    labels = [str(name).removeprefix("vehicle.") for name in change.index]
+    colours = ["#d1495b" if one < 0 else "#4c9f70" for one in change]
+    ax.barh(labels, change, xerr=table[error].loc[change.index], color=colours)
     ax.axvline(0, color="k", lw=0.8)
     ax.set_xlabel(f"change of V_H for 10 % more, or 1 deg of an angle, {_engine.bare_name_and_unit(str(column))[1]}")
     return ax

@@ -236,7 +236,8 @@ def sensitivity(
     -------
     DataFrame
         Indexed by the parameters; columns as those of a table of sensitivities: the derivative ``dvh_dp_fps_per_unit`` with its error,
-        and ``vh_change_fps``, the change for 10 % of the parameter, or 1 deg of an angle.
+        and ``vh_change_fps``, the change for 10 % of the parameter, or 1 deg of an angle. Where V_H jumps,
+        ``vh_at_minus_span_fps`` and ``vh_at_plus_span_fps`` tell it at both ends of that change.
     """
     axes = axis_of_one_point(scene)
     known = names("parameters", parameters)

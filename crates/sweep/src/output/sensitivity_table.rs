@@ -1,16 +1,15 @@
 //! Table of sensitivities: one row for each point and parameter.
 //!
 //! `vh_change_fps` is the change of V_H, by the derivative, for a change of the parameter by `span`: 10 % of it, 1 deg
-//! (deg/s) for an angle (rate of turn), or the step for a parameter that is 0. The numbers are empty unless the
-//! dependence is `smooth`. Cells about the parameter are in the units of results; those about V_H are in program units
-//! until the table is written.
+//! (deg/s) for an angle (rate of turn), or the step for a parameter that is 0. Where there is no derivative, searches at
+//! the ends of the span take its place. Cells about the parameter are in the units of results; those about V_H are in
+//! program units until the table is written.
 
 use crate::boundary::Boundary;
 use crate::column::{Cell, Column, Heading, cells, headings};
 use crate::output_units::Quantity;
-use crate::parameter::Parameter;
 use crate::results::transition_name;
-use crate::sensitivity::{Dependence, Sensitivity, Slope};
+use crate::sensitivity::{Dependence, Sensitivity, Slope, span};
 use crate::sweep_file::Sweep;
 
 /// A parameter at a point, and how its transition depends on it.
@@ -24,19 +23,22 @@ pub struct AtPoint {
     /// Transition velocity, ft/s.
     speed: Option<f64>,
     slope: Slope,
+    /// Span of the parameter, if V_H changes with it in a way that is told.
+    span: Option<f64>,
     smooth: Option<Smooth>,
 }
 
-/// A derivative with its error estimate, per program unit of the parameter, and the span of the parameter.
+/// A derivative with its error estimate, per program unit of the parameter, and changes of V_H over the span, ft/s.
 #[derive(Debug)]
 struct Smooth {
     derivative: f64,
     error: f64,
-    span: f64,
+    change: f64,
+    change_error: f64,
 }
 
 /// Columns of the table after the axes.
-pub const COLUMNS: [Column<AtPoint>; 12] = [
+pub const COLUMNS: [Column<AtPoint>; 14] = [
     Column::word(
         "parameter",
         |at| at.own.name().to_owned(),
@@ -76,7 +78,7 @@ pub const COLUMNS: [Column<AtPoint>; 12] = [
     Column::number(
         "dvh_dp_fps_per_unit",
         |at: &AtPoint| (at.smooth.as_ref()).map(|one| at.own.derivative(one.derivative)),
-        "dV_H/dp; empty unless `smooth`, as what follows",
+        "dV_H/dp; empty unless `smooth`",
     )
     .in_unit("ft/s per unit"),
     Column::number(
@@ -87,26 +89,32 @@ pub const COLUMNS: [Column<AtPoint>; 12] = [
     .in_unit("ft/s per unit"),
     Column::number(
         "span",
-        |at: &AtPoint| at.smooth.as_ref().map(|one| at.own.number(one.span)),
+        |at: &AtPoint| at.span.map(|span| at.own.number(span)),
         "10 % of p, or 1 deg (1 deg/s) of an angle (rate), or the step where p is 0",
     )
     .in_unit("of p"),
     Column::number(
         "vh_change_fps",
-        |at| at.smooth.as_ref().map(|one| one.derivative * one.span),
-        "change of V_H for a change of p by `span`",
+        |at| at.smooth.as_ref().map(|one| one.change),
+        "change of V_H for a change of p by `span`, by the derivative; empty unless `smooth`",
     ),
     Column::number(
         "vh_change_error_fps",
-        |at| at.smooth.as_ref().map(|one| one.error * one.span),
+        |at| at.smooth.as_ref().map(|one| one.change_error),
         "estimate of its largest error",
     ),
+    Column::number(
+        "vh_at_minus_span_fps",
+        |at| at.slope.ends[0],
+        "V_H at p − `span`, by a search, where the dependence is `kinked`, `jumps` or `vanishes`; empty if there is \
+         no transition, or the input is not allowed",
+    ),
+    Column::number(
+        "vh_at_plus_span_fps",
+        |at| at.slope.ends[1],
+        "the same at p + `span`",
+    ),
 ];
-
-/// Span: the change of a parameter for which the change of V_H is listed, as a fraction of the parameter.
-const SPAN: f64 = 0.1;
-/// Span of angles and rates of turn, deg and deg/s.
-const ANGULAR_SPAN: f64 = 1.0;
 
 /// Headings of the table.
 pub fn heading(sweep: &Sweep) -> Vec<Heading> {
@@ -124,11 +132,15 @@ pub fn rows(
     let slopes = sweep.sensitivity.iter().zip(&sensitivity.slopes);
     slopes.map(move |(parameter, slope)| {
         let value = sweep.value(point, parameter);
-        let smooth = match (slope.dependence, value.zip(slope.step)) {
-            (Dependence::Smooth { derivative, error }, Some((value, step))) => Some(Smooth {
+        let span = (value.zip(slope.step))
+            .filter(|_| slope.dependence.has_span())
+            .map(|(value, step)| span(parameter, value, step));
+        let smooth = match (slope.dependence, span) {
+            (Dependence::Smooth { derivative, error }, Some(span)) => Some(Smooth {
                 derivative,
                 error,
-                span: span(parameter, value, step),
+                change: derivative * span,
+                change_error: error * span,
             }),
             _ => None,
         };
@@ -138,6 +150,7 @@ pub fn rows(
             transition_to: transition_name(boundary),
             speed: sensitivity.speed,
             slope: *slope,
+            span,
             smooth,
         };
         let cells = cells(&COLUMNS, &at, sweep.leg_count());
@@ -145,20 +158,11 @@ pub fn rows(
     })
 }
 
-fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
-    if parameter.is_angular() {
-        parameter.in_own_unit(ANGULAR_SPAN)
-    } else if value == 0.0 {
-        step
-    } else {
-        SPAN * value.abs()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::column::tests::text;
+    use crate::parameter::Parameter;
     use crate::sweep_file::tests::figure_4_09;
 
     #[test]
@@ -169,15 +173,19 @@ mod tests {
             named("vehicle.legs[2].strut.preload_lb"),
             named("roll_deg"),
             named("friction"),
+            named("slope_deg"),
         ];
-        let slope = |step, dependence| Slope { step, dependence };
         let smooth = |derivative, error| Dependence::Smooth { derivative, error };
         let sensitivity = Sensitivity {
             speed: Some(11.25),
             slopes: vec![
-                slope(Some(6.5), smooth(-0.5, 0.25)),
-                slope(Some(1.0), smooth(0.125, 0.0)),
-                slope(None, Dependence::Jumps),
+                Slope::new(Some(6.5), smooth(-0.5, 0.25)),
+                Slope::new(Some(1.0), smooth(0.125, 0.0)),
+                Slope {
+                    ends: [Some(10.5), None],
+                    ..Slope::new(Some(0.03), Dependence::Jumps)
+                },
+                Slope::new(Some(0.03), Dependence::NotAllowed),
             ],
             ..Sensitivity::default()
         };
@@ -187,9 +195,10 @@ mod tests {
             rows.into_iter().map(text).collect::<Vec<_>>(),
             [
                 "-45,vehicle.legs[2].strut.preload_lb,lb,185,none,11.25,smooth,6.5,-0.5,0.25,\
-                 18.5,-9.25,4.625",
-                "-45,roll_deg,deg,-45,none,11.25,smooth,1,0.125,0,1,0.125,0",
-                "-45,friction,1,1,none,11.25,jumps,,,,,,",
+                 18.5,-9.25,4.625,,",
+                "-45,roll_deg,deg,-45,none,11.25,smooth,1,0.125,0,1,0.125,0,,",
+                "-45,friction,1,1,none,11.25,jumps,0.03,,,0.1,,,10.5,",
+                "-45,slope_deg,deg,15,none,11.25,not-allowed,0.03,,,,,,,",
             ]
         );
     }

@@ -6,7 +6,7 @@ use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use super::follow::Near;
-use super::{Dependence, Sensitivity, Slope, difference};
+use super::{Dependence, Sensitivity, Slope, difference, span};
 use crate::boundary::{Boundary, Extent, Search};
 use crate::case::Case;
 use crate::certainty::{Certainty, Doubt, Variation};
@@ -35,8 +35,7 @@ pub(crate) async fn of_point<Stop>(
     land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sensitivity, Stop> {
     let without_slopes = |speed, dependence| {
-        let step = None;
-        let slopes = vec![Slope { step, dependence }; sweep.sensitivity.len()];
+        let slopes = vec![Slope::new(None, dependence); sweep.sensitivity.len()];
         Sensitivity {
             speed,
             slopes,
@@ -131,26 +130,39 @@ impl FollowedTransition {
     ) -> Result<Slope, Stop> {
         let scaled = |value| Some((value, scale(parameter, value, vehicle)?));
         let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
-            return Ok(Slope {
-                step: None,
-                dependence: Dependence::NoStep,
-            });
+            return Ok(Slope::new(None, Dependence::NoStep));
         };
         let part = libm::cbrt(self.resolution / self.speed).min(LONGEST_STEP);
         let step = part * scale;
         let reach = STEEPEST * part * self.speed;
-        let with_step = |dependence| Slope {
-            step: Some(step),
-            dependence,
-        };
-        if self
-            .is_alike(sweep, point, parameter, [value - step, value + step], land)
-            .await?
-        {
-            return Ok(with_step(Dependence::Smooth {
+        let with = |change| sweep.case_with(point, parameter, value + change);
+        let dependence = self.dependence((step, reach), &with, search, land).await?;
+        let mut slope = Slope::new(Some(step), dependence);
+        if !matches!(dependence, Dependence::Smooth { .. }) && dependence.has_span() {
+            let span = span(parameter, value, step);
+            for (end, change) in slope.ends.iter_mut().zip([-span, span]) {
+                if let Ok(case) = with(change) {
+                    *end = first_transition(&case, search, land).await?;
+                }
+            }
+        }
+        Ok(slope)
+    }
+
+    /// Computes the dependence from inputs `with` changes of up to `step` of the parameter; transitions are followed
+    /// over `reach`, ft/s.
+    async fn dependence<Stop, Refused>(
+        &self,
+        (step, reach): (f64, f64),
+        with: &impl Fn(f64) -> Result<Case, Refused>,
+        search: &Search,
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Dependence, Stop> {
+        if self.is_alike([with(-step), with(step)], land).await? {
+            return Ok(Dependence::Smooth {
                 derivative: 0.0,
                 error: 0.0,
-            }));
+            });
         }
         let mut speeds = [self.speed; 5];
         let mut within = EXPECTED * reach;
@@ -162,8 +174,8 @@ impl FollowedTransition {
             (0, -1.0, [1, 2]),
         ];
         for (place, steps, [near, other]) in places {
-            let Ok(case) = sweep.case_with(point, parameter, value + steps * step) else {
-                return Ok(with_step(Dependence::NotAllowed));
+            let Ok(case) = with(steps * step) else {
+                return Ok(Dependence::NotAllowed);
             };
             let near = Near {
                 around: 2.0 * speeds[near] - speeds[other],
@@ -177,26 +189,27 @@ impl FollowedTransition {
                 .await?
             {
                 Some(speed) => speeds[place] = speed,
-                None => return jumps_or_vanishes(&case, search, land).await.map(with_step),
+                // An ordinary search tells whether it is elsewhere.
+                None => {
+                    return Ok(match first_transition(&case, search, land).await? {
+                        Some(_) => Dependence::Jumps,
+                        None => Dependence::Vanishes,
+                    });
+                }
             }
             within = 0.25 * (speeds[3] - speeds[2]).abs();
         }
-        Ok(with_step(difference::judged(speeds, step, self.resolution)))
+        Ok(difference::judged(speeds, step, self.resolution))
     }
-}
 
-impl FollowedTransition {
-    /// True if the landing is the same, to the last bit, at both values of a parameter.
-    async fn is_alike<Stop>(
+    /// True if the landing is the same, to the last bit, with both inputs.
+    async fn is_alike<Stop, Refused>(
         &self,
-        sweep: &Sweep,
-        point: usize,
-        parameter: &Parameter,
-        values: [f64; 2],
+        cases: [Result<Case, Refused>; 2],
         land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<bool, Stop> {
-        for value in values {
-            let Ok(case) = sweep.case_with(point, parameter, value) else {
+        for case in cases {
+            let Ok(case) = case else {
                 return Ok(false);
             };
             if land(&case, self.speed, self.at).await? != self.landed {
@@ -224,12 +237,12 @@ fn scale(parameter: &Parameter, value: f64, vehicle: &Vehicle) -> Option<f64> {
     }
 }
 
-/// Decides by an ordinary search whether a transition that is not where expected jumps or vanishes.
-async fn jumps_or_vanishes<Stop>(
+/// First transition of a changed input by an ordinary search, ft/s.
+async fn first_transition<Stop>(
     case: &Case,
     search: &Search,
     land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
-) -> Result<Dependence, Stop> {
+) -> Result<Option<f64>, Stop> {
     let search = Search {
         extent: Extent::First,
         doubt: Doubt::None,
@@ -238,10 +251,7 @@ async fn jumps_or_vanishes<Stop>(
     let boundary = search
         .boundary(async |speed, variation| land(case, speed, variation).await)
         .await?;
-    Ok(match boundary.transition {
-        Some(_) => Dependence::Jumps,
-        None => Dependence::Vanishes,
-    })
+    Ok(boundary.transition.map(|transition| transition.speed()))
 }
 
 #[cfg(test)]

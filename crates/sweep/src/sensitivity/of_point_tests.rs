@@ -87,6 +87,14 @@ fn a_known_boundary_has_its_derivative_within_the_error() {
 
 #[test]
 fn where_there_is_no_derivative_a_word_says_why() {
+    let at_the_ends = [
+        [None, None],
+        [None, None],
+        [Some(11.0), Some(11.5)],
+        [Some(3.0), Some(11.0)],
+        [Some(11.0), None],
+        [Some(11.5), Some(11.5)],
+    ];
     let cases: [(Landed, Dependence); 6] = [
         (|_, _| Class::Stable, Dependence::NoTransition),
         (|_, _| Class::Unstable, Dependence::NoTransition),
@@ -108,6 +116,11 @@ fn where_there_is_no_derivative_a_word_says_why() {
     for (index, (landed, expected)) in cases.into_iter().enumerate() {
         let slope = dependence_on_friction(landed, Certainty::Certain);
         assert_eq!(slope.dependence, expected, "{index}");
+        // The transitions at 0.9 and 1.1 take its place.
+        let ends = slope
+            .ends
+            .map(|end| end.map(|speed| (10.0 * speed).round() / 10.0));
+        assert_eq!(ends, at_the_ends[index], "{index}");
     }
     let disputed = Certainty::Disputed([10.0, 12.0]);
     let slope = dependence_on_friction(|_, v| topples(v > 11.0), disputed);

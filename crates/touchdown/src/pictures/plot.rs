@@ -108,6 +108,7 @@ struct Files {
     bands: Option<String>,
     edges: Option<String>,
     points: Option<String>,
+    grid: Option<String>,
     record: Option<String>,
 }
 
@@ -130,6 +131,7 @@ impl Files {
             bands: beside(format!("{name}-bands.csv")),
             edges: of_map.and_then(|stem| beside(format!("{stem}-edges.csv"))),
             points: of_map.and_then(|stem| beside(format!("{stem}.csv"))),
+            grid: of_map.and_then(|stem| beside(format!("{stem}-grid.csv"))),
             record,
             name,
         })
@@ -142,6 +144,7 @@ impl Files {
             bands: self.bands.as_deref(),
             edges: self.edges.as_deref(),
             points: self.points.as_deref(),
+            grid: self.grid.as_deref(),
             record: self.record.as_deref(),
         }
     }

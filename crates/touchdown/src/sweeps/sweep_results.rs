@@ -108,15 +108,16 @@ fn pictures(
         return Ok((Vec::new(), None));
     }
     let none = |reason: &str| Ok((Vec::new(), Some(format!("no picture: {reason}"))));
-    if let [edges, _, surface] = tables.of_map.as_slice() {
-        let [edges, surface, points] =
-            [edges, surface, &tables.points].map(|table| table.text(LONGEST_REDUCED));
-        let (edges, surface, points) = (edges?, surface?, points?);
+    if let [edges, grid, surface] = tables.of_map.as_slice() {
+        let [edges, grid, surface, points] =
+            [edges, grid, surface, &tables.points].map(|table| table.text(LONGEST_REDUCED));
+        let (edges, grid, surface, points) = (edges?, grid?, surface?, points?);
         let source = Source {
             name: &sweep.stem(),
             table: surface.as_deref().unwrap_or_default(),
             edges: edges.as_deref(),
             points: points.as_deref(),
+            grid: grid.as_deref(),
             record: Some(record),
             ..Source::default()
         };

@@ -51,7 +51,7 @@ impl Picture {
     ) -> Result<Self, Complaint> {
         let gap_words = caption.without_transition();
         if let (Some(surface), 2, [0, 1]) = (&results.surface, all.axes.len(), [slow, fast]) {
-            let refined = MapTable::parse(surface, results.edges.as_deref(), None)
+            let refined = MapTable::parse(surface, results.edges.as_deref(), None, None)
                 .map_err(|error| of_table(results, error))?;
             let levels = refined_map::levels(&refined);
             return Ok(Self {
