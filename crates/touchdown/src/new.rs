@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::output_units::OutputUnits;
 
@@ -12,14 +12,18 @@ use crate::failure::Failure;
 use crate::print::print;
 use crate::units::units;
 
-const VEHICLE: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
-const VEHICLE_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");
+const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
+const SURVEYOR_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");
+/// The lander on honeycomb struts, in SI.
+const HONEYCOMB: &str = include_str!("../../../sweeps/vehicles/four-legs.toml");
 const SWEEP: &str = include_str!("new/sweep.toml");
 const SWEEP_SI: &str = include_str!("new/sweep-si.toml");
 const SCENE: &str = include_str!("new/scene.toml");
 const SCENE_SI: &str = include_str!("new/scene-si.toml");
 /// Rules of the Surveyor, and those of a lander of one's own.
 const RULES: [&str; 2] = ["rules = \"1966\"    ", "rules = \"physical\""];
+/// The first leg of the templates of vehicles, which end with their legs.
+const FIRST_LEG: &str = "[[legs]]\n";
 /// Placeholder of the templates for the path of the vehicle file.
 const VEHICLE_PATH: &str = "VEHICLE";
 
@@ -29,6 +33,9 @@ Examples:
     touchdown new vehicle lander.toml
     touchdown new sweep trade.toml
     touchdown sweep trade.toml --out results
+
+  A lander with six legs on honeycomb struts:
+    touchdown new vehicle lander.toml --kind honeycomb --legs 6
 
   A sweep of an existing vehicle:
     touchdown new sweep trade.toml --vehicle sweeps/vehicles/surveyor-table-4-1.toml";
@@ -43,12 +50,37 @@ pub struct Options {
 
 #[derive(Debug, Subcommand)]
 enum Kind {
-    /// A vehicle file: the Surveyor, with an explanation of each number
-    Vehicle(NewFile),
+    /// A vehicle file: the Surveyor, or a lander on honeycomb struts, with an explanation of each number
+    Vehicle(NewVehicle),
     /// A sweep file: V_H over roll and cross-slope
     Sweep(NamesVehicle),
     /// A scene file: a touchdown and two cases that differ from it
     Scene(NamesVehicle),
+}
+
+#[derive(Debug, Args)]
+struct NewVehicle {
+    /// File to write; an existing file is not replaced
+    #[arg(value_name = "FILE.toml")]
+    file: PathBuf,
+    /// Struts
+    #[arg(long, value_enum, default_value = "damper")]
+    kind: Struts,
+    /// Number of legs, at even angles [default: 3 with dampers, 4 with honeycomb]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(3..=8))]
+    legs: Option<u8>,
+    /// Units of the file; the keys of either may be mixed [default: US with dampers, SI with honeycomb]
+    #[arg(long, value_parser = units(), ignore_case = true)]
+    units: Option<OutputUnits>,
+}
+
+/// Kinds of struts of a new vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Struts {
+    /// The Surveyor's shock absorbers: spring and damping
+    Damper,
+    /// Honeycomb that crushes, described in SI
+    Honeycomb,
 }
 
 #[derive(Debug, Args)]
@@ -72,19 +104,51 @@ struct NamesVehicle {
 
 /// Runs `new`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let (new, us, si, vehicle) = match &options.kind {
-        Kind::Vehicle(new) => (new, VEHICLE, VEHICLE_SI, None),
-        Kind::Sweep(named) => (&named.new, SWEEP, SWEEP_SI, Some(&named.vehicle)),
-        Kind::Scene(named) => (&named.new, SCENE, SCENE_SI, Some(&named.vehicle)),
+    let (named, us, si) = match &options.kind {
+        Kind::Vehicle(new) => return write(&new.file, &vehicle(new)?),
+        Kind::Sweep(named) => (named, SWEEP, SWEEP_SI),
+        Kind::Scene(named) => (named, SCENE, SCENE_SI),
     };
-    let template = match new.units {
+    let template = match named.new.units {
         OutputUnits::Us => us,
         OutputUnits::Si => si,
     };
-    match vehicle {
-        Some(vehicle) => write(&new.file, &naming(template, vehicle)),
-        None => write(&new.file, &template.replace(RULES[0], RULES[1])),
-    }
+    write(&named.new.file, &naming(template, &named.vehicle))
+}
+
+/// The text of a new vehicle file.
+fn vehicle(new: &NewVehicle) -> Result<String, InputError> {
+    let template = match (new.kind, new.units) {
+        (Struts::Damper, None | Some(OutputUnits::Us)) => SURVEYOR,
+        (Struts::Damper, Some(OutputUnits::Si)) => SURVEYOR_SI,
+        (Struts::Honeycomb, None | Some(OutputUnits::Si)) => HONEYCOMB,
+        (Struts::Honeycomb, Some(OutputUnits::Us)) => {
+            let allowed = "SI with --kind honeycomb; keys of either units may be mixed in the file";
+            return Err(InputError::value("--units", "US", allowed));
+        }
+    };
+    let template = template.replace(RULES[0], RULES[1]);
+    Ok(match new.legs {
+        Some(legs) => with_legs(&template, legs),
+        None => template,
+    })
+}
+
+/// A vehicle with this number of legs, and a name that tells it instead of the template's.
+fn with_legs(template: &str, legs: u8) -> String {
+    let body = template.split(FIRST_LEG).next().unwrap_or_default();
+    let lines = body.lines().skip_while(|line| line.starts_with('#'));
+    let lines = lines.filter(|line| !line.starts_with("name = "));
+    let body: Vec<&str> = lines.collect();
+    let azimuths = (0..legs).map(|leg| 360.0 * f64::from(leg) / f64::from(legs));
+    let azimuths: Vec<String> = azimuths
+        .map(|azimuth| format!("{FIRST_LEG}azimuth_deg = {azimuth}\n"))
+        .collect();
+    format!(
+        "name = \"Lander with {legs} legs\"\n{}\n\n{}",
+        body.join("\n").trim_end(),
+        azimuths.join("\n")
+    )
 }
 
 /// A template that names this vehicle file.

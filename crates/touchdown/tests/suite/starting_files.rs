@@ -83,6 +83,65 @@ fn new_vehicles_land_alike_in_either_unit() {
 }
 
 #[test]
+fn new_vehicles_have_the_struts_and_legs_that_are_asked_for() {
+    let bench = Bench::new();
+    for (kind, legs) in [("honeycomb", 3), ("honeycomb", 8), ("damper", 7)] {
+        let file = format!("{kind}-{legs}.toml");
+        let done = bench.run(&[
+            "new",
+            "vehicle",
+            &file,
+            "--kind",
+            kind,
+            "--legs",
+            &legs.to_string(),
+        ]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let text = bench.read(&file);
+        assert!(
+            text.contains(&format!("name = \"Lander with {legs} legs\"")),
+            "{text}"
+        );
+        assert_eq!(text.contains("[strut.crush_load]"), kind == "honeycomb");
+        let landed = bench.run(&[
+            "land",
+            "--vehicle",
+            &file,
+            "--vertical-velocity",
+            "6",
+            "--horizontal-velocity",
+            "1",
+            "--cross-slope",
+            "180",
+            "--slope",
+            "5",
+            "--friction",
+            "0.5",
+            "--json",
+        ]);
+        assert_eq!(landed.code, Some(0), "{}", landed.err);
+        assert!(
+            landed.out.contains(&format!("\"pad_contact_{legs}_s\"")),
+            "{}",
+            landed.out
+        );
+        assert!(
+            !landed
+                .out
+                .contains(&format!("\"pad_contact_{}_s\"", legs + 1))
+        );
+    }
+    let done = bench.run(&["new", "vehicle", "four.toml", "--kind", "honeycomb"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert!(bench.read("four.toml").contains("azimuth_deg = 270"));
+    let ask = |options: &[&str]| bench.run(&[&["new", "vehicle", "none.toml"], options].concat());
+    ask(&["--kind", "honeycomb", "--units", "US"])
+        .refused(&["--units = US", "SI with --kind honeycomb"]);
+    ask(&["--legs", "9"]).refused(&["--legs", "3..=8"]);
+    assert!(!bench.list(".").contains(&"none.toml".to_owned()));
+}
+
+#[test]
 fn shells_and_manuals_know_every_command() {
     let bench = Bench::new();
     for shell in ["bash", "zsh", "fish"] {
