@@ -60,8 +60,10 @@ pub fn land_many<'py>(
     let shared = scene.map_or_else(NamedConditions::default, |scene| *scene.0.conditions());
     let (found, of_journal) = interruptible::run(py, watch, move |work| {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let table = CaseTable::of_cells(&names, Box::new(cells), &shared, &file, &settings)?;
         let workers = Workers::start(threads)?;
+        let (cells, cancel) = (Box::new(cells), &work.cancel);
+        let table = workers
+            .within(|| CaseTable::of_cells(&names, cells, &shared, &file, &settings, cancel))?;
         work.more(table.len());
         let results = Results::new(&table, units);
         match out {

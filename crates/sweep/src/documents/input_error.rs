@@ -2,13 +2,14 @@
 
 use std::fmt;
 use std::path::Path;
+use std::sync::Arc;
 
 use crate::spelling::{did_you_mean, meant};
 
 /// A place in the input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    file: String,
+    file: Arc<str>,
     line: Option<usize>,
     row: Option<usize>,
 }
@@ -17,7 +18,7 @@ impl Place {
     /// A file as a whole.
     pub fn file(path: &Path) -> Self {
         Self {
-            file: path.display().to_string(),
+            file: path.display().to_string().into(),
             line: None,
             row: None,
         }

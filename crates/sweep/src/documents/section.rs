@@ -1,5 +1,7 @@
 //! Reads one table of a document key by key; errors name place and key.
 
+use std::sync::Arc;
+
 use touchdown_dynamics::invalid::Invalid;
 
 use crate::document::{Document, Entry, Node, Value, dotted, spelled};
@@ -20,7 +22,7 @@ pub struct Section<'d> {
 #[derive(Debug, Clone)]
 pub(crate) struct Layer<'d> {
     pub(crate) entries: &'d [Entry],
-    pub(crate) path: String,
+    pub(crate) path: Arc<str>,
     pub(crate) line: usize,
     /// Conversion of the numbers of a table whose own key names the unit.
     conversion: Conversion,
@@ -34,7 +36,7 @@ impl<'d> Section<'d> {
     pub fn root(document: &'d Document, known: &[&str]) -> Result<Self, InputError> {
         let layer = Layer {
             entries: document.root(),
-            path: String::new(),
+            path: "".into(),
             line: 1,
             conversion: Conversion::NONE,
         };
@@ -127,7 +129,8 @@ impl<'d> Section<'d> {
             let (entry, conversion) = spelled(layer.entries, key)?;
             Some(LocatedValue {
                 place: self.place.clone(),
-                path: dotted(&layer.path, &entry.key),
+                above: Arc::clone(&layer.path),
+                step: Step::Key(&entry.key),
                 node: &entry.node,
                 conversion: conversion.or(layer.conversion),
             })
@@ -219,7 +222,8 @@ impl<'d> Section<'d> {
             layer.entries.iter().map(move |entry| {
                 let found = LocatedValue {
                     place: self.place.clone(),
-                    path: dotted(&layer.path, &entry.key),
+                    above: Arc::clone(&layer.path),
+                    step: Step::Key(&entry.key),
                     node: &entry.node,
                     conversion: layer.conversion,
                 };
@@ -249,7 +253,7 @@ impl<'d> Section<'d> {
             // As written, since the physics may use another unit.
             Value::Number(_) if explanation.is_empty() => found.complain(&invalid.allowed),
             _ => {
-                let name = format!("{}{explanation}", found.path);
+                let name = format!("{}{explanation}", found.path());
                 let value = found.conversion.with_unit(invalid.value);
                 InputError::value(&name, value, &invalid.allowed).at(found.here())
             }
@@ -271,17 +275,36 @@ impl<'d> Section<'d> {
     }
 }
 
-/// A value found in a section.
+/// The last step of the path of a value.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Step<'d> {
+    /// A key of a table, as spelled.
+    Key(&'d str),
+    /// An item of a list, counted from 1.
+    Item(usize),
+}
+
+/// A value found in a section. Its path is put together where it is told: tables have many numbers, and errors are rare.
 #[derive(Debug, Clone)]
 pub struct LocatedValue<'d> {
     pub(crate) place: Place,
-    pub(crate) path: String,
+    /// Dotted path of the table or list above it.
+    pub(crate) above: Arc<str>,
+    pub(crate) step: Step<'d>,
     pub(crate) node: &'d Node,
     /// Conversion from the unit of the file to that of the program.
     pub(crate) conversion: Conversion,
 }
 
 impl<'d> LocatedValue<'d> {
+    /// Its dotted path, as spelled.
+    pub(crate) fn path(&self) -> String {
+        match self.step {
+            Step::Key(key) => dotted(&self.above, key),
+            Step::Item(number) => format!("{}[{number}]", self.above),
+        }
+    }
+
     /// Its place.
     pub fn here(&self) -> Place {
         self.place.line(self.node.line)
@@ -293,14 +316,15 @@ impl<'d> LocatedValue<'d> {
             Value::Number(number) => &self.conversion.explain(allowed, number),
             _ => allowed,
         };
-        InputError::value(&self.path, &self.node.written, allowed).at(self.here())
+        InputError::value(&self.path(), &self.node.written, allowed).at(self.here())
     }
 
     /// Any error, at the place of this value.
     pub fn complain_that(&self, complaint: &str) -> InputError {
         InputError::other(format!(
             "{} = {}: {complaint}",
-            self.path, self.node.written
+            self.path(),
+            self.node.written
         ))
         .at(self.here())
     }
@@ -350,9 +374,11 @@ impl<'d> LocatedValue<'d> {
         let Value::List(nodes) = &self.node.value else {
             return Err(self.complain(allowed));
         };
+        let path = Arc::from(self.path());
         let item = |(index, node)| LocatedValue {
             place: self.place.clone(),
-            path: format!("{}[{}]", self.path, index + 1),
+            above: Arc::clone(&path),
+            step: Step::Item(index + 1),
             node,
             conversion: self.conversion,
         };
@@ -376,10 +402,12 @@ impl<'d> LocatedValue<'d> {
     /// If it is not a table.
     pub fn leaves(&self) -> Result<Vec<(String, LocatedValue<'d>)>, InputError> {
         let mut leaves = Vec::new();
+        let path = Arc::from(self.path());
         for entry in self.layer()?.entries {
             let found = LocatedValue {
                 place: self.place.clone(),
-                path: dotted(&self.path, &entry.key),
+                above: Arc::clone(&path),
+                step: Step::Key(&entry.key),
                 node: &entry.node,
                 conversion: Conversion::NONE,
             };
@@ -400,7 +428,7 @@ impl<'d> LocatedValue<'d> {
         match &self.node.value {
             Value::Table(entries) => Ok(Layer {
                 entries,
-                path: self.path.clone(),
+                path: self.path().into(),
                 line: self.node.line,
                 conversion: self.conversion,
             }),

@@ -86,6 +86,10 @@ pub(crate) fn conversion(spelling: &str, key: &str) -> Option<Conversion> {
     if spelling == key {
         return Some(Conversion::NONE);
     }
+    // Spellings differ at their ends only. This tells most pairs of keys apart, of which there are very many.
+    if spelling.as_bytes().first() != key.as_bytes().first() {
+        return None;
+    }
     let (bare, unit) = program_unit(key)?;
     let ending = spelling.strip_prefix(bare)?;
     let si = unit.si.iter().find(|si| si.ending == ending)?;

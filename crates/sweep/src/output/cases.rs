@@ -7,7 +7,9 @@ mod results;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use rayon::prelude::*;
 use serde_json::json;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
@@ -81,28 +83,34 @@ fn parse(
         return Err(InputError::other(NO_ROWS).at(place));
     }
     let folder = path.parent().unwrap_or(Path::new(""));
-    CaseTable::new(Box::new(rows), columns, folder, vehicle, settings)
+    let never = AtomicBool::new(false);
+    CaseTable::new(Box::new(rows), columns, folder, vehicle, settings, &never)
 }
+
+/// Rows that are checked together: between these the check can be cancelled.
+const CHECKED_TOGETHER: usize = 1024;
 
 const NO_ROWS: &str = "has no rows: expected at least one case";
 
 impl CaseTable {
-    /// Checks a whole table with this heading; `shared` are the default conditions of its rows.
+    /// Checks a whole table with this heading; `shared` are the default conditions of its rows. Rows are checked on the
+    /// threads of the caller's pool.
     ///
     /// # Errors
-    /// As [`read`].
+    /// As [`read`], or that `cancel` became true.
     pub fn of_cells(
         heading: &[&str],
         cells: Box<dyn CaseCells>,
         shared: &NamedConditions,
         vehicle: &VehicleFile,
         settings: &Settings,
+        cancel: &AtomicBool,
     ) -> Result<Self, InputError> {
         let columns = Columns::of(heading, *shared)?;
         if cells.is_empty() {
             return Err(InputError::other(NO_ROWS).within("the table of cases"));
         }
-        let mut table = Self::new(cells, columns, Path::new(""), vehicle, settings)?;
+        let mut table = Self::new(cells, columns, Path::new(""), vehicle, settings, cancel)?;
         table.input["scene"] = resolved_input::scene(shared).into();
         Ok(table)
     }
@@ -113,28 +121,40 @@ impl CaseTable {
         folder: &Path,
         vehicle: &VehicleFile,
         settings: &Settings,
+        cancel: &AtomicBool,
     ) -> Result<Self, InputError> {
         let mut vehicles = Vehicles {
             own: vehicle.clone(),
             shared: Arc::new(vehicle.vehicle.clone()),
             files: BTreeMap::new(),
         };
-        let (mut first, mut most_legs) = (None, 0);
-        for number in 0..cells.len() {
-            let row = Row {
-                cells: &*cells,
-                number,
-            };
-            let case = vehicles
-                .read(row.text(columns.vehicle_file), folder)
-                .and_then(|()| case(row, &columns, &vehicles, settings))
-                .map_err(|error| cells.at_row(number, error))?;
-            most_legs = most_legs.max(case.vehicle.legs().len());
-            first.get_or_insert(case);
-        }
-        let Some(first) = first else {
-            return Err(InputError::other(NO_ROWS));
+        let row = |number| Row {
+            cells: &*cells,
+            number,
         };
+        for number in 0..cells.len() {
+            vehicles
+                .read(row(number).text(columns.vehicle_file), folder)
+                .map_err(|error| cells.at_row(number, error))?;
+        }
+        let checked = |number| {
+            case(row(number), &columns, &vehicles, settings)
+                .map_err(|error| cells.at_row(number, error))
+        };
+        let first = checked(0)?;
+        let mut most_legs = 0;
+        for begin in (0..cells.len()).step_by(CHECKED_TOGETHER) {
+            if cancel.load(Ordering::Relaxed) {
+                return Err(InputError::other("cancelled"));
+            }
+            let end = cells.len().min(begin + CHECKED_TOGETHER);
+            let legs = |number| checked(number).map(|case| case.vehicle.legs().len());
+            let all: Vec<Result<usize, InputError>> =
+                (begin..end).into_par_iter().map(legs).collect();
+            for legs in all {
+                most_legs = most_legs.max(legs?);
+            }
+        }
         let files = vehicles.files.iter();
         let files: BTreeMap<&String, String> = files
             .map(|(name, file)| (name, fingerprint(&file.document.source().text)))

@@ -40,6 +40,39 @@ fn empty_cells_are_defaults_and_cases_without_a_name_have_their_number() {
 }
 
 #[test]
+fn the_first_fault_of_a_long_table_is_told_and_checks_can_be_cancelled() {
+    let rows = |wrong: &[usize]| -> String {
+        let row = |row| {
+            let friction = if wrong.contains(&row) { -1 } else { 1 };
+            format!("{row},,14,11,180,0,0,0,15,{friction}\n")
+        };
+        (1..=3000).map(row).collect()
+    };
+    for (wrong, told) in [
+        (&[1, 2, 2999][..], 1),
+        (&[1500, 1499], 1499),
+        (&[3000], 3000),
+    ] {
+        let said = complaint(&format!("{HEADING}\n{}", rows(wrong)));
+        assert!(
+            said.contains(&format!("row {told}: friction = -1")),
+            "{said}"
+        );
+    }
+    let text = format!("{HEADING}\n{}", rows(&[]));
+    let (heading, cells) = cells::CsvRows::parse(Path::new("c.csv"), &text).unwrap();
+    let heading: Vec<&str> = heading.iter().collect();
+    let settings = Settings::new(1e-5, 20.0, CrushRule::default()).unwrap();
+    let check = |cells: Box<dyn CaseCells>, cancel| {
+        let shared = NamedConditions::default();
+        let cancel = AtomicBool::new(cancel);
+        CaseTable::of_cells(&heading, cells, &shared, &surveyor(), &settings, &cancel)
+    };
+    let cancelled = check(Box::new(cells), true).unwrap_err();
+    assert_eq!(cancelled.to_string(), "cancelled");
+}
+
+#[test]
 fn columns_that_say_nothing_are_refused() {
     let row = "1,,14,11,180,0,0,0,15,1";
     for (column, guess) in [

@@ -9,8 +9,7 @@ use crate::document::{Entry, Value};
 use crate::input_error::InputError;
 use crate::levels::{Fault, Levels};
 use crate::parameter::Parameter;
-use crate::section::LocatedValue;
-use crate::section::{Layer, Section};
+use crate::section::{Layer, LocatedValue, Section, Step};
 use crate::spelling::Conversion;
 
 pub(crate) const FORM: [&str; 7] = ["from", "to", "step", "count", "spacing", "values", "zip"];
@@ -92,7 +91,8 @@ fn descend<'d>(
         let name = crate::document::dotted(path, &entry.key);
         let found = LocatedValue {
             place: above.place.clone(),
-            path: crate::document::dotted(&above.path, &entry.key),
+            above: above.path().into(),
+            step: Step::Key(&entry.key),
             node: &entry.node,
             // Values of an axis are in the unit of its name.
             conversion: Conversion::NONE,

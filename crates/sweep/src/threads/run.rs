@@ -107,6 +107,11 @@ impl Workers {
             .map_err(RunError::Threads)
     }
 
+    /// Runs `work` on these threads, which it may share with rayon.
+    pub fn within<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.pool.install(work)
+    }
+
     /// Number of threads.
     pub fn threads(&self) -> usize {
         self.pool.current_num_threads()

@@ -31,7 +31,7 @@ pub fn run(
     out: &Path,
     units: OutputUnits,
 ) -> Result<(), Failure> {
-    let table = cases::read(table, vehicle, settings)?;
+    let table = workers.within(|| cases::read(table, vehicle, settings))?;
     let (folder, name) = place_of(out)?;
     let cancel = interrupt::flag()?;
 
