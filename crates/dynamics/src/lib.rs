@@ -10,6 +10,74 @@
 //! comes out the same, bit for bit, on every machine. The standard library's elementary functions are the machine's own
 //! and are not allowed here (`clippy.toml`).
 //!
+//! # One landing
+//!
+//! The parts of a lander are plain numbers ([`parts`]). [`vehicle::Leg`], [`vehicle::Vehicle`] and [`scene::Scene`] check
+//! them once; whatever is out of its range is an [`invalid::Invalid`] that names it.
+//!
+//! ```
+#![doc = include_str!("../examples/lander/mod.rs")]
+//!
+//! use touchdown_dynamics::land::land;
+//! use touchdown_dynamics::outcome::Class;
+//! use touchdown_dynamics::scene::Settings;
+//!
+//! fn main() -> Result<(), Invalid> {
+//!     let landing = land(&four_legs()?, &downhill(4.0)?, &Settings::default());
+//!     assert_eq!(landing.outcome.class(), Class::Stable);
+//!     assert!(landing.max_stroke_share.iter().all(|share| *share < 0.6));
+//!     // The account of the energies closes.
+//!     assert!(landing.energies.closure().abs() < 1e-3);
+//!     Ok(())
+//! }
+//! ```
+//!
+//! [`land::land_observed`] reports the state every so many seconds: the examples `landing` (a history) and `observer` (the
+//! loads on a payload) use it.
+//!
+//! # Many landings
+//!
+//! [`batch::land_many`] takes several landings side by side through the lanes of vector registers, with the same bits.
+//!
+//! ```
+//! # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/lander/mod.rs"));
+//! use std::sync::Arc;
+//!
+//! use touchdown_dynamics::batch::{Request, land_many};
+//! use touchdown_dynamics::outcome::Class;
+//! use touchdown_dynamics::scene::Settings;
+//!
+//! # fn main() -> Result<(), Invalid> {
+//! let vehicle = Arc::new(four_legs()?);
+//! let scenes = (0..24).map(|speed| downhill(f64::from(speed)));
+//! let scenes: Vec<Scene> = scenes.collect::<Result<_, _>>()?;
+//! let mut requests = scenes.iter().enumerate().map(|(speed, scene)| Request {
+//!     key: speed,
+//!     vehicle: Arc::clone(&vehicle),
+//!     scene: *scene,
+//!     settings: Settings::default(),
+//! });
+//! let mut bottoming = Vec::new();
+//! land_many(&mut || requests.next(), &mut |speed, landing| {
+//!     if landing.outcome.class() == Class::Bottomed {
+//!         bottoming.push(speed);
+//!     }
+//! });
+//! // It does not topple; from 17 ft/s on a strut bottoms.
+//! assert_eq!(bottoming.iter().min(), Some(&17));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The crate `touchdown-sweep` reads landers from files, searches the speed at which they topple, and sweeps it.
+//!
+//! # Features and versions
+//!
+//! `serde` makes results serializable. Until version 1.0 a new minor version may change the interface. What changes any bit
+//! of a result raises [`model_version::MODEL_VERSION`].
+//!
+//! # Layout
+//!
 //! The crate has floors, each of which knows only those below it (`scripts/floors.py` checks that):
 //!
 //! | floor | what | modules |

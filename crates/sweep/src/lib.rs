@@ -1,5 +1,50 @@
 //! Sweeps of lander touchdowns: from input files to result tables.
 //!
+//! Landings themselves are those of `touchdown-dynamics`; numbers are in feet, pounds, slugs and seconds, and angles of input
+//! files and tables in degrees. Results do not depend on the number of threads, on interruptions or on the machine.
+//!
+//! # A boundary
+//!
+//! V_H is the lowest horizontal velocity at which a landing is not stable. A sweep file names a vehicle, conditions, axes and
+//! a search; [`run::Workers`] search its points on all cores.
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use touchdown_dynamics::outcome::Class;
+//! use touchdown_sweep::run::Workers;
+//! use touchdown_sweep::sweep_file::Sweep;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # std::env::set_current_dir("../..")?;
+//! let sweep = Sweep::read(Path::new("sweeps/figure-4-09.toml"))?;
+//! assert_eq!(sweep.place(12), "roll_deg = 0");
+//! let findings = Workers::start(None)?.points(&sweep, &[12])?;
+//! let boundary = findings[0].boundary().ok_or("the sweep searches no boundary")?;
+//! let transition = boundary.transition.ok_or("no transition up to 25 ft/s")?;
+//! assert_eq!(transition.to, Class::Unstable);
+//! assert!((transition.speed() - 11.40).abs() < 0.005);
+//! // Every band up to the highest speed, as bands = "all" asks for.
+//! assert_eq!(boundary.bands[0].class, Class::Stable);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The example `boundaries` searches a batch of designs from files in memory, `monte_carlo` lands touchdowns at random on
+//! threads of its own.
+//!
+//! # A sweep
+//!
+//! [`runner`] computes a whole sweep into a journal, from which an interrupted run goes on, and writes its tables; its page
+//! has the few lines that this takes. [`overrides::Overrides`] replaces values as the options of the command line do.
+//!
+//! # Versions
+//!
+//! Until version 1.0 a new minor version may change the interface, which follows the program. Journals of another model
+//! version ([`touchdown_dynamics::model_version`]) are refused.
+//!
+//! # Layout
+//!
 //! The crate has floors; each uses only those below it (checked by `scripts/floors.py`):
 //!
 //! | floor | content |
