@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # The Python package: built as one wheel, installed into a fresh environment, its tests, examples and types.
 #
-#     scripts/tests/python_package.sh PYTHON
+#     scripts/tests/python_package.sh PYTHON [FOLDER]
 #
-# PYTHON is the interpreter of the environment. The command line must have been built for release.
+# PYTHON is the interpreter of the environment; the wheel stays in FOLDER, if one is named. The command line must have been
+# built for release.
 set -euo pipefail
 python=$1
+folder=${2:+$(realpath "$2")}
 cd "$(dirname "$0")/../../crates/python"
 
 wheels=$(mktemp -d)
@@ -18,3 +20,4 @@ wheel=("$wheels"/touchdown-*.whl)
 "$python" -m pip install --quiet "${wheel[0]}[plot]"
 "$python" -m pytest --quiet --numprocesses 2 --nbmake --pyargs touchdown tests examples
 "$python" -m mypy
+[ -z "$folder" ] || cp "${wheel[0]}" "$folder"
