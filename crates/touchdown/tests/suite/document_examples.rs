@@ -170,57 +170,7 @@ fn examples_of_the_page_on_own_landers_work() {
     check_page("docs/own-lander.md");
 }
 
-/// All pages of the root, `docs/` and `results/`.
-fn pages() -> Vec<PathBuf> {
-    let folders = [
-        "",
-        "docs",
-        "docs/notes",
-        "crates/lab",
-        "crates/lab/notes",
-        "crates/lab/results",
-        "crates/lab/results/verdicts",
-        "results",
-        "results/trade",
-        "results/sensitivity",
-    ];
-    let files = |folder: &str| fs::read_dir(root().join(folder)).unwrap();
-    let pages = folders
-        .into_iter()
-        .flat_map(files)
-        .map(|entry| entry.unwrap().path());
-    pages
-        .filter(|path| path.extension().is_some_and(|kind| kind == "md"))
-        .collect()
-}
-
 #[test]
-fn links_between_documents_lead_somewhere() {
-    for page in pages() {
-        let text = fs::read_to_string(&page).unwrap();
-        for rest in text.split("](").skip(1) {
-            let target = rest.split(')').next().unwrap_or_default();
-            let file = target.split('#').next().unwrap_or_default();
-            if file.is_empty() || file.starts_with("http") {
-                continue;
-            }
-            let there = page.parent().unwrap().join(file);
-            assert!(there.exists(), "{}: {target}", page.display());
-        }
-    }
-}
-
-#[test]
-fn files_that_documents_name_are_there() {
-    for page in pages() {
-        let text = fs::read_to_string(&page).unwrap();
-        for quoted in text.split('`').skip(1).step_by(2) {
-            let name = quoted.split_whitespace().next().unwrap_or_default();
-            let folders = ["crates/", "scripts/", "sweeps/", "results/"];
-            let is_path = folders.iter().any(|folder| name.starts_with(folder));
-            if is_path && !name.contains(['*', '<']) {
-                assert!(root().join(name).exists(), "{}: {name}", page.display());
-            }
-        }
-    }
+fn commands_of_the_gallery_work() {
+    check_page("docs/gallery.md");
 }
