@@ -2,6 +2,7 @@
 
 mod calls;
 mod gate;
+mod impatient;
 mod limits;
 mod random;
 mod reply;
@@ -21,6 +22,7 @@ use tokio::sync::Semaphore;
 use crate::named::Named;
 
 use gate::Gate;
+use impatient::Impatient;
 use limits::Limits;
 use random::random_digits;
 use service::Service;
@@ -104,7 +106,7 @@ impl Server {
                     .header_read_timeout(limits::HEADER_TIME)
                     .max_headers(limits::HEADERS)
                     .max_buf_size(limits::HEADER_BYTES)
-                    .serve_connection(TokioIo::new(stream), answer)
+                    .serve_connection(TokioIo::new(Impatient::of(stream)), answer)
                     .await;
                 drop(place);
             });

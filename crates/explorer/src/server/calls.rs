@@ -5,10 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use hyper::StatusCode;
+use hyper::body::Bytes;
 use tokio::task::spawn_blocking;
-use tokio::time::timeout_at;
+use tokio::time::{sleep, timeout_at};
 
-use super::limits::{ANSWER_TIME, Limits};
+use super::limits::{ANSWER_TIME, Limits, PAUSE};
 use super::reply::{self, Reply};
 use crate::interface::{self, Complaint};
 use crate::named::Named;
@@ -33,6 +34,14 @@ pub async fn answer(named: &Arc<Named>, limits: &Limits, name: &str, request: St
         return reply::complaint(&Complaint::over());
     };
     drop(waiting);
+    // Clients read, or their time is over.
+    while limits.is_full() {
+        if Instant::now() > deadline {
+            let said = "too many answers have not been read";
+            return reply::refusal(StatusCode::TOO_MANY_REQUESTS, said);
+        }
+        sleep(PAUSE).await;
+    }
     let over = Arc::new(AtomicBool::new(false));
     let _wanted = Wanted(Arc::clone(&over));
     let (named, name) = (Arc::clone(named), name.to_owned());
@@ -43,7 +52,7 @@ pub async fn answer(named: &Arc<Named>, limits: &Limits, name: &str, request: St
         interface::answer(&named, &name, &request, &is_over)
     });
     match answered.await {
-        Ok(Ok(json)) => reply::answer(json),
+        Ok(Ok(json)) => reply::answer(Bytes::from_owner(limits.count(json))),
         Ok(Err(complaint)) => reply::complaint(&complaint),
         Err(error) => reply::complaint(&Complaint::engine(error)),
     }

@@ -1,5 +1,6 @@
 //! Limits on the resources of clients.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -11,6 +12,8 @@ pub const CONNECTIONS: usize = 512;
 /// Time for the head of a request, and for its body.
 pub const HEADER_TIME: Duration = Duration::from_secs(5);
 pub const BODY_TIME: Duration = Duration::from_secs(10);
+/// Time for a client to read an answer.
+pub const WRITE_TIME: Duration = Duration::from_secs(10);
 /// Headers of a request, and their total bytes.
 pub const HEADERS: usize = 64;
 pub const HEADER_BYTES: usize = 32 * 1024;
@@ -20,6 +23,9 @@ pub const BODY_BYTES: usize = 256 * 1024;
 pub const ANSWER_TIME: Duration = Duration::from_secs(30);
 /// Requests waiting for their turn.
 const WAITING: usize = 64;
+/// Bytes of answers that clients have not read, beyond which nothing more is computed, and how often that is looked at.
+const UNREAD: usize = 64 * 1024 * 1024;
+pub const PAUSE: Duration = Duration::from_millis(20);
 /// Requests per second on average, and in a burst.
 const RATE: f64 = 500.0;
 const BURST: f64 = 1000.0;
@@ -31,7 +37,34 @@ pub struct Limits {
     long: Arc<Semaphore>,
     waiting: Semaphore,
     counts: [usize; 2],
-    allowance: Mutex<Allowance>,
+    unread: Arc<AtomicUsize>,
+    /// Requests of those who may ask.
+    pub admitted: Rate,
+    /// Requests of those who may not, which take nothing from the others.
+    pub strangers: Rate,
+}
+
+/// A limit on how often something is asked.
+#[derive(Debug)]
+pub struct Rate(Mutex<Allowance>);
+
+/// An answer that counts as unread until the client has it, or is gone.
+#[derive(Debug)]
+pub struct Unread {
+    answer: String,
+    unread: Arc<AtomicUsize>,
+}
+
+impl AsRef<[u8]> for Unread {
+    fn as_ref(&self) -> &[u8] {
+        self.answer.as_bytes()
+    }
+}
+
+impl Drop for Unread {
+    fn drop(&mut self) {
+        self.unread.fetch_sub(self.answer.len(), Ordering::Relaxed);
+    }
 }
 
 #[derive(Debug)]
@@ -50,10 +83,9 @@ impl Limits {
             long: Arc::new(Semaphore::new(counts[1])),
             waiting: Semaphore::new(WAITING),
             counts,
-            allowance: Mutex::new(Allowance {
-                requests: BURST,
-                since: Instant::now(),
-            }),
+            unread: Arc::default(),
+            admitted: Rate::full(),
+            strangers: Rate::full(),
         }
     }
 
@@ -75,9 +107,32 @@ impl Limits {
         &self.waiting
     }
 
+    /// True if clients have left too many answers unread.
+    pub fn is_full(&self) -> bool {
+        self.unread.load(Ordering::Relaxed) > UNREAD
+    }
+
+    /// Counts an answer until it is read.
+    pub fn count(&self, answer: String) -> Unread {
+        self.unread.fetch_add(answer.len(), Ordering::Relaxed);
+        Unread {
+            answer,
+            unread: Arc::clone(&self.unread),
+        }
+    }
+}
+
+impl Rate {
+    fn full() -> Self {
+        Self(Mutex::new(Allowance {
+            requests: BURST,
+            since: Instant::now(),
+        }))
+    }
+
     /// Counts a request; returns whether it is within the rate.
     pub fn allow(&self) -> bool {
-        let Ok(mut allowance) = self.allowance.lock() else {
+        let Ok(mut allowance) = self.0.lock() else {
             return false;
         };
         let now = Instant::now();
@@ -99,7 +154,8 @@ mod tests {
     #[test]
     fn a_burst_uses_the_allowance_up() {
         let limits = Limits::of_this_machine();
-        let allowed = (0..10_000).filter(|_| limits.allow()).count();
+        let allowed = (0..10_000).filter(|_| limits.strangers.allow()).count();
         assert!((1000..9000).contains(&allowed), "{allowed}");
+        assert!(limits.admitted.allow());
     }
 }

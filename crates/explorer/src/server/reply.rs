@@ -3,8 +3,8 @@
 use http_body_util::Full;
 use hyper::body::Bytes;
 use hyper::header::{
-    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue,
-    REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
+    CACHE_CONTROL, CONNECTION, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE,
+    HeaderValue, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
 };
 use hyper::{Response, StatusCode};
 
@@ -21,8 +21,18 @@ const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' N
     base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// An answer of the interface.
-pub fn answer(json: String) -> Reply {
-    reply(StatusCode::OK, JSON, Bytes::from(json))
+pub fn answer(json: Bytes) -> Reply {
+    reply(StatusCode::OK, JSON, json)
+}
+
+/// The answer to whoever may not ask, or asks too often. It is the last one of its connection.
+pub fn turned_away(is_within: bool) -> Reply {
+    let mut reply = match is_within {
+        true => refusal(StatusCode::NOT_FOUND, "there is nothing here"),
+        false => too_often(),
+    };
+    (reply.headers_mut()).insert(CONNECTION, HeaderValue::from_static("close"));
+    reply
 }
 
 /// An error reply of the interface.
@@ -40,6 +50,14 @@ pub fn complaint(complaint: &Complaint) -> Reply {
 pub fn refusal(status: StatusCode, said: &str) -> Reply {
     let body = Complaint::request(said).json();
     reply(status, JSON, Bytes::from(body))
+}
+
+/// The refusal of requests beyond the rate.
+pub fn too_often() -> Reply {
+    refusal(
+        StatusCode::TOO_MANY_REQUESTS,
+        "too many requests in a second",
+    )
 }
 
 /// A file of the page. The page itself gets this nonce, which is used only once.

@@ -44,13 +44,10 @@ impl Service {
     async fn reply(&self, request: Request<Incoming>) -> Reply {
         let path = request.uri().path().to_owned();
         let Some(path) = self.gate.admit(request.headers(), &path) else {
-            return reply::refusal(StatusCode::NOT_FOUND, "there is nothing here");
+            return reply::turned_away(self.limits.strangers.allow());
         };
-        if !self.limits.allow() {
-            return reply::refusal(
-                StatusCode::TOO_MANY_REQUESTS,
-                "too many requests in a second",
-            );
+        if !self.limits.admitted.allow() {
+            return reply::too_often();
         }
         let method = request.method();
         match (path.strip_prefix(API), PageFile::at(path)) {
