@@ -28,8 +28,10 @@ pub struct Named {
     pub results: Vec<Results>,
     /// Default units of answers.
     pub units: OutputUnits,
-    /// The files as named.
+    /// The files as named, without those that were skipped.
     pub files: Vec<PathBuf>,
+    /// Tables with neither transitions nor landings, such as those of edges and probabilities beside others.
+    pub skipped: Vec<PathBuf>,
     /// Copies of all files read.
     pub copies: Vec<library::Source>,
 }
@@ -39,7 +41,7 @@ impl Named {
     /// the first file.
     ///
     /// # Errors
-    /// Names the first file that is none of these, or the fault in it.
+    /// Names the first file that is none of these, or the fault in it. Other tables are skipped, unless all files are.
     pub fn read(
         files: &[PathBuf],
         library: Library,
@@ -53,12 +55,24 @@ impl Named {
             sources: Vec::new(),
             results: Vec::new(),
             units: OutputUnits::default(),
-            files: files.to_owned(),
+            files: Vec::new(),
+            skipped: Vec::new(),
             copies: Vec::new(),
         };
         let mut reading = Reading::of(library);
         for file in files {
-            named.add(&mut reading, file)?;
+            let is_known = named.add(&mut reading, file)?;
+            let list = if is_known {
+                &mut named.files
+            } else {
+                &mut named.skipped
+            };
+            list.push(file.clone());
+        }
+        if let (true, Some(file)) = (named.files.is_empty(), named.skipped.first()) {
+            let complaint =
+                "expected a table of transitions or of landings, as touchdown sweep writes them";
+            return Err(InputError::in_file(file, complaint));
         }
         if named.sources.is_empty() {
             let mut reading = Reading::of(Library::Copies(&own));
@@ -71,10 +85,13 @@ impl Named {
         Ok(named)
     }
 
-    fn add(&mut self, reading: &mut Reading, file: &Path) -> Result<(), InputError> {
+    /// Adds a file; false for a table with neither transitions nor landings.
+    fn add(&mut self, reading: &mut Reading, file: &Path) -> Result<bool, InputError> {
         match file.extension().and_then(|ending| ending.to_str()) {
             Some("csv") => {
-                let (mut results, source) = Results::read(reading, file)?;
+                let Some((mut results, source)) = Results::read(reading, file)? else {
+                    return Ok(false);
+                };
                 if let Some(source) = source {
                     results.source = Some(self.add_source(source));
                 }
@@ -92,7 +109,7 @@ impl Named {
                 return Err(InputError::in_file(file, complaint));
             }
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Adds a source under a unique name.

@@ -72,6 +72,12 @@ const PAGE: &str = "<!doctype html>";
 /// Runs `explore`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let named = Named::read(&options.files, Library::Disk, options.units.given)?;
+    for file in &named.skipped {
+        let file = file.display();
+        eprintln!(
+            "touchdown: warning: {file}: skipped, as it has neither transitions nor landings"
+        );
+    }
     if let Some(file) = &options.export {
         return export(options, &named, file);
     }

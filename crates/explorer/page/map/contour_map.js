@@ -9,7 +9,7 @@ import { nearestPoint, viewOf } from "./view.js";
 /** @typedef {import("../engine/types.js").MapAnswer} MapAnswer */
 /** @typedef {import("../engine/types.js").MapPoint} MapPoint */
 
-const ROOM = { left: 62, right: 78, top: 10, bottom: 44 };
+const ROOM = { left: 66, right: 78, top: 10, bottom: 46 };
 /** Shortest line that carries a label, and least distance between labels, pixels. */
 const LABELLED = 70;
 const APART = 46;
@@ -182,7 +182,7 @@ export class ContourMap {
     const { slowEnds, fastEnds } = /** @type {ReturnType<typeof viewOf>} */ (this.view);
     for (const value of roundValues(fastEnds.low, fastEnds.high, width / (60 * textScale()))) {
       const [x] = this.pixel(slowEnds.low, value);
-      context.fillText(label(value), x, top + height + 6);
+      context.fillText(label(value), x, top + height + 9);
       context.globalAlpha = 0.12;
       context.fillRect(x, top, 1, height);
       context.globalAlpha = 1;
@@ -191,7 +191,8 @@ export class ContourMap {
     context.textBaseline = "middle";
     for (const value of roundValues(slowEnds.low, slowEnds.high, height / (40 * textScale()))) {
       const [, y] = this.pixel(value, fastEnds.low);
-      context.fillText(label(value), left - 6, y);
+      // The lowest one stands above the first of the other axis.
+      context.fillText(label(value), left - 10, Math.min(y, top + height - 5 * textScale()));
       context.globalAlpha = 0.12;
       context.fillRect(left, y, width, 1);
       context.globalAlpha = 1;
@@ -293,14 +294,32 @@ export class ContourMap {
     }
   }
 
-  /** Points that no surface joins, in the colours of their bands. @param {CanvasRenderingContext2D} context @param {MapAnswer} map */
+  /** Points that no surface joins, in the colours of their bands, with V_H where there is room. @param {CanvasRenderingContext2D} context @param {MapAnswer} map */
   #scattered(context, map) {
     const radius = Math.max(2, Math.min(7, 160 / Math.sqrt(map.points.length)));
     const bands = bandsOf(map.levels);
+    /** @type {[number, number][]} */
+    const written = [];
+    const [wide, tall] = [36 * textScale(), 14 * textScale()];
+    context.font = font(10);
+    context.textAlign = "center";
+    context.textBaseline = "middle";
     for (const { place, speed } of map.points) {
       const [x, y] = this.pixel(place[0], place[1]);
-      if (speed === null) openTriangle(context, x, y, 0.7 * radius, colours().stable);
-      else disc(context, x, y, radius, bands.find(({ high }) => speed < high)?.colour ?? colours().text);
+      if (speed === null) {
+        openTriangle(context, x, y, 0.7 * radius, colours().stable);
+        continue;
+      }
+      disc(context, x, y, radius, bands.find(({ high }) => speed < high)?.colour ?? colours().text);
+      const below = y + radius + 0.5 * tall;
+      const isFree = map.points.every((other) => {
+        const [u, v] = this.pixel(other.place[0], other.place[1]);
+        return other.place === place || Math.abs(u - x) > 0.5 * wide || Math.abs(v - below) > 0.5 * tall + radius;
+      });
+      if (!isFree || written.some(([u, v]) => Math.abs(u - x) < wide && Math.abs(v - below) < tall)) continue;
+      written.push([x, below]);
+      context.fillStyle = colours().text;
+      context.fillText(label(speed, 3), x, below);
     }
   }
 

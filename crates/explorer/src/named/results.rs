@@ -62,9 +62,12 @@ pub struct Results {
 }
 
 impl Results {
-    /// Reads a table, and the touchdown in the record beside it.
-    pub fn read(reading: &mut Reading, file: &Path) -> Result<(Self, Option<Source>), InputError> {
-        let table = reading.text(file)?;
+    /// Reads a table, and the touchdown in the record beside it; `None` if it has neither transitions nor landings.
+    pub fn read(
+        reading: &mut Reading,
+        file: &Path,
+    ) -> Result<Option<(Self, Option<Source>)>, InputError> {
+        let table = reading.library.text(file)?;
         let heading = table.lines().next().unwrap_or_default();
         let names: Vec<&str> = heading.split(',').collect();
         let place = |name: &str| names.iter().position(|known| *known == name);
@@ -72,11 +75,9 @@ impl Results {
             (Some(1), _) => (ResultsKind::Profile, 1),
             (Some(axes @ 2..), _) => (ResultsKind::Map, axes),
             (None, Some(axes @ 1..)) if names[0] != "case" => (ResultsKind::Sample, axes),
-            _ => {
-                let complaint = "expected a table of transitions or of landings, as touchdown sweep writes them";
-                return Err(InputError::in_file(file, complaint));
-            }
+            _ => return Ok(None),
         };
+        reading.text(file)?;
         let name = stem(file);
         let mut beside = |ending: &str| {
             let path = file.with_file_name(format!("{name}{ending}"));
@@ -108,6 +109,6 @@ impl Results {
             record,
             table,
         };
-        Ok((results, source))
+        Ok(Some((results, source)))
     }
 }

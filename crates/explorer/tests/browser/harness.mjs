@@ -45,7 +45,7 @@ export async function start() {
   const folder = mkdtempSync(join(tmpdir(), "explorer-"));
   writeFileSync(join(folder, "sample.toml"), sample);
   execFileSync(program, ["sweep", join(folder, "sample.toml"), "--out", folder, "--quiet"], { cwd: root });
-  const files = [vehicle, "results/surface-4-20.csv", "results/figure-4-09.csv", join(folder, "sample.csv")];
+  const files = [vehicle, "results/surface-4-20.csv", "results/figure-4-09.csv", "results/landers/six-legs-map.csv", join(folder, "sample.csv")];
   const server = spawn(program, ["explore", ...files], { cwd: root });
   const address = await new Promise((resolve, reject) => {
     let text = "";

@@ -101,3 +101,24 @@ test("landings of a sample are selected and replayed", async () => {
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
 });
+
+test("a shipped map has values at its points, and landings that are refused leave no verdict", async () => {
+  const page = await explorer.open("#tab=map&results=six-legs-map&at=180,0");
+  await page.waitForFunction(() => document.querySelectorAll(".pair .outcome[data-class]").length === 2);
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".contour canvas").boundingBox());
+  const shades = await page.locator(".contour canvas").evaluate((/** @type {HTMLCanvasElement} */ canvas) => {
+    const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, 0.85 * canvas.width, canvas.height);
+    const seen = new Map();
+    for (let i = 0; i < data.length; i += 4) {
+      const shade = [data[i], data[i + 1], data[i + 2]].join();
+      seen.set(shade, (seen.get(shade) ?? 0) + 1);
+    }
+    return [...seen.values()].filter((count) => count > 150).length;
+  });
+  assert.ok(shades > 8, `${shades} shades`);
+  await page.route("**/api/at", (route) => route.abort());
+  await page.mouse.click(box.x + 0.3 * box.width, box.y + 0.5 * box.height);
+  await page.waitForFunction(() => [...document.querySelectorAll(".pair .outcome")].every((part) => /** @type {HTMLElement} */ (part).dataset.class === "none"));
+  explorer.complaints();
+  await page.context().close();
+});

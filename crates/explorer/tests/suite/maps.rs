@@ -9,7 +9,7 @@ use touchdown_explorer::interface::answer;
 use touchdown_explorer::named::Named;
 use touchdown_sweep::library::{Library, Source};
 
-use crate::common::ask;
+use crate::common::{ask, named};
 
 #[test]
 fn a_map_is_a_grid_with_gaps_and_jumps() {
@@ -81,8 +81,48 @@ fn a_refined_map_without_its_triangles_says_what_is_missing() {
     let told = map(text, r#"{"results": "trade"}"#);
     let missing = told["words"]["missing"].as_str().unwrap();
     assert!(missing.contains("trade-surface.csv"), "{missing}");
+    // Its points are coloured by their values all the same.
+    let levels = told["levels"].as_array().unwrap();
+    assert!(levels.len() > 1, "{levels:?}");
     let grid = map(&text.replace(",level", ",steps"), r#"{"results": "trade"}"#);
     assert_eq!(grid["words"]["missing"], Value::Null);
+}
+
+#[test]
+fn a_shipped_map_has_the_colours_of_its_values_and_its_edges() {
+    let named = named(&["results/landers/four-legs-map.csv"]);
+    let told = answer(&named, "map", r#"{"results": "four-legs-map"}"#, &|| false).unwrap();
+    let told: Value = serde_json::from_str(&told).unwrap();
+    assert!(told["levels"].as_array().unwrap().len() > 4);
+    assert!(!told["edges"].as_array().unwrap().is_empty());
+    assert_eq!(told["triangles"], Value::Null);
+}
+
+#[test]
+fn tables_without_landings_are_skipped_unless_nothing_else_is_named() {
+    let both = named(&[
+        "results/landers/four-legs-map-edges.csv",
+        "results/landers/four-legs-map.csv",
+        "results/landers/four-legs-dispersions-probabilities.csv",
+    ]);
+    assert_eq!((both.results.len(), both.files.len()), (1, 1));
+    assert_eq!(both.skipped.len(), 2);
+    assert!(both.copies.iter().all(|copy| {
+        !copy
+            .path
+            .ends_with("four-legs-dispersions-probabilities.csv")
+    }));
+    let path = PathBuf::from("beside.csv");
+    let copies = [Source {
+        path: path.clone(),
+        text: "axis,from,to,landings\n".to_owned(),
+    }];
+    let refused = Named::read(&[path], Library::Copies(&copies), None).unwrap_err();
+    let said = refused.to_string();
+    assert!(
+        said.contains("beside.csv") && said.contains("table of transitions or of landings"),
+        "{said}"
+    );
 }
 
 #[test]

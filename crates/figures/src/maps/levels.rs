@@ -30,8 +30,14 @@ impl Levels {
 
     /// Round levels between the lowest and the highest transition of a surface, closer where more of its points lie.
     pub fn of(surface: &Surface) -> Self {
-        let heights: Vec<f64> = surface.heights().collect();
-        let Some((least, greatest)) = surface.range() else {
+        Self::through(&surface.heights().collect::<Vec<f64>>())
+    }
+
+    /// Round levels between the least and the greatest of these velocities, closer where more of them lie.
+    pub fn through(heights: &[f64]) -> Self {
+        let ends = heights.iter().copied();
+        let (Some(least), Some(greatest)) = (ends.clone().reduce(f64::min), ends.reduce(f64::max))
+        else {
             return Self(Vec::new());
         };
         let step = round_step((greatest - least) / INTERVALS);
@@ -41,7 +47,7 @@ impl Levels {
         for index in 0..count {
             let low = first + index as f64;
             levels.extend((index > 0).then_some(low * step));
-            halve(low * step, step, &heights, &mut levels);
+            halve(low * step, step, heights, &mut levels);
         }
         levels.retain(|level| least < *level && *level < greatest);
         if levels.is_empty() {

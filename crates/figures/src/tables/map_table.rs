@@ -100,7 +100,7 @@ impl MapTable {
             .map(|row| Ok((place(row)?, row.number(speed)?)));
         let corners = corners.collect::<Result<Vec<Corner>, FigureError>>()?;
         let (triangles, _) = corners.as_chunks::<3>();
-        let edges = edges.map(read_edges).transpose()?;
+        let edges = edges.map(edges_of).transpose()?;
         let points = points.map(|points| BoundaryTable::worst_by(points, &axes));
         let grid = grid.map(read_grid).transpose()?;
         Ok(Self {
@@ -151,7 +151,11 @@ fn read_grid(csv: &str) -> Result<Grid, FigureError> {
     }
 }
 
-fn read_edges(csv: &str) -> Result<Vec<Edge>, FigureError> {
+/// Reads the table of the edges of a map.
+///
+/// # Errors
+/// When it is not as the program writes it.
+pub fn edges_of(csv: &str) -> Result<Vec<Edge>, FigureError> {
     let table = Table::parse(csv)?;
     let (edge, kind) = (table.column(EDGE)?, table.column(KIND)?);
     let mut edges: Vec<Edge> = Vec::new();

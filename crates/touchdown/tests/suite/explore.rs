@@ -160,6 +160,20 @@ fn a_page_is_exported_over_nothing_but_a_page() {
     bench
         .run(&["explore", "surveyor.toml", "--export", "surveyor.toml"])
         .refused(&["surveyor.toml"]);
+    let beside = "axis,from,to,landings\n";
+    bench.write("beside.csv", beside);
+    bench
+        .run(&["explore", "beside.csv", "--export", "other.html"])
+        .refused(&["beside.csv", "table of transitions or of landings"]);
+    let done = bench.run(&[
+        "explore",
+        "surveyor.toml",
+        "beside.csv",
+        "--export",
+        "other.html",
+    ]);
+    assert_eq!(done.code, Some(0));
+    assert!(done.err.contains("beside.csv: skipped"), "{}", done.err);
     bench
         .run(&["explore", "nothing.toml"])
         .refused(&["nothing.toml"]);

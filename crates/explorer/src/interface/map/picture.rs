@@ -9,7 +9,7 @@ use touchdown_figures::leading_feet;
 use touchdown_figures::legend::Mark;
 use touchdown_figures::levels::Levels;
 use touchdown_figures::map_legend;
-use touchdown_figures::map_table::{EdgeKind, MapTable};
+use touchdown_figures::map_table::{self, Edge, EdgeKind, MapTable};
 use touchdown_figures::palette;
 use touchdown_figures::refined_map;
 use touchdown_figures::surface::{Cell, Surface};
@@ -26,8 +26,10 @@ use crate::named::Results;
 pub struct Picture {
     /// Velocities on a grid.
     surface: Option<Surface>,
-    /// Triangles and edges.
+    /// Triangles.
     refined: Option<MapTable>,
+    /// Edges of a refined map.
+    edges: Vec<Edge>,
     /// Levels drawn.
     levels: Option<Levels>,
     /// Words for jumps.
@@ -53,10 +55,10 @@ impl Picture {
         if let (Some(surface), 2, [0, 1]) = (&results.surface, all.axes.len(), [slow, fast]) {
             let refined = MapTable::parse(surface, results.edges.as_deref(), None, None)
                 .map_err(|error| of_table(results, error))?;
-            let levels = refined_map::levels(&refined);
             return Ok(Self {
+                levels: Some(refined_map::levels(&refined)),
+                edges: refined.edges.clone(),
                 refined: Some(refined),
-                levels: Some(levels),
                 gap_words,
                 ..Self::default()
             });
@@ -73,11 +75,25 @@ impl Picture {
             .as_ref()
             .filter(|it| map_legend::has_leading_feet(it, caption));
         let bisector = with_feet.map(|it| leading_feet::lines(&it.slow, &it.fast));
+        let missing = missing(results);
+        let edges = match (&results.edges, &missing, [slow, fast]) {
+            (Some(edges), Some(_), [0, 1]) if all.axes.len() == 2 => {
+                map_table::edges_of(edges).map_err(|error| of_table(results, error))?
+            }
+            _ => Vec::new(),
+        };
+        let speeds: Vec<f64> = (points.iter())
+            .filter_map(|point| Some(point.transition.as_ref()?.speed))
+            .collect();
         Ok(Self {
             bisector: bisector.unwrap_or_default(),
-            missing: missing(results),
-            levels: surface.as_ref().map(Levels::of),
+            missing,
+            levels: Some(match &surface {
+                Some(surface) => Levels::of(surface),
+                None => Levels::through(&speeds),
+            }),
             surface,
+            edges,
             refined: None,
             jump_words,
             gap_words,
@@ -92,9 +108,8 @@ impl Picture {
         answer["jump_bars"] = json!(surface.map(Surface::jump_bars).unwrap_or_default());
         answer["jump_cells"] = json!(surface.map(jump_cells).unwrap_or_default());
         answer["lowest"] = json!(surface.map(Surface::lowest_in_rows).unwrap_or_default());
-        let refined = self.refined.as_ref();
-        answer["triangles"] = json!(refined.map(triangles));
-        answer["edges"] = json!(refined.map(edges).unwrap_or_default());
+        answer["triangles"] = json!(self.refined.as_ref().map(triangles));
+        answer["edges"] = edges(&self.edges);
         answer["levels"] = json!(self.levels.as_ref().map(levels).unwrap_or_default());
         answer["bisector"] = json!(self.bisector);
         answer["words"] = json!({
@@ -170,9 +185,8 @@ fn triangles(map: &MapTable) -> Vec<[[f64; 3]; 3]> {
     map.triangles.iter().map(corners).collect()
 }
 
-fn edges(map: &MapTable) -> Vec<Value> {
-    let edges = map
-        .edges
+fn edges(edges: &[Edge]) -> Value {
+    let edges = edges
         .iter()
         .map(|edge| json!({"kind": edge.kind.name(), "places": edge.places}));
     edges.collect()
