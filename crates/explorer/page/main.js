@@ -15,6 +15,13 @@ const CALM = 250;
 startTheme(byId("theme", HTMLButtonElement));
 engine.connect();
 
+const content = byId("content", HTMLElement);
+byId("skip", HTMLAnchorElement).addEventListener("click", (event) => {
+  // The address holds what is shown: an anchor would replace it.
+  event.preventDefault();
+  content.focus();
+});
+
 const trouble = byId("trouble", HTMLElement);
 /** @param {unknown} error */
 function complain(error) {
@@ -29,7 +36,7 @@ async function start() {
   present.source = known.sources[0].name;
   present.units = known.units;
 
-  const tabs = new Tabs(byId("tabs", HTMLElement), byId("content", HTMLElement));
+  const tabs = new Tabs(byId("tabs", HTMLElement), content);
   const landing = new LandingTab(present, known.sources);
   tabs.add("landing", "Landing", landing.root);
 
@@ -72,15 +79,25 @@ async function start() {
   const restore = async () => {
     const { source: named, units: wanted, values, extra } = fromAddress(location.hash);
     if (wanted === "US" || wanted === "SI") present.units = wanted;
-    const isKnown = known.sources.some(({ name }) => name === named);
+    const names = (/** @type {{ name: string }[]} */ list) => list.map(({ name }) => name);
+    const views = (panels[0].viewButtons ?? []).map(({ dataset }) => String(dataset.view));
+    const missing = [
+      absent("input", named, names(known.sources)),
+      absent("units", wanted, ["US", "SI"]),
+      absent("tab", extra.tab, [...tabs.tabs.keys()]),
+      absent("view", extra.view, views),
+      absent("results", extra.results, names(boundaries)),
+      absent("sample", extra.sample, names(samples)),
+    ].filter(Boolean);
+    const isKnown = named === null || known.sources.some(({ name }) => name === named);
     if (named !== null && isKnown) present.source = named;
     map?.restore(extra);
     sample?.restore(extra);
-    const isView = panels[0].viewButtons?.some(({ dataset }) => dataset.view === extra.view);
-    if (isView) panels[0].view.view = /** @type {import("./landing/stage.js").View} */ (extra.view);
-    present.replace({ source: present.source, values: named === null || isKnown ? values : {} });
-    tabs.choose(extra.tab ?? "landing");
-    await landing.refresh();
+    if (views.includes(extra.view)) panels[0].view.view = /** @type {import("./landing/stage.js").View} */ (extra.view);
+    present.replace({ source: present.source, values: isKnown ? values : {} });
+    tabs.choose(extra.tab && tabs.tabs.has(extra.tab) ? extra.tab : "landing");
+    if (missing.length) complain(`This link is not of these files. ${missing.join(" ")}`);
+    await landing.newest.busy;
     if (extra.t) player.go(Number(extra.t));
   };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -94,13 +111,25 @@ async function start() {
     }, CALM);
   };
   for (const kind of ["values", "units"]) present.addEventListener(kind, keep);
+  present.addEventListener("values", () => (trouble.hidden = true));
   for (const kind of ["time", "state"]) player.addEventListener(kind, keep);
   for (const kind of ["loaded", "landed"]) map?.addEventListener(kind, keep);
   for (const kind of ["loaded", "axes"]) sample?.addEventListener(kind, keep);
   panels[0].root.addEventListener("view", keep);
   tabs.addEventListener("chosen", keep);
   window.addEventListener("hashchange", restore);
-  await Promise.all([restore(), landing.sliders.refresh()]);
+  await restore();
+}
+
+/**
+ * Says what a link names that is not there; nothing where all is.
+ * @param {string} kind
+ * @param {string | null | undefined} named
+ * @param {string[]} known
+ */
+function absent(kind, named, known) {
+  if (!named || known.includes(named)) return "";
+  return `It names the ${kind} "${named}"; there ${known.length ? `is ${known.join(", ")}` : "is none"}.`;
 }
 
 start().catch(complain);

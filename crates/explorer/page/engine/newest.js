@@ -15,6 +15,11 @@ export class Newest {
     return this.#busy;
   }
 
+  /** Ends with what runs and waits; nothing where all is done. */
+  get busy() {
+    return this.#busy;
+  }
+
   async #work() {
     try {
       while (this.#waiting) {

@@ -47,6 +47,8 @@ export class LandingTab {
         this.root.dispatchEvent(new Event("landed"));
       } catch (error) {
         if (!(error instanceof engine.EngineError)) throw error;
+        this.replay.refuse(error.complaint.message);
+        this.strip.refuse();
         this.sliders.complain(error.complaint);
       }
     });

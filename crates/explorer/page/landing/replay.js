@@ -1,3 +1,4 @@
+import { EngineError } from "../engine/engine.js";
 import { Histories } from "../histories/histories.js";
 import { element } from "../look/elements.js";
 import { label } from "../look/words.js";
@@ -62,6 +63,31 @@ export class Replay {
     if (hasHistories) this.histories.show(landings);
     this.histories.root.classList.toggle("stale", !hasHistories);
     this.numbers.show(landings);
+    this.bar.root.classList.remove("stale");
+    this.numbers.root.hidden = false;
+  }
+
+  /**
+   * What comes of asking for landings; none, and the reason in place of a verdict, where the engine refuses.
+   * @template T
+   * @param {() => Promise<T>} ask
+   */
+  async landed(ask) {
+    try {
+      return await ask();
+    } catch (error) {
+      if (!(error instanceof EngineError)) throw error;
+      this.refuse(error.message);
+      return undefined;
+    }
+  }
+
+  /** Says why there is no landing, in place of one that was shown for other numbers. @param {string} why */
+  refuse(why) {
+    this.player.pause();
+    for (const panel of this.panels) panel.refuse(why);
+    for (const { root } of [this.bar, this.histories]) root.classList.add("stale");
+    this.numbers.root.hidden = true;
   }
 }
 

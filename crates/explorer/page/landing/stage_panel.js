@@ -76,9 +76,20 @@ export class StagePanel {
     this.view.stage.draw();
   }
 
+  /** Takes the verdict away and says why there is none. @param {string} why */
+  refuse(why) {
+    this.landing = undefined;
+    this.root.classList.add("stale");
+    this.outcome.replaceChildren(element("p", { class: "word" }, "no landing"), element("p", { class: "why" }, why));
+    this.outcome.dataset.class = "none";
+    this.outcome.dataset.outcome = "none";
+    this.warning.textContent = "";
+  }
+
   /** @param {Landing} landing @param {import("./landing_view.js").Speed} speed */
   show(landing, speed) {
     this.landing = landing;
+    this.root.classList.remove("stale");
     this.view.show(landing, speed);
     this.#write(landing);
   }
@@ -90,7 +101,8 @@ export class StagePanel {
     const word = element("strong", {}, landing.word);
     word.style.color = classColour(landing.class);
     const least = landing.report.result.min_stability_angle_deg;
-    const at = `${landing.outcome} at ${fixed(landing.end_time_s, 3)} s`;
+    const goesOn = landing.end_time_s > landing.verdict_time_s ? ` · shown to ${fixed(landing.end_time_s, 3)} s` : "";
+    const at = `${landing.outcome} at ${fixed(landing.verdict_time_s, 3)} s${goesOn}`;
     const sigma = typeof least === "number" ? ` · least stability angle ${fixed(least, 3)} deg` : "";
     const why = element("p", {}, landing.failure ?? landing.why);
     this.outcome.replaceChildren(element("p", { class: "word" }, dot, word), element("p", { class: "detail" }, at + sigma), why);

@@ -43,8 +43,8 @@ export class NumberSlider {
       const text = this.field.value.trim().replace("−", "-");
       if (this.parameter.words.length) this.#give(text, false);
       else if (text === "") this.onChange(this.name, undefined, false);
-      else if (Number.isFinite(Number(text))) this.#give(Number(text), false);
-      else this.complain(`${this.name} = ${text}: expected a number`);
+      // What is no number is refused by the engine, as all that it does not allow.
+      else this.#give(Number.isFinite(Number(text)) ? Number(text) : text, false);
     });
     this.back.addEventListener("click", () => this.onChange(this.name, undefined, false));
   }
@@ -64,12 +64,14 @@ export class NumberSlider {
    * Shows what the engine says of the number.
    * @param {Parameter} parameter
    * @param {"US" | "SI"} units
-   * @param {boolean} isChanged whether it is no longer that of the source
+   * @param {Record<string, number | string>} given what was changed from the source, by name
+   * @param {boolean} isRefused whether the engine refused that, so that `parameter` is of before
    */
-  show(parameter, units, isChanged) {
+  show(parameter, units, given, isRefused) {
     this.parameter = parameter;
     this.isSi = units === "SI" && parameter.si !== null;
     const { value, unit, slider } = this.isSi && parameter.si ? parameter.si : parameter;
+    const isChanged = parameter.name in given || (parameter.si !== null && parameter.si.name in given);
     this.root.classList.toggle("changed", isChanged);
     this.back.disabled = !isChanged;
     this.unit.textContent = unit;
@@ -78,7 +80,7 @@ export class NumberSlider {
     // What is being moved or typed is not pulled from under the hand.
     if (this.isMoving) return;
     if (document.activeElement !== this.field || this.field instanceof HTMLSelectElement) {
-      this.field.value = value === null ? "" : String(value);
+      this.field.value = String((isRefused ? given[this.name] : undefined) ?? value ?? "");
     }
     if (slider && typeof value === "number") {
       this.range.min = String(Math.min(slider.from, value));

@@ -33,6 +33,9 @@ export class Sliders {
     this.complaint = null;
     /** Names of the numbers that have sliders. */
     this.built = "";
+    this.isRefused = false;
+    /** @type {string | undefined} whose numbers they are */
+    this.source = undefined;
     this.search.addEventListener("input", () => this.#filter());
     present.addEventListener("values", () => present.isMoving || this.refresh());
     present.addEventListener("units", () => this.#show());
@@ -41,12 +44,17 @@ export class Sliders {
   /** Asks for the numbers as they are. */
   refresh() {
     return this.newest.run(async () => {
+      const { touchdown } = this.present;
+      this.isRefused = false;
       try {
-        this.parameters = await engine.parameters(this.present.touchdown);
-      } catch {
-        // The landing tells what is wrong; the numbers stay as they were.
-        return;
+        this.parameters = await engine.parameters(touchdown);
+      } catch (error) {
+        if (!(error instanceof engine.EngineError)) throw error;
+        // The landing tells what is wrong. The numbers are those of the source, so that what is wrong can be changed.
+        this.isRefused = true;
+        if (this.source !== touchdown.source) this.parameters = await engine.parameters({ ...touchdown, values: {} });
       }
+      this.source = touchdown.source;
       const names = this.parameters.map(({ name }) => name).join();
       const isOther = names !== this.built;
       if (isOther) this.#build();
@@ -114,8 +122,7 @@ export class Sliders {
   #show() {
     for (const parameter of this.parameters) {
       const { values, units } = this.present;
-      const isChanged = parameter.name in values || (parameter.si !== null && parameter.si.name in values);
-      this.sliders.get(parameter.name)?.show(parameter, units, isChanged);
+      this.sliders.get(parameter.name)?.show(parameter, units, values, this.isRefused);
     }
   }
 

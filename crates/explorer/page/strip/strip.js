@@ -90,6 +90,14 @@ export class OutcomeStrip {
     this.shown = shown;
   }
 
+  /** Pales, as what it shows is not of the present numbers. */
+  refuse() {
+    this.round.abort();
+    this.conditions = "";
+    this.isStale = true;
+    this.draw();
+  }
+
   #restart() {
     this.round.abort();
     this.round = new AbortController();

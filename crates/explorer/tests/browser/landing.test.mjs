@@ -194,3 +194,71 @@ test("units change numbers and titles", async () => {
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
 });
+
+test("the link to the landing keeps the numbers that were set", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=12");
+  await page.locator("#skip").focus();
+  await page.keyboard.press("Enter");
+  await calm(page);
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "content");
+  assert.equal(await outcome(page), "unstable-pitch");
+  assert.match(await page.evaluate(() => location.hash), /v\.horizontal_velocity_fps=12/);
+  await page.context().close();
+});
+
+test("a refused number takes the verdict away, and giving it back brings it again", async () => {
+  const page = await explorer.open();
+  const row = page.locator('[data-name="slope_deg"]');
+  for (const text of ["95", "steep"]) {
+    await row.locator('input[type="text"]').fill(text);
+    await row.locator('input[type="text"]').press("Enter");
+    await page.waitForSelector('.landing-tab .outcome[data-class="none"]');
+    assert.match((await page.locator(".landing-tab .outcome").textContent()) ?? "", new RegExp(`^no landing.*slope_deg.*${text}`));
+    assert.equal(await page.locator(".landing-tab .numbers").isVisible(), false);
+    await row.locator(".back").click();
+    await page.waitForSelector('.landing-tab .outcome[data-outcome="stable-subsided"]');
+  }
+  await page.context().close();
+});
+
+test("a link to a refused number says so, and its number can be changed", async () => {
+  const page = await explorer.open("#v.slope_deg=95");
+  await page.waitForSelector('.landing-tab .outcome[data-class="none"]');
+  const field = page.locator('[data-name="slope_deg"] input[type="text"]');
+  await field.waitFor();
+  assert.equal(await field.inputValue(), "95");
+  await field.fill("10");
+  await field.press("Enter");
+  await page.waitForSelector('.landing-tab .outcome[data-class="stable"]');
+  await page.context().close();
+});
+
+test("a link names what is not there", async () => {
+  const page = await explorer.open("#source=nowhere&tab=else&results=lost&v.slope_deg=10");
+  const said = (await page.locator("#trouble").textContent()) ?? "";
+  for (const name of ['input "nowhere"', 'tab "else"', 'results "lost"', "surveyor-table-4-1"]) assert.ok(said.includes(name), `${name}: ${said}`);
+  assert.equal(await page.locator("#trouble").isVisible(), true);
+  assert.equal(await page.getByRole("tab", { name: "Landing" }).getAttribute("aria-selected"), "true");
+  await slide(page, "horizontal_velocity_fps", 12);
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="unstable-pitch"]');
+  assert.equal(await page.locator("#trouble").isVisible(), false);
+  await page.context().close();
+});
+
+test("a program that has ended leaves no verdict", async () => {
+  const page = await explorer.open();
+  await page.route("**/api/**", (route) => route.abort());
+  await slide(page, "horizontal_velocity_fps", 12);
+  await page.waitForSelector('.landing-tab .outcome[data-class="none"]');
+  assert.match((await page.locator(".landing-tab .outcome").textContent()) ?? "", /the program does not answer/);
+  explorer.complaints();
+  await page.context().close();
+});
+
+test("a landing that goes on beyond its verdict tells when the verdict fell", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=12&v.solver.stop=time");
+  const { end_time_s } = land(...baseline, "--horizontal-velocity", "12").result;
+  const text = (await page.locator(".landing-tab .outcome").textContent()) ?? "";
+  assert.ok(text.includes(`unstable-pitch at ${end_time_s.toFixed(3)} s`), text);
+  await page.context().close();
+});
