@@ -32,6 +32,11 @@ impl PageFile {
         FILES.iter().copied().map(Self::of)
     }
 
+    /// True for the page itself.
+    pub fn is_index(&self) -> bool {
+        self.path == INDEX
+    }
+
     /// The file at a path; the page itself for an empty path.
     pub fn at(path: &str) -> Option<Self> {
         let path = if path.is_empty() { INDEX } else { path };

@@ -1,6 +1,7 @@
 //! Serves the page and its interface over HTTP on this machine.
 
 mod calls;
+mod compressed;
 mod gate;
 mod impatient;
 mod limits;

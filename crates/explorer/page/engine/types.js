@@ -46,7 +46,7 @@
  * @typedef {Kind & { outcome: string, why: string, failure: string | null,
  *   end_time_s: number, verdict_time_s: number, warning: string | null,
  *   report: { result: Record<string, number | string | null>, min_stability_time_s: number } & Record<string, unknown>,
- *   history: { columns: Column[] } | null, events: LandingEvent[], energies: Energies | null,
+ *   result_units?: Record<string, string>, history: { columns: Column[] } | null, events: LandingEvent[], energies: Energies | null,
  *   drawing: Drawing | null }} Landing
  *
  * @typedef {{ speed_fps: number, class: Class, outcome?: string }} StripLanding

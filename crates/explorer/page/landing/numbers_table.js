@@ -1,6 +1,7 @@
 import { element } from "../look/elements.js";
+import { inUnit, label } from "../look/words.js";
 
-/** All that a landing came to, number by number, as `touchdown land --json` prints it. */
+/** All that a landing came to, number by number, by the names of `touchdown land --json`; the title of a number has all of its digits. */
 export class NumbersTable {
   constructor() {
     this.body = element("tbody");
@@ -16,9 +17,12 @@ export class NumbersTable {
 
   #write() {
     if (!this.root.open || !this.landings) return;
-    const results = this.landings.map(({ report }) => report.result);
-    const rows = Object.keys(results[0]).map((name) => {
-      const cells = results.map((result) => element("td", {}, String(result[name] ?? "")));
+    const rows = Object.keys(this.landings[0].report.result).map((name) => {
+      const cells = (this.landings ?? []).map(({ report: { result }, result_units: units }) => {
+        const value = result[name] ?? "";
+        const text = typeof value === "number" ? `${label(value)}${inUnit(units?.[name] ?? "")}` : value;
+        return element("td", { title: value }, text);
+      });
       const row = element("tr", {}, element("th", { scope: "row" }, name), ...cells);
       row.dataset.name = name;
       return row;

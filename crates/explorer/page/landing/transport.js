@@ -3,6 +3,8 @@ import { fixed } from "../look/words.js";
 
 /** Speeds that the picture may run at, of the true one. */
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1];
+/** Ticks so close to each other share their words, percent of the time line. */
+const CLOSE = 3;
 /** Marks of events at the time line. */
 const SHORT = /** @type {Record<string, string>} */ ({ "least-stability": "σ", verdict: "■", bottomed: "▼", failure: "✕" });
 
@@ -60,12 +62,22 @@ export class TransportBar {
     const { end } = this.player;
     this.events.replaceChildren(element("option", { value: 0 }, "events …"));
     this.ticks.replaceChildren();
+    /** Words of the ticks: those of ticks too close to each other stand at the first. @type {{ at: number, words: HTMLElement } | undefined} */
+    let last;
     for (const { time_s, kind, title, leg } of events) {
       this.events.append(element("option", { value: time_s }, `${fixed(time_s, 3)} s  ${title}`));
       if (end <= 0 || time_s > end * 1.0001) continue;
-      const tick = element("span", { class: `tick ${kind}` }, SHORT[kind] ?? String(leg ?? ""));
-      tick.style.left = `${(100 * time_s) / end}%`;
+      const at = (100 * time_s) / end;
+      const tick = element("span", { class: `tick ${kind}` });
+      tick.style.left = `${at}%`;
       this.ticks.append(tick);
+      const short = SHORT[kind] ?? String(leg ?? "");
+      if (last && at - last.at < CLOSE) {
+        if (!last.words.textContent?.split(" ").includes(short)) last.words.append(` ${short}`);
+      } else {
+        tick.append(short);
+        last = { at, words: tick };
+      }
     }
   }
 

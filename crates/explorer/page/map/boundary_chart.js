@@ -9,10 +9,11 @@ import { disc, openTriangle } from "./marks.js";
 /**
  * V_H over one axis. `breaks` tells where the line must not join a point to the next.
  * @typedef {{ x: number, point: MapPoint, breaks: boolean }} Place
- * @typedef {{ title: string, note: string, unit: string, places: Place[], searchedTo: number | null, chosen: number | null }} Content
+ * `isTurned` tells that the axis runs to the left, as on the map.
+ * @typedef {{ title: string, note: string, unit: string, places: Place[], isTurned: boolean, chosen: number | null }} Content
  */
 
-const ROOM = { left: 52, right: 14, top: 26, bottom: 40 };
+const ROOM = { left: 52, right: 18, top: 32, bottom: 40 };
 
 /** V_H over one axis: a section through a map, or a profile with its bands. */
 export class BoundaryChart {
@@ -32,7 +33,7 @@ export class BoundaryChart {
       if (!by || !content?.places.length) return;
       event.preventDefault();
       const now = content.places.findIndex(({ x }) => x === content.chosen);
-      const next = content.places[Math.min(Math.max(now + by, 0), content.places.length - 1)];
+      const next = content.places[Math.min(Math.max(now + (content.isTurned ? -by : by), 0), content.places.length - 1)];
       onHover(next.point);
       onChoose(next.point);
     });
@@ -68,7 +69,7 @@ export class BoundaryChart {
     const { area, ends, content } = this;
     if (!content) return undefined;
     const share = (event.clientX - this.canvas.getBoundingClientRect().left - area.left) / area.width;
-    const x = ends.left + share * (ends.right - ends.left);
+    const x = ends.left + (content.isTurned ? 1 - share : share) * (ends.right - ends.left);
     return content.places.reduce((best, place) => (Math.abs(place.x - x) < Math.abs(best.x - x) ? place : best), content.places[0]);
   }
 
@@ -81,7 +82,10 @@ export class BoundaryChart {
     const context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
     context.scale(ratio, ratio);
     const span = ends.right - ends.left || 1;
-    const px = (/** @type {number} */ x) => area.left + ((x - ends.left) / span) * area.width;
+    const px = (/** @type {number} */ x) => {
+      const share = (x - ends.left) / span;
+      return area.left + (content.isTurned ? 1 - share : share) * area.width;
+    };
     const py = (/** @type {number} */ speed) => area.top + (1 - (speed - ends.low) / (ends.high - ends.low)) * area.height;
     this.#bands(context, px, py);
     this.#frame(context, px, py);
@@ -97,7 +101,8 @@ export class BoundaryChart {
       for (const band of point.bands ?? []) {
         if (band.class === "stable") continue;
         context.fillStyle = regionColour(band.class);
-        context.fillRect(px(left), py(band.to), px(right) - px(left) + 0.5, py(band.from) - py(band.to));
+        const [from, to] = [px(left), px(right)].sort((a, b) => a - b);
+        context.fillRect(from, py(band.to), to - from + 0.5, py(band.from) - py(band.to));
       }
     }
     this.#word(context, px, py);

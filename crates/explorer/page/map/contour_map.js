@@ -311,7 +311,9 @@ export class ContourMap {
         continue;
       }
       disc(context, x, y, radius, bands.find(({ high }) => speed < high)?.colour ?? colours().text);
-      const below = y + radius + 0.5 * tall;
+      // Below the point, and above it at the lower edge, where the axis has its numbers.
+      const away = radius + 0.5 * tall;
+      const below = y + away > this.area.top + this.area.height ? y - away : y + away;
       const isFree = map.points.every((other) => {
         const [u, v] = this.pixel(other.place[0], other.place[1]);
         return other.place === place || Math.abs(u - x) > 0.5 * wide || Math.abs(v - below) > 0.5 * tall + radius;

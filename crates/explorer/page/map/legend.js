@@ -9,6 +9,11 @@ export function legendOf(map) {
     if (words) entries.push(element("span", {}, element("i", { class: `mark ${kind}` }), subscripted(words)));
   };
   const hasGaps = map.points.some(({ to }) => to === null);
+  const hasLine = map.axes.length === 1 || map.grid !== null || map.triangles !== null;
+  const line = map.axes.length > 1 ? "sections" : "line";
+  for (const { class: kind, word } of map.kinds) {
+    if (hasLine && map.points.some(({ to }) => to === kind)) add(`above ${kind}`, `${line}: V_H, above it: ${word}`);
+  }
   if (map.grid) {
     add("lowest", `lowest V_H at each ${(map.axes[0].title.split(/ angle| [^ ]*,|,/)[0] || map.axes[0].name).toLowerCase()}`);
     if (map.bisector.length) add("bisector", map.words.bisector);

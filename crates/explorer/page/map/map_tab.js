@@ -139,7 +139,7 @@ export class MapTab extends EventTarget {
     const { map } = this;
     if (!map) return;
     const places = map.points.map((point) => ({ x: point.place[0], point, breaks: false })).sort((a, b) => a.x - b.x);
-    this.profile.set({ title: map.axes[0].title, note: "", unit: map.speed_unit, places, searchedTo: map.searched_to, chosen: this.chosen?.place[0] ?? null });
+    this.profile.set({ title: map.axes[0].title, note: "", unit: map.speed_unit, places, isTurned: false, chosen: this.chosen?.place[0] ?? null });
   }
 
   /** Which two axes, and where along the others. */
@@ -199,7 +199,8 @@ export class MapTab extends EventTarget {
       ? (map.words.gap || (map.searched_to === null ? "no transition" : `stable up to ${label(map.searched_to)} ${map.speed_unit}`))
       : `V_H = ${label(point.speed, 7)} ${map.speed_unit}, above: ${kind}`;
     const bracket = point.low !== null && point.high !== null ? `, between ${label(point.low, 8)} and ${label(point.high, 8)}` : "";
-    const certain = point.certainty ? `; ${point.certainty}` : "";
+    // Where there is no transition, or none above the lowest speed, that is all there is to say.
+    const certain = point.certainty === "certain" || point.certainty === "disputed" ? `; ${point.certainty}` : "";
     const disputed = point.disputed ? ` from ${label(point.disputed[0], 7)} to ${label(point.disputed[1], 7)}` : "";
     const patchy = point.patchy_to === null ? "" : `; patchy up to ${label(point.patchy_to, 7)}`;
     this.reading.replaceChildren(subscripted(`${where}: ${value}${bracket}${certain}${disputed}${patchy}`));

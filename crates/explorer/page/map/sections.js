@@ -2,6 +2,7 @@ import { BoundaryChart } from "./boundary_chart.js";
 import { element } from "../look/elements.js";
 import { label } from "../look/words.js";
 import { trianglesOf } from "./triangles.js";
+import { viewOf } from "./view.js";
 
 /** @typedef {import("../engine/types.js").MapAnswer} MapAnswer */
 /** @typedef {import("../engine/types.js").MapPoint} MapPoint */
@@ -27,7 +28,7 @@ export class Sections {
         note: `at ${title.replace(/,.*$/, "")} = ${label(at)}${unit ? ` ${unit}` : ""}`,
         unit: map.speed_unit,
         places: map.grid ? onGrid(map, along, at) : throughTriangles(map, along, at),
-        searchedTo: map.searched_to,
+        isTurned: along === 1 && viewOf(map).isTurned,
         chosen: point.place[along],
       });
     }

@@ -190,11 +190,12 @@ export class SurfaceView {
     for (let speed = floor; speed <= top + 1e-9; speed += step) {
       const y = (HEIGHT * (speed - floor)) / (top - floor);
       lines.push(-1, y, -1, 1, y, -1, 1, y, -1, 1, y, 1);
-      write(label(speed), [-1.08, y, -1]);
+      // At the floor stands the first value of an axis.
+      if (speed > floor) write(label(speed), [-1.08, y, -1]);
     }
     write(`V_H, ${map.speed_unit}`, [-1.05, HEIGHT + 0.12, -1], 0.065);
-    write(map.axes[0].title, [-1.35, -0.12, 0.2], 0.065);
-    write(map.axes[1].title, [0, -0.12, 1.34], 0.065);
+    write(map.axes[0].title, [-1.42, -0.3, 0.3], 0.065);
+    write(map.axes[1].title, [0, -0.2, 1.34], 0.065);
     this.content.add(this.#segments(lines, grid, 1));
   }
 

@@ -18,6 +18,8 @@ export function viewOf(map) {
   return {
     slowEnds,
     fastEnds,
+    /** Whether the fast axis runs to the left, and the slow one down. */
+    isTurned: isReport,
     /** Share of the height and of the width of the picture. @param {number} slow @param {number} fast */
     at: (slow, fast) => ({ up: turn((slow - slowEnds.low) / slowEnds.span), across: turn((fast - fastEnds.low) / fastEnds.span) }),
     /** The place of such shares. @param {number} up @param {number} across */

@@ -8,6 +8,19 @@ import { Scatter } from "./scatter.js";
 
 /** @typedef {import("../engine/types.js").Sample} Sample */
 
+/** Standard deviations on either side of a mean that hold 95 % of a normal distribution. */
+const SIGMAS = 1.959963984540054;
+
+/** The 95 % interval of a probability, after Wilson, in percent. @param {number} count @param {number} all */
+function interval(count, all) {
+  const [share, spread] = [count / all, SIGMAS ** 2 / all];
+  const middle = (share + spread / 2) / (1 + spread);
+  const half = (SIGMAS / (1 + spread)) * Math.sqrt((share * (1 - share)) / all + spread / (4 * all));
+  const percent = (/** @type {number} */ end) => label(100 * Math.min(Math.max(end, 0), 1), 3);
+  // The ends are 0 and 1 themselves where all or none end so.
+  return `${count === 0 ? 0 : percent(middle - half)} to ${count === all ? 100 : percent(middle + half)} %`;
+}
+
 /** Landings of a sample: points over any two of their numbers, what is selected of them, and a replay of any one. */
 export class SampleTab extends EventTarget {
   /**
@@ -115,9 +128,9 @@ export class SampleTab extends EventTarget {
       const dot = element("span", { class: "dot" });
       dot.style.background = classColour(kind.class);
       return element("tr", {}, element("th", { scope: "row" }, dot, ` ${kind.word}`), element("td", {}, String(count)),
-        element("td", {}, all ? `${label((100 * count) / all, 3)} %` : "–"));
+        element("td", {}, all ? `${label((100 * count) / all, 3)} %` : "–"), element("td", {}, all ? interval(count, all) : ""));
     });
-    const head = element("caption", {}, this.scatter.box ? `${all} of ${sample.class.length} landings are selected` : `${all} landings`);
+    const head = element("caption", {}, this.scatter.box ? `${all} of ${sample.class.length} landings are selected` : `${all} landings`, ", with 95 % intervals");
     this.counts.replaceChildren(element("table", {}, head, element("tbody", {}, ...rows)));
   }
 

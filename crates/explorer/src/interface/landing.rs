@@ -6,10 +6,11 @@ mod events;
 mod history;
 
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Instant, land_located_while};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
+use touchdown_figures::unit::split_unit;
 use touchdown_sweep::landing_report::{self, LandingReport, verdict_time};
 use touchdown_sweep::landing_table::why;
 
@@ -62,6 +63,8 @@ struct Answer {
     end_time_s: f64,
     verdict_time_s: f64,
     report: Value,
+    /// Units of the numbers of the result, by name.
+    result_units: Map<String, Value>,
     events: Vec<Event>,
     history: Option<History>,
     energies: Option<Energies>,
@@ -99,6 +102,10 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         integration: &IntegrationSummary::default(),
         units,
     };
+    let report = report.json();
+    let result_units = (report["result"].as_object().into_iter().flatten())
+        .map(|(name, _)| (name.clone(), json!(split_unit(name).1)))
+        .collect();
     written(&Answer {
         outcome: landing.outcome.to_string(),
         class: class_words(landing.outcome.class()),
@@ -110,7 +117,8 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         warning: landing_report::warning(&landing, units),
         end_time_s: landing.end_time,
         verdict_time_s: verdict_time(&landing),
-        report: report.json(),
+        report,
+        result_units,
         events: events::of(&landing),
         history: request.history.then(|| History::of(&instants, units)),
         energies: request.history.then(|| Energies::of(&instants, units)),

@@ -9,6 +9,7 @@ use hyper::body::Bytes;
 use tokio::task::spawn_blocking;
 use tokio::time::{sleep, timeout_at};
 
+use super::compressed;
 use super::limits::{ANSWER_TIME, Limits, PAUSE};
 use super::reply::{self, Reply};
 use crate::interface::{self, Complaint};
@@ -24,7 +25,13 @@ impl Drop for Wanted {
 }
 
 /// Answers a request of the interface when its turn comes.
-pub async fn answer(named: &Arc<Named>, limits: &Limits, name: &str, request: String) -> Reply {
+pub async fn answer(
+    named: &Arc<Named>,
+    limits: &Limits,
+    name: &str,
+    request: String,
+    compresses: bool,
+) -> Reply {
     let deadline = Instant::now() + ANSWER_TIME;
     let Ok(waiting) = limits.waiting().try_acquire() else {
         return reply::refusal(StatusCode::TOO_MANY_REQUESTS, "too many requests wait");
@@ -49,10 +56,16 @@ pub async fn answer(named: &Arc<Named>, limits: &Limits, name: &str, request: St
         // Keeps its turn until it has noticed that nobody waits.
         let _turn = turn;
         let is_over = || over.load(Ordering::Relaxed) || Instant::now() > deadline;
-        interface::answer(&named, &name, &request, &is_over)
+        let json = interface::answer(&named, &name, &request, &is_over)?;
+        let packed = compresses.then(|| compressed::answer(&json)).flatten();
+        let is_gzip = packed.is_some();
+        let answer = packed.unwrap_or_else(|| json.into_bytes());
+        Ok::<_, Complaint>((answer, is_gzip))
     });
     match answered.await {
-        Ok(Ok(json)) => reply::answer(Bytes::from_owner(limits.count(json))),
+        Ok(Ok((answer, is_gzip))) => {
+            reply::answer(Bytes::from_owner(limits.count(answer)), is_gzip)
+        }
         Ok(Err(complaint)) => reply::complaint(&complaint),
         Err(error) => reply::complaint(&Complaint::engine(error)),
     }

@@ -20,6 +20,11 @@ impl Gate {
         Self { token, address }
     }
 
+    /// True if other machines may ask.
+    pub fn listens_beyond(&self) -> bool {
+        !self.address.ip().is_loopback()
+    }
+
     /// The path behind the token, if the request may pass.
     pub fn admit<'p>(&self, headers: &HeaderMap, path: &'p str) -> Option<&'p str> {
         let (token, rest) = path.strip_prefix('/')?.split_once('/')?;
@@ -48,13 +53,12 @@ impl Gate {
 
     /// True for names of this server: a numeric address or localhost, with its port.
     fn is_own_host(&self, host: &str) -> bool {
-        let listens_beyond = !self.address.ip().is_loopback();
         if let Ok(named) = host.parse::<SocketAddr>() {
             let is_reached: bool = match named.ip() {
                 ip if ip == self.address.ip() => true,
                 IpAddr::V4(ip) if ip.is_loopback() => true,
                 IpAddr::V6(ip) if ip.is_loopback() => true,
-                _ => listens_beyond,
+                _ => self.listens_beyond(),
             };
             return is_reached && named.port() == self.address.port();
         }

@@ -51,13 +51,13 @@ pub struct Rate(Mutex<Allowance>);
 /// An answer that counts as unread until the client has it, or is gone.
 #[derive(Debug)]
 pub struct Unread {
-    answer: String,
+    answer: Vec<u8>,
     unread: Arc<AtomicUsize>,
 }
 
 impl AsRef<[u8]> for Unread {
     fn as_ref(&self) -> &[u8] {
-        self.answer.as_bytes()
+        &self.answer
     }
 }
 
@@ -113,7 +113,7 @@ impl Limits {
     }
 
     /// Counts an answer until it is read.
-    pub fn count(&self, answer: String) -> Unread {
+    pub fn count(&self, answer: Vec<u8>) -> Unread {
         self.unread.fetch_add(answer.len(), Ordering::Relaxed);
         Unread {
             answer,

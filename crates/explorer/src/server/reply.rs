@@ -4,12 +4,13 @@ use http_body_util::Full;
 use hyper::body::Bytes;
 use hyper::header::{
     CACHE_CONTROL, CONNECTION, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE,
-    HeaderValue, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
+    HeaderValue, REFERRER_POLICY, VARY, X_CONTENT_TYPE_OPTIONS,
 };
 use hyper::{Response, StatusCode};
 
+use super::compressed;
 use crate::interface::{Complaint, Fault};
-use crate::page::{INDEX, PageFile};
+use crate::page::PageFile;
 
 /// A reply.
 pub type Reply = Response<Full<Bytes>>;
@@ -20,9 +21,13 @@ const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' N
     img-src 'self' data: blob:; font-src 'self'; media-src blob:; connect-src 'self'; worker-src 'self' blob:; \
     base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// An answer of the interface.
-pub fn answer(json: Bytes) -> Reply {
-    reply(StatusCode::OK, JSON, json)
+/// An answer of the interface, which may be compressed.
+pub fn answer(json: Bytes, is_gzip: bool) -> Reply {
+    let mut reply = reply(StatusCode::OK, JSON, json);
+    if is_gzip {
+        mark_gzip(&mut reply);
+    }
+    reply
 }
 
 /// The answer to whoever may not ask, or asks too often. It is the last one of its connection.
@@ -60,11 +65,11 @@ pub fn too_often() -> Reply {
     )
 }
 
-/// A file of the page. The page itself gets this nonce, which is used only once.
-pub fn file(file: PageFile, nonce: &str) -> Reply {
+/// A file of the page, compressed where the client takes that. The page itself gets this nonce, which is used only once.
+pub fn file(file: PageFile, nonce: &str, takes_gzip: bool) -> Reply {
     let text = std::str::from_utf8(file.bytes)
         .ok()
-        .filter(|_| file.path == INDEX);
+        .filter(|_| file.is_index());
     if let Some(text) = text {
         let page = text.replace("<script", &format!("<script nonce=\"{nonce}\""));
         let mut reply = reply(StatusCode::OK, file.media_type(), Bytes::from(page));
@@ -74,12 +79,19 @@ pub fn file(file: PageFile, nonce: &str) -> Reply {
         }
         return reply;
     }
-    let bytes = Bytes::from_static(file.bytes);
+    let packed = compressed::file(&file).filter(|_| takes_gzip || file.is_gzip);
+    let is_gzip = packed.is_some();
+    let bytes = packed.unwrap_or(Bytes::from_static(file.bytes));
     let mut reply = reply(StatusCode::OK, file.media_type(), bytes);
-    if file.is_gzip {
-        (reply.headers_mut()).insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+    if is_gzip {
+        mark_gzip(&mut reply);
     }
     reply
+}
+
+fn mark_gzip(reply: &mut Reply) {
+    let value = HeaderValue::from_static(compressed::GZIP);
+    reply.headers_mut().insert(CONTENT_ENCODING, value);
 }
 
 fn reply(status: StatusCode, media_type: &'static str, body: Bytes) -> Reply {
@@ -94,6 +106,7 @@ fn reply(status: StatusCode, media_type: &'static str, body: Bytes) -> Reply {
         (CACHE_CONTROL, "no-store"),
         (REFERRER_POLICY, "no-referrer"),
         (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (VARY, "Accept-Encoding"),
     ] {
         headers.insert(name, HeaderValue::from_static(value));
     }

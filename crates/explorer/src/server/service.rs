@@ -10,7 +10,8 @@ use hyper::{Method, Request, StatusCode};
 use tokio::time::timeout;
 
 use super::calls;
-use super::gate::Gate;
+use super::compressed;
+use super::gate::{self, Gate};
 use super::limits::{BODY_BYTES, BODY_TIME, Limits};
 use super::random::random_digits;
 use super::reply::{self, Reply};
@@ -50,10 +51,11 @@ impl Service {
             return reply::too_often();
         }
         let method = request.method();
+        let takes_gzip = compressed::is_taken(request.headers());
         match (path.strip_prefix(API), PageFile::at(path)) {
             (Some(name), _) if method == Method::POST => self.call(name, request).await,
             (None, Some(file)) if method == Method::GET => match random_digits() {
-                Ok(nonce) => reply::file(file, &nonce),
+                Ok(nonce) => reply::file(file, &nonce, takes_gzip),
                 Err(error) => reply::complaint(&Complaint::engine(error)),
             },
             (None, None) => reply::refusal(StatusCode::NOT_FOUND, "there is no such file"),
@@ -65,6 +67,8 @@ impl Service {
     }
 
     async fn call(&self, name: &str, request: Request<Incoming>) -> Reply {
+        // On this machine it takes longer to compress than to send.
+        let compresses = self.gate.listens_beyond() && compressed::is_taken(request.headers());
         let media_type = request.headers().get(CONTENT_TYPE);
         let media_type = media_type
             .and_then(|value| value.to_str().ok())
@@ -93,6 +97,6 @@ impl Service {
         let Ok(body) = String::from_utf8(body.into()) else {
             return reply::refusal(StatusCode::BAD_REQUEST, "not a request: expected UTF-8");
         };
-        calls::answer(&self.named, &self.limits, name, body).await
+        calls::answer(&self.named, &self.limits, name, body, compresses).await
     }
 }

@@ -27,7 +27,7 @@ test("an exported page opens from disk without a network, and lands bit for bit 
   await page.locator(".landing-tab .numbers summary").press("Enter");
   await page.waitForSelector(".landing-tab .numbers tr");
   const shown = await page.locator(".landing-tab .numbers tr").evaluateAll((rows) =>
-    Object.fromEntries(rows.map((row) => [row.dataset.name, row.querySelector("td")?.textContent])));
+    Object.fromEntries(rows.map((row) => [row.dataset.name, row.querySelector("td")?.title])));
   const { result } = land(...baseline, "--horizontal-velocity", "11.3", "--roll", "7.5");
   for (const [name, value] of Object.entries(result)) assert.equal(shown[name], String(value ?? ""), name);
   await page.waitForFunction(() => document.querySelector(".strip-words")?.textContent?.includes("topples"));

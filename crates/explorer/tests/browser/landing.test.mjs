@@ -83,15 +83,17 @@ test("a number of the vehicle changes the landing, and goes back", async () => {
   await page.context().close();
 });
 
-test("numbers are those of touchdown land, digit for digit", async () => {
+test("numbers are those of touchdown land, digit for digit, and short ones with their units are shown", async () => {
   const page = await explorer.open("#v.horizontal_velocity_fps=11.3&v.roll_deg=7.5");
   await page.locator(".landing-tab .numbers summary").press("Enter");
   await page.waitForSelector(".landing-tab .numbers tr");
   const shown = await page.locator(".landing-tab .numbers tr").evaluateAll((rows) =>
-    Object.fromEntries(rows.map((row) => [row.dataset.name, row.querySelector("td")?.textContent])));
+    Object.fromEntries(rows.map((row) => [row.dataset.name, row.querySelector("td")?.title])));
   const { result } = land(...baseline, "--horizontal-velocity", "11.3", "--roll", "7.5");
   assert.deepEqual(Object.keys(shown), Object.keys(result));
   for (const [name, value] of Object.entries(result)) assert.equal(shown[name], String(value ?? ""), name);
+  const text = (await page.locator('.landing-tab .numbers [data-name="min_clearance_ft"] td').textContent()) ?? "";
+  assert.match(text, /^\d\.\d{1,6} ft$/);
   await page.context().close();
 });
 
@@ -182,6 +184,19 @@ test("the address restores what is shown", async () => {
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
   await again.context().close();
+});
+
+test("the page asks for a landing and its numbers once", async () => {
+  const page = await explorer.open();
+  /** @type {string[]} */
+  const asked = [];
+  page.on("request", (request) => asked.push(request.url().split("/").slice(4).join("/")));
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector(".strip-words")?.textContent?.includes("topples"));
+  await calm(page);
+  for (const name of ["inputs", "parameters", "landing"]) assert.deepEqual(asked.filter((url) => url === `api/${name}`).length, 1, name);
+  assert.deepEqual(asked.filter((url, index) => !url.startsWith("api/") && asked.indexOf(url) !== index), []);
+  await page.context().close();
 });
 
 test("units change numbers and titles", async () => {

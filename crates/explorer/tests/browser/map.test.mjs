@@ -92,6 +92,10 @@ test("landings of a sample are selected and replayed", async () => {
   const caption = (await page.locator(".counts caption").textContent()) ?? "";
   const count = Number(/^(\d+) of 300/.exec(caption)?.[1]);
   assert.ok(count > 20 && count < 280, caption);
+  const counts = await page.locator(".counts tr").evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent ?? "")));
+  const [stable, share, interval] = counts[0];
+  const [low, high] = (/^([\d.]+) to ([\d.]+) %$/.exec(interval) ?? []).slice(1).map(Number);
+  assert.ok(low < parseFloat(share) && parseFloat(share) < high && Math.abs(parseFloat(share) - (100 * Number(stable)) / count) < 0.5, counts[0].join());
   await page.locator(".scatter canvas").focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");
