@@ -5,6 +5,7 @@
 mod bands;
 mod classes;
 mod complaint;
+mod in_units;
 mod inputs;
 mod landing;
 mod map;

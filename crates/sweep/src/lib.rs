@@ -94,8 +94,8 @@ use maps::{
 pub use maps::{edge_lines, height, resampled, rounds, surface_pieces};
 use output::parquet_table;
 pub use output::{
-    bands_table, cases, documented_columns, history, input_keys, landing_report, landing_table,
-    map_tables, result_files, results, sensitivity_table, tables, warnings,
+    bands_table, cases, column_units, documented_columns, history, input_keys, landing_report,
+    landing_table, map_tables, result_files, results, sensitivity_table, tables, warnings,
 };
 pub use points::{assignment, design, distribution, grid, levels, parameter, refined_grid, sample};
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};

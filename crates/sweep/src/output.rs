@@ -2,6 +2,7 @@
 
 pub mod bands_table;
 pub mod cases;
+pub mod column_units;
 pub mod documented_columns;
 pub mod history;
 pub mod input_keys;

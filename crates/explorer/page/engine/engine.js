@@ -68,19 +68,19 @@ export const strip = (request, signal) => ask("strip", request, signal);
 export const bands = (request, signal) => ask("bands", request, signal);
 
 /**
- * @param {{ results: string, axes?: string[], fixed?: Record<string, number | string> }} request
+ * @param {{ results: string, axes?: string[], fixed?: Record<string, number | string>, units: string }} request
  * @returns {Promise<import("./types.js").MapAnswer>}
  */
 export const map = (request) => ask("map", request);
 
 /**
- * @param {{ results: string, place: Record<string, number | string> }} request
+ * @param {{ results: string, place: Record<string, number | string>, units: string }} request
  * @returns {Promise<import("./types.js").At>}
  */
 export const at = (request) => ask("at", request);
 
-/** @param {string} results @returns {Promise<import("./types.js").Sample>} */
-export const sample = (results) => ask("sample", { results });
+/** @param {{ results: string, units: string }} request @returns {Promise<import("./types.js").Sample>} */
+export const sample = (request) => ask("sample", request);
 
 /** @param {{ touchdown: Touchdown, units: string }} request
  * @returns {Promise<{ files: { name: string, text: string }[] }>} */

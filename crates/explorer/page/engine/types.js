@@ -70,7 +70,8 @@
  * @typedef {{ place: Record<string, number>, speed: number | null, low: number | null, high: number | null, to: Class | null,
  *   certainty: string | null, below: Touchdown | null, above: Touchdown | null }} At
  *
- * @typedef {{ title: string, source: string, inputs: { name: string, title: string, unit: string, values: (number | string | null)[] }[],
+ * @typedef {{ title: string, source: string, inputs: { name: string, title: string, unit: string, values: (number | string | null)[],
+ *   written?: { name: string, values: (number | string | null)[] } }[],
  *   outcomes: string[], outcome: number[], classes: Kind[], class: number[],
  *   results: { name: string, title: string, unit: string, values: (number | null)[] }[] }} Sample
  *

@@ -5,6 +5,8 @@ import { Arrows } from "./shapes.js";
 /** @typedef {import("./materials.js").Materials} Materials */
 /** @typedef {import("../engine/types.js").VehicleShape} VehicleShape */
 
+/** How many N/m one lb/ft is. */
+const NEWTON_A_METRE = 4.4482216152605 / 0.3048;
 const vector = new Vector3();
 const at = new Vector3();
 
@@ -23,11 +25,14 @@ export class Forces {
 
   /**
    * @param {import("./motion.js").Motion} motion
-   * @returns {number} lb that an arrow of one ft stands for: a round number, the greatest force being half of the lander's size
+   * @param {"US" | "SI"} units
+   * @returns {number} lb that an arrow of one ft stands for, or N of one of a m: a round number, the greatest force being half of the lander's size
    */
-  set(motion) {
-    this.scale = roundStep(motion.greatestForce / (0.5 * this.size));
-    return this.scale;
+  set(motion, units) {
+    const inOne = units === "SI" ? NEWTON_A_METRE : 1;
+    const scale = roundStep((inOne * motion.greatestForce) / (0.5 * this.size));
+    this.scale = scale / inOne;
+    return scale;
   }
 
   /** @param {import("./motion.js").Pose} pose */

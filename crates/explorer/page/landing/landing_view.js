@@ -25,7 +25,7 @@ export class LandingView {
     this.view = "corner";
     this.isFollowing = true;
     this.hasForces = true;
-    /** lb that one ft of an arrow stands for. */
+    /** lb that one ft of an arrow stands for, or N of one of a m. */
     this.forceScale = 0;
     this.built = "";
     onTheme(() => {
@@ -50,7 +50,7 @@ export class LandingView {
     const { ground, vehicle } = landing.drawing;
     this.lander?.ground.set(ground, vehicle, speed.fps, speed.words, speed.units);
     this.lander?.marks.set(this.motion);
-    this.forceScale = this.lander?.forces.set(this.motion) ?? 0;
+    this.forceScale = this.lander?.forces.set(this.motion, speed.units) ?? 0;
     this.at(this.time);
     if (isFirst) this.look(this.view);
   }

@@ -113,9 +113,14 @@ export class StagePanel {
   }
 
   #writeLegend() {
-    const force = this.view.hasForces && this.view.forceScale ? [`arrows: 1 ft is ${label(this.view.forceScale)} lb`] : [];
-    const grid = this.view.speed?.units === "SI" ? "grid: 0.2 m, bold 1 m" : "grid: 1 ft, bold 5 ft";
-    const parts = [["polygon", "polygon of the feet"], ["critical", "critical edge"], ["path", "path of the CG"], ["force", "forces on footpads"], ["block", "on blocks"]];
+    const isSi = this.view.speed?.units === "SI";
+    const scale = label(this.view.forceScale);
+    const force = this.view.hasForces && this.view.forceScale ? [`arrows: 1 ${isSi ? `m is ${scale} N` : `ft is ${scale} lb`}`] : [];
+    const grid = isSi ? "grid: 0.2 m, bold 1 m" : "grid: 1 ft, bold 5 ft";
+    const parts = [
+      ["polygon", "polygon of the feet"], ["critical", "critical edge"], ["leaning", "from it to the CG"], ["path", "path of the CG, and plumb line"],
+      ["ring", "ground below extended footpads"], ["force", "forces on footpads"], ["block", "on blocks"],
+    ];
     const entries = parts
       .filter(([kind]) => this.view.hasForces || (kind !== "force" && kind !== "block"))
       .map(([kind, text]) => element("span", {}, element("i", { class: `key ${kind}` }), subscripted(text)));

@@ -50,6 +50,7 @@ export class MapTab extends EventTarget {
       element("div", { class: "map-head" }, element("label", {}, "Results ", this.which), this.axes),
       this.title, this.conditions, this.plane, this.profile.root, this.legend, this.reading, this.sections.root, this.pairRoot);
     this.which.addEventListener("change", () => this.load(this.which.value));
+    present.addEventListener("units", () => this.#convert());
     this.explore.forEach((made, index) => made.addEventListener("click", () => {
       const touchdown = this.ends?.[index];
       if (touchdown) this.dispatchEvent(new CustomEvent("explore", { detail: touchdown }));
@@ -60,9 +61,11 @@ export class MapTab extends EventTarget {
   async open() {
     if (this.map || this.isOpening) return;
     this.isOpening = true;
-    const { results, axes, at } = this.wanted ?? {};
+    const { results, axes, at, fixed, part } = this.wanted ?? {};
     const known = this.results.some(({ name }) => name === results);
-    await this.load(known && results ? results : this.results[0].name, known ? axes?.split(",") : undefined);
+    await (known && results ? this.load(results, axes?.split(","), valuesIn(fixed)) : this.load(this.results[0].name));
+    const rows = this.whole && part ? partsOf(this.whole)[Number(part)] : undefined;
+    if (this.whole && rows) this.#show(this.whole, rows);
     this.isOpening = false;
     const place = at?.split(",").map(Number);
     if (!known || !place || !this.map || place.some(Number.isNaN)) return;
@@ -75,16 +78,25 @@ export class MapTab extends EventTarget {
     if (!this.map || !this.name) return this.wanted ?? {};
     return {
       results: this.name === this.results[0].name ? "" : this.name,
-      axes: this.map.other_axes.length ? this.map.axes.map(({ name }) => name).join(",") : "",
+      axes: this.map.axes.length > 1 ? this.map.axes.map(({ name }) => name).join(",") : "",
+      fixed: Object.entries(fixedOf(this.map)).map((entry) => entry.join(":")).join(","),
+      part: this.#part(),
       at: this.chosen ? this.chosen.place.join(",") : "",
     };
   }
 
+  /** Number of the part that is shown, if it is not the last. */
+  #part() {
+    const parts = this.whole ? partsOf(this.whole) : [];
+    const number = parts.findIndex(([first]) => first === this.rows?.[0]);
+    return number < 0 || number === parts.length - 1 ? "" : String(number);
+  }
+
   /** @param {Record<string, string>} extra of an address */
-  restore({ results, axes, at }) {
-    if (!results && !at) return;
-    this.wanted = { results: results ?? this.results[0].name, axes: axes ?? "", at: at ?? "" };
-    if (!axes) delete (/** @type {Record<string, string>} */ (this.wanted)).axes;
+  restore({ results, axes, at, fixed, part }) {
+    if (!results && !axes && !at && !part) return;
+    const wanted = { results: results ?? this.results[0].name, axes, at, fixed, part };
+    this.wanted = Object.fromEntries(Object.entries(wanted).filter(([, text]) => text));
     this.map = undefined;
   }
 
@@ -93,14 +105,27 @@ export class MapTab extends EventTarget {
    * @param {string} name
    * @param {string[]} [axes]
    * @param {Record<string, number | string>} [fixed]
+   * @param {[number, number]} [rows] that are shown, else those of the last part
    */
-  async load(name, axes, fixed) {
+  async load(name, axes, fixed, rows) {
     this.which.value = name;
-    const map = await engine.map({ results: name, ...(axes ? { axes } : {}), ...(fixed ? { fixed } : {}) });
+    const { units } = this.present;
+    const map = await engine.map({ results: name, units, ...(axes ? { axes } : {}), ...(fixed ? { fixed } : {}) });
     this.name = name;
     this.whole = map;
     const parts = partsOf(map);
-    this.#show(map, parts[parts.length - 1]);
+    this.#show(map, rows ?? parts[parts.length - 1]);
+  }
+
+  /** Shows the same in other units. */
+  async #convert() {
+    const { whole, name, chosen, rows } = this;
+    if (!whole || !name) return;
+    const place = chosen?.place.join();
+    const index = whole.points.findIndex((point) => point.place.join() === place);
+    await this.load(name, whole.axes.map((axis) => axis.name), fixedOf(whole), rows);
+    const point = this.whole?.points[index];
+    if (point) await this.choose(point);
   }
 
   /** @param {MapAnswer} whole @param {[number, number]} rows that are shown */
@@ -148,7 +173,7 @@ export class MapTab extends EventTarget {
     this.axes.replaceChildren();
     if (!map || !name || map.axes.length < 2) return;
     const all = [...map.axes, ...map.other_axes];
-    const fixed = Object.fromEntries(map.other_axes.map((axis) => [axis.name, axis.fixed ?? axis.values[0]]));
+    const fixed = fixedOf(map);
     const names = map.axes.map((axis) => axis.name);
     for (const [index, word] of ["up", "across"].entries()) {
       const select = element("select", { "aria-label": `Axis ${word}` }, ...all.map((axis) => element("option", { value: axis.name }, axis.title)));
@@ -223,13 +248,16 @@ export class MapTab extends EventTarget {
       const { units } = this.present;
       const place = Object.fromEntries([
         ...map.axes.map((axis, index) => [axis.name, point.place[index]]),
-        ...map.other_axes.map((axis) => [axis.name, axis.fixed ?? axis.values[0]]),
+        ...Object.entries(fixedOf(map)),
       ]);
-      const at = await engine.at({ results: name, place });
-      this.ends = [at.below, at.above];
-      const wanted = this.ends.flatMap((touchdown) => (touchdown ? [touchdown] : []));
-      const landings = await Promise.all(wanted.map((touchdown) => engine.landing({ touchdown, units })));
       this.pairRoot.hidden = false;
+      const landings = await this.pair.landed(async () => {
+        const at = await engine.at({ results: name, place, units });
+        this.ends = [at.below, at.above];
+        const wanted = this.ends.flatMap((touchdown) => (touchdown ? [touchdown] : []));
+        return Promise.all(wanted.map((touchdown) => engine.landing({ touchdown, units })));
+      });
+      if (!landings || !this.ends) return;
       this.pair.panels.forEach(({ root }, index) => (root.hidden = this.ends?.[index] === null));
       this.explore.forEach((made, index) => (made.hidden = this.ends?.[index] === null));
       this.pair.show(landings, units, this.ends.flatMap((touchdown, index) => (touchdown ? [index] : [])));
@@ -237,6 +265,15 @@ export class MapTab extends EventTarget {
     });
   }
 }
+
+/** Values by name of an address. @param {string | undefined} text @returns {Record<string, number | string> | undefined} */
+function valuesIn(text) {
+  const pairs = text?.split(",").map((pair) => pair.split(":"));
+  return pairs && Object.fromEntries(pairs.map(([name, value]) => [name, Number.isFinite(Number(value)) ? Number(value) : value]));
+}
+
+/** Where along the axes that are not drawn over. @param {MapAnswer} map @returns {Record<string, number | string>} */
+const fixedOf = (map) => Object.fromEntries(map.other_axes.map((axis) => [axis.name, axis.fixed ?? axis.values[0]]));
 
 /** The point with the lowest transition. @param {MapPoint[]} points */
 function lowest(points) {

@@ -10,7 +10,7 @@ const PREFIX = "v.";
 export function toAddress(present, extra) {
   const parts = new URLSearchParams();
   parts.set("source", present.source);
-  if (present.units !== "US") parts.set("units", present.units);
+  parts.set("units", present.units);
   for (const [name, value] of Object.entries(extra)) if (value !== "") parts.set(name, value);
   for (const [name, value] of Object.entries(present.values)) parts.set(PREFIX + name, String(value));
   return `#${parts.toString().replaceAll("%5B", "[").replaceAll("%5D", "]")}`;

@@ -32,13 +32,17 @@ export class SampleTab extends EventTarget {
     this.results = results;
     /** @type {Record<string, string> | undefined} what an address asks for */
     this.wanted = undefined;
+    /** @type {string | undefined} the sample that is shown */
+    this.name = undefined;
+    /** @type {number | undefined} the landing that is replayed */
+    this.landing = undefined;
     this.present = present;
     this.newest = new Newest();
     this.which = element("select", { "aria-label": "Sample" }, ...results.map(({ name, title }) => element("option", { value: name }, title)));
     this.across = element("select", { "aria-label": "Across" });
     this.up = element("select", { "aria-label": "Up" });
     this.title = element("h2");
-    this.scatter = new Scatter(() => this.#count(), (landing) => void this.replayOne(landing));
+    this.scatter = new Scatter(() => this.#selected(), (landing) => void this.replayOne(landing));
     this.counts = element("div", { class: "counts", role: "status" });
     this.reading = element("p", { class: "reading" }, "Drag a rectangle to select landings; click one to replay it.");
     this.explore = button("Explore this landing");
@@ -51,6 +55,7 @@ export class SampleTab extends EventTarget {
       element("div", { class: "plane" }, this.scatter.root, element("div", { class: "chosen" }, this.counts, this.reading, this.explore)),
       this.replay.root);
     this.which.addEventListener("change", () => this.load(this.which.value));
+    present.addEventListener("units", () => this.#convert());
     for (const select of [this.across, this.up]) select.addEventListener("change", () => this.#draw());
     this.explore.addEventListener("click", () => {
       if (this.chosen) this.dispatchEvent(new CustomEvent("explore", { detail: this.chosen }));
@@ -62,41 +67,65 @@ export class SampleTab extends EventTarget {
   async open() {
     if (this.sample || this.isOpening) return;
     this.isOpening = true;
-    const { sample, over } = this.wanted ?? {};
+    const { sample, over, brush, landing } = this.wanted ?? {};
     const known = this.results.some(({ name }) => name === sample);
     await this.load(known && sample ? sample : this.results[0].name, over?.split(","));
     this.isOpening = false;
+    const shares = brush?.split(",").map(Number);
+    if (shares?.length === 4 && shares.every(Number.isFinite)) this.scatter.select(shares);
+    if (landing) await this.replayOne(Number(landing) - 1);
   }
 
   /** What an address holds of the sample. */
   state() {
     if (!this.sample || !this.name) return this.wanted ?? {};
-    return { sample: this.name === this.results[0].name ? "" : this.name, over: `${this.across.value},${this.up.value}` };
+    return {
+      sample: this.name === this.results[0].name ? "" : this.name,
+      over: `${this.across.value},${this.up.value}`,
+      brush: this.scatter.brush?.map((share) => share.toFixed(4)).join(",") ?? "",
+      landing: this.landing === undefined ? "" : String(this.landing + 1),
+    };
   }
 
   /** @param {Record<string, string>} extra of an address */
-  restore({ sample, over }) {
+  restore({ sample, over, brush, landing }) {
     if (!sample && !over) return;
-    this.wanted = { sample: sample ?? this.results[0].name, ...(over ? { over } : {}) };
+    const wanted = { sample: sample ?? this.results[0].name, over, brush, landing };
+    this.wanted = Object.fromEntries(Object.entries(wanted).filter(([, text]) => text));
     this.sample = undefined;
   }
 
   /** @param {string} name @param {string[]} [axes] */
   async load(name, axes) {
     this.which.value = name;
-    const sample = await engine.sample(name);
+    const sample = await engine.sample({ results: name, units: this.present.units });
+    if (name !== this.name) this.replay.root.hidden = this.explore.hidden = true;
     this.name = name;
+    this.landing = undefined;
     this.sample = sample;
     this.title.replaceChildren(subscripted(sample.title));
     this.quantities = [...sample.inputs, ...sample.results].filter(({ values }) => values.some((value) => typeof value === "number"));
     for (const [index, select] of [this.across, this.up].entries()) {
       select.replaceChildren(...this.quantities.map((quantity) => element("option", { value: quantity.name }, withUnit(quantity.title, quantity.unit))));
-      const wanted = axes?.[index] ?? (index === 0 ? "horizontal_velocity_fps" : "");
-      const other = this.quantities.find(({ name: known }) => known !== this.across.value)?.name;
-      select.value = this.quantities.some(({ name: known }) => known === wanted) ? wanted : String(index === 0 ? this.quantities[0]?.name : other);
+      const names = this.quantities.map(({ name: known }) => known);
+      const usual = index === 0 ? names.find((known) => known.startsWith("horizontal_velocity_")) ?? names[0] : names.find((known) => known !== this.across.value);
+      select.value = String(names.find((known) => known === axes?.[index]) ?? usual);
     }
     this.#draw();
     this.dispatchEvent(new Event("loaded"));
+  }
+
+  /** Shows the same in other units. */
+  async #convert() {
+    const { name, scatter, landing } = this;
+    if (!name) return;
+    const { brush } = scatter;
+    const places = [this.across, this.up].map(({ selectedIndex }) => selectedIndex);
+    await this.load(name);
+    [this.across.selectedIndex, this.up.selectedIndex] = places;
+    this.#draw();
+    scatter.select(brush);
+    if (landing !== undefined) await this.replayOne(landing);
   }
 
   #draw() {
@@ -109,6 +138,11 @@ export class SampleTab extends EventTarget {
     this.scatter.set([of(this.across.value), of(this.up.value)], sample.class.map((index) => sample.classes[index].class));
     this.#count();
     this.dispatchEvent(new Event("axes"));
+  }
+
+  #selected() {
+    this.#count();
+    this.dispatchEvent(new Event("selected"));
   }
 
   /** How those end that are selected. */
@@ -137,13 +171,17 @@ export class SampleTab extends EventTarget {
   /** Lands one of the sample again. @param {number} landing */
   async replayOne(landing) {
     const { sample } = this;
-    if (!sample) return;
+    if (sample?.class[landing] === undefined) return;
     /** @type {Record<string, number | string>} */
     const values = {};
     for (const input of sample.inputs) {
-      const value = input.values[landing];
-      if (value !== null) values[input.name] = value;
+      const { name, values: given } = input.written ?? input;
+      const value = given[landing];
+      if (value !== null) values[name] = value;
     }
+    this.landing = landing;
+    this.scatter.choose(landing);
+    this.dispatchEvent(new Event("selected"));
     this.chosen = { source: sample.source, values };
     const words = sample.inputs.map(({ title, unit, values: of }) => {
       const value = of[landing];
@@ -152,10 +190,11 @@ export class SampleTab extends EventTarget {
     this.reading.replaceChildren(subscripted(`Landing ${landing + 1}, ${sample.outcomes[sample.outcome[landing]]}: ${words.join(", ")}`));
     await this.newest.run(async () => {
       const { units } = this.present;
-      const landed = await engine.landing({ touchdown: /** @type {import("../engine/types.js").Touchdown} */ (this.chosen), units });
       this.replay.root.hidden = false;
       this.explore.hidden = false;
-      this.replay.show([landed], units);
+      const touchdown = /** @type {import("../engine/types.js").Touchdown} */ (this.chosen);
+      const landed = await this.replay.landed(() => engine.landing({ touchdown, units }));
+      if (landed) this.replay.show([landed], units);
     });
   }
 }

@@ -74,16 +74,29 @@ export class Scatter {
 
   /** @param {MouseEvent} event */
   #drag(event) {
-    if (!this.pressed || !this.ends) return;
+    if (!this.pressed) return;
     const [x, y] = this.#place(event);
     const [u, v] = this.pressed;
     if (Math.hypot(x - u, y - v) < 0.012) return;
-    const [across, up] = this.ends;
-    const value = (/** @type {{ low: number, high: number }} */ { low, high }, /** @type {number} */ share) => low + share * (high - low);
-    this.box = {
-      left: value(across, Math.min(x, u)), right: value(across, Math.max(x, u)),
-      low: value(up, Math.min(y, v)), high: value(up, Math.max(y, v)),
+    this.select([Math.min(x, u), Math.max(x, u), Math.min(y, v), Math.max(y, v)]);
+  }
+
+  /** What is selected, as shares of width and height: from and to across, from and to up. @returns {number[] | undefined} */
+  get brush() {
+    const { box, ends } = this;
+    if (!box || !ends) return undefined;
+    const share = (/** @type {number} */ axis, /** @type {number} */ value) => (value - ends[axis].low) / (ends[axis].high - ends[axis].low);
+    return [share(0, box.left), share(0, box.right), share(1, box.low), share(1, box.high)];
+  }
+
+  /** Selects what lies within such shares; without any, all. @param {number[]} [brush] */
+  select(brush) {
+    if (!this.ends) return;
+    const value = (/** @type {number} */ axis, /** @type {number} */ share) => {
+      const { low, high } = /** @type {{ low: number, high: number }[]} */ (this.ends)[axis];
+      return low + share * (high - low);
     };
+    this.box = brush && { left: value(0, brush[0]), right: value(0, brush[1]), low: value(1, brush[2]), high: value(1, brush[3]) };
     this.onBrush(this.box);
     this.draw();
   }
@@ -107,9 +120,7 @@ export class Scatter {
       this.choose(best);
       this.onChoose(best);
     } else {
-      this.box = undefined;
-      this.onBrush(undefined);
-      this.draw();
+      this.select();
     }
   }
 

@@ -3,6 +3,8 @@
 use serde_json::json;
 use touchdown_sweep::input_error::InputError;
 
+use crate::named::Results;
+
 /// Kind of error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
@@ -107,4 +109,9 @@ impl From<InputError> for Complaint {
             ..Self::request(error.to_string())
         }
     }
+}
+
+/// A complaint about a table.
+pub fn of_table(results: &Results, error: impl std::fmt::Display) -> Complaint {
+    Complaint::request(format!("{}: {error}", results.file))
 }

@@ -11,8 +11,9 @@ use touchdown_figures::caption::Caption;
 use touchdown_figures::unit::split_unit;
 
 use super::classes::class_words;
-use super::complaint::Complaint;
-use super::request::{read, written};
+use super::complaint::{Complaint, of_table};
+use super::in_units::{in_units, name_in, values_in};
+use super::request::{asked_units, read, written};
 use crate::named::{Named, Results, ResultsKind};
 
 use picture::Picture;
@@ -27,6 +28,7 @@ struct Request {
     axes: Vec<String>,
     #[serde(default)]
     fixed: Map<String, Value>,
+    units: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -34,14 +36,28 @@ struct Request {
 struct AtRequest {
     results: String,
     place: Map<String, Value>,
+    units: Option<String>,
 }
 
 pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: Request = read(request)?;
-    let results = transitions_of(named, &request.results)?;
+    let units = asked_units(request.units.as_deref())?;
+    let results = in_units(transitions_of(named, &request.results)?, units)?;
+    let results = results.as_ref();
     let all = Transitions::read(results)?;
-    let axes = all.chosen(&request.axes)?;
-    let fixed = all.fixed(&axes, &request.fixed)?;
+    let (axes, fixed) = match units {
+        Some(units) => (
+            request
+                .axes
+                .iter()
+                .map(|axis| name_in(axis, units))
+                .collect(),
+            values_in(&request.fixed, units),
+        ),
+        None => (request.axes, request.fixed),
+    };
+    let axes = all.chosen(&axes)?;
+    let fixed = all.fixed(&axes, &fixed)?;
     let points: Vec<&Point> = all.within(&fixed).collect();
     let caption = caption(results)?;
     let picture = match axes[..] {
@@ -90,12 +106,18 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
 
 pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: AtRequest = read(request)?;
+    let units = asked_units(request.units.as_deref())?;
     let results = transitions_of(named, &request.results)?;
+    let shown = Transitions::read(in_units(results, units)?.as_ref())?;
+    let place = match units {
+        Some(units) => values_in(&request.place, units),
+        None => request.place,
+    };
+    let nearest = shown.nearest(&place)?;
+    // Landings are those of the table, in its own units, digit for digit.
     let all = Transitions::read(results)?;
-    let point = all.nearest(&request.place)?;
-    let place: Map<String, Value> = (all.axes.iter().zip(&point.place))
-        .map(|(axis, value)| (axis.name.clone(), value.clone()))
-        .collect();
+    let point = &all.points[nearest];
+    let place = all.place(nearest);
     let caption = caption(results)?;
     let source = named.source_of(results);
     let speed_name = format!("horizontal_velocity{}", caption.speed_unit.ending());
@@ -111,8 +133,8 @@ pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
         None => caption.searched_to.map(touchdown),
     };
     let above = point.transition.as_ref().map(|found| touchdown(found.high));
-    let mut told = point.told(Vec::new());
-    told["place"] = json!(place);
+    let mut told = shown.points[nearest].told(Vec::new());
+    told["place"] = json!(shown.place(nearest));
     told["below"] = json!(below);
     told["above"] = json!(above);
     written(&told)
@@ -143,11 +165,6 @@ fn transitions_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Compl
         )),
         ResultsKind::Map | ResultsKind::Profile => Ok(results),
     }
-}
-
-/// An error about a table.
-pub fn of_table(results: &Results, error: impl std::fmt::Display) -> Complaint {
-    Complaint::request(format!("{}: {error}", results.file))
 }
 
 /// Title in the record of a table, else its name.

@@ -59,8 +59,15 @@ pub fn within(key: &str, number: f64, [least, greatest]: [f64; 2]) -> Result<f64
 /// # Errors
 /// If the word names no units.
 pub fn units(word: Option<&str>, default: OutputUnits) -> Result<OutputUnits, Complaint> {
+    Ok(asked_units(word)?.unwrap_or(default))
+}
+
+/// Units that a request asks for, if it does.
+///
+/// # Errors
+/// If the word names no units.
+pub fn asked_units(word: Option<&str>) -> Result<Option<OutputUnits>, Complaint> {
     let refuse = |word| Complaint::value("units", format!("{word:?}"), "\"US\" or \"SI\"");
-    word.map_or(Ok(default), |word| {
-        OutputUnits::named(word).ok_or_else(|| refuse(word))
-    })
+    let named = |word| OutputUnits::named(word).ok_or_else(|| refuse(word));
+    word.map(named).transpose()
 }

@@ -1,24 +1,31 @@
 //! `sample`: landings of a table, with the input of each.
 
+use std::borrow::Cow;
+
 use serde::Deserialize;
 use serde_json::{Value, json};
 use touchdown_dynamics::outcome::Class;
 
 use super::classes::class_words;
-use super::complaint::Complaint;
-use super::map::{cell, of_table, results_of, title, words_of};
-use super::request::{read, written};
-use crate::named::{Named, ResultsKind};
+use super::complaint::{Complaint, of_table};
+use super::in_units::in_units;
+use super::map::{cell, results_of, title, words_of};
+use super::request::{asked_units, read, written};
+use crate::named::{Named, Results, ResultsKind};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Request {
     results: String,
+    units: Option<String>,
 }
 
 pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: Request = read(request)?;
-    let results = results_of(named, &request.results)?;
+    let units = asked_units(request.units.as_deref())?;
+    let as_written = results_of(named, &request.results)?;
+    let converted = in_units(as_written, units)?;
+    let results = converted.as_ref();
     if results.kind != ResultsKind::Sample {
         let allowed = "a table of landings: this one has transitions, which map tells";
         return Err(Complaint::value(
@@ -27,26 +34,23 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
             allowed,
         ));
     }
-    let mut reader = csv::Reader::from_reader(results.table.as_bytes());
-    let heading = reader
-        .headers()
-        .map_err(|error| of_table(results, error))?
-        .clone();
-    let mut columns: Vec<Vec<Value>> = vec![Vec::new(); heading.len()];
-    for row in reader.records() {
-        let row = row.map_err(|error| of_table(results, error))?;
-        for (column, text) in columns.iter_mut().zip(&row) {
-            column.push(cell(text));
-        }
-    }
+    let (heading, columns) = columns(results)?;
     let axes = results.axes.len();
     let outcomes = columns[axes].clone();
     let mut told = heading
         .iter()
         .zip(columns)
         .map(|(name, values)| words_of(name, values));
-    let inputs: Vec<Value> = told.by_ref().take(axes).collect();
+    let mut inputs: Vec<Value> = told.by_ref().take(axes).collect();
     let others: Vec<Value> = told.skip(1).collect();
+    if let Cow::Owned(_) = converted {
+        // Landings are those of the table, in its own units, digit for digit.
+        let (heading, columns) = self::columns(as_written)?;
+        let written = heading.iter().zip(columns);
+        for (input, (name, values)) in inputs.iter_mut().zip(written) {
+            input["written"] = json!({"name": name, "values": values});
+        }
+    }
     let mut words: Vec<String> = Vec::new();
     let mut outcome = Vec::new();
     for cell in &outcomes {
@@ -69,6 +73,23 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
         "class": class,
         "results": others,
     }))
+}
+
+/// Names and cells of the columns of a table.
+fn columns(results: &Results) -> Result<(csv::StringRecord, Vec<Vec<Value>>), Complaint> {
+    let mut reader = csv::Reader::from_reader(results.table.as_bytes());
+    let heading = reader
+        .headers()
+        .map_err(|error| of_table(results, error))?
+        .clone();
+    let mut columns: Vec<Vec<Value>> = vec![Vec::new(); heading.len()];
+    for row in reader.records() {
+        let row = row.map_err(|error| of_table(results, error))?;
+        for (column, text) in columns.iter_mut().zip(&row) {
+            column.push(cell(text));
+        }
+    }
+    Ok((heading, columns))
 }
 
 /// Index of the class of an outcome among all classes.

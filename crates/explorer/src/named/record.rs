@@ -53,10 +53,7 @@ pub fn source(record: &str, path: &Path) -> Result<Source, InputError> {
         conditions,
         solver: solver(&input["solver"]).map_err(at)?,
         search,
-        units: match input["search"]["to_mps"].is_number() {
-            true => OutputUnits::Si,
-            false => OutputUnits::Us,
-        },
+        units: OutputUnits::default(),
     })
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use touchdown_sweep::column_units::units_of_names;
 use touchdown_sweep::input_error::InputError;
 
 use super::reading::Reading;
@@ -92,7 +93,11 @@ impl Results {
         let source = match &record {
             Some(record) => {
                 let source = record::source(record, &file.with_extension("json"))?;
-                Some(source.with(first)?)
+                let units = units_of_names(names.iter().copied()).unwrap_or_default();
+                Some(Source {
+                    units,
+                    ..source.with(first)?
+                })
             }
             None => None,
         };

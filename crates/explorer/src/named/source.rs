@@ -2,12 +2,16 @@
 
 use std::path::Path;
 
+use touchdown_dynamics::land::land;
+use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::assignment::{self, Assignment};
-use touchdown_sweep::document::{Document, Value};
+use touchdown_sweep::column_units::units_of_names;
+use touchdown_sweep::document::{Document, Entry, Value};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::scene_file::{self, SceneCase};
 use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
+use touchdown_sweep::single_landing;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::toml_text;
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -18,14 +22,17 @@ use super::reading::Reading;
 const SOLVER: &str = "solver";
 /// Default range of V_H, ft/s.
 pub const SEARCHED: [f64; 2] = [0.0, 25.0];
-/// Baseline of the report: the touchdown of a vehicle file.
+/// Baseline of the report.
 const BASELINE: [(&str, f64); 5] = [
-    ("vertical_velocity_fps", 14.0),
+    (VERTICAL_VELOCITY, 14.0),
     (HORIZONTAL_VELOCITY, 8.0),
     ("cross_slope_deg", 180.0),
     ("slope_deg", 15.0),
     ("friction", 1.0),
 ];
+const VERTICAL_VELOCITY: &str = "vertical_velocity_fps";
+/// Parts of the velocities of the baseline that are tried on a vehicle, until it lands.
+const PARTS: [f64; 7] = [1.0, 0.75, 0.5, 0.375, 0.25, 0.125, 0.0625];
 
 /// Origin of a source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,7 +78,7 @@ pub struct Source {
     pub solver: Document,
     /// Range of V_H, ft/s.
     pub search: [f64; 2],
-    /// Units of results that its file requests.
+    /// Units that its file asks for, or in which it has its numbers.
     pub units: OutputUnits,
 }
 
@@ -84,28 +91,49 @@ impl Source {
             return Ok(vec![Self::of_sweep(reading, file, &document)?]);
         }
         if has("scene") || has("case") {
-            return Self::of_scene_file(reading, file);
+            return Self::of_scene_file(reading, file, units_of(&document));
         }
         Ok(vec![Self::of_vehicle(reading, file)?])
     }
 
-    /// A vehicle at the baseline of the report.
+    /// A vehicle at the baseline of the report, or at the part of its velocities at which it lands.
     pub fn of_vehicle(reading: &mut Reading, file: &Path) -> Result<Self, InputError> {
-        let vehicle = VehicleFile::from_document(reading.document(file)?)?;
+        let document = reading.document(file)?;
+        let units = units_of(&document);
+        let vehicle = VehicleFile::from_document(document)?;
+        let solver = nothing()?;
+        let settings = single_landing::settings(&solver)?;
+        let at = |part: f64| {
+            let velocities = [VERTICAL_VELOCITY, HORIZONTAL_VELOCITY];
+            NamedConditions::of(BASELINE.map(|(name, value)| {
+                let of_part = velocities.contains(&name).then_some(part * value);
+                (name, of_part.unwrap_or(value))
+            }))
+        };
+        let lands = |part: &f64| {
+            let scene = at(*part).scene_for(&vehicle.vehicle, &settings);
+            let landing = scene.map(|scene| land(&vehicle.vehicle, &scene, &settings));
+            landing.is_ok_and(|landing| landing.outcome.class() == Class::Stable)
+        };
+        let part = PARTS.into_iter().find(lands).unwrap_or(1.0);
         Ok(Self {
             name: stem(file),
             title: vehicle.name.clone(),
             file: file.display().to_string(),
             kind: SourceKind::Vehicle,
             vehicle,
-            conditions: NamedConditions::of(BASELINE),
-            solver: nothing()?,
-            search: SEARCHED,
-            units: OutputUnits::default(),
+            conditions: at(part),
+            solver,
+            search: SEARCHED.map(|end| part * end),
+            units,
         })
     }
 
-    fn of_scene_file(reading: &mut Reading, file: &Path) -> Result<Vec<Self>, InputError> {
+    fn of_scene_file(
+        reading: &mut Reading,
+        file: &Path,
+        units: OutputUnits,
+    ) -> Result<Vec<Self>, InputError> {
         let read = scene_file::read_from(file, reading.library)?;
         let is_single = read.cases.len() == 1;
         let source = |case: SceneCase| -> Result<Self, InputError> {
@@ -123,7 +151,7 @@ impl Source {
                 solver: solver_of(&case.document)?,
                 vehicle: case.vehicle,
                 search: SEARCHED,
-                units: read.units,
+                units,
             })
         };
         read.cases.into_iter().map(source).collect()
@@ -154,7 +182,7 @@ impl Source {
             conditions,
             solver: solver_of(document)?,
             search: search.unwrap_or(SEARCHED),
-            units: sweep.units,
+            units: units_of(document),
         };
         let first = sweep.axes.iter().zip(&first);
         source.with(first.map(|(axis, text)| (axis.name(), text.as_str())))
@@ -181,12 +209,29 @@ pub(super) fn nothing() -> Result<Document, InputError> {
     Document::parse(Path::new(""), "")
 }
 
+/// Units that a file asks for, else those in which it has its numbers.
+fn units_of(document: &Document) -> OutputUnits {
+    fn keys<'d>(entries: &'d [Entry], into: &mut Vec<&'d str>) {
+        for entry in entries {
+            into.push(&entry.key);
+            if let Value::Table(inner) = &entry.node.value {
+                keys(inner, into);
+            }
+        }
+    }
+    let asked = document.root().iter().find(|entry| entry.key == "units");
+    if let Some(Value::Text(word)) = asked.map(|entry| &entry.node.value) {
+        return OutputUnits::named(word).unwrap_or_default();
+    }
+    let mut all = Vec::new();
+    keys(document.root(), &mut all);
+    units_of_names(all).unwrap_or_default()
+}
+
 /// Extracts the table `[solver]` of a document.
 fn solver_of(document: &Document) -> Result<Document, InputError> {
-    let is_solver = |entry: &&_| {
-        let entry: &touchdown_sweep::document::Entry = entry;
-        entry.key == SOLVER && matches!(entry.node.value, Value::Table(_))
-    };
+    let is_solver =
+        |entry: &&Entry| entry.key == SOLVER && matches!(entry.node.value, Value::Table(_));
     let solver: Vec<_> = document.root().iter().filter(is_solver).cloned().collect();
     Document::parse(document.path(), &toml_text::text(&solver))
 }

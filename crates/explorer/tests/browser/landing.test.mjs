@@ -206,6 +206,7 @@ test("units change numbers and titles", async () => {
   const row = page.locator('[data-name="vertical_velocity_fps"]');
   assert.equal(await row.locator(".unit").textContent(), "m/s");
   assert.equal(await row.locator('input[type="text"]').inputValue(), "4.2672");
+  assert.match((await page.locator(".landing-tab .stage-legend").textContent()) ?? "", /arrows: 1 m is \d+ N/);
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
 });

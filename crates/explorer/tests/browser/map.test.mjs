@@ -126,3 +126,63 @@ test("a shipped map has values at its points, and landings that are refused leav
   explorer.complaints();
   await page.context().close();
 });
+
+test("a brush and the landing that was chosen survive a reload", async () => {
+  const page = await explorer.open("#tab=dispersion");
+  await page.waitForSelector(".counts td");
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".scatter canvas").boundingBox());
+  await page.mouse.move(box.x + 0.2 * box.width, box.y + 0.2 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.6 * box.height, { steps: 4 });
+  await page.mouse.up();
+  const caption = await page.locator(".counts caption").textContent();
+  await page.locator(".scatter canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".sample-tab .outcome[data-class]");
+  await page.waitForFunction(() => location.hash.includes("brush=") && location.hash.includes("landing=2"));
+  await page.reload();
+  await page.waitForSelector(".sample-tab .outcome[data-class]");
+  assert.equal(await page.locator(".counts caption").textContent(), caption);
+  assert.match((await page.locator(".sample-tab .reading").textContent()) ?? "", /^Landing 2,/);
+  await page.getByLabel("Units").selectOption("SI");
+  await page.waitForFunction(() => /m\/s/.test(document.querySelector(".sample-tab .reading")?.textContent ?? ""));
+  assert.equal(await page.locator(".counts caption").textContent(), caption);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("maps, their sections and landings, and samples are in the units of the page", async () => {
+  const page = await explorer.open("#tab=map&at=180,0");
+  await page.waitForFunction(() => document.querySelectorAll(".pair .outcome[data-class]").length === 2);
+  await page.getByLabel("Units").selectOption("SI");
+  await page.waitForFunction(() => document.querySelector(".reading")?.textContent?.includes("m/s"));
+  assert.match((await page.locator(".reading").first().textContent()) ?? "", /roll angle Ξ 0 deg: VH = 3\.4746\d* m\/s/i);
+  assert.match((await page.locator(".map-legend").textContent()) ?? "", /stable up to 7.62 m\/s/);
+  assert.match((await page.locator(".conditions").textContent()) ?? "", /vertical velocity 4.2672 m\/s/);
+  await page.waitForFunction(() => [...document.querySelectorAll(".pair .stage-legend")].every((part) => /1 m is \d+ N/.test(part.textContent ?? "")));
+  await page.getByRole("tab", { name: "Dispersion" }).click();
+  await page.waitForSelector(".counts td");
+  assert.match((await page.getByLabel("Across", { exact: true }).locator("option:checked").textContent()) ?? "", /m\/s$/);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
+test("a section runs as the map above it, and legends explain its marks", async () => {
+  const page = await explorer.open("#tab=map&at=180,0");
+  await page.waitForFunction(() => document.querySelectorAll(".pair .outcome[data-class]").length === 2);
+  const reading = () => page.locator(".reading").first().textContent();
+  const rollAt = async (/** @type {string} */ of, /** @type {number} */ y) => {
+    const canvas = page.locator(of).first();
+    await canvas.scrollIntoViewIfNeeded();
+    const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await canvas.boundingBox());
+    await page.mouse.move(box.x + 0.25 * box.width, box.y + y * box.height);
+    return Number(/roll angle Ξ (.\d*)/i.exec((await reading())?.replace("−", "-") ?? "")?.[1]);
+  };
+  const [onMap, inSection] = [await rollAt(".contour canvas", 0.85), await rollAt(".sections canvas", 0.5)];
+  assert.ok(onMap > 10 && inSection > 10, `${onMap} and ${inSection}`);
+  assert.match((await page.locator(".map-legend").textContent()) ?? "", /sections: VH, above it: topples/);
+  assert.match((await page.locator(".pair .stage-legend").first().textContent()) ?? "", /from it to the CG.*ground below extended footpads/);
+  assert.doesNotMatch((await reading()) ?? "", /; above/);
+  await page.context().close();
+});

@@ -3,6 +3,7 @@
 #![allow(missing_docs, reason = "tests are not an interface")]
 
 use serde_json::{Value, json};
+use touchdown_explorer::interface::answer;
 
 use crate::common::{ask, named};
 
@@ -343,5 +344,29 @@ fn nobody_waits_for_what_is_over() {
         let is_over = || left.replace(left.get() - 1) == 0;
         let complaint = answer(&NAMED, name, "{}", &is_over).unwrap_err();
         assert_eq!((complaint.fault, left.get()), (Fault::Over, -1), "{name}");
+    }
+}
+
+#[test]
+fn a_vehicle_begins_with_a_touchdown_that_it_survives() {
+    for (file, vertical) in [
+        ("sweeps/vehicles/surveyor-table-4-1.toml", Some(14.0)),
+        ("sweeps/vehicles/four-legs.toml", None),
+        ("sweeps/vehicles/six-legs.toml", None),
+    ] {
+        let named = named(&[file]);
+        let told = answer(&named, "landing", "{}", &|| false).unwrap();
+        let told: Value = serde_json::from_str(&told).unwrap();
+        assert_eq!(told["class"], "stable", "{file}: {}", told["outcome"]);
+        let source = &named.sources[0];
+        let speed = source.conditions.get("vertical_velocity_fps").unwrap();
+        assert!(
+            vertical.is_none_or(|vertical| speed == vertical),
+            "{file}: {speed}"
+        );
+        assert!(
+            speed <= 14.0 && source.search[1] >= 1.5 * speed,
+            "{file}: {speed}"
+        );
     }
 }

@@ -188,3 +188,92 @@ fn landings_of_a_sample_have_their_input_and_their_class() {
     assert_eq!(words, ["stable", "bottomed", "undecided"]);
     assert_eq!(told["results"][1]["values"], json!([null, null, null]));
 }
+
+#[test]
+fn a_map_comes_in_the_units_asked_for_and_its_landings_stay() {
+    let text = "vertical_velocity_mps,roll_deg,first_transition_to,first_transition_mps,bracket_low_mps,bracket_high_mps,certainty\n\
+        2,0,unstable,3.048,3,3.048,certain\n2,5,unstable,3.1,3.05,3.1,certain\n\
+        3.048,0,none,,6,,above\n3.048,5,bottomed,3,2.9,3,certain\n";
+    let record = r#"{"title": "Trade", "input": {"vehicle": {"name": "A"}, "scene": {"vertical_velocity_mps": 3.048},
+        "search": {"from_mps": 0, "to_mps": 6.096}}}"#;
+    let file = |name: &str, text: &str| Source {
+        path: PathBuf::from(name),
+        text: text.to_owned(),
+    };
+    // Without a vehicle the record is no source: what is asked for here is only the map.
+    let copies = [file("trade.csv", text)];
+    let path = [PathBuf::from("trade.csv")];
+    let mut named = Named::read(&path, Library::Copies(&copies), None).unwrap();
+    named.results[0].record = Some(record.to_owned());
+    let ask = |name: &str, request: Value| -> Value {
+        let told = answer(&named, name, &request.to_string(), &|| false);
+        serde_json::from_str(&told.unwrap()).unwrap()
+    };
+    let map = ask("map", json!({"results": "trade", "units": "US"}));
+    assert_eq!(map["axes"][0]["name"], "vertical_velocity_fps");
+    assert_eq!(map["axes"][0]["unit"], "ft/s");
+    assert_eq!(map["axes"][0]["values"][1], 10.0);
+    assert_eq!(map["points"][0]["speed"], 10.0);
+    assert_eq!(
+        (&map["speed_unit"], &map["searched_to"]),
+        (&json!("ft/s"), &json!(20.0))
+    );
+    assert_eq!(map["words"]["gap"], "stable up to 20 ft/s");
+    assert!(
+        map["conditions"]
+            .as_str()
+            .unwrap()
+            .contains("vertical velocity 10 ft/s")
+    );
+    let own = ask("map", json!({"results": "trade"}));
+    assert_eq!(own, ask("map", json!({"results": "trade", "units": "SI"})));
+    assert_eq!(own["points"][1]["speed"], 3.1);
+    let place = json!({"vertical_velocity_fps": 10, "roll_deg": 5});
+    let at = ask(
+        "at",
+        json!({"results": "trade", "units": "US", "place": place}),
+    );
+    assert_eq!(at["place"]["vertical_velocity_fps"], 10.0);
+    assert_eq!(at["above"]["values"]["vertical_velocity_mps"], 3.048);
+    assert_eq!(at["above"]["values"]["horizontal_velocity_mps"], 3.0);
+}
+
+#[test]
+fn landings_of_a_sample_come_in_the_units_asked_for_and_as_they_were_written() {
+    let text = "vertical_velocity_mps,outcome,min_clearance_m\n3.048,sliding,0.3048\n";
+    let copies = [Source {
+        path: PathBuf::from("drawn.csv"),
+        text: text.to_owned(),
+    }];
+    let named = Named::read(
+        &[PathBuf::from("drawn.csv")],
+        Library::Copies(&copies),
+        None,
+    )
+    .unwrap();
+    let ask = |request: &str| -> Value {
+        serde_json::from_str(&answer(&named, "sample", request, &|| false).unwrap()).unwrap()
+    };
+    let told = ask(r#"{"results": "drawn", "units": "US"}"#);
+    assert_eq!(told["inputs"][0]["name"], "vertical_velocity_fps");
+    assert_eq!(told["inputs"][0]["values"], json!([10.0]));
+    assert_eq!(told["results"][0]["values"], json!([1.0]));
+    let written = json!({"name": "vertical_velocity_mps", "values": [3.048]});
+    assert_eq!(told["inputs"][0]["written"], written);
+    let own = ask(r#"{"results": "drawn"}"#);
+    assert_eq!(own["inputs"][0]["written"], Value::Null);
+}
+
+#[test]
+fn the_page_begins_in_the_units_of_its_first_file() {
+    use touchdown_sweep::output_units::OutputUnits;
+    for (file, units) in [
+        ("sweeps/vehicles/surveyor-table-4-1.toml", OutputUnits::Us),
+        ("sweeps/vehicles/four-legs.toml", OutputUnits::Si),
+        ("sweeps/landers/six-legs-dispersions.toml", OutputUnits::Si),
+        ("results/landers/six-legs-map.csv", OutputUnits::Si),
+        ("results/figure-4-09.csv", OutputUnits::Us),
+    ] {
+        assert_eq!(named(&[file]).units, units, "{file}");
+    }
+}

@@ -140,6 +140,17 @@ pub(crate) fn spelling_for_results(name: &str) -> String {
     name.split('.').map(step).collect::<Vec<_>>().join(".")
 }
 
+/// Spelling with the unit of the program of a name that ends with an SI unit: of feet and inches with feet.
+pub(crate) fn program_spelling(name: &str) -> String {
+    let units = UNITS.iter().rev();
+    let endings = units.flat_map(|unit| unit.si.iter().map(move |si| (si.ending, unit.ending)));
+    let bare = endings.filter_map(|(si, program)| Some((name.strip_suffix(si)?, program)));
+    match bare.max_by_key(|(bare, _)| std::cmp::Reverse(bare.len())) {
+        Some((bare, program)) => format!("{bare}{program}"),
+        None => name.to_owned(),
+    }
+}
+
 /// Guesses the meaning of an unknown key: all spellings of a known key if only the unit is wrong, else the most similar
 /// spelling.
 pub(crate) fn meant(unknown: &str, known: &[&str]) -> Vec<String> {

@@ -15,10 +15,9 @@ use touchdown_figures::refined_map;
 use touchdown_figures::surface::{Cell, Surface};
 use touchdown_sweep::results::LEVEL;
 
-use super::of_table;
 use super::table::{Point, Transitions};
 use crate::interface::classes::hex;
-use crate::interface::complaint::Complaint;
+use crate::interface::complaint::{Complaint, of_table};
 use crate::named::Results;
 
 /// A map over two axes; empty otherwise.

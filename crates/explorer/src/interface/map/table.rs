@@ -5,8 +5,7 @@ use serde_json::{Map, Value, json};
 use touchdown_figures::axis_title::axis_title;
 use touchdown_figures::unit::split_unit;
 
-use super::of_table;
-use crate::interface::complaint::Complaint;
+use crate::interface::complaint::{Complaint, of_table};
 use crate::named::Results;
 
 /// Transitions over axes.
@@ -172,8 +171,15 @@ impl Transitions {
         })
     }
 
-    /// The point nearest to a place; distances are relative to the range of each axis.
-    pub fn nearest(&self, place: &Map<String, Value>) -> Result<&Point, Complaint> {
+    /// The place of a point, by axis.
+    pub fn place(&self, point: usize) -> Map<String, Value> {
+        let axes = self.axes.iter().zip(&self.points[point].place);
+        axes.map(|(axis, value)| (axis.name.clone(), value.clone()))
+            .collect()
+    }
+
+    /// The number of the point nearest to a place; distances are relative to the range of each axis.
+    pub fn nearest(&self, place: &Map<String, Value>) -> Result<usize, Complaint> {
         if let Some((name, value)) = place
             .iter()
             .find(|(name, _)| self.axes.iter().all(|axis| axis.name != **name))
@@ -193,10 +199,11 @@ impl Transitions {
             });
             parts.map(|part| part * part).sum()
         };
-        let nearest = self
-            .points
-            .iter()
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let distances = self.points.iter().map(|point| distance(&point));
+        let nearest = distances
+            .enumerate()
+            .min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let nearest = nearest.map(|(point, _)| point);
         nearest.ok_or_else(|| Complaint::request("the table has no rows"))
     }
 }
