@@ -76,7 +76,11 @@ async function start() {
   };
   byId("take", HTMLElement).append(new TakeAway(present, landing.replay, map, () => location.href.split("#")[0] + address()).root);
 
+  /** Whether what is shown comes from the address, and whether somebody went a step since the address was written. */
+  let isRestoring = false;
+  let isStep = false;
   const restore = async () => {
+    isRestoring = true;
     const { source: named, units: wanted, values, extra } = fromAddress(location.hash);
     if (wanted === "US" || wanted === "SI") present.units = wanted;
     const names = (/** @type {{ name: string }[]} */ list) => list.map(({ name }) => name);
@@ -99,6 +103,7 @@ async function start() {
     if (missing.length) complain(`This link is not of these files. ${missing.join(" ")}`);
     await landing.newest.busy;
     if (extra.t) player.go(Number(extra.t));
+    isRestoring = false;
   };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let later;
@@ -107,14 +112,19 @@ async function start() {
     units.value = present.units;
     clearTimeout(later);
     later = setTimeout(() => {
-      if (address() !== location.hash) history.replaceState(null, "", address());
+      // Steps, unlike sliders, are gone back to.
+      if (address() !== location.hash) history[isStep ? "pushState" : "replaceState"](null, "", address());
+      isStep = false;
     }, CALM);
   };
+  const step = () => (isStep ||= !isRestoring);
+  present.addEventListener("replaced", step);
+  tabs.addEventListener("chosen", step);
   for (const kind of ["values", "units"]) present.addEventListener(kind, keep);
   present.addEventListener("values", () => (trouble.hidden = true));
   for (const kind of ["time", "state"]) player.addEventListener(kind, keep);
   for (const kind of ["loaded", "landed"]) map?.addEventListener(kind, keep);
-  for (const kind of ["loaded", "axes"]) sample?.addEventListener(kind, keep);
+  for (const kind of ["loaded", "axes", "selected"]) sample?.addEventListener(kind, keep);
   panels[0].root.addEventListener("view", keep);
   tabs.addEventListener("chosen", keep);
   window.addEventListener("hashchange", restore);

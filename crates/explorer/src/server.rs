@@ -25,8 +25,9 @@ use crate::named::Named;
 use gate::Gate;
 use impatient::Impatient;
 use limits::Limits;
-use random::random_digits;
 use service::Service;
+
+pub use random::random_digits;
 
 /// Default address: this machine only.
 pub const LOOPBACK: Ipv4Addr = Ipv4Addr::LOCALHOST;
@@ -43,17 +44,17 @@ pub struct Server {
 }
 
 impl Server {
-    /// Binds to a port; 0 selects a free one.
+    /// Binds to a port; 0 selects a free one. Whoever has the token may ask.
     ///
     /// # Errors
-    /// If the address is unavailable, or the system provides no random numbers.
-    pub fn bind(address: SocketAddr, named: Named) -> io::Result<Self> {
+    /// If the address is unavailable.
+    pub fn bind(address: SocketAddr, named: Named, token: String) -> io::Result<Self> {
         let listener = TcpListener::bind(address)?;
         listener.set_nonblocking(true)?;
         Ok(Self {
             address: listener.local_addr()?,
             listener,
-            token: random_digits()?,
+            token,
             named: Arc::new(named),
         })
     }

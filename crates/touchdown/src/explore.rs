@@ -1,13 +1,17 @@
 //! `touchdown explore`: a page in the browser in which a landing answers as sliders move.
 
+use std::io::{self, Write};
 use std::net::{IpAddr, SocketAddr};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Duration;
+use std::{fs, thread};
 
 use clap::Args;
 use touchdown_explorer::export;
 use touchdown_explorer::named::Named;
-use touchdown_explorer::server::{LOOPBACK, Server};
+use touchdown_explorer::server::{LOOPBACK, Server, random_digits};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::library::Library;
 use touchdown_sweep::output_guard::OutputGuard;
@@ -32,6 +36,9 @@ Examples:
 What is named can be looked at and started from: vehicle, scene and sweep files, and tables of transitions and landings as
 touchdown sweep writes them, with what stands beside them (bands, edges, surface, record). Nothing else on the disk is served.
 
+  Under the same link after every start:
+    touchdown explore lander.toml --port 8123 --token-file explorer-token
+
 The page is served to this machine alone, under an address that nobody can guess. Ctrl-C ends it.";
 
 /// Options of `explore`.
@@ -49,6 +56,10 @@ pub struct Options {
         hide_default_value = true
     )]
     port: u16,
+    /// File that holds the token of the address, so that with --port links survive a restart; written with a new token if
+    /// there is none
+    #[arg(long, value_name = "FILE")]
+    token_file: Option<PathBuf>,
     /// Open the page in the browser
     #[arg(long)]
     open: bool,
@@ -57,7 +68,7 @@ pub struct Options {
     #[arg(long, value_name = "ADDRESS", default_value_t = LOOPBACK.into())]
     listen: IpAddr,
     /// Write the page with all that was named into one file, which works without this program and without a network
-    #[arg(long, value_name = "FILE.html", conflicts_with_all = ["port", "open", "listen"], help_heading = "Output")]
+    #[arg(long, value_name = "FILE.html", conflicts_with_all = ["port", "open", "listen", "token_file"], help_heading = "Output")]
     export: Option<PathBuf>,
     /// Also replace an existing file that is not an exported page
     #[arg(long, requires = "export", help_heading = "Output")]
@@ -68,6 +79,10 @@ pub struct Options {
 
 /// How an exported page begins.
 const PAGE: &str = "<!doctype html>";
+/// Length of a token in a file.
+const TOKEN: RangeInclusive<usize> = 16..=128;
+/// Time for a browser to read the file that leads it to the page.
+const READING: Duration = Duration::from_secs(60);
 
 /// Runs `explore`.
 pub fn run(options: &Options) -> Result<(), Failure> {
@@ -82,7 +97,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return export(options, &named, file);
     }
     let address = SocketAddr::new(options.listen, options.port);
-    let server = Server::bind(address, named).map_err(|error| {
+    let token = match &options.token_file {
+        Some(file) => kept_token(file)?,
+        None => random_digits().map_err(Failure::running)?,
+    };
+    let server = Server::bind(address, named, token).map_err(|error| {
         let said = format!("{address} cannot be listened on: {error}");
         InputError::other(said)
     })?;
@@ -112,18 +131,70 @@ fn export(options: &Options, named: &Named, file: &Path) -> Result<(), Failure> 
     print(&summary::written(&written))
 }
 
-/// Opens an address in the browser of the desktop; whether there was a way to.
+/// The token in a file, which gets a new one if it is not there.
+fn kept_token(file: &Path) -> Result<String, Failure> {
+    let refuse = |complaint: String| InputError::in_file(file, &complaint);
+    match fs::read_to_string(file) {
+        Ok(text) => {
+            let token = text.trim();
+            let is_plain = token.bytes().all(|byte| byte.is_ascii_alphanumeric());
+            match is_plain && TOKEN.contains(&token.len()) {
+                true => Ok(token.to_owned()),
+                false => {
+                    let [least, most] = [TOKEN.start(), TOKEN.end()];
+                    let complaint =
+                        format!("expected a token of {least} to {most} letters and digits");
+                    Err(refuse(complaint).into())
+                }
+            }
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let token = random_digits().map_err(Failure::running)?;
+            own_file(file, &format!("{token}\n")).map_err(|error| refuse(error.to_string()))?;
+            Ok(token)
+        }
+        Err(error) => Err(refuse(error.to_string()).into()),
+    }
+}
+
+/// Writes a new file that nobody else can read.
+fn own_file(file: &Path, text: &str) -> io::Result<()> {
+    let mut options = fs::OpenOptions::new();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options.open(file)?.write_all(text.as_bytes())
+}
+
+/// Opens an address in the browser of the desktop; whether there was a way to. Everybody on the machine sees the words of a
+/// command, and so it is given a file that leads to the address.
 fn opens(url: &str) -> bool {
+    let Ok(digits) = random_digits() else {
+        return false;
+    };
+    let file = std::env::temp_dir().join(format!("touchdown-{digits}.html"));
+    let page = format!(
+        "{PAGE}<meta charset=\"utf-8\"><title>touchdown</title><meta http-equiv=\"refresh\" content=\"0;url={url}\">\
+         <a href=\"{url}\">Open the explorer</a>\n"
+    );
+    if own_file(&file, &page).is_err() {
+        return false;
+    }
     let opener = match std::env::consts::OS {
         "macos" => "open",
         "windows" => "explorer",
         _ => "xdg-open",
     };
-    Command::new(opener)
-        .arg(url)
+    let is_opened = Command::new(opener)
+        .arg(&file)
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
-        .is_ok()
+        .is_ok();
+    thread::spawn(move || {
+        thread::sleep(READING);
+        let _ = fs::remove_file(file);
+    });
+    is_opened
 }

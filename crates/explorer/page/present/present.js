@@ -37,8 +37,9 @@ export class Present extends EventTarget {
     this.#tell("values", name);
   }
 
-  /** Shows another touchdown. @param {Touchdown} touchdown */
+  /** Shows another touchdown, which is told as `replaced`, too. @param {Touchdown} touchdown */
   replace(touchdown) {
+    this.#tell("replaced", "");
     if (touchdown.source !== undefined) this.source = touchdown.source;
     this.vehicle = touchdown.vehicle;
     this.values = { ...(touchdown.values ?? {}) };

@@ -32,7 +32,8 @@ export class TakeAway {
     };
     add("Scene file", () => this.#files(engine.sceneFile({ touchdown: present.touchdown, units: present.units })));
     add("Command", () => this.#showCommand());
-    add("Link", () => this.#copy(address(), "The link is copied."));
+    const holds = location.protocol === "file:" ? "It opens this file." : "It holds while this explorer runs, and with --port and --token-file after a restart, too.";
+    add("Link", () => this.#copy(address(), `The link is copied. ${holds}`, `Copy it from here. ${holds}`));
     add("Histories, CSV", () => this.#files(engine.historyFile({ touchdown: present.touchdown, units: present.units, interval_s: 0.01 })));
     add("Histories, SVG", () => save("histories.svg", historiesSvg(this.#contents()), "image/svg+xml"));
     add("Picture, PNG", async () => {
@@ -97,8 +98,8 @@ export class TakeAway {
     await this.#copy(command, "The command is copied.");
   }
 
-  /** @param {string} text @param {string} done */
-  async #copy(text, done) {
+  /** @param {string} text @param {string} done @param {string} [otherwise] where nothing can be copied */
+  async #copy(text, done, otherwise = "Copy it from here:") {
     try {
       await navigator.clipboard.writeText(text);
       this.note.textContent = done;
@@ -106,7 +107,7 @@ export class TakeAway {
       this.command.hidden = false;
       this.command.value = text;
       this.command.select();
-      this.note.textContent = "Copy it from here:";
+      this.note.textContent = otherwise;
     }
   }
 

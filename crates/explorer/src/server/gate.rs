@@ -4,8 +4,9 @@ use std::net::{IpAddr, SocketAddr};
 
 use hyper::header::{HOST, HeaderMap, ORIGIN};
 
-/// Header in which browsers state the origin of a request.
+/// Headers in which browsers state where a request comes from and what for.
 const FETCH_SITE: &str = "sec-fetch-site";
+const FETCH_DEST: &str = "sec-fetch-dest";
 
 /// Requirements on requests.
 #[derive(Debug)]
@@ -32,8 +33,8 @@ impl Gate {
         may_pass.then_some(rest)
     }
 
-    /// True if a request is meant for this server and comes from one of its pages: neither from another site, nor to a
-    /// foreign name that resolves here.
+    /// True if a request is meant for this server and comes from one of its pages: neither from another site, unless
+    /// somebody follows a link there, nor to a foreign name that resolves here.
     fn is_own(&self, headers: &HeaderMap) -> bool {
         let text = |name: &str| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
         let Some(host) = text(HOST.as_str()).filter(|host| self.is_own_host(host)) else {
@@ -46,7 +47,7 @@ impl Gate {
         };
         let is_own_site = match text(FETCH_SITE) {
             None => true,
-            Some(site) => ["same-origin", "none"].contains(&site),
+            Some(site) => ["same-origin", "none"].contains(&site) || opens_a_page(headers),
         };
         is_single && is_own_origin && is_own_site
     }
@@ -64,6 +65,13 @@ impl Gate {
         }
         host == format!("localhost:{}", self.address.port())
     }
+}
+
+/// True if a browser asks for what it will show as a page of its own.
+pub fn opens_a_page(headers: &HeaderMap) -> bool {
+    headers
+        .get(FETCH_DEST)
+        .is_some_and(|dest| dest == "document")
 }
 
 /// Compares in a time that does not depend on how much agrees.
@@ -106,6 +114,11 @@ mod tests {
             path,
             &[host, ("sec-fetch-site", "same-origin")]
         ));
+        let link = [
+            ("sec-fetch-site", "cross-site"),
+            ("sec-fetch-dest", "document"),
+        ];
+        assert!(admits(OWN, path, &[host, link[0], link[1]]));
         for headers in [
             &[][..],
             &[("host", "127.0.0.1:8001")],
@@ -119,6 +132,8 @@ mod tests {
             &[host, ("origin", "http://evil.example")],
             &[host, ("sec-fetch-site", "cross-site")],
             &[host, ("sec-fetch-site", "same-site")],
+            &[host, link[0], ("sec-fetch-dest", "iframe")],
+            &[host, link[0], link[1], ("origin", "http://evil.example")],
         ] {
             assert!(!admits(OWN, path, headers), "{headers:?}");
         }

@@ -16,6 +16,10 @@ use crate::page::PageFile;
 pub type Reply = Response<Full<Bytes>>;
 
 const JSON: &str = "application/json";
+const TEXT: &str = "text/plain; charset=utf-8";
+/// What somebody reads who opens a link that is not that of the explorer.
+const NO_PAGE: &[u8] = b"There is no page at this address. touchdown explore prints its link when it starts: another one each time, \
+    unless --port and --token-file keep it.\n";
 /// Content policy of a page: only files of this server, and scripts in the page itself that carry its nonce.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' NONCE; style-src 'self' 'unsafe-inline'; \
     img-src 'self' data: blob:; font-src 'self'; media-src blob:; connect-src 'self'; worker-src 'self' blob:; \
@@ -30,11 +34,13 @@ pub fn answer(json: Bytes, is_gzip: bool) -> Reply {
     reply
 }
 
-/// The answer to whoever may not ask, or asks too often. It is the last one of its connection.
-pub fn turned_away(is_within: bool) -> Reply {
-    let mut reply = match is_within {
-        true => refusal(StatusCode::NOT_FOUND, "there is nothing here"),
-        false => too_often(),
+/// The answer to whoever may not ask, or asks too often: a sentence for those who open a page. It is the last one of its
+/// connection.
+pub fn turned_away(is_within: bool, is_page: bool) -> Reply {
+    let mut reply = match (is_within, is_page) {
+        (true, true) => reply(StatusCode::NOT_FOUND, TEXT, Bytes::from_static(NO_PAGE)),
+        (true, false) => refusal(StatusCode::NOT_FOUND, "there is nothing here"),
+        (false, _) => too_often(),
     };
     (reply.headers_mut()).insert(CONNECTION, HeaderValue::from_static("close"));
     reply

@@ -45,7 +45,8 @@ impl Service {
     async fn reply(&self, request: Request<Incoming>) -> Reply {
         let path = request.uri().path().to_owned();
         let Some(path) = self.gate.admit(request.headers(), &path) else {
-            return reply::turned_away(self.limits.strangers.allow());
+            let is_page = gate::opens_a_page(request.headers());
+            return reply::turned_away(self.limits.strangers.allow(), is_page);
         };
         if !self.limits.admitted.allow() {
             return reply::too_often();

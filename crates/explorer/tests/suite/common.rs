@@ -10,7 +10,7 @@ use std::time::Duration;
 use serde_json::Value;
 use touchdown_explorer::interface::{Complaint, answer};
 use touchdown_explorer::named::Named;
-use touchdown_explorer::server::{LOOPBACK, Server};
+use touchdown_explorer::server::{LOOPBACK, Server, random_digits};
 use touchdown_sweep::library::Library;
 
 /// Longest wait of a client.
@@ -45,7 +45,8 @@ pub struct Client {
 
 impl Client {
     pub fn start() -> Self {
-        let server = Server::bind((LOOPBACK, 0).into(), NAMED.clone()).unwrap();
+        let token = random_digits().unwrap();
+        let server = Server::bind((LOOPBACK, 0).into(), NAMED.clone(), token).unwrap();
         let url = server.url();
         thread::spawn(move || server.run().unwrap());
         let (host, token) = url

@@ -255,3 +255,41 @@ fn clients_that_ask_and_never_read_are_left() {
     assert!(is_alive(&client));
     drop(deaf);
 }
+
+#[test]
+fn files_come_compressed_to_those_who_take_that() {
+    let client = Client::start();
+    let size = |accept: &str| {
+        let (token, address) = (&client.token, client.address);
+        let (status, told) = client.send(&format!(
+            "GET /{token}/vendor/three.js HTTP/1.1\r\nHost: {address}\r\n{accept}Connection: close\r\n\r\n"
+        ));
+        assert_eq!(status, 200);
+        let head = told.split("\r\n\r\n").next().unwrap().to_lowercase();
+        let length = head.split("content-length: ").nth(1).unwrap();
+        let length: usize = length.split("\r\n").next().unwrap().parse().unwrap();
+        (head.contains("content-encoding: gzip"), length)
+    };
+    let (is_plain, whole) = size("");
+    let (is_packed, packed) = size("Accept-Encoding: br, gzip\r\n");
+    assert_eq!((is_plain, is_packed), (false, true));
+    assert!(3 * packed < whole, "{packed} of {whole} bytes");
+}
+
+#[test]
+fn a_link_from_elsewhere_opens_the_page_and_an_old_one_gets_a_sentence() {
+    let client = Client::start();
+    let open = |token: &str| {
+        let address = client.address;
+        client.send(&format!(
+            "GET /{token}/ HTTP/1.1\r\nHost: {address}\r\nSec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\n\
+             Sec-Fetch-Dest: document\r\nConnection: close\r\n\r\n"
+        ))
+    };
+    let (status, page) = open(&client.token);
+    assert_eq!(status, 200);
+    assert!(page.contains("<title>touchdown"), "{page}");
+    let (status, said) = open(&"0".repeat(32));
+    assert_eq!(status, 404);
+    assert!(said.contains("There is no page at this address."), "{said}");
+}

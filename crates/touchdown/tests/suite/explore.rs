@@ -148,6 +148,34 @@ fn the_program_prints_an_address_that_answers() {
 }
 
 #[test]
+fn a_token_in_a_file_keeps_the_address() {
+    let bench = Bench::new();
+    let begin = || {
+        let mut program = bench.command(&["explore", "surveyor.toml", "--token-file", "token"]);
+        let mut program = program.stdout(Stdio::piped()).spawn().unwrap();
+        let mut url = String::new();
+        let out = program.stdout.take().unwrap();
+        BufReader::new(out).read_line(&mut url).unwrap();
+        program.kill().unwrap();
+        program.wait().unwrap();
+        url.trim()
+            .trim_end_matches('/')
+            .rsplit_once('/')
+            .unwrap()
+            .1
+            .to_owned()
+    };
+    let first = begin();
+    assert_eq!(first.len(), 32);
+    assert_eq!(bench.read("token").trim(), first);
+    assert_eq!(begin(), first);
+    bench.write("token", "short");
+    bench
+        .run(&["explore", "surveyor.toml", "--token-file", "token"])
+        .refused(&["token", "16 to 128 letters and digits"]);
+}
+
+#[test]
 fn a_page_is_exported_over_nothing_but_a_page() {
     let bench = Bench::new();
     let export = ["explore", "surveyor.toml", "--export", "page.html"];
