@@ -129,6 +129,8 @@ async function start() {
   tabs.addEventListener("chosen", keep);
   window.addEventListener("hashchange", restore);
   await restore();
+  const isStill = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if (!isStill && player.time >= player.end) player.play();
 }
 
 /**

@@ -1,6 +1,7 @@
 import * as engine from "../engine/engine.js";
 import { Newest } from "../engine/newest.js";
-import { element } from "../look/elements.js";
+import { button, element } from "../look/elements.js";
+import { subscripted } from "../look/words.js";
 import { OutcomeStrip } from "../strip/strip.js";
 import { Sliders } from "../sliders/sliders.js";
 import { Replay, speedOf } from "./replay.js";
@@ -21,6 +22,9 @@ export class LandingTab {
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.rest = undefined;
     this.replay.bar.root.after(this.strip.root);
+    const hint = element("p", { class: "hint" });
+    hint.append(subscripted("Drag anything: the picture to turn it, the handle below for V_H, any slider for its number, a curve for its time."));
+    this.replay.bar.root.before(hint);
     const show = element("div", { class: "show" }, this.replay.root);
     const aside = element("aside", { class: "aside", "aria-label": "Numbers" }, this.sliders.root);
     this.root = element("section", { class: "landing-tab" }, aside, show);

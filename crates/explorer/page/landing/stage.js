@@ -90,8 +90,10 @@ export class Stage {
     this.draw();
   }
 
-  /** Sizes lights and haze for a lander so many ft across. @param {number} size */
+  /** Sizes lights, haze and the distance of the camera for a lander so many ft across. @param {number} size */
   resize(size) {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    this.camera.position.copy(this.controls.target).addScaledVector(arm, size / this.size);
     this.size = size;
     const reach = 1.1 * size;
     const { camera } = this.sun.shadow;

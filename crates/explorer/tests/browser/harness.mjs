@@ -45,7 +45,7 @@ export async function start() {
   const folder = mkdtempSync(join(tmpdir(), "explorer-"));
   writeFileSync(join(folder, "sample.toml"), sample);
   execFileSync(program, ["sweep", join(folder, "sample.toml"), "--out", folder, "--quiet"], { cwd: root });
-  const files = [vehicle, "results/surface-4-20.csv", "results/figure-4-09.csv", "results/landers/six-legs-map.csv", join(folder, "sample.csv")];
+  const files = [vehicle, "sweeps/vehicles/four-legs.toml", "results/surface-4-20.csv", "results/figure-4-09.csv", "results/landers/six-legs-map.csv", join(folder, "sample.csv")];
   const server = spawn(program, ["explore", ...files], { cwd: root });
   const address = await new Promise((resolve, reject) => {
     let text = "";
@@ -74,7 +74,8 @@ export async function start() {
      * @param {import("playwright-core").BrowserContextOptions} [options]
      */
     async open(hash = "", options = {}) {
-      const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+      // Landings do not play by themselves, so that pictures can be compared.
+      const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: "reduce", ...options });
       const page = await context.newPage();
       gather(page, complaints);
       await page.goto(address + hash);

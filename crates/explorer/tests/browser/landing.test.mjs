@@ -136,6 +136,68 @@ test("play reaches the end, and time, histories and picture go together", async 
   await page.context().close();
 });
 
+test("a landing plays once by itself, unless motion is reduced", async () => {
+  const page = await explorer.open("", { reducedMotion: "no-preference" });
+  const seen = await page.evaluate(() => new Promise((resolve) => {
+    const clock = /** @type {HTMLElement} */ (document.querySelector(".landing-tab .clock"));
+    const times = new Set();
+    const look = () => {
+      times.add(clock.textContent);
+      if (document.querySelector('.landing-tab .play[aria-label="Play"]')) resolve(times.size);
+      else requestAnimationFrame(look);
+    };
+    look();
+  }));
+  assert.ok(Number(seen) > 3, `${seen} times`);
+  assert.match((await page.locator(".hint").textContent()) ?? "", /Drag anything/);
+  const still = await explorer.open();
+  assert.equal(await still.locator(".landing-tab .play").getAttribute("aria-label"), "Play");
+  await page.context().close();
+  await still.context().close();
+});
+
+test("ground under a leg is a rock or a pit", async () => {
+  const pictures = [];
+  for (const height of [0, 0.6, -0.6]) {
+    const page = await explorer.open(`#v.footing[1].height_ft=${height}&t=0`);
+    pictures.push(await picture(page));
+    await page.context().close();
+  }
+  for (const [index, one] of pictures.entries()) {
+    for (const other of pictures.slice(index + 1)) assert.ok((await explorer.differing(one, other)) > 500);
+  }
+  assert.deepEqual(explorer.complaints(), []);
+});
+
+test("another vehicle begins with a touchdown that it survives, and fills the picture", async () => {
+  const page = await explorer.open();
+  await page.locator("#source").selectOption("four-legs");
+  await page.waitForFunction(() => location.hash.includes("source=four-legs"));
+  await calm(page);
+  assert.equal(await page.locator(".landing-tab .outcome").getAttribute("data-class"), "stable");
+  const chosen = await picture(page);
+  const linked = await explorer.open("#source=four-legs");
+  assert.ok((await explorer.differing(chosen, await picture(linked))) < 2000);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+  await linked.context().close();
+});
+
+test("Back goes to what was shown before a step, and a reload keeps what is shown", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=12");
+  await page.waitForFunction(() => location.hash.includes("v.horizontal_velocity_fps=12"));
+  await page.waitForTimeout(400);
+  await page.getByRole("button", { name: "Give back all numbers of the input" }).click();
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="stable-subsided"]');
+  await page.waitForFunction(() => !location.hash.includes("v."));
+  await page.goBack();
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="unstable-pitch"]');
+  await page.reload();
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="unstable-pitch"]');
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
+
 test("views from uphill, side and top differ, and the keyboard turns the camera", async () => {
   const page = await explorer.open();
   const pictures = [];
