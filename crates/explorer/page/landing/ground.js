@@ -1,7 +1,6 @@
-import {
-  CircleGeometry, Color, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, ShadowMaterial, Vector3,
-} from "../vendor/three.js";
+import { Color, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, ShadowMaterial, Vector3 } from "../vendor/three.js";
 import { colours } from "../look/theme.js";
+import { patchOf } from "./patch.js";
 import { Arrows, Label } from "./shapes.js";
 
 /** @typedef {import("./materials.js").Materials} Materials */
@@ -11,9 +10,11 @@ const HALF = 160;
 /** Length of the arrow of V_H in sizes of the lander, for each ft/s. */
 const LENGTH_A_SPEED = 0.024;
 const FEET_A_METRE = 1 / 0.3048;
+/** Most holes that the surface has: under the pads and blocks of eight legs. */
+const HOLES = 16;
 
 /**
- * A material with a grid: every fifth line is bold. Lines are computed at every pixel: a texture costs a processor without a
+ * A material with a grid and holes: every fifth line is bold. Lines are computed at every pixel: a texture costs a processor without a
  * graphics card four times as much.
  * @param {string} ground @param {string} line
  */
@@ -21,16 +22,19 @@ function gridMaterial(ground, line) {
   const material = new MeshBasicMaterial({ color: ground });
   /** Distance of the fine lines, ft. */
   const step = { value: 1 };
+  /** Middles of the holes along the plane, and their radii; ft. */
+  const holes = { value: Array.from({ length: HOLES }, () => new Vector3()) };
   material.onBeforeCompile = (shader) => {
-    Object.assign(shader.uniforms, { step, lineColour: { value: new Color(line) } });
+    Object.assign(shader.uniforms, { step, holes, lineColour: { value: new Color(line) } });
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", "#include <common>\nvarying vec2 at;")
       .replace("#include <begin_vertex>", "#include <begin_vertex>\nat = position.xy;");
     shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>\nvarying vec2 at;\nuniform float step;\nuniform vec3 lineColour;\n${GRID}`)
-      .replace("#include <map_fragment>", "diffuseColor.rgb = mix(diffuseColor.rgb, lineColour, max(0.4 * gridLines(at / step, 0.03), 0.75 * gridLines(at / (5.0 * step), 0.0125)));");
+      .replace("#include <common>", `#include <common>\nvarying vec2 at;\nuniform float step;\nuniform vec3 holes[${HOLES}];\nuniform vec3 lineColour;\n${GRID}`)
+      .replace("#include <map_fragment>", `for (int i = 0; i < ${HOLES}; i++) if (distance(at, holes[i].xy) < holes[i].z) discard;
+diffuseColor.rgb = mix(diffuseColor.rgb, lineColour, max(0.4 * gridLines(at / step, 0.03), 0.75 * gridLines(at / (5.0 * step), 0.0125)));`);
   };
-  return { material, step };
+  return { material, step, holes };
 }
 
 /** How much of a pixel lines at whole numbers cover, `width` wide: never thinner than a pixel, but paler. */
@@ -82,7 +86,7 @@ export class GroundModel {
     const at = new Vector3(...ground.surface_point);
     this.surface.matrix.copy(new Matrix4().makeBasis(across, downhill, normal).setPosition(at));
     this.surface.matrixWorldNeedsUpdate = true;
-    this.plane = { normal, at };
+    this.plane = { normal, at, across, downhill };
     // A bold line runs through the point below the CG.
     this.grid.step.value = units === "SI" ? 0.2 * FEET_A_METRE : 1;
     const { size } = this;
@@ -113,6 +117,11 @@ export class GroundModel {
 
   /** @param {import("../engine/types.js").Ground} ground @param {import("../engine/types.js").VehicleShape} vehicle */
   #drawPatches(ground, vehicle) {
+    const { plane } = this;
+    if (!plane) return;
+    const holes = this.grid.holes.value;
+    for (const hole of holes) hole.z = 0;
+    let count = 0;
     for (const patch of [...this.patches.children]) {
       /** @type {Mesh} */ (patch).geometry.dispose();
       patch.removeFromParent();
@@ -121,14 +130,22 @@ export class GroundModel {
       if (patch.of === "block" && patch.is_even) continue;
       const leg = vehicle.legs[patch.leg - 1];
       const radius = patch.of === "pad" ? 0.85 * leg.footpad.diameter : 0.8 * (leg.block?.diameter ?? 0);
-      const mesh = patch.is_even
-        ? new Mesh(new RingGeometry(0.94 * radius, radius, 40), this.materials.downhill)
-        : new Mesh(new CircleGeometry(1.6 * radius, 40), this.materials.honeycomb);
-      const normal = new Vector3(...patch.normal);
-      mesh.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), normal);
-      mesh.position.set(...patch.point).addScaledVector(normal, 0.02);
-      mesh.receiveShadow = !patch.is_even;
+      const [point, normal] = [new Vector3(...patch.point), new Vector3(...patch.normal)];
+      if (patch.is_even) {
+        const ring = new Mesh(new RingGeometry(0.94 * radius, radius, 40), this.materials.downhill);
+        ring.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), normal);
+        ring.position.copy(point).addScaledVector(normal, 0.02);
+        this.patches.add(ring);
+        continue;
+      }
+      const { geometry, foot, hole } = patchOf(point, normal, 1.6 * radius, plane);
+      const mesh = new Mesh(geometry, this.materials.earth);
+      mesh.receiveShadow = true;
       this.patches.add(mesh);
+      foot.sub(plane.at);
+      if (hole === 0 || count === HOLES) continue;
+      holes[count].set(foot.dot(plane.across), foot.dot(plane.downhill), hole);
+      count += 1;
     }
   }
 }

@@ -15,6 +15,7 @@ export function materials() {
     foil: new MeshLambertMaterial({ color: "#d9a53a", flatShading: true }),
     panel: solid("#3f62b8"),
     white: solid("#eceae4"),
+    earth: solid(now.scene.ground),
     honeycomb: new MeshLambertMaterial({ color: "#c8b37a", side: DoubleSide }),
     leaning: flat(now.jump, 0.22),
     downhill: flat(now.scene.gridLine),
