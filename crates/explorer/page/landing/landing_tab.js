@@ -26,8 +26,16 @@ export class LandingTab {
     hint.append(subscripted("Drag anything: the picture to turn it, the handle below for V_H, any slider for its number, a curve for its time."));
     this.replay.bar.root.before(hint);
     const show = element("div", { class: "show" }, this.replay.root);
-    const aside = element("aside", { class: "aside", "aria-label": "Numbers" }, this.sliders.root);
-    this.root = element("section", { class: "landing-tab" }, aside, show);
+    const sheet = button("Numbers");
+    sheet.classList.add("sheet");
+    const aside = element("aside", { class: "aside", "aria-label": "Numbers" }, sheet, this.sliders.root);
+    sheet.addEventListener("click", () => {
+      const isOpen = aside.classList.toggle("open");
+      sheet.setAttribute("aria-expanded", String(isOpen));
+      // In a narrow window the sheet covers what is below the verdict and the picture.
+      if (isOpen) this.replay.panels[0].root.scrollIntoView();
+    });
+    this.root = element("section", { class: "landing-tab" }, show, aside);
     present.addEventListener("values", () => this.refresh());
     present.addEventListener("units", () => this.refresh());
   }

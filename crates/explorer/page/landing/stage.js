@@ -47,6 +47,8 @@ export class Stage {
     this.scene.add(this.hemisphere, this.sun, this.sun.target);
     this.size = 1;
     this.controls = new OrbitControls(this.camera, canvas);
+    // A finger that goes up or down scrolls the page.
+    canvas.style.touchAction = "pan-y";
     this.controls.minDistance = 1;
     this.controls.maxDistance = 300;
     this.controls.addEventListener("change", () => this.draw());

@@ -94,13 +94,23 @@ test("text has enough contrast in dark and light", async () => {
   }
 });
 
-test("a telephone shows the landing first", async () => {
-  const page = await explorer.open("", { viewport: { width: 390, height: 800 }, hasTouch: true });
+test("a telephone shows the landing first, and the picture beside sliders", async () => {
+  const page = await explorer.open("", { viewport: { width: 390, height: 844 }, hasTouch: true });
   const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.equal(over, 0);
   const stage = await page.locator(".landing-tab .stage").boundingBox();
   const numbers = await page.locator(".landing-tab .aside").boundingBox();
   assert.ok(stage && numbers && stage.y < numbers.y);
+  await page.getByRole("button", { name: "Numbers" }).tap();
+  await calm(page);
+  for (const part of [".landing-tab .outcome", ".landing-tab .stage", '[data-name="vertical_velocity_fps"] input[type="range"]']) {
+    const box = await page.locator(part).boundingBox();
+    assert.ok(box && box.y >= -2 && box.y + box.height <= 845, `${part}: ${JSON.stringify(box)}`);
+  }
+  const picture = await page.locator(".landing-tab .stage").boundingBox();
+  const sheet = await page.locator(".landing-tab .aside").boundingBox();
+  assert.ok(picture && sheet && picture.y + picture.height <= sheet.y, JSON.stringify([picture, sheet]));
+  assert.equal(await page.locator(".landing-tab .stage canvas").evaluate((canvas) => getComputedStyle(canvas).touchAction), "pan-y");
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
 });
