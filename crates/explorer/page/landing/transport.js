@@ -3,7 +3,7 @@ import { fixed } from "../look/words.js";
 
 /** Speeds that the picture may run at, of the true one. */
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1];
-/** Ticks so close to each other share their words, percent of the time line. */
+/** Room of a word at the time line, percent: ticks without it share their words. */
 const CLOSE = 3;
 /** Marks of events at the time line. */
 const SHORT = /** @type {Record<string, string>} */ ({ "least-stability": "σ", verdict: "■", bottomed: "▼", failure: "✕" });
@@ -72,8 +72,9 @@ export class TransportBar {
       tick.style.left = `${at}%`;
       this.ticks.append(tick);
       const short = SHORT[kind] ?? String(leg ?? "");
-      if (last && at - last.at < CLOSE) {
-        if (!last.words.textContent?.split(" ").includes(short)) last.words.append(` ${short}`);
+      const words = last?.words.textContent?.split(" ") ?? [];
+      if (last && at - last.at < CLOSE * words.length) {
+        if (!words.includes(short)) last.words.append(` ${short}`);
       } else {
         tick.append(short);
         last = { at, words: tick };

@@ -194,7 +194,7 @@ export class SurfaceView {
       if (speed > floor) write(label(speed), [-1.08, y, -1]);
     }
     write(`V_H, ${map.speed_unit}`, [-1.05, HEIGHT + 0.12, -1], 0.065);
-    write(map.axes[0].title, [-1.42, -0.3, 0.3], 0.065);
+    write(map.axes[0].title, [-1.35, -0.36, 0.5], 0.065);
     write(map.axes[1].title, [0, -0.2, 1.34], 0.065);
     this.content.add(this.#segments(lines, grid, 1));
   }

@@ -49,16 +49,15 @@ pub fn name_in(name: &str, units: OutputUnits) -> String {
 
 /// Values by name in these units.
 pub fn values_in(values: &Map<String, Value>, units: OutputUnits) -> Map<String, Value> {
-    let one = |(name, value): (&String, &Value)| {
+    let converted = values.iter().map(|(name, value)| {
         let column = ColumnInUnits::of(name, units);
-        let value = value.as_f64().map(|number| json!(column.number(number)));
-        Some((column.name().to_owned(), value?))
-    };
-    let kept = |(name, value): (&String, &Value)| (name_in(name, units), value.clone());
-    values
-        .iter()
-        .map(|entry| one(entry).unwrap_or_else(|| kept(entry)))
-        .collect()
+        let value = match value.as_f64() {
+            Some(number) => json!(column.number(number)),
+            None => value.clone(),
+        };
+        (column.name().to_owned(), value)
+    });
+    converted.collect()
 }
 
 /// A table (CSV) in these units.
