@@ -3,6 +3,8 @@
 //! Keys are known by the names with the program's units. `mass_kg` is another spelling of `mass_slug`; its numbers are
 //! converted when read.
 
+use std::cmp::Reverse;
+
 use crate::unit::{UNITS, Unit, program_unit};
 
 /// Conversion from the unit of a spelling to that of the program.
@@ -140,15 +142,18 @@ pub(crate) fn spelling_for_results(name: &str) -> String {
     name.split('.').map(step).collect::<Vec<_>>().join(".")
 }
 
-/// Spelling with the unit of the program of a name that ends with an SI unit: of feet and inches with feet.
+/// Spelling with the unit of the program of a name, possibly dotted, with an SI unit: of feet and inches with feet.
 pub(crate) fn program_spelling(name: &str) -> String {
-    let units = UNITS.iter().rev();
-    let endings = units.flat_map(|unit| unit.si.iter().map(move |si| (si.ending, unit.ending)));
-    let bare = endings.filter_map(|(si, program)| Some((name.strip_suffix(si)?, program)));
-    match bare.max_by_key(|(bare, _)| std::cmp::Reverse(bare.len())) {
-        Some((bare, program)) => format!("{bare}{program}"),
-        None => name.to_owned(),
-    }
+    let step = |key: &str| {
+        let units = UNITS.iter().rev();
+        let endings = units.flat_map(|unit| unit.si.iter().map(move |si| (si.ending, unit.ending)));
+        let bare = endings.filter_map(|(si, program)| Some((key.strip_suffix(si)?, program)));
+        match bare.max_by_key(|(bare, _)| Reverse(bare.len())) {
+            Some((bare, program)) => format!("{bare}{program}"),
+            None => key.to_owned(),
+        }
+    };
+    name.split('.').map(step).collect::<Vec<_>>().join(".")
 }
 
 /// Guesses the meaning of an unknown key: all spellings of a known key if only the unit is wrong, else the most similar

@@ -1,9 +1,6 @@
 //! Columns of tables in other units than they were written in.
 
-use touchdown_dynamics::per_leg::MOST_LEGS;
-
 use crate::output_units::{OutputUnits, Quantity};
-use crate::parameter::Parameter;
 use crate::spelling::{Conversion, dotted_conversion, program_spelling};
 
 /// A column of a table in other units.
@@ -16,10 +13,7 @@ pub struct ColumnInUnits {
 impl ColumnInUnits {
     /// Form in these units of a column with this name, whose unit may be of either.
     pub fn of(name: &str, units: OutputUnits) -> Self {
-        let program_name = match Parameter::named(name, MOST_LEGS) {
-            Some(parameter) => parameter.program_name().to_owned(),
-            None => program_spelling(name),
-        };
+        let program_name = program_spelling(name);
         let to = units.quantity(&program_name);
         match dotted_conversion(name, &program_name) {
             Some(from) if to.name() != name => Self { from, to },
@@ -79,9 +73,14 @@ mod tests {
             ),
             ("min_clearance_m", "min_clearance_ft", "min_clearance_m"),
             (
-                "vehicle.strut.stroke_m",
-                "vehicle.strut.stroke_in",
-                "vehicle.strut.stroke_m",
+                "vehicle.strut.preload_n",
+                "vehicle.strut.preload_lb",
+                "vehicle.strut.preload_n",
+            ),
+            (
+                "vehicle.inertia_kg_m2.xy",
+                "vehicle.inertia_slug_ft2.xy",
+                "vehicle.inertia_kg_m2.xy",
             ),
             (
                 "footing[2].height_m",
