@@ -51,14 +51,20 @@ pub fn report_file_limits() {
     }
 }
 
-/// Signals that interrupt. `nohup` ignores the one of a terminal that is closed, and so does the program then.
-fn signals() -> Vec<i32> {
-    let mut signals = vec![SIGINT, SIGTERM];
-    #[cfg(unix)]
-    if !is_ignored(signal_hook::consts::SIGHUP) {
-        signals.push(signal_hook::consts::SIGHUP);
-    }
-    signals
+/// Signals that interrupt.
+fn signals() -> impl Iterator<Item = i32> {
+    [SIGINT, SIGTERM].into_iter().chain(hangup())
+}
+
+/// The signal of a terminal that is closed. `nohup` ignores it, and so does the program then.
+#[cfg(unix)]
+fn hangup() -> Option<i32> {
+    Some(signal_hook::consts::SIGHUP).filter(|signal| !is_ignored(*signal))
+}
+
+#[cfg(not(unix))]
+fn hangup() -> Option<i32> {
+    None
 }
 
 /// Whether the program was started with a signal ignored; without `/proc`, where that cannot be known, it was not.
