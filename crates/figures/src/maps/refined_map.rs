@@ -138,13 +138,16 @@ pub fn levels(map: &MapTable) -> Levels {
     Levels::of(&extent(map))
 }
 
-/// A surface with only the extent and the heights of a map.
+/// A surface with only the extent and the heights of a map: it is as wide as what was searched, if that is known.
 fn extent(map: &MapTable) -> Surface {
     let corners = || map.triangles.iter().flatten();
     let ends = |axis: usize| {
         let of_corners = corners().map(|(place, _)| place[axis]);
         let of_edges = map.edges.iter().flat_map(|edge| &edge.places);
-        let all = of_corners.chain(of_edges.map(|place| place[axis]));
+        let of_grid = map.grid.iter().flat_map(|grid| &grid.coordinates[axis]);
+        let all = of_corners
+            .chain(of_edges.map(|place| place[axis]))
+            .chain(of_grid.copied());
         let ends = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
             [low.min(value), high.max(value)]
         });
