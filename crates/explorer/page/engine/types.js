@@ -54,7 +54,8 @@
  *   certainty?: string, bracket_width_fps?: number | null }} Band
  * @typedef {{ landings: StripLanding[], bands: Band[], is_done: boolean }} Strip
  * @typedef {{ to: Class, speed_fps: number, low_fps: number | null, high_fps: number | null,
- *   certainty: string | null, disputed_fps: [number, number] | null }} Transition
+ *   certainty: string | null, disputed_fps: [number, number] | null, stable_landings_below: number,
+ *   patchy: { to_fps: number, landings: number, not_stable: number } | null }} Transition
  * @typedef {{ bands: Band[], first_transition: Transition | null, landings: number }} Bands
  *
  * @typedef {{ name: string, title: string, unit: string, values: number[], fixed?: number | string }} Axis

@@ -7,11 +7,14 @@ import { label, roundValues, subscripted } from "../look/words.js";
 
 /** @typedef {import("../engine/types.js").StripLanding} StripLanding */
 /** @typedef {import("../engine/types.js").Band} Band */
+/** @typedef {import("../engine/types.js").Transition} Transition */
 
 /** Where the bands lie, pixels at the usual size of text. */
 const PLACE = { top: 20, height: 26 };
 /** Landings of one request; few while others wait. */
 const MOST = 16;
+/** Distance of the stripes of a patchy stretch, pixels. */
+const STRIPES_APART = 5;
 const FPS_A_MPS = 1 / 0.3048;
 
 /** How landings end over the whole range of V_H under the present conditions, with a handle for V_H. */
@@ -35,6 +38,8 @@ export class OutcomeStrip {
     /** @type {Band[]} */
     this.bands = [];
     this.exact = false;
+    /** The first transition of an exact search. @type {Transition | null} */
+    this.first = null;
     this.round = new AbortController();
     this.conditions = "";
     /** What was drawn last. */
@@ -103,6 +108,7 @@ export class OutcomeStrip {
     this.round = new AbortController();
     this.known = [];
     this.exact = false;
+    this.first = null;
     this.isStale = true;
     const { signal } = this.round;
     setTimeout(() => this.#fill(signal), STILL);
@@ -138,6 +144,7 @@ export class OutcomeStrip {
     try {
       const answer = await engine.bands({ touchdown: this.present.touchdown, from_fps: from, to_fps: to }, signal);
       this.bands = answer.bands;
+      this.first = answer.first_transition;
       this.exact = true;
       this.draw();
     } catch (error) {
@@ -170,6 +177,11 @@ export class OutcomeStrip {
       context.fillRect(left, bar.top + bar.height - 4, right - left, 4);
       context.textAlign = "center";
       if (context.measureText(band.word).width < right - left - 8) context.fillText(band.word, 0.5 * (left + right), bar.top + 0.62 * bar.height);
+    }
+    if (this.first?.patchy) {
+      context.fillStyle = classColour("stable");
+      const end = at(this.first.patchy.to_fps);
+      for (let x = at(this.first.speed_fps); x <= end; x += STRIPES_APART) context.fillRect(x, bar.top, 1.5, bar.height - 4);
     }
     context.strokeStyle = now.paleText;
     for (const { speed_fps } of this.known) {
@@ -206,6 +218,15 @@ export class OutcomeStrip {
       const certain = this.exact && band.certainty ? ` (${band.certainty})` : "";
       return `${band.word} ${number(band.from_fps)} to ${number(band.to_fps)}${certain}`;
     });
-    this.words.textContent = `${words.join(" · ")} ${this.unit}`;
+    this.words.textContent = `${words.join(" · ")} ${this.unit}${this.#evidence(number)}`;
+  }
+
+  /** What is known of the first transition and of what lies below it. @param {(fps: number) => string} number */
+  #evidence(number) {
+    if (!this.first) return "";
+    const { patchy, speed_fps, stable_landings_below } = this.first;
+    const below = `; ${stable_landings_below} landings below ${number(speed_fps)} are stable`;
+    if (!patchy) return below;
+    return `${below}; patchy up to ${number(patchy.to_fps)}: ${patchy.not_stable} of ${patchy.landings} landings are not stable there`;
   }
 }

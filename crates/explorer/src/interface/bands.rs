@@ -57,7 +57,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         from,
         to,
         scan_step: (to - from) / SCAN,
-        parts_below: 1,
+        parts_below: Search::PARTS_BELOW,
         tolerance: TOLERANCE,
         extent: Extent::All,
         scan: Scan::default(),
@@ -112,6 +112,12 @@ fn first_transition(found: &Boundary) -> serde_json::Value {
         "high_fps": transition.high,
         "certainty": word(transition.certainty),
         "disputed_fps": disputed(transition.certainty),
+        "stable_landings_below": found.stable_below,
+        "patchy": found.patchy.map(|patchy| json!({
+            "to_fps": patchy.to,
+            "landings": patchy.landings,
+            "not_stable": patchy.not_stable,
+        })),
     })
 }
 

@@ -328,6 +328,20 @@ fn a_strip_fills_in_until_it_is_done() {
     );
     assert!((first["speed_fps"].as_f64().unwrap() - 11.4).abs() < 0.002);
     assert_eq!(found["bands"].as_array().unwrap().len(), bands.len());
+    assert_eq!(first["patchy"], json!(null));
+    assert!(
+        first["stable_landings_below"].as_u64().unwrap() > 20,
+        "{first}"
+    );
+
+    // At a roll of −35 deg a stable sliver lies just above the transition.
+    let rolled = json!({"touchdown": {"values": {"roll_deg": -35}}});
+    let first = &ask("bands", &rolled).unwrap()["first_transition"];
+    let patchy = &first["patchy"];
+    let [landings, not_stable] =
+        ["landings", "not_stable"].map(|name| patchy[name].as_u64().unwrap());
+    assert!(0 < not_stable && not_stable < landings, "{first}");
+    assert!(patchy["to_fps"].as_f64() > first["speed_fps"].as_f64());
 }
 
 #[test]

@@ -50,8 +50,7 @@ pub(crate) const REQUIRED: [(&str, &str); 4] = [
     ("scan_step_fps", "the step of the scan, ft/s"),
     ("tolerance_fps", "the width of a bracket, ft/s"),
 ];
-/// Parts of a scan step below the first transition, if none are given, and the most.
-const PARTS_BELOW: u64 = 8;
+/// Most parts of a scan step below the first transition.
 const MOST_PARTS_BELOW: u64 = 100;
 /// Greatest stability angle that landings can be asked to keep, deg. It is less than that of landings between which scans
 /// look no closer.
@@ -74,7 +73,7 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         scan_step: section.number("scan_step_fps")?,
         parts_below: section
             .optional_whole_number("parts_below", 1, MOST_PARTS_BELOW)?
-            .unwrap_or(PARTS_BELOW) as u32,
+            .map_or(Search::PARTS_BELOW, |parts| parts as u32),
         tolerance: section.number("tolerance_fps")?,
         extent: choice(section, "bands", &EXTENTS)?,
         scan: choice(section, "scan", &SCANS)?,

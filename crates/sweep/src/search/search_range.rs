@@ -52,6 +52,9 @@ pub enum Scan {
 }
 
 impl Search {
+    /// Parts of a scan step at which a search looks closer below the first transition, unless told otherwise.
+    pub const PARTS_BELOW: u32 = 8;
+
     /// Number of speeds in the scan.
     pub fn scan_count(&self) -> u64 {
         ((self.to - self.from) / self.scan_step - 1e-9).ceil() as u64 + 1
