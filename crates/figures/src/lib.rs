@@ -18,8 +18,9 @@ use maps::{colour_bar, hatching, isolines, view_point};
 pub use maps::{
     contour_map, leading_feet, levels, map_legend, map_view, perspective, refined_map, surface,
 };
-use page::{canvas, frame, sheet, text, thinning, ticks};
+use page::{canvas, frame, sheet, text, thinning};
 pub use page::{legend, palette, style};
 pub use tables::{bands_table, boundary_table, history_table, map_table, sensitivity_table};
 use tables::{profile_points, table};
 pub use words::{axis_title, caption, figure_error, number, parameter_words, speed_unit, unit};
+use words::{division, ticks};

@@ -1,4 +1,4 @@
-//! Drawing tools of all pictures: the canvas, colours, axes, legends, and the sheet with its captions.
+//! Drawing tools of all pictures: the canvas, colours, frames, legends, and the sheet with its captions.
 
 pub mod canvas;
 pub mod frame;
@@ -8,4 +8,3 @@ pub mod sheet;
 pub mod style;
 pub mod text;
 pub mod thinning;
-pub mod ticks;

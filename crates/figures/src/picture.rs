@@ -6,6 +6,7 @@ use crate::boundary_table::{Axis, BoundaryTable};
 use crate::caption::Caption;
 use crate::contour_map;
 use crate::distribution_chart;
+use crate::division::Division;
 use crate::figure_error::FigureError;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
@@ -120,6 +121,8 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
     choices.check("a sweep", true, false)?;
     if map_table::is_one(table) {
         let map = MapTable::parse(table, source.edges, source.points, source.grid)?;
+        let divisions = map.axes.each_ref().map(|axis| caption.division(axis));
+        let map = map.placed(divisions);
         let levels = choices.levels.as_ref();
         return Ok(vec![
             Picture {
@@ -150,7 +153,7 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
             }
             boundary_profile::draw(&table, bands.as_ref(), &caption).map(only)
         }
-        2 => over_two_axes(&table, choices.levels.as_ref(), &caption),
+        2 => over_two_axes(table, choices.levels.as_ref(), &caption),
         count => Err(FigureError::NoPicture(format!(
             "{count} axes cannot be drawn: expected one or two of {}",
             all.join(", ")
@@ -212,19 +215,23 @@ fn drawn_axes(table: &str) -> Result<Vec<String>, FigureError> {
 /// A map and a view. If cross-slopes of both signs were swept, also a map of the negative ones with both scales
 /// reversed, which symmetry would make equal to the first.
 fn over_two_axes(
-    table: &BoundaryTable,
+    table: BoundaryTable,
     levels: Option<&Levels>,
     caption: &Caption,
 ) -> Result<Vec<Picture>, FigureError> {
-    let is_cross_slope = table.axes[0] == "cross_slope_deg";
-    let Some(surface) = Surface::of(table, |slow| !is_cross_slope || slow >= 0.0) else {
+    let divisions: Vec<Division> = (table.axes.iter())
+        .map(|axis| caption.division(axis))
+        .collect();
+    let is_cross_slope = table.axes[0] == "cross_slope_deg" && divisions[0] == Division::Linear;
+    let table = table.changed(|axis, value| divisions[axis].place(value));
+    let Some(surface) = Surface::of(&table, |slow| !is_cross_slope || slow >= 0.0) else {
         return Err(FigureError::NoPicture(format!(
             "its points over {} do not fill a grid of at least 2 by 2",
             table.axes.join(" and ")
         )));
     };
     let levels = levels.map_or_else(|| Levels::of(&surface), Levels::clone);
-    let view = View::of(&surface);
+    let view = View::of(&surface, caption);
     let mut pictures = vec![
         Picture {
             suffix: "-contours",
@@ -253,16 +260,11 @@ fn over_two_axes(
 }
 
 /// The table with the signs of both axes reversed; straight downhill stays where it is.
-fn mirrored(table: &BoundaryTable) -> BoundaryTable {
-    let mut table = table.clone();
-    for point in &mut table.points {
-        for (axis, value) in point.coordinates.iter_mut().enumerate() {
-            if axis != 0 || *value != 180.0 {
-                *value = -*value + 0.0;
-            }
-        }
-    }
-    table
+fn mirrored(table: BoundaryTable) -> BoundaryTable {
+    table.changed(|axis, value| match (axis, value) {
+        (0, 180.0) => value,
+        _ => -value + 0.0,
+    })
 }
 
 #[cfg(test)]

@@ -123,3 +123,99 @@ fn each_kind_of_transition_has_its_mark_region_and_word_at_its_place() {
         assert!(svg.contains(mark), "{mark}: {svg}");
     }
 }
+
+/// A sweep over friction from 0.1 to 10 and roll, with its record.
+fn over_friction(rolls: &[i32]) -> (String, String) {
+    let heading = "friction,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,\
+                   landings,derivative_evaluations\n";
+    let mut table = heading.to_owned();
+    for (friction, speed) in [("0.1", 11), ("1", 12), ("10", 14)] {
+        for roll in rolls {
+            table += &format!("{friction},{roll},unstable,{speed},{speed},{speed},9,100\n");
+        }
+    }
+    let record = r#"{"title": "friction", "input": {"axes": {"friction": [0.1, 1.0, 10.0]}}}"#;
+    (table, record.to_owned())
+}
+
+/// Places of a number of an axis, across and down.
+fn places(svg: &str, number: &str) -> Vec<[f64; 2]> {
+    let texts = svg
+        .lines()
+        .filter(|line| line.contains(&format!(">{number}</text>")));
+    let attribute = |line: &str, name: &str| -> f64 {
+        let (_, after) = line.split_once(&format!("{name}=\"")).unwrap();
+        after.split('"').next().unwrap().parse().unwrap()
+    };
+    texts
+        .map(|line| ["x", "y"].map(|name| attribute(line, name)))
+        .collect()
+}
+
+#[test]
+fn logarithmic_axes_have_logarithmic_scales_with_round_numbers() {
+    let drawn = |table: &str, record: &str| {
+        let source = Source {
+            table,
+            record: Some(record),
+            ..Source::default()
+        };
+        draw(&source, &Choices::default()).unwrap()
+    };
+    let is_middle = |[a, b, c]: [f64; 3]| (b - 0.5 * (a + c)).abs() < 0.1 && (a - c).abs() > 80.0;
+    // One axis: the profile. Two axes: the slow one of the map runs upward, and along the floor of the perspective.
+    let (table, record) = over_friction(&[0]);
+    let profile = &drawn(
+        &table
+            .replace(",0,unstable", ",unstable")
+            .replace("roll_deg,", ""),
+        &record,
+    )[0]
+    .svg;
+    let (table, record) = over_friction(&[30, 40]);
+    let map = drawn(&table, &record);
+    let outcomes = table.replace("first_transition_to", "outcome");
+    let outcomes = &drawn(&outcomes.replace("unstable", "sliding"), &record)[0].svg;
+    let refined = "friction,roll_deg,triangle,first_transition_fps\n\
+                   0.1,30,1,11\n10,30,1,14\n0.1,40,1,11\n10,30,2,14\n0.1,40,2,11\n10,40,2,14\n";
+    let refined = drawn(refined, &record);
+    for (svg, axis) in [
+        (&refined[0].svg, 1),
+        (&refined[1].svg, 0),
+        (profile, 0),
+        (&map[0].svg, 1),
+        (&map[1].svg, 0),
+        (outcomes, 1),
+    ] {
+        let at = |number| places(svg, number)[0][axis];
+        assert!(is_middle([at("0.1"), at("1"), at("10")]), "{svg}");
+        assert!(is_middle([at("0.2"), at("1"), at("5")]), "{svg}");
+    }
+    // Without a record scales are even.
+    let even = pictures(&table).unwrap();
+    assert!(places(&even[0].svg, "0.2").is_empty());
+}
+
+#[test]
+fn probabilities_over_a_logarithmic_axis_have_its_scale() {
+    let columns = "probability,low_95,high_95";
+    let heading = ["topple", "bottom", "not_stable"].map(|name| {
+        let columns = columns.split(',').map(|end| format!("{name}_{end}"));
+        columns.collect::<Vec<_>>().join(",")
+    });
+    let row = |ends: &str| format!("friction,{ends},10,0.1,0,0.2,0,0,0.1,0.1,0,0.2\n");
+    let bins = ["0.1,1", "1,10", "10,100"].map(row).concat();
+    let table = format!("axis,from,to,landings,{}\n{bins}", heading.join(","));
+    let record = r#"{"input": {"axes": {"friction": {"log-uniform": {"from": 0.1, "to": 100}}}}}"#;
+    let source = Source {
+        table: &table,
+        record: Some(record),
+        ..Source::default()
+    };
+    let svg = &draw(&source, &Choices::default()).unwrap()[0].svg;
+    let at = |number| places(svg, number)[0][0];
+    assert!(
+        (at("2") - at("1") - at("20") + at("10")).abs() < 0.1,
+        "{svg}"
+    );
+}

@@ -1,9 +1,11 @@
-//! Captions, titles, numbers and complaints in words.
+//! Captions, titles, numbers, the divisions of axes, and complaints in words.
 
 pub mod axis_title;
 pub mod caption;
+pub mod division;
 pub mod figure_error;
 pub mod number;
 pub mod parameter_words;
 pub mod speed_unit;
+pub mod ticks;
 pub mod unit;

@@ -1,10 +1,10 @@
 //! The stability profile: first transition velocity against one touchdown condition.
 
-use crate::axis_title::axis_title;
 use crate::bands_table::BandsTable;
 use crate::boundary_table::{BoundaryTable, Kind, Transition};
 use crate::canvas::Canvas;
 use crate::caption::Caption;
+use crate::division::Division;
 use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Mark, draw_mark, stripe};
@@ -12,7 +12,7 @@ use crate::profile_points::{self, ProfilePoint};
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Colour, Style};
 use crate::text::Font;
-use crate::{palette, shading, ticks};
+use crate::{palette, shading};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 560.0);
@@ -35,7 +35,7 @@ pub fn draw(
             "a profile has one axis, not {axes}"
         )));
     };
-    let points = profile_points::along(table, bands);
+    let points = profile_points::along(table, bands, caption.division(axis));
     let entries = legend(&points, caption);
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
@@ -52,13 +52,10 @@ fn draw_body(
 ) {
     let across = profile_points::horizontal_range(points);
     let (low, high) = profile_points::vertical_range(points, caption.searched_to);
-    let scale = |column: &str, (from, to): (f64, f64), count| {
-        let values = ticks::of_condition(column, from, to, count);
-        Scale::new(axis_title(column), (from, to), values)
-    };
     let speed = format!("horizontal_velocity{}", caption.speed_unit.ending());
-    let speeds = scale(&speed, (low, high), 11);
-    let frame = Frame::new(body, scale(axis, across, 13), speeds);
+    let speeds = Scale::of_condition(&speed, Division::Linear, (low, high), 11);
+    let across = Scale::of_condition(axis, caption.division(axis), across, 13);
+    let frame = Frame::new(body, across, speeds);
     // Regions of landings that are not stable.
     let regions = shading::regions(points, high);
     for kind in Kind::ALL {

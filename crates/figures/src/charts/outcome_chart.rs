@@ -6,10 +6,10 @@ use crate::caption::Caption;
 use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Entry, Mark, draw_mark};
+use crate::palette;
 use crate::sheet::{self, Height, Sheet};
 use crate::style::Style;
 use crate::table::Table;
-use crate::{palette, ticks};
 
 /// Width and height of the picture, pixels.
 const SIZE: (f64, f64) = (900.0, 760.0);
@@ -43,7 +43,11 @@ pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
     let mut landings = Vec::new();
     for row in table.rows() {
         let mark = mark(row.text(outcome));
-        landings.push(([row.number(1)?, row.number(0)?], mark));
+        let place = |column| {
+            let value = row.number(column)?;
+            Ok(caption.division(names[column]).place(value))
+        };
+        landings.push(([place(1)?, place(0)?], mark));
     }
     if landings.is_empty() {
         return Err(FigureError::NoPicture("there are no landings".to_owned()));
@@ -61,9 +65,12 @@ pub fn draw(csv: &str, caption: &Caption) -> Result<String, FigureError> {
             true => MARGIN * (most - least),
             false => 0.5,
         };
-        let ends = (least - margin, most + margin);
-        let values = ticks::of_condition(names[column], least, most, count);
-        Scale::new(axis_title(names[column]), ends, values)
+        let division = caption.division(names[column]);
+        Scale {
+            title: axis_title(names[column]),
+            ends: (least - margin, most + margin),
+            ticks: division.ticks(names[column], least, most, count),
+        }
     };
     let frame = Frame::new(body, scale(0, 1, 13), scale(1, 0, 11));
     frame.draw(&mut canvas, Style::stroke(palette::GRID, 1.0));

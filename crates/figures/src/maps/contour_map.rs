@@ -13,7 +13,7 @@ use crate::sheet::{self, Height, Sheet};
 use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
 use crate::text::{Font, text_width};
-use crate::{colour_bar, leading_feet, number, palette, ticks};
+use crate::{colour_bar, leading_feet, number, palette};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 860.0);
@@ -56,20 +56,12 @@ pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) 
 /// The frame of a map with its scales.
 pub fn frame(area: Area, surface: &Surface, view: &View) -> Frame {
     let [across, up] = view.ranges(surface);
-    let [slow, fast] = &surface.axes;
-    let scale = |axis: &str, ends: (f64, f64), count, label: &dyn Fn(f64) -> String| Scale {
-        title: axis_title(axis),
+    let scale = |axis: usize, ends: (f64, f64), count| Scale {
+        title: axis_title(&surface.axes[axis]),
         ends,
-        ticks: ticks::of_condition(axis, ends.0, ends.1, count)
-            .into_iter()
-            .map(|value| (value, label(value)))
-            .collect(),
+        ticks: view.ticks(surface, axis, ends, count),
     };
-    Frame::new(
-        area,
-        scale(fast, across, 13, &|x| view.fast_label(x)),
-        scale(slow, up, 11, &|y| view.slow_label(y)),
-    )
+    Frame::new(area, scale(1, across, 13), scale(0, up, 11))
 }
 
 /// A surface and its frame on the picture.

@@ -4,7 +4,12 @@ use crate::surface::tests::{example, grid};
 fn map() -> String {
     let surface = example();
     let levels = Levels::listed(&[12.0, 12.5, 13.0]).unwrap();
-    draw(&surface, &View::of(&surface), &levels, &Caption::default())
+    draw(
+        &surface,
+        &View::of(&surface, &Caption::default()),
+        &levels,
+        &Caption::default(),
+    )
 }
 
 #[test]
@@ -51,7 +56,12 @@ fn the_valley_is_marked_where_the_table_has_it() {
 fn every_point_with_a_transition_is_seen_and_every_mark_explained() {
     let drawn = |surface: &Surface| {
         let levels = Levels::of(surface);
-        draw(surface, &View::of(surface), &levels, &Caption::default())
+        draw(
+            surface,
+            &View::of(surface, &Caption::default()),
+            &levels,
+            &Caption::default(),
+        )
     };
     // Transitions in the last of three rows, a jump among them.
     let row = grid(3, |row, column| {

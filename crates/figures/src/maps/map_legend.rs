@@ -3,6 +3,7 @@
 use crate::boundary_table::Kind;
 use crate::caption::Caption;
 use crate::legend::{Entry, Mark};
+use crate::map_view;
 use crate::number;
 use crate::palette;
 use crate::parameter_words::parameter_words;
@@ -26,7 +27,7 @@ pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
         let jump_cells = Mark::Area(Style::fill(palette::JUMP_CELL));
         entries.push((jump_cells, "not interpolated across a jump".to_owned()));
     }
-    entries.extend(of_points(surface, caption));
+    entries.extend(of_points(surface, caption.without_transition()));
     entries
 }
 
@@ -37,7 +38,8 @@ pub fn of_perspective(surface: &Surface, caption: &Caption) -> Vec<Entry> {
         let words = format!("{}; left open", jump_words(surface, caption));
         entries.push((Mark::Line(jump()), words));
     }
-    entries.extend(of_points(surface, caption));
+    let on_the_floor = format!("{}; marked on the floor", caption.without_transition());
+    entries.extend(of_points(surface, on_the_floor));
     entries
 }
 
@@ -54,10 +56,9 @@ pub fn jump() -> Style {
     Style::stroke(palette::JUMP, 1.0).opacity(0.6)
 }
 
-/// Returns whether the line AB belongs on a map: one over cross-slope and roll, for feet like those of the report's
-/// vehicle.
+/// Returns whether the line AB belongs on a map: one like the report's, for feet like those of its vehicle.
 pub fn has_leading_feet(surface: &Surface, caption: &Caption) -> bool {
-    surface.axes == ["cross_slope_deg", "roll_deg"] && caption.has_report_feet
+    map_view::is_of_report(surface, caption) && caption.has_report_feet
 }
 
 fn jump_words(surface: &Surface, caption: &Caption) -> String {
@@ -65,15 +66,15 @@ fn jump_words(surface: &Surface, caption: &Caption) -> String {
     format!("V_H jumps by more than {least} {unit} between points")
 }
 
-/// Marks of single points.
-fn of_points(surface: &Surface, caption: &Caption) -> Vec<Entry> {
+/// Marks of single points, with words for those without a transition.
+fn of_points(surface: &Surface, without_transition: String) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     if !surface.lone().is_empty() {
         let words = "V_H of a point beside gaps, by its colour";
         entries.push((Mark::Lone(WHITE), words.to_owned()));
     }
     if surface.gaps().next().is_some() {
-        entries.push((Mark::NoTransition, caption.without_transition()));
+        entries.push((Mark::NoTransition, without_transition));
     }
     let known = Kind::ALL.map(|kind| {
         [

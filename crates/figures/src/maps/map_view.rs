@@ -1,5 +1,7 @@
 //! Directions of a map's axes, and their labels.
 
+use crate::caption::Caption;
+use crate::division::Division;
 use crate::isolines::Place;
 use crate::number;
 use crate::surface::Surface;
@@ -11,17 +13,33 @@ pub struct View {
     signs: [f64; 2],
     /// Sign of the labels.
     written: f64,
+    /// Divisions of the slow and of the fast axis.
+    divisions: [Division; 2],
+}
+
+/// Returns whether a map has the axes of the report's: cross-slope and roll, on even scales.
+pub fn is_of_report(surface: &Surface, caption: &Caption) -> bool {
+    surface.axes == ["cross_slope_deg", "roll_deg"]
+        && divisions(surface, caption) == [Division::Linear; 2]
+}
+
+fn divisions(surface: &Surface, caption: &Caption) -> [Division; 2] {
+    surface.axes.each_ref().map(|axis| caption.division(axis))
 }
 
 impl View {
     /// The report's view of cross-slope and roll: downhill below, negative rolls to the right. Other
     /// axes run upward and to the right.
-    pub fn of(surface: &Surface) -> Self {
-        let report = surface.axes == ["cross_slope_deg", "roll_deg"];
-        let sign = if report { -1.0 } else { 1.0 };
+    pub fn of(surface: &Surface, caption: &Caption) -> Self {
+        let sign = if is_of_report(surface, caption) {
+            -1.0
+        } else {
+            1.0
+        };
         Self {
             signs: [sign, sign],
             written: 1.0,
+            divisions: divisions(surface, caption),
         }
     }
 
@@ -51,18 +69,30 @@ impl View {
         ]
     }
 
-    /// Label at a chart coordinate of the fast axis.
-    pub fn fast_label(&self, x: f64) -> String {
-        number::label(self.written * self.signs[1] * x)
-    }
-
-    /// Label at a chart coordinate of the slow axis. Straight downhill has no sign.
-    pub fn slow_label(&self, y: f64) -> String {
-        let value = self.signs[0] * y;
-        if value == 180.0 {
-            return number::label(value);
-        }
-        number::label(self.written * value)
+    /// Chart coordinates between two others at which the slow (0) or the fast (1) axis is numbered, about `count` of
+    /// them, and the numbers. Straight downhill has no sign.
+    pub fn ticks(
+        &self,
+        surface: &Surface,
+        axis: usize,
+        (from, to): (f64, f64),
+        count: usize,
+    ) -> Vec<(f64, String)> {
+        let sign = self.written * self.signs[axis];
+        let (least, most) = ((sign * from).min(sign * to), (sign * from).max(sign * to));
+        let ticks = self.divisions[axis].ticks(&surface.axes[axis], least, most, count);
+        let ticks = ticks.into_iter().map(|(place, number)| {
+            let is_downhill = axis == 0 && self.written < 0.0 && place == -180.0;
+            let number = if is_downhill {
+                number::label(180.0)
+            } else {
+                number
+            };
+            (sign * place, number)
+        });
+        let mut ticks: Vec<_> = ticks.collect();
+        ticks.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        ticks
     }
 }
 
@@ -73,18 +103,20 @@ mod tests {
 
     #[test]
     fn the_reports_map_has_downhill_below_and_negative_roll_to_the_right() {
-        let view = View::of(&example());
+        let surface = example();
+        let view = View::of(&surface, &Caption::default());
         let (baseline, across) = (view.at([180.0, 0.0]), view.at([80.0, -30.0]));
         assert!(baseline.1 < across.1 && baseline.0 < across.0);
-        assert_eq!(
-            (view.fast_label(30.0), view.slow_label(-80.0)),
-            ("\u{2212}30".into(), "80".into())
-        );
+        let number = |view: &View, axis: usize, at: f64| {
+            let ticks = view.ticks(&surface, axis, (-180.0, 180.0), 36);
+            let found = ticks.into_iter().find(|(place, _)| *place == at);
+            found.map(|(_, number)| number).unwrap_or_default()
+        };
+        assert_eq!(number(&view, 1, 30.0), "\u{2212}30");
+        assert_eq!(number(&view, 0, -80.0), "80");
         let mirrored = view.mirrored();
-        assert_eq!(
-            (mirrored.fast_label(30.0), mirrored.slow_label(-80.0)),
-            ("30".into(), "\u{2212}80".into())
-        );
-        assert_eq!(mirrored.slow_label(-180.0), "180");
+        assert_eq!(number(&mirrored, 1, 30.0), "30");
+        assert_eq!(number(&mirrored, 0, -80.0), "\u{2212}80");
+        assert_eq!(number(&mirrored, 0, -180.0), "180");
     }
 }

@@ -6,11 +6,10 @@ use crate::caption::Caption;
 use crate::legend::{Mark, draw_mark};
 use crate::levels::Levels;
 use crate::sheet::{self, Height, Sheet};
-use crate::speed_unit::SpeedUnit;
 use crate::style::Style;
 use crate::surface::{Cell, Surface};
 use crate::text::{Anchor, Font};
-use crate::ticks::{multiples, round_step, round_values};
+use crate::ticks::{multiples, round_step};
 use crate::view_point::ViewPoint;
 use crate::{colour_bar, map_legend, number, palette};
 
@@ -29,13 +28,7 @@ pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
     let [left, right] = colour_bar::beside(body, 0.0);
     if let Some((heights, step)) = heights(surface) {
         let point = ViewPoint::on(left, surface, heights);
-        draw_box(
-            &mut canvas,
-            surface,
-            &point,
-            (heights, step),
-            caption.speed_unit,
-        );
+        draw_box(&mut canvas, surface, &point, (heights, step), caption);
         draw_floor_marks(&mut canvas, surface, &point, heights[0]);
         draw_cells(&mut canvas, surface, levels, &point);
     }
@@ -113,7 +106,7 @@ pub fn draw_box(
     surface: &Surface,
     point: &ViewPoint,
     ([floor, top], step): ([f64; 2], f64),
-    unit: SpeedUnit,
+    caption: &Caption,
 ) {
     let line = |canvas: &mut Canvas, ends: [Point; 2]| {
         canvas.curve(&ends, Style::stroke(palette::GRID, 1.0));
@@ -122,17 +115,21 @@ pub fn draw_box(
     let ([s0, s1], [f0, f1]) = (ends(&surface.slow), ends(&surface.fast));
     let ([back_s, front_s], [back_f, front_f]) = point.back_and_front([s0, s1], [f0, f1]);
     let small = Font::new(12.0, palette::TEXT);
-    for slow in round_values(s0, s1, LINES) {
+    let ticks = |axis: usize, from: f64, to: f64| {
+        let name = &surface.axes[axis];
+        caption.division(name).ticks(name, from, to, LINES)
+    };
+    for (slow, number) in ticks(0, s0, s1) {
         line(canvas, [f0, f1].map(|fast| point.pixel(slow, fast, floor)));
         line(canvas, [floor, top].map(|up| point.pixel(slow, back_f, up)));
         let place = point.outside(slow, front_f, floor, [0.0, 0.05]);
-        canvas.text(&number::label(slow), place, small);
+        canvas.text(&number, place, small);
     }
-    for fast in round_values(f0, f1, LINES) {
+    for (fast, number) in ticks(1, f0, f1) {
         line(canvas, [s0, s1].map(|slow| point.pixel(slow, fast, floor)));
         line(canvas, [floor, top].map(|up| point.pixel(back_s, fast, up)));
         let place = point.outside(front_s, fast, floor, [0.07, 0.0]);
-        canvas.text(&number::label(fast), place, small);
+        canvas.text(&number, place, small);
     }
     for height in multiples(floor, top, step) {
         line(
@@ -151,7 +148,7 @@ pub fn draw_box(
         );
     }
     let (x, y) = point.pixel(front_s, back_f, top);
-    let speed = format!("V_H, {unit}");
+    let speed = format!("V_H, {}", caption.speed_unit);
     canvas.text(&speed, (x, y - 18.0), Font::new(13.0, palette::TEXT));
     // Titles begin, or end, beyond the numbers, however long they are.
     let title = Font::new(14.0, palette::TEXT);
@@ -189,5 +186,7 @@ mod tests {
         );
         assert!(svg.contains("Roll angle"));
         assert!(svg.contains("jumps by more than 5 ft/s"));
+        // Triangles lie on the floor, which is no V_H of theirs.
+        assert!(svg.contains("no transition; marked on the floor"));
     }
 }

@@ -17,7 +17,7 @@ use crate::{colour_bar, contour_map, hatching, number, palette, perspective};
 pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
     let extent = extent(map);
     let levels = levels.map_or_else(|| Levels::of(&extent), Levels::clone);
-    let view = View::of(&extent);
+    let view = View::of(&extent, caption);
     let (width, height) = contour_map::SIZE;
     let whole = Height::Whole(height);
     let Sheet { mut canvas, body } = sheet::begin(width, whole, caption, &legend(map, caption));
@@ -93,13 +93,7 @@ pub fn perspective(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -
     let [left, right] = colour_bar::beside(body, 0.0);
     if let Some((heights, step)) = perspective::heights(&extent) {
         let point = ViewPoint::on(left, &extent, heights);
-        perspective::draw_box(
-            &mut canvas,
-            &extent,
-            &point,
-            (heights, step),
-            caption.speed_unit,
-        );
+        perspective::draw_box(&mut canvas, &extent, &point, (heights, step), caption);
         draw_surface(&mut canvas, map, &levels, &point);
     }
     colour_bar::draw(&mut canvas, right, &extent, &levels, caption.speed_unit);

@@ -1,6 +1,8 @@
 //! The rectangle that two axes span, with its grid, numbers and titles.
 
+use crate::axis_title::axis_title;
 use crate::canvas::{Canvas, Point};
+use crate::division::Division;
 use crate::number::label;
 use crate::palette;
 use crate::style::Style;
@@ -32,14 +34,25 @@ impl Area {
 
     /// Equal parts, one above the other.
     pub fn rows(&self, count: usize) -> Vec<Self> {
-        let height = self.height() / count as f64;
+        self.parts(1, count)
+    }
+
+    /// Equal parts in columns, row by row.
+    pub fn parts(&self, columns: usize, count: usize) -> Vec<Self> {
+        let width = self.width() / columns as f64;
+        let height = self.height() / count.div_ceil(columns) as f64;
+        let left = |index: usize| self.left + width * index as f64;
         let top = |index: usize| self.top + height * index as f64;
-        let row = |index| Self {
-            top: top(index),
-            bottom: top(index + 1),
-            ..*self
+        let part = |index: usize| {
+            let (row, column) = (index / columns, index % columns);
+            Self {
+                left: left(column),
+                top: top(row),
+                right: left(column + 1),
+                bottom: top(row + 1),
+            }
         };
-        (0..count).map(row).collect()
+        (0..count).map(part).collect()
     }
 }
 
@@ -63,6 +76,20 @@ impl Scale {
             ticks: (values.into_iter())
                 .map(|value| (value, label(value)))
                 .collect(),
+        }
+    }
+
+    /// The axis of a condition, with about `count` numbers. Its ends are positions in its division.
+    pub fn of_condition(
+        condition: &str,
+        division: Division,
+        ends: (f64, f64),
+        count: usize,
+    ) -> Self {
+        Self {
+            title: axis_title(condition),
+            ends,
+            ticks: division.ticks(condition, ends.0, ends.1, count),
         }
     }
 

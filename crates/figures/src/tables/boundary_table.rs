@@ -107,6 +107,16 @@ pub struct BoundaryTable {
 }
 
 impl BoundaryTable {
+    /// The table with other coordinates: `change` takes the number of an axis and a coordinate along it.
+    pub fn changed(mut self, change: impl Fn(usize, f64) -> f64) -> Self {
+        for point in &mut self.points {
+            for (axis, value) in point.coordinates.iter_mut().enumerate() {
+                *value = change(axis, *value);
+            }
+        }
+        self
+    }
+
     /// Reads a result table over all its axes.
     ///
     /// # Errors

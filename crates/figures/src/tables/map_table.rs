@@ -1,6 +1,7 @@
 //! Reads the surface of a map, as triangles, and its edges.
 
 use crate::boundary_table::{BoundaryTable, Point};
+use crate::division::Division;
 use crate::figure_error::FigureError;
 use crate::table::{Row, Table, has_column};
 
@@ -110,6 +111,24 @@ impl MapTable {
             patchy: points.transpose()?.as_ref().map_or_else(Vec::new, patchy),
             grid,
         })
+    }
+
+    /// The map with positions along axes of these divisions instead of their values.
+    pub fn placed(mut self, divisions: [Division; 2]) -> Self {
+        let triangles = self.triangles.iter_mut().flatten().map(|(place, _)| place);
+        let edges = self.edges.iter_mut().flat_map(|edge| &mut edge.places);
+        for place in triangles.chain(edges).chain(&mut self.patchy) {
+            for (value, division) in place.iter_mut().zip(divisions) {
+                *value = division.place(*value);
+            }
+        }
+        let grid = self.grid.iter_mut().flat_map(|grid| &mut grid.coordinates);
+        for (values, division) in grid.zip(divisions) {
+            for value in values {
+                *value = division.place(*value);
+            }
+        }
+        self
     }
 }
 

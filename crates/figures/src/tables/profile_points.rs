@@ -2,11 +2,12 @@
 
 use crate::bands_table::{Band, BandsTable};
 use crate::boundary_table::{BoundaryTable, Transition};
+use crate::division::Division;
 
 /// A point of the profile.
 #[derive(Debug, Clone)]
 pub struct ProfilePoint {
-    /// Value of the axis.
+    /// Position along the axis.
     pub x: f64,
     /// The transition that the sweep found there.
     pub transition: Option<Transition>,
@@ -14,14 +15,18 @@ pub struct ProfilePoint {
     pub bands: Vec<Band>,
 }
 
-/// The points of a table with one axis, from left to right.
-pub fn along(table: &BoundaryTable, bands: Option<&BandsTable>) -> Vec<ProfilePoint> {
+/// The points of a table with one axis of this division, from left to right.
+pub fn along(
+    table: &BoundaryTable,
+    bands: Option<&BandsTable>,
+    division: Division,
+) -> Vec<ProfilePoint> {
     let mut points: Vec<ProfilePoint> = table
         .points
         .iter()
         .filter_map(|point| {
             Some(ProfilePoint {
-                x: *point.coordinates.first()?,
+                x: division.place(*point.coordinates.first()?),
                 transition: point.transition,
                 bands: bands.map_or(Vec::new(), |bands| bands.at(&point.coordinates).to_vec()),
             })
@@ -31,7 +36,7 @@ pub fn along(table: &BoundaryTable, bands: Option<&BandsTable>) -> Vec<ProfilePo
     points
 }
 
-/// Values of the axis from the first to the last point, with a margin.
+/// Positions on the axis from the first to the last point, with a margin.
 pub fn horizontal_range(points: &[ProfilePoint]) -> (f64, f64) {
     let first = points.first().map_or(0.0, |point| point.x);
     let last = points.last().map_or(1.0, |point| point.x);

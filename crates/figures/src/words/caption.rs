@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use crate::axis_title::column_words;
+use crate::division::Division;
 use crate::figure_error::FigureError;
 use crate::number::label;
 use crate::speed_unit::SpeedUnit;
@@ -26,6 +27,8 @@ pub struct Caption {
     pub searched_to: Option<f64>,
     /// Error that a refined map was asked for, if any.
     pub map_error: Option<f64>,
+    /// Axes with logarithmic scales.
+    pub logarithmic: Vec<String>,
     /// Unit of the speeds of the picture.
     pub speed_unit: SpeedUnit,
     /// True if the vehicle's feet are like the report's: three, at azimuths of 0, 120 and 240 deg about the CG.
@@ -95,9 +98,18 @@ impl Caption {
             statement: text(&record["statement"]),
             searched_to,
             map_error: input["map"][format!("error{}", speed_unit.ending())].as_f64(),
+            logarithmic: logarithmic(&input["axes"]),
             speed_unit,
             has_report_feet: has_report_feet(&input["vehicle"]),
         })
+    }
+
+    /// Division of the scale of an axis.
+    pub fn division(&self, axis: &str) -> Division {
+        match self.logarithmic.iter().any(|known| known == axis) {
+            true => Division::Decades,
+            false => Division::Linear,
+        }
     }
 
     /// Words for points without a transition.
@@ -130,6 +142,30 @@ fn listed(words: &[String]) -> String {
         [word] => word.clone(),
         [others @ .., last] => format!("{} and {last}", others.join(", ")),
     }
+}
+
+/// The axes of a record whose spacing or distribution is logarithmic, or whose values have one ratio: records list the
+/// values of short axes.
+fn logarithmic(axes: &Value) -> Vec<String> {
+    let is_logarithmic = |axis: &Value| match axis.as_array() {
+        Some(values) => has_one_ratio(values),
+        None => axis["spacing"] == "log" || axis["log-uniform"].is_object(),
+    };
+    let axes = axes.as_object().into_iter().flatten();
+    axes.filter(|(_, axis)| is_logarithmic(axis))
+        .map(|(name, _)| name.clone())
+        .collect()
+}
+
+/// Returns whether at least three values are greater than zero and each is the same multiple of the one before.
+fn has_one_ratio(values: &[Value]) -> bool {
+    let places: Option<Vec<f64>> = values
+        .iter()
+        .map(|value| value.as_f64().filter(|value| *value > 0.0).map(f64::ln))
+        .collect();
+    let places = places.unwrap_or_default();
+    let steps: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.len() > 1 && steps[0] != 0.0 && steps.iter().all(|step| (step - steps[0]).abs() < 1e-9)
 }
 
 fn has_report_feet(vehicle: &Value) -> bool {
@@ -227,6 +263,23 @@ mod tests {
         assert!(!has_report_feet(&[0.0, 120.0, 240.0], -0.1));
         assert!(!has_report_feet(&[0.0, 90.0, 180.0, 270.0], 0.0));
         assert!(!has_report_feet(&[60.0, 180.0, 300.0], 0.0));
+    }
+
+    #[test]
+    fn axes_with_one_ratio_are_logarithmic() {
+        let record = json!({"input": {"axes": {
+            "friction": [0.1, 0.316227766017, 1.0, 3.16227766017], "slope_deg": [5, 10, 15], "roll_deg": [1, 10],
+            "pitch_deg": [1, 1, 1], "vehicle": ["a", "b", "c"], "vehicle.mass_slug": [0, 0, 0],
+            "cross_slope_deg": {"from": 1, "to": 100, "count": 2000, "spacing": "log"},
+            "block_friction": {"log-uniform": {"from": 0.1, "to": 10}}, "yaw_deg": {"uniform": {"from": 1, "to": 10}}}}});
+        let mut caption = Caption::from_record(&record.to_string(), SpeedUnit::default()).unwrap();
+        caption.logarithmic.sort();
+        assert_eq!(
+            caption.logarithmic,
+            ["block_friction", "cross_slope_deg", "friction"]
+        );
+        assert_eq!(caption.division("friction"), Division::Decades);
+        assert_eq!(caption.division("slope_deg"), Division::Linear);
     }
 
     #[test]

@@ -1,8 +1,7 @@
 //! An axis of a chart: evenly divided, or by powers.
 
+use crate::division::Division;
 use crate::frame::Scale;
-use crate::number::label;
-use crate::ticks::round_values;
 
 /// Extent given to a curve of two equal values.
 const LEAST_EXTENT: f64 = 1e-9;
@@ -15,16 +14,6 @@ pub struct Axis {
     /// Quantity and unit.
     pub title: String,
     division: Division,
-}
-
-/// Division of an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Division {
-    Linear,
-    /// By powers of ten, from one to another.
-    Decades,
-    /// By powers of two.
-    Doublings,
 }
 
 impl Axis {
@@ -52,23 +41,7 @@ impl Axis {
 
     /// Position of a value along the axis.
     pub(super) fn place(&self, value: f64) -> f64 {
-        match self.division {
-            Division::Linear => value,
-            Division::Decades => value.log10(),
-            Division::Doublings => value.log2(),
-        }
-    }
-
-    /// Label at a position.
-    fn label(&self, place: f64) -> String {
-        let power = place.round();
-        match self.division {
-            Division::Linear => label(place),
-            _ if (place - power).abs() > 1e-6 => String::new(),
-            Division::Doublings => label(power.exp2()),
-            Division::Decades if (-4.0..6.0).contains(&power) => label(10f64.powf(power)),
-            Division::Decades => format!("1e{}", label(power)),
-        }
+        self.division.place(value)
     }
 
     /// Ends of the axis around its values.
@@ -95,16 +68,10 @@ impl Axis {
     /// The axis around its values, with or without a title.
     pub(super) fn scale(&self, values: impl Iterator<Item = f64>, is_titled: bool) -> Scale {
         let (from, to) = self.extent(values);
-        let places = match self.division {
-            Division::Linear => round_values(from, to, 7),
-            Division::Decades | Division::Doublings => {
-                // Powers, or only every second and so on if there are many.
-                let mut powers = round_values(from, to, 12);
-                powers.retain(|power| power.fract() == 0.0);
-                powers
-            }
+        let count = match self.division {
+            Division::Linear => 7,
+            Division::Decades | Division::Doublings => 12,
         };
-        let ticks = places.into_iter().map(|place| (place, self.label(place)));
         Scale {
             title: if is_titled {
                 self.title.clone()
@@ -112,7 +79,7 @@ impl Axis {
                 String::new()
             },
             ends: (from, to),
-            ticks: ticks.collect(),
+            ticks: self.division.ticks(&self.title, from, to, count),
         }
     }
 }
@@ -130,13 +97,9 @@ mod tests {
     }
 
     #[test]
-    fn doublings_are_numbered_by_powers_of_two() {
+    fn an_axis_of_doublings_has_room_beyond_its_values() {
         let axis = Axis::doublings("time, ms");
         let (low, high) = axis.extent([3.0, 12.0].into_iter());
         assert!(low < 1.0 && high > 4.0 && high < 5.0);
-        assert_eq!(
-            (axis.label(3.0), axis.label(2.5)),
-            ("8".into(), String::new())
-        );
     }
 }

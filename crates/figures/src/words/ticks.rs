@@ -1,6 +1,6 @@
 //! The values at which an axis is numbered: few, whatever the axis spans.
 
-/// Azimuths are numbered every eighth of a turn, deg.
+/// Azimuths are numbered every eighth of a turn, deg, or every quarter or half where there is less room.
 const EIGHTH: f64 = 45.0;
 /// Most ticks of an axis.
 const MOST: usize = 60;
@@ -21,7 +21,13 @@ pub fn round_values(from: f64, to: f64, count: usize) -> Vec<f64> {
 /// Values at which the axis of a condition is numbered between two ends, about `count` of them.
 pub fn of_condition(condition: &str, from: f64, to: f64, count: usize) -> Vec<f64> {
     if condition.ends_with("azimuth_deg") && (4.0..32.0).contains(&((to - from) / EIGHTH)) {
-        return multiples(from, to, EIGHTH);
+        let steps = [EIGHTH, 2.0 * EIGHTH];
+        let fits = |step: &f64| (to - from) / step <= count as f64;
+        return multiples(
+            from,
+            to,
+            steps.into_iter().find(fits).unwrap_or(4.0 * EIGHTH),
+        );
     }
     round_values(from, to, count)
 }
@@ -70,6 +76,8 @@ mod tests {
     fn azimuths_go_by_eighths_of_a_turn() {
         let azimuths = of_condition("tip_azimuth_deg", -189.0, 189.0, 13);
         assert_eq!((azimuths[0], azimuths.len()), (-180.0, 9));
+        let few = of_condition("tip_azimuth_deg", -189.0, 189.0, 5);
+        assert_eq!(few, [-180.0, -90.0, 0.0, 90.0, 180.0]);
         let rolls = of_condition("roll_deg", -63.0, 63.0, 13);
         assert_eq!((rolls[0], rolls.len()), (-60.0, 13));
         assert!(of_condition("tip_azimuth_deg", 0.0, 1e9, 13).len() < 20);
