@@ -207,7 +207,7 @@ def test_nan_among_numbers_is_no_gap(lander, scene):
         ({"roll_deg": [0]}, {"search": "all"}, "search = 'all': expected a dictionary"),
         ({"roll_deg": [0]}, {"solver": 3}, "solver = 3: expected a table"),
         ({"roll_deg": [0]}, {"sensitivity": "friction"}, "sensitivity = 'friction': expected a list of names"),
-        ({"roll_deg": [0]}, {"units": None}, "units = None: expected \"US\" or \"SI\""),
+        ({"roll_deg": [0]}, {"units": 3}, "units = 3: expected \"US\" or \"SI\""),
         ({"roll_deg": [0]}, {"name": "a/b"}, "name = 'a/b': expected a name without a folder"),
         ({"roll_deg": [0]}, {"out": 3}, "out = 3: expected a path"),
         ({"roll_deg": [0]}, {"parquet": "yes"}, "parquet = 'yes': expected True or False"),

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import pickle
+import re
 from importlib.metadata import version
+from inspect import signature
+from typing import Literal, get_args, get_origin, get_type_hints
 
 import numpy as np
 import pytest
@@ -154,6 +157,44 @@ def test_boundaries_come_in_si(lander, scene):
     assert pickle.loads(pickle.dumps(told)).units == "SI"
     with pytest.raises(td.InputError, match="US"):
         known.to_frame("metric")
+
+
+def test_units_are_chosen_once(lander, scene):
+    td.use_units("SI")
+    try:
+        assert td.land(lander, scene).units == "SI" and td.land(lander, scene, units="US").units == "US"
+        assert "min_clearance_m" in td.land_many(lander, {"roll_deg": [0]}, scene=scene, progress=False)
+        assert td.boundary(lander, scene, search=SHORT, progress=False).units == "SI"
+        assert td.sweep(lander, scene, {"roll_deg": [0]}, search=SHORT, progress=False).first_transition.units == "m/s"
+        with pytest.raises(td.InputError, match='units = "cgs": expected "US" or "SI"'):
+            td.use_units("cgs")
+        assert td.land(lander, scene).units == "SI"
+    finally:
+        td.use_units("US")
+    assert td.land(lander, scene).units == "US"
+
+
+def words_of(call, name: str) -> str:
+    """The words that an argument takes by its type, as complaints tell them."""
+    [words] = [one for one in [*get_args(get_type_hints(call)[name]), get_type_hints(call)[name]] if get_origin(one) is Literal]
+    return [word for word in get_args(words)]
+
+
+def test_options_are_in_the_signatures(lander, scene):
+    for call in (td.sweep, td.map, td.sample, td.sensitivity):
+        parameters = signature(call).parameters
+        assert {"out", "name", "title", "units", "parquet", "overwrite", "threads", "progress"} <= set(parameters)
+        assert not [one for one in parameters.values() if one.kind is one.VAR_KEYWORD]
+    with pytest.raises(TypeError, match=r"sweep\(\) got an unexpected keyword argument 'thread'"):
+        td.sweep(lander, scene, {"roll_deg": [0]}, thread=1)
+
+
+@pytest.mark.parametrize(("call", "name"), [(td.sweep, "job"), (td.sweep, "units"), (td.sample, "design"), (td.sample, "job")])
+def test_types_name_the_words_of_the_engine(call, name, lander, scene):
+    rest = {"count": 3, "seed": 1} if call is td.sample else {}
+    with pytest.raises(td.InputError) as caught:
+        call(lander, scene, {"roll_deg": {"from": 0, "to": 1}}, **{name: "unknown"}, **rest, progress=False)
+    assert re.findall(r'"([\w-]+)"', caught.value.allowed) == words_of(call, name)
 
 
 def test_the_package_shows_what_is_public():

@@ -15,6 +15,7 @@ from importlib import import_module
 from typing import Any
 
 from touchdown import _engine, vehicles
+from touchdown._units import use_units
 from touchdown.boundaries import Band, Boundary, boundary
 from touchdown.cases import land_many
 from touchdown.errors import EngineError, InputError, LandingWarning
@@ -42,6 +43,7 @@ __all__ = [
     "sample",
     "sensitivity",
     "sweep",
+    "use_units",
     "vehicles",
 ]
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import Field
 from functools import cache
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
 from touchdown import _engine
 from touchdown._arguments import an_instance
 
-#: Units of results that nobody chose: feet, pounds and seconds.
-US = "US"
+Units = Literal["US", "SI"]
+#: Feet, pounds and seconds.
+US: Units = "US"
+_chosen: Units = US
 
 
 def name_in(units: str, name: str) -> str:
@@ -40,11 +42,35 @@ def unit_in(units: str, name: str) -> str:
     return _engine.bare_name_and_unit(name_in(units, name))[1]
 
 
-def checked(units: str) -> str:
-    """These units, if there are such."""
+def use_units(units: Units) -> None:
+    """Choose the units of results of all calls that name none.
+
+    Parameters
+    ----------
+    units : {"US", "SI"}
+        Feet and pounds, as without a choice, or SI. Results of sweep files keep the units of the file.
+
+    Examples
+    --------
+    >>> import touchdown as td
+    >>> td.use_units("SI")
+    >>> scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11, cross_slope_deg=180, slope_deg=15, friction=1.0)
+    >>> td.land(td.vehicles.surveyor(), scene).units
+    'SI'
+    >>> td.use_units("US")
+    """
+    global _chosen
+    _chosen = _known(units)
+
+
+def checked(units: Units | None) -> Units:
+    """These units, if there are such; without, those of `use_units`."""
+    return _chosen if units is None else _known(units)
+
+
+def _known(units: Units) -> Units:
     an_instance("units", units, str, '"US" or "SI"')
-    if units != US:
-        name_in(units, "")
+    name_in(units, "")
     return units
 
 
@@ -66,9 +92,9 @@ class InBothUnits:
     __slots__ = ()
     __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
 
-    units: str
+    units: Units
 
-    def _units_or_own(self, units: str | None) -> str:
+    def _units_or_own(self, units: Units | None) -> Units:
         return self.units if units is None else checked(units)
 
     def __getattr__(self, name: str) -> Any:

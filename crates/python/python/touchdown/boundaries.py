@@ -11,7 +11,7 @@ from touchdown import _engine
 from touchdown._arguments import settings, thread_count
 from touchdown._documents import Document, merged, same_quantity
 from touchdown._html import bands_picture
-from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
+from touchdown._units import US, InBothUnits, Units, checked, in_units, told, unit_in, value_in
 from touchdown._warnings import warn_of_landings
 from touchdown.progress import Watch, watching
 from touchdown.errors import InputError
@@ -61,7 +61,7 @@ class Band(InBothUnits):
     disputed_from_fps: float | None
     disputed_to_fps: float | None
     solver_tolerance: float | None
-    units: str = field(default=US, compare=False)
+    units: Units = field(default=US, compare=False)
 
     def __repr__(self) -> str:
         start, end = (told(name, speed, self.units) for name, speed in [("from_fps", self.from_fps), ("to_fps", self.to_fps)])
@@ -127,9 +127,9 @@ class Boundary(InBothUnits):
     derivative_evaluations: int
     vehicle: Vehicle
     scene: Scene
-    units: str = field(default=US, compare=False)
+    units: Units = field(default=US, compare=False)
 
-    def to_series(self, units: str | None = None) -> pd.Series[Any]:
+    def to_series(self, units: Units | None = None) -> pd.Series[Any]:
         """What is found, without the bands, by name.
 
         Parameters
@@ -141,7 +141,7 @@ class Boundary(InBothUnits):
         found = {name: getattr(self, name) for name in type(self).__dataclass_fields__ if name not in left_out}
         return pd.Series(in_units(found, self._units_or_own(units)), dtype=object)
 
-    def to_frame(self, units: str | None = None) -> pd.DataFrame:
+    def to_frame(self, units: Units | None = None) -> pd.DataFrame:
         """The bands as a table, indexed by their numbers from 1.
 
         Parameters
@@ -149,10 +149,10 @@ class Boundary(InBothUnits):
         units : {"US", "SI"}, optional
             Units of the columns, which are part of their names; without, `units` of the boundary.
         """
-        units = self._units_or_own(units)
+        told_in = self._units_or_own(units)
         names = dict.fromkeys(name for name in Band.__dataclass_fields__ if name != "units")
-        rows = [in_units({name: getattr(band, name) for name in names}, units) for band in self.bands]
-        frame = pd.DataFrame(rows, columns=list(in_units(names, units)))
+        rows = [in_units({name: getattr(band, name) for name in names}, told_in) for band in self.bands]
+        frame = pd.DataFrame(rows, columns=list(in_units(names, told_in)))
         frame.index = pd.RangeIndex(1, len(frame) + 1, name="band")
         return frame
 
@@ -179,7 +179,7 @@ def boundary(
     *,
     search: Document | None = None,
     solver: Document | None = None,
-    units: str = US,
+    units: Units | None = None,
     threads: int | None = None,
     progress: bool | Watch | None = None,
 ) -> Boundary:
@@ -196,8 +196,8 @@ def boundary(
         to 0.001 ft/s.
     solver : mapping, optional
         How landings are computed, with the keys of a table ``[solver]``; the tolerance is that of sweeps, 3e-5, unless given.
-    units : {"US", "SI"}
-        Units in which the boundary and its bands are told and come as tables. They compute and compare alike, and both have the
+    units : {"US", "SI"}, optional
+        Units in which the boundary and its bands are told and come as tables; without, those of `use_units`. They compute and compare alike, and both have the
         names of either as attributes.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.

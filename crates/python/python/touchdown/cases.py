@@ -25,7 +25,7 @@ def land_many(
     *,
     scene: Scene | None = None,
     solver: Document | None = None,
-    units: str = "US",
+    units: Units | None = None,
     out: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
     threads: int | None = None,
@@ -45,8 +45,8 @@ def land_many(
         Conditions of all rows that the table does not give.
     solver : mapping, optional
         How landings are computed, as in `land`, with the same tolerance, 1e-6, unless given.
-    units : {"US", "SI"}
-        Units of the results, which are part of the names of the columns.
+    units : {"US", "SI"}, optional
+        Units of the results, which are part of the names of the columns; without, those of `use_units`.
     out : path, optional
         CSV file for the results too. What is finished is in a journal beside it at once: after an interruption the same call goes on.
     overwrite : bool

@@ -14,7 +14,7 @@ from touchdown import _engine
 from touchdown._arguments import number, settings
 from touchdown._documents import Document, solver_of
 from touchdown._html import table
-from touchdown._units import US, InBothUnits, checked, in_units, told, unit_in, value_in
+from touchdown._units import US, InBothUnits, Units, checked, in_units, told, unit_in, value_in
 from touchdown._warnings import warn_of_landings
 from touchdown.scene import Scene
 from touchdown.scene import checked as checked_scene
@@ -124,7 +124,7 @@ class Landing(InBothUnits):
     vehicle: Vehicle
     scene: Scene
     _solver: Mapping[str, Any] = field(hash=False)
-    units: str = field(default=US, compare=False)
+    units: Units = field(default=US, compare=False)
 
     @property
     def solver(self) -> Mapping[str, Any]:
@@ -136,7 +136,7 @@ class Landing(InBothUnits):
         """Whether the vehicle neither toppled nor bottomed, but came to rest."""
         return self.outcome_class == "stable"
 
-    def history(self, dt: float = 0.01, units: str | None = None) -> pd.DataFrame:
+    def history(self, dt: float = 0.01, units: Units | None = None) -> pd.DataFrame:
         """Motion, loads, deformations and energies over time, computed anew.
 
         Parameters
@@ -157,7 +157,7 @@ class Landing(InBothUnits):
         arrays = {name: np.frombuffer(values) for name, values in columns}
         return pd.DataFrame(arrays, copy=False).set_index("t_s")
 
-    def to_series(self, units: str | None = None) -> pd.Series[Any]:
+    def to_series(self, units: Units | None = None) -> pd.Series[Any]:
         """The results as a row of `land_many`, whose columns are those of ``touchdown land --cases`` and `outcome_class`.
 
         Parameters
@@ -190,7 +190,7 @@ class Landing(InBothUnits):
         return table(self.vehicle.name, [("outcome", f"{self.outcome} at {self.end_time_s:.6f} s"), ("why", self.why), *shown])
 
 
-def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, units: str = US) -> Landing:
+def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, units: Units | None = None) -> Landing:
     """Compute one landing.
 
     Parameters
@@ -202,8 +202,8 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
     solver : mapping, optional
         How it is computed, with the keys of a table ``[solver]``, such as ``{"tolerance": 1e-8, "crush_rule": "section"}``.
         The tolerance is 1e-6 unless given.
-    units : {"US", "SI"}
-        Units in which the landing is told and comes as a table. Landings compute and compare alike, and have the names of either as
+    units : {"US", "SI"}, optional
+        Units in which the landing is told and comes as a table; without, those of `use_units`. Landings compute and compare alike, and have the names of either as
         attributes.
 
     Returns

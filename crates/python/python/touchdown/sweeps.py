@@ -5,10 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, Literal, NamedTuple
 
 import pandas as pd
 import xarray as xr
@@ -16,7 +15,7 @@ import xarray as xr
 from touchdown import _engine
 from touchdown._arguments import a_dictionary, a_flag, a_path, an_instance, names, settings, thread_count
 from touchdown._documents import Document, merged
-from touchdown._units import checked
+from touchdown._units import Units, checked
 from touchdown._warnings import warn_of_journal, warn_of_landings
 from touchdown.boundaries import HORIZONTAL, SEARCH, axis_of_one_point
 from touchdown.errors import InputError
@@ -27,6 +26,8 @@ from touchdown.scene import checked as checked_scene
 from touchdown.vehicle import Vehicle, engine_of, written
 
 Axes = Mapping[str, Any]
+Job = Literal["boundary", "outcome"]
+Design = Literal["monte-carlo", "latin-hypercube", "sobol"]
 
 
 def sweep(
@@ -37,8 +38,15 @@ def sweep(
     search: Document | None = None,
     solver: Document | None = None,
     sensitivity: Sequence[str] = (),
-    job: str = "boundary",
-    **options: Any,
+    job: Job = "boundary",
+    out: str | os.PathLike[str] | None = None,
+    name: str = "sweep",
+    title: str | None = None,
+    units: Units | None = None,
+    parquet: bool = False,
+    overwrite: bool = False,
+    threads: int | None = None,
+    progress: bool | Watch | None = None,
 ) -> xr.Dataset:
     """Search the transition velocity, or compute one landing, at every point of a grid.
 
@@ -62,8 +70,23 @@ def sweep(
         Parameters whose effect on the transition velocity is computed at every point.
     job : {"boundary", "outcome"}
         Whether to search, or to compute a landing at every point.
-    **options
-        Options of `Run`.
+    out : path, optional
+        Folder for the files of the results, and for a journal while they are computed: after an interruption the same call goes on.
+        Without, nothing is kept.
+    name : str
+        What files are named after.
+    title : str, optional
+        Title of the record; without, `name`.
+    units : {"US", "SI"}, optional
+        Units of the results; without, those of `use_units`.
+    parquet : bool
+        Whether to write tables as Parquet too.
+    overwrite : bool
+        Whether to replace results of other input, and files that are no results. Results of the same input are given back.
+    threads : int, optional
+        Threads; all cores without. Results do not depend on it.
+    progress : bool or callable, optional
+        Whether to show a bar; a callable is told the points done, the points wanted, and the landings so far.
 
     Returns
     -------
@@ -81,11 +104,11 @@ def sweep(
     >>> ds.first_transition.round(3).values.tolist(), ds.first_transition.units
     ([11.4, 11.274], 'ft/s')
     """
-    run = Run(**options)
     asked: dict[str, Any] = {"job": job, "solver": solver, "search": _search(search, job)}
     if parameters := names("sensitivity", sensitivity):
         asked["sensitivity"] = {"parameters": parameters}
-    return run.of(vehicle, scene, axes, asked)
+    options = _Options(out, name, title, units, parquet, overwrite, threads, progress)
+    return _computed(vehicle, scene, axes, asked, options)
 
 
 def map(  # noqa: A001
@@ -102,7 +125,14 @@ def map(  # noqa: A001
     grid_steps: int | None = None,
     search: Document | None = None,
     solver: Document | None = None,
-    **options: Any,
+    out: str | os.PathLike[str] | None = None,
+    name: str = "sweep",
+    title: str | None = None,
+    units: Units | None = None,
+    parquet: bool = False,
+    overwrite: bool = False,
+    threads: int | None = None,
+    progress: bool | Watch | None = None,
 ) -> xr.Dataset:
     """Map the transition velocity over one axis or two; the program refines where it curves, jumps or ends.
 
@@ -126,8 +156,8 @@ def map(  # noqa: A001
         Steps of the regular grid along each side of a first-level cell; default 8. Not over one axis.
     search, solver : mapping, optional
         As in `sweep`.
-    **options
-        Options of `Run`.
+    out, name, title, units, parquet, overwrite, threads, progress
+        As in `sweep`.
 
     Returns
     -------
@@ -146,7 +176,8 @@ def map(  # noqa: A001
     }
     given = {name: value for name, value in rules.items() if value is not None}
     asked = {"map": given, "solver": solver, "search": _search(search, "boundary")}
-    return Run(**options).of(vehicle, scene, axes, asked)
+    options = _Options(out, name, title, units, parquet, overwrite, threads, progress)
+    return _computed(vehicle, scene, axes, asked, options)
 
 
 def sample(
@@ -156,13 +187,20 @@ def sample(
     count: int,
     seed: int,
     *,
-    design: str = "monte-carlo",
-    job: str = "outcome",
+    design: Design = "monte-carlo",
+    job: Job = "outcome",
     covariance: Sequence[Document] = (),
     stop_at_interval_width: float | None = None,
     search: Document | None = None,
     solver: Document | None = None,
-    **options: Any,
+    out: str | os.PathLike[str] | None = None,
+    name: str = "sweep",
+    title: str | None = None,
+    units: Units | None = None,
+    parquet: bool = False,
+    overwrite: bool = False,
+    threads: int | None = None,
+    progress: bool | Watch | None = None,
 ) -> xr.Dataset:
     """Draw touchdowns at random: probabilities of single landings, or the distribution of the transition velocity.
 
@@ -189,8 +227,8 @@ def sample(
         Of landings: stop when the 95 % intervals of the probabilities are no wider.
     search, solver : mapping, optional
         As in `sweep`.
-    **options
-        Options of `Run`.
+    out, name, title, units, parquet, overwrite, threads, progress
+        As in `sweep`.
 
     Returns
     -------
@@ -205,7 +243,8 @@ def sample(
     if blocks := list(an_instance("covariance", covariance, Sequence, allowed)):
         rules["covariance"] = [an_instance("covariance", block, Mapping, allowed) for block in blocks]
     asked = {"job": job, "sample": rules, "solver": solver, "search": _search(search, job)}
-    return Run(**options).of(vehicle, scene, axes, asked)
+    options = _Options(out, name, title, units, parquet, overwrite, threads, progress)
+    return _computed(vehicle, scene, axes, asked, options)
 
 
 def sensitivity(
@@ -215,7 +254,14 @@ def sensitivity(
     *,
     search: Document | None = None,
     solver: Document | None = None,
-    **options: Any,
+    out: str | os.PathLike[str] | None = None,
+    name: str = "sweep",
+    title: str | None = None,
+    units: Units | None = None,
+    parquet: bool = False,
+    overwrite: bool = False,
+    threads: int | None = None,
+    progress: bool | Watch | None = None,
 ) -> pd.DataFrame:
     """How the transition velocity at one touchdown changes with parameters of scene and vehicle.
 
@@ -229,8 +275,8 @@ def sensitivity(
         Dotted names, as those of axes.
     search, solver : mapping, optional
         As in `sweep`.
-    **options
-        Options of `Run`.
+    out, name, title, units, parquet, overwrite, threads, progress
+        As in `sweep`.
 
     Returns
     -------
@@ -243,7 +289,9 @@ def sensitivity(
     known = names("parameters", parameters)
     if not known:
         raise InputError.of_value("parameters", parameters, "at least one name of a parameter")
-    found = sweep(vehicle, scene, axes, search=search, solver=solver, sensitivity=known, **options)
+    asked = {"job": "boundary", "solver": solver, "search": _search(search, "boundary"), "sensitivity": {"parameters": known}}
+    options = _Options(out, name, title, units, parquet, overwrite, threads, progress)
+    found = _computed(vehicle, scene, axes, asked, options)
     of_parameters = [name for name in found.data_vars if str(name).startswith("sensitivity_")]
     table = found[of_parameters].squeeze(list(axes), drop=True).to_dataframe()
     return table.rename(columns={name: found[name].attrs["column"] for name in of_parameters})
@@ -255,7 +303,7 @@ def run(
     *,
     vehicle: Vehicle | None = None,
     set: Mapping[str, float | str] | None = None,  # noqa: A002
-    units: str | None = None,
+    units: Units | None = None,
     parquet: bool = False,
     overwrite: bool = False,
     threads: int | None = None,
@@ -297,64 +345,40 @@ def run(
     return _results(folder, engine)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Run:
-    """Options of calls that compute many points.
+class _Options(NamedTuple):
+    """Options of calls that compute many points, as `sweep` describes them."""
 
-    Attributes
-    ----------
-    out : path, optional
-        Folder for the files of the results, and for a journal while they are computed: after an interruption the same call goes on.
-        Without, nothing is kept.
-    name : str
-        What files are named after.
-    title : str
-        Title of the record.
-    units : {"US", "SI"}
-        Units of the results.
-    parquet : bool
-        Whether to write tables as Parquet too.
-    overwrite : bool
-        Whether to replace results of other input, and files that are no results. Results of the same input are given back.
-    threads : int, optional
-        Threads; all cores without. Results do not depend on it.
-    progress : bool or callable, optional
-        Whether to show a bar; a callable is told the points done, the points wanted, and the landings so far.
-    """
+    out: str | os.PathLike[str] | None
+    name: str
+    title: str | None
+    units: Units | None
+    parquet: bool
+    overwrite: bool
+    threads: int | None
+    progress: bool | Watch | None
 
-    out: str | os.PathLike[str] | None = None
-    name: str = "sweep"
-    title: str | None = None
-    units: str = "US"
-    parquet: bool = False
-    overwrite: bool = False
-    threads: int | None = None
-    progress: bool | Watch | None = None
 
-    def __post_init__(self) -> None:
-        allowed = "a name without a folder"
-        if not an_instance("name", self.name, str, allowed) or Path(self.name).name != self.name:
-            raise InputError.of_value("name", self.name, allowed)
-        checked(self.units)
-
-    def of(self, vehicle: Vehicle, scene: Scene, axes: Axes, asked: Mapping[str, Any]) -> xr.Dataset:
-        """Run a sweep that asks for these tables."""
-        allowed = "a dictionary with the values of at least one parameter"
-        if not (axes := a_dictionary("axes", axes, allowed)):
-            raise InputError.of_value("axes", axes, allowed)
-        searched = {HORIZONTAL} if asked.get("job", "boundary") == "boundary" else set()
-        document = {
-            "title": self.title or self.name,
-            "vehicle": "vehicle.toml",
-            "units": self.units,
-            "scene": checked_scene(scene).without({*axes, *searched}),
-            "axes": axes,
-        }
-        document |= {name: value for name, value in asked.items() if value is not None}
-        engine = _engine.Sweep(self.name, _engine.toml(document), engine_of(vehicle), _files(axes))
-        with _folder(self.out) as folder:
-            _run(engine, folder, self.parquet, self.overwrite, self.threads, self.progress)
-            return _results(folder, engine)
+def _computed(vehicle: Vehicle, scene: Scene, axes: Axes, asked: Mapping[str, Any], options: _Options) -> xr.Dataset:
+    """The results of a sweep that asks for these tables."""
+    name, allowed = options.name, "a name without a folder"
+    if not an_instance("name", name, str, allowed) or Path(name).name != name:
+        raise InputError.of_value("name", name, allowed)
+    allowed = "a dictionary with the values of at least one parameter"
+    if not (axes := a_dictionary("axes", axes, allowed)):
+        raise InputError.of_value("axes", axes, allowed)
+    searched = {HORIZONTAL} if asked.get("job", "boundary") == "boundary" else set()
+    document = {
+        "title": options.title or name,
+        "vehicle": "vehicle.toml",
+        "units": checked(options.units),
+        "scene": checked_scene(scene).without({*axes, *searched}),
+        "axes": axes,
+    }
+    document |= {key: value for key, value in asked.items() if value is not None}
+    engine = _engine.Sweep(name, _engine.toml(document), engine_of(vehicle), _files(axes))
+    with _folder(options.out) as folder:
+        _run(engine, folder, options.parquet, options.overwrite, options.threads, options.progress)
+        return _results(folder, engine)
 
 
 def _run(
