@@ -91,19 +91,6 @@ impl Vehicle {
     fn resolved(&self) -> String {
         resolved_input::vehicle(&self.file.document).to_string()
     }
-
-    /// Its TOML text with values of parameters replaced; names start with `vehicle.`.
-    fn replaced(&self, values: Vec<(String, String)>) -> Result<String, Failure> {
-        guarded(|| {
-            let set = values
-                .iter()
-                .map(|(name, text)| Assignment::new(name, text));
-            let set: Vec<Assignment> = set.collect::<Result<_, _>>()?;
-            assignment::check_once(&set)?;
-            let file = assignment::set_vehicle(&self.file, &set)?;
-            Ok::<_, InputError>(toml_text::text(file.document.root()))
-        })
-    }
 }
 
 /// Conditions of a touchdown.
@@ -144,6 +131,17 @@ impl Solver {
 pub fn own_vehicle(name: &str) -> Option<&'static str> {
     let mut own = OWN_VEHICLES.iter();
     own.find_map(|(known, text)| (*known == name).then_some(*text))
+}
+
+/// The TOML text of a vehicle with values of parameters replaced; names start with `vehicle.`. Not yet checked.
+#[pyfunction]
+pub fn replaced(text: &str, values: Vec<(String, String)>) -> Result<String, Failure> {
+    guarded(|| {
+        let set = (values.iter()).map(|(name, text)| Assignment::new(name, text));
+        let set: Vec<Assignment> = set.collect::<Result<_, _>>()?;
+        let document = assignment::vehicle_document(document(text)?, &set)?;
+        Ok::<_, InputError>(toml_text::text(document.root()))
+    })
 }
 
 /// Writes a dictionary as TOML text.

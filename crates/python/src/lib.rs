@@ -28,7 +28,8 @@ mod _engine {
     use crate::cases::land_many;
     #[pymodule_export]
     use crate::documents::{
-        Scene, Solver, Vehicle, bare_name_and_unit, in_units, own_vehicle, program_name, toml,
+        Scene, Solver, Vehicle, bare_name_and_unit, in_units, own_vehicle, program_name, replaced,
+        toml,
     };
     #[pymodule_export]
     use crate::fault::fault;

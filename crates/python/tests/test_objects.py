@@ -31,6 +31,34 @@ def test_numbers_are_replaced_under_any_spelling(lander):
     assert lander.replace({"strut.preload_lb": lander.to_dict()["strut"]["preload_lb"]}) == lander
 
 
+def test_lists_and_words_are_replaced(lander):
+    four = td.vehicles.four_legs()
+    profile = {"footpad.profile.interference_mm": np.array([0, 10, 20]), "vehicle.footpad.profile.relative_pressure": [0, 1, 1]}
+    other = four.replace(profile | {"name": "Other", "mass_kg": 500})
+    assert other.to_dict()["footpad"]["profile"] == {"interference_mm": [0, 10, 20], "relative_pressure": [0, 1, 1]}
+    assert other.name == "Other" and other != four
+    assert lander.replace({"rules": "physical"}).to_dict()["rules"] == "physical"
+    own = four.replace({"legs[2].footpad": four.to_dict()["footpad"], "legs[2].footpad.diameter_m": 0.4})
+    assert own.to_dict()["legs"][1]["footpad"]["diameter_ft"] == pytest.approx(0.4 / 0.3048)
+    for change, said in [
+        ({"rules": "lunar"}, 'rules = "lunar": expected "1966" or "physical"'),
+        ({"footpad.profile.relative_pressure": [0, 1]}, "footpad.profile.relative_pressure = [0, 1]: 2 numbers: expected as many"),
+        ({"name.short": "A"}, "name = 'Surveyor, Table 4-1': expected a table"),
+        ({"legs[7].strut.preload_lb": 1}, "vehicle.legs[7].strut.preload_lb: the vehicle has 3 legs"),
+    ]:
+        with pytest.raises(td.InputError, match=re.escape(said)):
+            (four if "footpad" in next(iter(change)) else lander).replace(change)
+
+
+def test_parts_of_thrust_and_footing_are_replaced(scene):
+    pushed = scene.replace(thrust={"time_s": [0, 1], "force_lb": [100, 0]})
+    assert pushed.replace({"thrust.scale": 2}).thrust == pushed.thrust | {"scale": 2}
+    assert "scale" not in pushed.thrust
+    rough = scene.replace({"footing[2].height_m": 0.1})
+    assert rough.footing == [{}, {"height_m": 0.1}]
+    assert rough.replace({"footing[2].height_ft": 0.5}).footing == [{}, {"height_ft": 0.5}]
+
+
 def test_units_make_no_other_scene():
     feet = td.Scene(vertical_velocity_fps=10, slope_deg=15, friction=1)
     metres = td.Scene(slope_deg=15.0, friction=1.0, vertical_velocity_mps=3.048)

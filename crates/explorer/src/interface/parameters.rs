@@ -159,7 +159,7 @@ fn of_vehicle(touchdown: &Touchdown, parameter: &Parameter) -> Option<f64> {
     // A scale defaults to 1 even for a table that this vehicle lacks, but cannot be set there.
     if parameter.program_name().ends_with(".scale") {
         let same = Assignment::new(parameter.program_name(), &value.to_string()).ok()?;
-        let document = assignment::vehicle_document(file, &[same]).ok()?;
+        let document = assignment::vehicle_document(file.document.clone(), &[same]).ok()?;
         VehicleFile::from_document(document).ok()?;
     }
     Some(value)

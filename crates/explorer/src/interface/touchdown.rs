@@ -204,7 +204,7 @@ fn vehicle(
             &allowed,
         ));
     }
-    let document = assignment::vehicle_document(file, set)?;
+    let document = assignment::vehicle_document(file.document.clone(), set)?;
     VehicleFile::from_document(document)
         .map_err(|error| under_names(error.nowhere(), "vehicle.", set))
 }

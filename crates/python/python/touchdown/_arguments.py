@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -36,6 +37,15 @@ def a_path(name: str, value: Any) -> str:
     """The path of a file or a folder."""
     path: str = os.fspath(an_instance(name, value, (str, os.PathLike), "a path"))
     return path
+
+
+def text_of(path: str) -> str:
+    """The text of a file."""
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        allowed = "text in UTF-8"
+        raise InputError(f"{path}: expected {allowed}", allowed=allowed) from None
 
 
 def a_flag(name: str, value: Any) -> bool:

@@ -7,6 +7,7 @@ from functools import cache
 from typing import Any
 
 from touchdown import _engine
+from touchdown._arguments import an_instance
 
 Document = Mapping[str, Any]
 
@@ -43,3 +44,21 @@ def merged(defaults: Document, given: Mapping[str, Any], prefix: str = "") -> di
     said = {same_quantity(prefix + name) for name in given}
     kept = {name: value for name, value in defaults.items() if same_quantity(prefix + name) not in said}
     return kept | dict(given)
+
+
+def put(table: dict[str, Any], name: str, value: Any) -> None:
+    """Write a value under a dotted name, such as ``legs[2].strut.kind``, in place of what is there in any unit."""
+    step, _, rest = name.partition(".")
+    key, _, number = step.partition("[")
+    if not rest:
+        bare = _engine.bare_name_and_unit(key)[0]
+        for other in [other for other in table if _engine.bare_name_and_unit(other)[0] == bare]:
+            del table[other]
+        table[key] = value
+        return
+    below = table.setdefault(key, [] if number else {})
+    if number and isinstance(below, list) and (entry := number.removesuffix("]")).isdecimal():
+        below.extend({} for _ in range(len(below), int(entry)))
+        below = below[int(entry) - 1]
+    an_instance(step, below, dict, "a table")
+    put(below, rest, value)

@@ -11,7 +11,7 @@ from typing import Any
 
 from touchdown import _engine
 from touchdown._arguments import an_instance, settings
-from touchdown._documents import NeverChanges, merged, same_quantity
+from touchdown._documents import NeverChanges, merged, put, same_quantity
 from touchdown._html import table
 
 # Giving one form of the attitude replaces the other.
@@ -81,8 +81,8 @@ class Scene(NeverChanges):
         Parameters
         ----------
         conditions : mapping, optional
-            Values by their keys, in any of their units. One key of the other form of the attitude replaces the whole
-            attitude.
+            Values by their keys, in any of their units, also dotted: ``thrust.scale``, ``footing[1].height_m``. One key of the other
+            form of the attitude replaces the whole attitude.
         **named
             The same as keywords.
         """
@@ -91,8 +91,12 @@ class Scene(NeverChanges):
         replaced = (_TIP if names & _EULER else set()) | (_EULER if names & _TIP else set())
         if "gravity" in new or "gravity_fps2" in names:
             replaced |= {"gravity", "gravity_fps2"}
-        kept = {name: value for name, value in self._given.items() if same_quantity(name) not in replaced}
-        return Scene(**merged(kept, new))
+        kept = {name: value for name, value in self.to_dict().items() if same_quantity(name) not in replaced}
+        changed = merged(kept, {name: value for name, value in new.items() if "." not in name})
+        for name, value in new.items():
+            if "." in name:
+                put(changed, name, value)
+        return Scene(**changed)
 
     def without(self, names: set[str]) -> dict[str, Any]:
         """The conditions without some, those of thrust and footing included, whatever units either are in."""

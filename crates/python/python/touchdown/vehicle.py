@@ -7,12 +7,11 @@ import os
 import tomllib
 from collections.abc import Iterable, Mapping
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 from touchdown import _engine
-from touchdown._arguments import a_dictionary, a_path, an_instance, number
-from touchdown._documents import NeverChanges, same_quantity
+from touchdown._arguments import a_dictionary, a_path, an_instance, number, text_of
+from touchdown._documents import NeverChanges, put, same_quantity
 from touchdown._html import table
 from touchdown.errors import InputError
 
@@ -62,7 +61,7 @@ class Vehicle(NeverChanges):
         """
         vehicle = cls.__new__(cls)
         name = a_path("path", path)
-        vehicle._set(Path(name).read_text(encoding="utf-8"), name)
+        vehicle._set(text_of(name), name)
         return vehicle
 
     @classmethod
@@ -85,14 +84,15 @@ class Vehicle(NeverChanges):
         """The text of a vehicle file, comments included where there were any."""
         return self._text
 
-    def replace(self, numbers: Mapping[str, float]) -> Vehicle:
-        """The same vehicle with other numbers.
+    def replace(self, numbers: Mapping[str, Any]) -> Vehicle:
+        """The same vehicle with other numbers, lists and words.
 
         Parameters
         ----------
         numbers : mapping
             Values by dotted names, as axes of sweeps have them, with or without ``vehicle.`` before them: ``strut.preload_lb`` of all
-            legs, ``legs[2].strut.preload_n`` of one, ``footpad.profile.scale`` of a whole table.
+            legs, ``legs[2].strut.preload_n`` of one, ``footpad.profile.scale`` of a whole table. Or any other key of a vehicle file:
+            ``name``, ``rules``, ``footpad.profile.relative_pressure``, a whole ``block``.
 
         Examples
         --------
@@ -102,8 +102,15 @@ class Vehicle(NeverChanges):
         150
         """
         given = a_dictionary("numbers", numbers)
-        named = [(name if name.startswith("vehicle.") else f"vehicle.{name}", value) for name, value in given.items()]
-        return type(self)(self._engine.replaced(written(named)))
+        parameters, document = [], self.to_dict()
+        for key, value in given.items():
+            name = key.removeprefix("vehicle.")
+            if _engine.program_name(f"vehicle.{name}"):
+                parameters.append((f"vehicle.{name}", value))
+            else:
+                put(document, name, value)
+        text = self._text if len(parameters) == len(given) else _engine.toml(document)
+        return type(self)(_engine.replaced(text, written(parameters)))
 
     @property
     def name(self) -> str:

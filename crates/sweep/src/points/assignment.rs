@@ -110,12 +110,14 @@ pub fn set_conditions(conditions: &mut NamedConditions, set: &[Assignment]) {
     }
 }
 
-/// The document of a vehicle with set values in place of those in its file, not yet read.
+/// The document of a vehicle with set values in place of its own, not yet read.
 ///
 /// # Errors
 /// If the vehicle has no such leg.
-pub fn vehicle_document(file: &VehicleFile, set: &[Assignment]) -> Result<Document, InputError> {
-    let mut document = file.document.clone();
+pub fn vehicle_document(
+    mut document: Document,
+    set: &[Assignment],
+) -> Result<Document, InputError> {
     let of_vehicle = (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
     for one in of_vehicle {
         vehicle_file::write(
@@ -123,8 +125,7 @@ pub fn vehicle_document(file: &VehicleFile, set: &[Assignment]) -> Result<Docume
             one.parameter().name(),
             one.path(),
             one.value(),
-        )
-        .map_err(|error| one.refuse(&error.to_string()))?;
+        )?;
     }
     Ok(document)
 }
@@ -134,13 +135,13 @@ pub fn vehicle_document(file: &VehicleFile, set: &[Assignment]) -> Result<Docume
 /// # Errors
 /// If the result is not a valid vehicle.
 pub fn set_vehicle(file: &VehicleFile, set: &[Assignment]) -> Result<VehicleFile, InputError> {
-    let document = vehicle_document(file, set)?;
     let of_vehicle = || (set.iter()).filter(|one| one.parameter.home() == Home::Vehicle);
     let said = || {
         let said = of_vehicle().map(|one| format!("{}={}", one.parameter.name(), one.text));
         said.collect::<Vec<_>>().join(" --set ")
     };
-    VehicleFile::from_document(document)
+    vehicle_document(file.document.clone(), set)
+        .and_then(VehicleFile::from_document)
         .map_err(|error| InputError::other(format!("--set {}: {error}", said())))
 }
 
