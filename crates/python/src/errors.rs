@@ -64,7 +64,10 @@ where
 
 impl From<InputError> for Failure {
     fn from(error: InputError) -> Self {
-        Self::Input(error)
+        match error.is_of_files() {
+            true => Self::Files(error.to_string()),
+            false => Self::Input(error),
+        }
     }
 }
 

@@ -110,7 +110,6 @@ def test_vehicles(lander, tmp_path):
         ({"horizontal_velocity_fps": [[1], 2]}, "row 0: horizontal_velocity_fps = [1]: expected a number or a word"),
         (FAST | {"solver.crush_rule": ["section", "soft"]}, "row 1: solver.crush_rule = soft: expected one of"),
         (FAST | {"vehicle.strut.preload_lb": [180, -1]}, "row 1: at vehicle.strut.preload_lb = -1: strut.preload_lb = -1: expected"),
-        (FAST | {"vehicle": ["", "none.toml"]}, "none.toml: row 1: cannot be read"),
         (FAST | {3: [1, 2]}, "column 3: expected a text as name"),
         (pd.DataFrame([[1.0, 2.0]], columns=["roll_deg", "roll_deg"]), "column roll_deg is there twice: expected once"),
         (FAST | {"roll_deg": 5}, "column roll_deg = 5: expected a list or an array"),
@@ -285,8 +284,26 @@ def test_rows_of_a_table_replace_numbers(lander, scene):
 
 
 def test_files_that_are_no_results(tmp_path):
-    for name, text in [("a.csv", "x,y\n1,2\n"), ("a.txt", ""), ("a.json", "{}")]:
-        (tmp_path / name).write_text(text)
+    files = [("a.csv", b"x,y\n1,2\n"), ("b.csv", b""), ("c.csv", b"\xff\xfe"), ("d.csv", b"x\n1,2\n1,2,3\n"), ("a.txt", b""), ("a.json", b"{}")]
+    for name, content in files:
+        (tmp_path / name).write_bytes(content)
         if name == "a.json":
             (tmp_path / "a.csv").unlink()
         assert "expected" in str(complaint(lambda name=name: td.read(tmp_path / name)))
+def test_files_that_cannot_be_read_or_written(lander, scene, tmp_path):
+    (tmp_path / "file").write_text("")
+    measured = {"roll_deg": {"file": str(tmp_path / "none.csv"), "column": "roll_deg"}}
+    for call in [
+        lambda: td.Vehicle.from_toml(tmp_path),
+        lambda: td.run(tmp_path / "none.toml"),
+        lambda: td.read(tmp_path / "none.csv"),
+        lambda: td.land_many(lander, FAST | {"vehicle": ["", "none.toml"]}, scene=scene, progress=False),
+        lambda: td.land_many(lander, FAST, scene=scene, out=tmp_path / "file/landed.csv", progress=False),
+        lambda: td.sweep(lander, scene, MAPPED, search=SHORT, out=tmp_path / "file", progress=False),
+        lambda: td.sample(lander, scene, measured, 5, 1, progress=False),
+    ]:
+        with pytest.raises(OSError):
+            call()
+    (tmp_path / "words.toml").write_bytes(b"name = '\xff'")
+    error = complaint(lambda: td.Vehicle.from_toml(tmp_path / "words.toml"))
+    assert str(error) == f"{tmp_path / 'words.toml'}: expected text in UTF-8"

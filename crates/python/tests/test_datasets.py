@@ -135,6 +135,11 @@ def test_tables_come_as_numpy_pandas_or_polars_make_them(lander, scene):
     pd.testing.assert_frame_equal(td.land_many(lander, strided, scene=scene, progress=False), expected.reset_index(drop=True))
 
 
+def test_cases_keep_their_names(lander, scene, tmp_path):
+    td.land_many(lander, {"case": ["01", "2"], "roll_deg": [0, 5]}, scene=scene, out=tmp_path / "landed.csv", progress=False)
+    assert td.read(tmp_path / "landed.csv").index.tolist() == ["01", "2"]
+
+
 def test_series_keep_their_index(lander, scene):
     speeds = pd.Series([10.0, 11.0], index=pd.Index(["a", "b"], name="run"))
     landed = td.land_many(lander, {"roll_deg": [0, 5], "horizontal_velocity_fps": speeds, "pitch_deg": 0 * speeds}, scene=scene, progress=False)

@@ -10,7 +10,7 @@ from typing import Any
 import pandas as pd
 import xarray as xr
 
-from touchdown._arguments import a_path
+from touchdown._arguments import a_path, text_of
 from touchdown.datasets import BESIDE, dataset, is_of_points
 from touchdown.errors import InputError
 
@@ -62,7 +62,7 @@ def read(path: str | os.PathLike[str]) -> xr.Dataset | pd.DataFrame:
     return dataset(
         table,
         {end: _table(file) for end, file in beside.items() if file.is_file()},
-        json.loads(record.read_text(encoding="utf-8")) if record.is_file() else None,
+        json.loads(text_of(str(record))) if record.is_file() else None,
     )
 
 
@@ -77,7 +77,11 @@ def _table_of(record: Path) -> Path:
 def _table(path: Path) -> pd.DataFrame:
     match path.suffix:
         case ".csv":
-            table: pd.DataFrame = pd.read_csv(path, keep_default_na=False, na_values=[""], **_EXACT)
+            try:
+                # Names of cases are words, whatever they look like.
+                table: pd.DataFrame = pd.read_csv(path, keep_default_na=False, na_values=[""], dtype={"case": str}, **_EXACT)
+            except (pd.errors.EmptyDataError, pd.errors.ParserError, UnicodeDecodeError):
+                raise InputError(f"{path}: expected {_KINDS}", allowed=_KINDS) from None
             # Numbers are numbers, whether or not they happen to be whole.
             whole = table.select_dtypes("integer").columns.difference(list(_COUNTS))
             return table.astype(dict.fromkeys(whole, float))

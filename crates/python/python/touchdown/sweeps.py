@@ -13,7 +13,7 @@ import pandas as pd
 import xarray as xr
 
 from touchdown import _engine
-from touchdown._arguments import a_dictionary, a_flag, a_path, an_instance, names, settings, thread_count
+from touchdown._arguments import a_dictionary, a_flag, a_path, an_instance, names, settings, text_of, thread_count
 from touchdown._documents import Document, merged
 from touchdown._units import Units, checked
 from touchdown._warnings import warn_of_journal, warn_of_landings
@@ -412,7 +412,7 @@ def _files(axes: Axes) -> dict[str, str]:
     """The texts of tables from which axes take their values."""
     tables = {name: axis for name, axis in axes.items() if isinstance(axis, Mapping) and "file" in axis}
     files = {a_path(f"axes.{name}.file", axis["file"]) for name, axis in tables.items()}
-    return {file: Path(file).read_text(encoding="utf-8") for file in files}
+    return {file: text_of(file) for file in files}
 
 
 @contextmanager

@@ -21,12 +21,7 @@ impl Folder {
     /// # Errors
     /// Names the folder and the obstacle.
     pub fn open(path: &Path) -> Result<Self, InputError> {
-        let refuse = |error: io::Error| {
-            InputError::in_file(
-                path,
-                format!("output folder cannot be written: {error}: expected a writable folder"),
-            )
-        };
+        let refuse = |error: io::Error| InputError::unwritable(path, error);
         fs::create_dir_all(path).map_err(refuse)?;
         let folder = Self {
             path: path.to_owned(),

@@ -63,6 +63,7 @@ pub struct InputError {
     place: Option<Place>,
     complaint: String,
     subject: Option<Box<Subject>>,
+    is_of_files: bool,
 }
 
 /// Subject of an error, for programs.
@@ -105,6 +106,7 @@ impl InputError {
             place: None,
             complaint: complaint.into(),
             subject: None,
+            is_of_files: false,
         }
     }
 
@@ -115,7 +117,25 @@ impl InputError {
 
     /// A file or folder that cannot be read.
     pub fn unreadable(file: &Path, why: impl fmt::Display) -> Self {
-        Self::in_file(file, format!("cannot be read: {why}"))
+        Self {
+            is_of_files: true,
+            ..Self::in_file(file, format!("cannot be read: {why}"))
+        }
+    }
+
+    /// A folder in which no file can be written.
+    pub fn unwritable(folder: &Path, why: impl fmt::Display) -> Self {
+        let complaint =
+            format!("output folder cannot be written: {why}: expected a writable folder");
+        Self {
+            is_of_files: true,
+            ..Self::in_file(folder, complaint)
+        }
+    }
+
+    /// True if a file or folder cannot be read or written, whatever its content.
+    pub fn is_of_files(&self) -> bool {
+        self.is_of_files
     }
 
     fn about(self, key: &str, value: Option<String>, allowed: &str) -> Self {
