@@ -60,12 +60,17 @@ pub fn land_many<'py>(
     let shared = scene.map_or_else(NamedConditions::default, |scene| *scene.0.conditions());
     let (found, of_journal) = interruptible::run(py, watch, move |work| {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        if cells.is_empty() && out.is_none() {
+            CaseTable::check_heading(&names, &shared)?;
+            let legs = file.vehicle.legs().len();
+            return Ok((Results::new(0, legs, units), Vec::new()));
+        }
         let workers = Workers::start(threads)?;
         let (cells, cancel) = (Box::new(cells), &work.cancel);
         let table = workers
             .within(|| CaseTable::of_cells(&names, cells, &shared, &file, &settings, cancel))?;
         work.more(table.len());
-        let results = Results::new(&table, units);
+        let results = Results::new(table.len(), table.most_legs(), units);
         match out {
             None => Ok((landed(&table, &workers, work, results)?, Vec::new())),
             Some(out) => {
@@ -252,9 +257,7 @@ struct Results {
 }
 
 impl Results {
-    fn new(table: &CaseTable, units: OutputUnits) -> Self {
-        let rows = table.len();
-        let legs = table.most_legs();
+    fn new(rows: usize, legs: usize, units: OutputUnits) -> Self {
         let columns = headings(&landing_table::COLUMNS, legs).map(|heading| {
             let column = Column::missing(heading.kind, rows);
             (units.quantity(&heading.name), column)

@@ -135,6 +135,61 @@ def test_tables_come_as_numpy_pandas_or_polars_make_them(lander, scene):
     pd.testing.assert_frame_equal(td.land_many(lander, strided, scene=scene, progress=False), expected.reset_index(drop=True))
 
 
+def test_single_values_are_those_of_all_rows(lander, scene):
+    table = {"friction": 0.9, "roll_deg": [0, 5], "pitch_deg": np.float64(1), "solver.crush_rule": "section", "note": None}
+    full = {"friction": [0.9, 0.9], "roll_deg": [0, 5], "pitch_deg": [1, 1], "solver.crush_rule": ["section"] * 2}
+    landed = td.land_many(lander, table, scene=scene, progress=False)
+    pd.testing.assert_frame_equal(landed, td.land_many(lander, full, scene=scene, progress=False))
+    assert len(td.land_many(lander, {"roll_deg": 5}, scene=scene, progress=False)) == 1
+
+
+def test_tables_without_rows_have_results_without_rows(lander, scene):
+    table = pd.DataFrame({"roll_deg": [0.0], "note": ["a"]}, index=pd.Index(["b"], name="run"))
+    full = td.land_many(lander, table, scene=scene, progress=False)
+    for none in (table.iloc[:0], {"roll_deg": [], "friction": 0.9}):
+        landed = td.land_many(lander, none, scene=scene, progress=False)
+        assert len(landed) == 0 and landed.dtypes.drop("failure").equals(full.dtypes.drop("failure"))
+    assert td.land_many(lander, table.iloc[:0], scene=scene, progress=False).index.name == "run"
+    with pytest.raises(td.InputError, match="column rol_deg: no such column; did you mean roll_deg"):
+        td.land_many(lander, {"rol_deg": []}, scene=scene, progress=False)
+
+
+def test_a_row_becomes_a_landing(lander, scene, root, tmp_path):
+    scene = scene.replace(gravity="mars", thrust={"time_s": [0, 1], "force_lb": [100, 0]}, footing=[{}, {"height_m": 0.1}])
+    table = pd.DataFrame({
+        "case": ["a", "b", "c"],
+        "roll_deg": pd.array([5, None, 10], dtype="Float64"),
+        "gravity_mps2": [3.7, 1.62, 9.8],
+        "vehicle": [None, str(root / "sweeps/vehicles/surveyor-si.toml"), None],
+        "vehicle.strut.preload_n": [800, 810, 820],
+        "vehicle.legs[2].strut.preload_lb": [200, 190, 180],
+        "thrust.scale": [0, 1, 2],
+        "footing[1].height_m": [0, 0.05, 0.1],
+        "solver.crush_rule": ["section", "pivot-rate", "section"],
+        "solver.tolerance": [1e-6, 1e-7, 1e-6],
+        "solver.rules": [None, "1966", "physical"],
+        "note": "none",
+    })
+    solver = {"tolerance": 1e-5, "time_limit_s": 20}
+    landed = td.land_many(lander, table, scene=scene, solver=solver, progress=False)
+    for number in range(3):
+        landing = td.land_row(lander, table.iloc[number], scene=scene, solver=solver)
+        pd.testing.assert_series_equal(landing.to_series(), landed.iloc[number], check_names=False, check_dtype=False)
+    assert landing.history(0.1).index[-1] == pytest.approx(landing.end_time_s, abs=0.1)
+    assert landing.scene.thrust["scale"] == 2 and landing.solver["crush_rule"] == "section"
+    assert td.land_row(lander, {"roll_deg": 5}, scene=scene, units="SI").units == "SI"
+    with pytest.raises(td.InputError, match="did you mean roll_deg"):
+        td.land_row(lander, {"rol_deg": 5}, scene=scene)
+
+
+def test_a_point_of_a_sample_becomes_a_landing(lander, scene):
+    axes = {"horizontal_velocity_fps": {"mean": 11, "sd": 1}, "friction": {"from": 0.9, "to": 1}}
+    drawn = td.sample(lander, scene, axes, 5, 1, progress=False)
+    point = drawn.isel(point=3)
+    landing = td.land_row(lander, point[list(axes)], scene=scene, solver={"tolerance": 3e-5})
+    assert landing.end_time_s == point.end_time.item()
+
+
 def test_cases_keep_their_names(lander, scene, tmp_path):
     td.land_many(lander, {"case": ["01", "2"], "roll_deg": [0, 5]}, scene=scene, out=tmp_path / "landed.csv", progress=False)
     assert td.read(tmp_path / "landed.csv").index.tolist() == ["01", "2"]

@@ -17,7 +17,7 @@ from typing import Any
 from touchdown import _engine, vehicles
 from touchdown._units import use_units
 from touchdown.boundaries import Band, Boundary, boundary
-from touchdown.cases import land_many
+from touchdown.cases import land_many, land_row
 from touchdown.errors import EngineError, InputError, LandingWarning
 from touchdown.landing import Landing, land
 from touchdown.reading import read
@@ -37,6 +37,7 @@ __all__ = [
     "boundary",
     "land",
     "land_many",
+    "land_row",
     "map",
     "read",
     "run",

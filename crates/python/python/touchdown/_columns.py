@@ -11,8 +11,8 @@ import pandas as pd
 from touchdown.errors import InputError
 
 # Columns that are no numbers even where all that stands in them is.
-_OF_WORDS = ("case", "vehicle", "note")
-_TABLES = "a DataFrame, or a mapping of names to columns of equal length"
+OF_WORDS = ("case", "vehicle", "note")
+_TABLES = "a DataFrame, or a mapping of names to columns of equal length or single values"
 
 
 def columns_of(table: Any) -> dict[str, Any]:
@@ -26,11 +26,21 @@ def columns_of(table: Any) -> dict[str, Any]:
         named = {column.name: column for column in table.get_columns()}
     else:
         raise InputError(f"the table is a {type(table).__name__}: expected {_TABLES}", allowed=_TABLES)
-    columns = {}
+    if not named:
+        raise InputError(f"the table has no columns: expected {_TABLES}", allowed=_TABLES)
+    columns, single = {}, set()
     for name, values in named.items():
         if not isinstance(name, str):
             raise InputError(f"column {name!r}: expected a text as name", repr(name))
-        columns[name] = _column(name, values)
+        array = _array(values)
+        if array.ndim == 0:
+            single.add(name)
+            array = array.reshape(1)
+        columns[name] = _column(name, array)
+    rows = next((len(column) for name, column in columns.items() if name not in single), 1)
+    for name in single:
+        column = columns[name]
+        columns[name] = column * rows if isinstance(column, list) else np.repeat(column, rows)
     lengths = {name: len(column) for name, column in columns.items()}
     for name, length in lengths.items():
         first = next(iter(lengths))
@@ -40,15 +50,12 @@ def columns_of(table: Any) -> dict[str, Any]:
     return columns
 
 
-def _column(name: str, values: Any) -> Any:
+def _column(name: str, array: Any) -> Any:
     """A column as an array of numbers, or as a list of texts where it has words or gaps."""
-    array = _array(values)
-    if array.ndim == 0:
-        raise InputError.of_value(f"column {name}", values, "a list or an array")
     if array.ndim != 1:
         allowed = "one dimension"
         raise InputError(f"column {name} has {array.ndim} dimensions: expected {allowed}", name, str(array.shape), allowed)
-    is_of_words = name in _OF_WORDS
+    is_of_words = name in OF_WORDS
     if array.dtype.kind in "iuf":
         numbers = np.ascontiguousarray(array, dtype=np.float64)
         gaps = np.isnan(numbers)

@@ -93,6 +93,14 @@ const CHECKED_TOGETHER: usize = 1024;
 const NO_ROWS: &str = "has no rows: expected at least one case";
 
 impl CaseTable {
+    /// Checks the heading of a table without rows; `shared` are the default conditions.
+    ///
+    /// # Errors
+    /// Names the first column that is unknown, there twice or missing.
+    pub fn check_heading(heading: &[&str], shared: &NamedConditions) -> Result<(), InputError> {
+        Columns::of(heading, *shared).map(drop)
+    }
+
     /// Checks a whole table with this heading; `shared` are the default conditions of its rows. Rows are checked on the
     /// threads of the caller's pool.
     ///
