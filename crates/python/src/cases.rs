@@ -9,8 +9,10 @@ use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::outcome::{Class, Outcome};
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
-use touchdown_sweep::column::{Kind, cells, headings};
+use touchdown_sweep::column::{cells, headings};
 use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
@@ -259,12 +261,15 @@ struct Results {
 impl Results {
     fn new(rows: usize, legs: usize, units: OutputUnits) -> Self {
         let columns = headings(&landing_table::COLUMNS, legs).map(|heading| {
-            let column = Column::missing(heading.kind, rows);
+            let column = match heading.name.as_str() {
+                "outcome" => Column::of_words(&Outcome::all(MOST_LEGS), rows),
+                _ => Column::missing(heading.kind, rows),
+            };
             (units.quantity(&heading.name), column)
         });
         Self {
             columns: columns.collect(),
-            classes: Column::missing(Kind::Word, rows),
+            classes: Column::of_words(&Class::ALL, rows),
             warnings: BTreeMap::new(),
             legs,
             units,

@@ -28,6 +28,15 @@ impl Column {
         }
     }
 
+    /// A column of words out of these, all missing.
+    pub fn of_words(words: &[impl ToString], rows: usize) -> Self {
+        let mut list = WordList::default();
+        for word in words {
+            list.place(&word.to_string());
+        }
+        Self::Words(vec![-1; rows], list)
+    }
+
     /// Sets the cell of a row.
     pub fn set(&mut self, row: usize, cell: Cell) {
         match (self, cell) {

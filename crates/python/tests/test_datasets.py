@@ -135,6 +135,15 @@ def test_tables_come_as_numpy_pandas_or_polars_make_them(lander, scene):
     pd.testing.assert_frame_equal(td.land_many(lander, strided, scene=scene, progress=False), expected.reset_index(drop=True))
 
 
+def test_outcomes_have_the_same_categories_in_every_call(lander, scene):
+    first = td.land_many(lander, {"roll_deg": [0]}, scene=scene, progress=False)
+    second = td.land_many(td.vehicles.six_legs(), {"roll_deg": [5]}, scene=scene.replace(horizontal_velocity_fps=3), progress=False)
+    assert set(first.outcome_class.cat.categories) == {"stable", "unstable", "bottomed", "undecided", "failure"}
+    assert {"stable-rockback", "unstable-toppled", "time-expired", "bottomed-block-8"} <= set(first.outcome.cat.categories)
+    for name in ("outcome", "outcome_class"):
+        assert first[name].dtype == second[name].dtype == pd.concat([first, second])[name].dtype
+
+
 def test_single_values_are_those_of_all_rows(lander, scene):
     table = {"friction": 0.9, "roll_deg": [0, 5], "pitch_deg": np.float64(1), "solver.crush_rule": "section", "note": None}
     full = {"friction": [0.9, 0.9], "roll_deg": [0, 5], "pitch_deg": [1, 1], "solver.crush_rule": ["section"] * 2}

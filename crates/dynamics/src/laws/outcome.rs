@@ -82,6 +82,30 @@ pub enum Class {
 }
 
 impl Outcome {
+    /// All outcomes of vehicles with up to `legs` legs; of failures, whose word is the same, one.
+    pub fn all(legs: usize) -> Vec<Self> {
+        let of_a_leg = |leg| {
+            [
+                Self::Bottomed { leg },
+                Self::BottomedPad { leg },
+                Self::BottomedBlock { leg },
+            ]
+        };
+        let others = [
+            Self::StableRockback,
+            Self::StableSubsided,
+            Self::StableSteady,
+            Self::UnstablePitch,
+            Self::UnstableYaw,
+            Self::UnstableToppled,
+            Self::Sliding,
+            Self::TimeExpired,
+            Self::Failure(Failure::NonFinite),
+        ];
+        let of_legs = (0..legs).flat_map(of_a_leg);
+        others.into_iter().chain(of_legs).collect()
+    }
+
     /// The class of this outcome.
     pub fn class(&self) -> Class {
         match self {
@@ -173,23 +197,11 @@ impl fmt::Display for Class {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::per_leg::MOST_LEGS;
 
     #[test]
     fn words_of_outcomes_tell_their_classes() {
-        for outcome in [
-            Outcome::StableRockback,
-            Outcome::StableSubsided,
-            Outcome::StableSteady,
-            Outcome::UnstablePitch,
-            Outcome::UnstableYaw,
-            Outcome::UnstableToppled,
-            Outcome::Bottomed { leg: 4 },
-            Outcome::BottomedPad { leg: 0 },
-            Outcome::BottomedBlock { leg: 1 },
-            Outcome::TimeExpired,
-            Outcome::Sliding,
-            Outcome::Failure(Failure::StepLimit),
-        ] {
+        for outcome in Outcome::all(MOST_LEGS) {
             let class = Class::of_outcome(&outcome.to_string());
             assert_eq!(class, Some(outcome.class()), "{outcome}");
         }

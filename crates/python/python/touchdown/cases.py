@@ -64,7 +64,8 @@ def land_many(
     DataFrame
         A row for each row of the table, with its index, or that of all Series in it; columns as those of ``touchdown land --cases``, and after `outcome` its class,
         `outcome_class`: ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"undecided"`` or ``"failure"``. `outcome`, `outcome_class` and
-        `failure` are categorical.
+        `failure` are categorical; the first two have all outcomes of up to eight legs as categories, whichever occur. A table without
+        rows has a result without rows.
 
     Raises
     ------
