@@ -230,6 +230,9 @@ fn node(value: &Bound<PyAny>, path: &str, depth: usize) -> PyResult<Node> {
             return refuse();
         }
         return node(&plain, path, depth + 1);
+    } else if value.hasattr("dtype")? {
+        // Arrays of xarray, Series of polars.
+        return node(&value.call_method0("to_numpy")?, path, depth + 1);
     } else {
         return refuse();
     };

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pandas as pd
+import polars
 import pytest
 
 import touchdown as td
@@ -207,6 +208,7 @@ def test_nan_among_numbers_is_no_gap(lander, scene):
         ({"roll_deg": [0]}, {"search": "all"}, "search = 'all': expected a dictionary"),
         ({"roll_deg": [0]}, {"solver": 3}, "solver = 3: expected a table"),
         ({"roll_deg": [0]}, {"sensitivity": "friction"}, "sensitivity = 'friction': expected a list of names"),
+        ({"roll_deg": polars.Series([0.0, None])}, {}, "axes.roll_deg[2] = nan: expected a finite number"),
         ({"roll_deg": [0]}, {"units": 3}, "units = 3: expected \"US\" or \"SI\""),
         ({"roll_deg": [0]}, {"name": "a/b"}, "name = 'a/b': expected a name without a folder"),
         ({"roll_deg": [0]}, {"out": 3}, "out = 3: expected a path"),

@@ -6,7 +6,9 @@ import json
 
 import numpy as np
 import pandas as pd
+import polars
 import pytest
+import xarray as xr
 
 import touchdown as td
 
@@ -163,6 +165,12 @@ def test_tables_without_rows_have_results_without_rows(lander, scene):
         td.land_many(lander, {"rol_deg": []}, scene=scene, progress=False)
 
 
+@pytest.mark.parametrize("values", [xr.DataArray([0.0, 10.0]), polars.Series([0.0, 10.0]), pd.Series([0, 10]), range(0, 11, 10)])
+def test_axes_come_as_arrays_of_any_kind(values, lander, scene):
+    found = td.sweep(lander, scene, {"roll_deg": values}, search=SHORT, progress=False)
+    assert found.equals(td.sweep(lander, scene, {"roll_deg": [0, 10]}, search=SHORT, progress=False))
+
+
 def test_a_row_becomes_a_landing(lander, scene, root, tmp_path):
     scene = scene.replace(gravity="mars", thrust={"time_s": [0, 1], "force_lb": [100, 0]}, footing=[{}, {"height_m": 0.1}])
     table = pd.DataFrame({
@@ -238,8 +246,6 @@ def test_a_scene_gives_what_the_table_does_not(lander, scene):
 
 
 def test_polars_tables(lander, scene):
-    import polars
-
     table = polars.DataFrame({"horizontal_velocity_fps": [10.0, 11.0], "roll_deg": [0.0, None]})
     landed = td.land_many(lander, table, scene=scene, progress=False)
     assert landed.end_time_s[1] == td.land(lander, scene.replace(horizontal_velocity_fps=11)).end_time_s
