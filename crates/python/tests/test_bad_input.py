@@ -295,6 +295,8 @@ def test_files_that_are_no_results(tmp_path):
         if name == "a.json":
             (tmp_path / "a.csv").unlink()
         assert "expected" in str(complaint(lambda name=name: td.read(tmp_path / name)))
+
+
 def test_files_that_cannot_be_read_or_written(lander, scene, tmp_path):
     (tmp_path / "file").write_text("")
     measured = {"roll_deg": {"file": str(tmp_path / "none.csv"), "column": "roll_deg"}}

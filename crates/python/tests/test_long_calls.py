@@ -81,6 +81,31 @@ def test_ctrl_c_stops_a_single_landing(solver):
     assert done.returncode == 0 and float(done.stdout) > 0, done.stderr
 
 
+# Interrupts the check of so many rows with vehicles of their own, and says what landed and for how long a core went on, in seconds.
+INTERRUPTED_CHECK = HEED_CTRL_C + """
+import os, threading, time
+import numpy as np
+import touchdown as td
+scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11, cross_slope_deg=180, slope_deg=15, friction=1)
+table = {'vehicle.strut.preload_lb': np.linspace(180, 190, 1_000_000)}
+landed = []
+threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    td.land_many(td.vehicles.surveyor(), table, scene=scene, progress=lambda *counts: landed.append(counts))
+except KeyboardInterrupt:
+    begun = time.process_time()
+    time.sleep(1)
+    print(len(landed), time.process_time() - begun)
+"""
+
+
+def test_ctrl_c_stops_the_check_of_rows():
+    done = subprocess.run([sys.executable, "-c", INTERRUPTED_CHECK], capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, done.stderr
+    landings, seconds = done.stdout.split()
+    assert landings == "0" and float(seconds) < 0.5
+
+
 @pytest.mark.parametrize("place", ["reading", "in place", "on a thread"])
 def test_a_fault_of_the_engine_is_an_exception_of_ours(place):
     with pytest.raises(td.EngineError, match="the engine failed, which is a fault of it: on purpose"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import pickle
 import re
 from importlib.metadata import version
@@ -137,8 +138,19 @@ def test_objects_are_told_in_a_line(lander, scene):
     found = td.boundary(lander, scene, search=SHORT | {"bands": "all"}, progress=False)
     assert repr(found) == "<Boundary of Surveyor, Table 4-1: V_H 11.391 ft/s to unstable, certain, 2 bands>"
     assert repr(found.bands[0]) == "<Band from 8.000 ft/s to 11.391 ft/s: stable-subsided>"
+    patchy = dataclasses.replace(found, patchy_to_fps=12.5, patchy_landings=8, patchy_not_stable=3)
+    assert repr(patchy).endswith("V_H 11.391 ft/s to unstable, certain, patchy up to 12.500 ft/s, 2 bands>")
+    assert "patchy up to 3.810 m/s" in repr(dataclasses.replace(patchy, units="SI"))
     nothing = td.boundary(lander, scene, search={"from_fps": 1, "to_fps": 2, "tolerance_fps": 0.1}, progress=False)
     assert repr(nothing) == "<Boundary of Surveyor, Table 4-1: no transition, 1 band>"
+
+
+def test_a_boundary_whose_lowest_velocity_topples_says_so(lander, scene):
+    with pytest.warns(td.LandingWarning, match="at or below"):
+        found = td.boundary(lander, scene, search=SHORT | {"from_fps": 13}, progress=False)
+    assert found.first_transition_fps == found.bracket_high_fps == 13 and found.bracket_low_fps is None
+    assert repr(found) == "<Boundary of Surveyor, Table 4-1: V_H at or below 13.000 ft/s, already unstable, 1 band>"
+    assert "transitions: at or below 13<" in found._repr_html_()
 
 
 def test_landings_come_in_si(lander, scene):

@@ -7,6 +7,7 @@ import sys
 
 import matplotlib
 import matplotlib.pyplot
+import numpy as np
 import pytest
 
 import touchdown as td
@@ -35,6 +36,19 @@ def test_a_map_shows_its_edges(lander, scene):
     axes = {"cross_slope_deg": [160, 180], "roll_deg": [20, 60]}
     found = td.map(lander, scene, axes, {"cross_slope_deg": 10, "roll_deg": 20}, error_fps=2, search=SHORT, progress=False)
     assert len(td.plot.contours(found).lines) == len(set(found.edge.values))
+
+
+def test_rows_that_jump_are_bars_of_a_tornado(lander, scene):
+    parameters = ["friction", "slope_deg", "roll_deg"]
+    table = td.sensitivity(lander, scene, parameters, search=SHORT, progress=False)
+    known = table.loc["friction", "vh_change_fps"]
+    # What the engine tells of a parameter at which V_H jumps, and of one of which it knows nothing.
+    table.loc["slope_deg", ["vh_change_fps", "vh_change_error_fps"]] = np.nan
+    table.loc["slope_deg", "vh_at_plus_span_fps"] = table.loc["slope_deg", "first_transition_fps"] - 9
+    table.loc["roll_deg", ["vh_change_fps", "vh_change_error_fps", "vh_at_plus_span_fps"]] = np.nan
+    ax = td.plot.tornado(table)
+    assert [label.get_text() for label in ax.get_yticklabels()] == ["friction", "slope_deg"]
+    assert [bar.get_width() for bar in ax.patches] == pytest.approx([known, -9])
 
 
 def test_what_cannot_be_drawn(root, lander, scene):

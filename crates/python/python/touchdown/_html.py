@@ -43,7 +43,8 @@ def bands_picture(bands: Iterable[tuple[float, float, str, str]], unit: str) -> 
         f"overflow:hidden;white-space:nowrap;padding:2px 0;text-align:center'>{escape(outcome)}</div>"
         for start, end, outcome, kind in bands
     )
-    ends = ", ".join(f"{end:.4f}" for _, end, _, _ in bands[:-1]) or "none"
+    below = [] if bands[0][2] == "stable" else [f"at or below {low:g}"]
+    ends = ", ".join([*below, *(f"{end:.4f}" for _, end, _, _ in bands[:-1])]) or "none"
     return (
         f"<div style='max-width:40em'><div style='display:flex'>{''.join(parts)}</div>"
         f"<div style='display:flex;justify-content:space-between'><span>{low:g}</span>"

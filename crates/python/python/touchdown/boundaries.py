@@ -77,7 +77,8 @@ class Boundary(InBothUnits):
     Attributes
     ----------
     first_transition_fps : float or None
-        The transition velocity V_H, ft/s: the middle of the bracket; None where all landings of the scan were stable.
+        The transition velocity V_H, ft/s: the middle of the bracket; None where all landings of the scan were stable. Where
+        the lowest velocity is not stable already it is that velocity, `certainty` is ``"at-or-below"`` and V_H may be lower.
     first_transition_to : str
         How landings end above it: ``"unstable"``, ``"bottomed"``, ``"failure"``, ``"undecided"``, or ``"none"``.
     bracket_low_fps : float or None
@@ -162,6 +163,8 @@ class Boundary(InBothUnits):
         else:
             speed = told("first_transition_fps", self.first_transition_fps, self.units)
             found = f"V_H {speed} to {self.first_transition_to}, {self.certainty or 'untested'}"
+            if self.certainty == "at-or-below":
+                found = f"V_H at or below {speed}, already {self.first_transition_to}"
             if self.patchy_to_fps is not None:
                 found += f", patchy up to {told('patchy_to_fps', self.patchy_to_fps, self.units)}"
         bands = {0: "", 1: ", 1 band"}.get(len(self.bands), f", {len(self.bands)} bands")
