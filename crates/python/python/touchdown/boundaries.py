@@ -200,7 +200,8 @@ def boundary(
     solver : mapping, optional
         How landings are computed, with the keys of a table ``[solver]``; the tolerance is that of sweeps, 3e-5, unless given.
     units : {"US", "SI"}, optional
-        Units in which the boundary and its bands are told and come as tables; without, those of `use_units`. They compute and compare alike, and both have the
+        Units in which the boundary and its bands are told and come as tables; without, those of `use_units`.
+        They compute and compare alike, and both have the
         names of either as attributes.
     threads : int, optional
         Threads; all cores without. Results do not depend on it.

@@ -203,7 +203,8 @@ def land(vehicle: Vehicle, scene: Scene, solver: Document | None = None, *, unit
         How it is computed, with the keys of a table ``[solver]``, such as ``{"tolerance": 1e-8, "crush_rule": "section"}``.
         The tolerance is 1e-6 unless given.
     units : {"US", "SI"}, optional
-        Units in which the landing is told and comes as a table; without, those of `use_units`. Landings compute and compare alike, and have the names of either as
+        Units in which the landing is told and comes as a table; without, those of `use_units`.
+        Landings compute and compare alike, and have the names of either as
         attributes.
 
     Returns
