@@ -32,7 +32,7 @@ const EXAMPLE: &str = "\
 Studies are in feet and pounds, the units of the report that they compare with.
 
 Study phase-2 reads the results of these commands:
-  touchdown sweep sweeps
+  touchdown sweep sweeps/figure-*.toml sweeps/surface-4-20.toml sweeps/profile-4-09.toml
   touchdown sweep sweeps/figure-*.toml --bands first --crush-rule section --out results/section-rule
   touchdown sweep sweeps/figure-4-09.toml sweeps/figure-4-23.toml sweeps/figure-4-24.toml \\
     --bands first --vehicle sweeps/vehicles/surveyor-no-products.toml --out results/no-products

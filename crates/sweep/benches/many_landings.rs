@@ -175,7 +175,7 @@ struct Converged {
     first_transition_fps: Option<f64>,
 }
 
-/// A row of `results/fine-bands.csv`.
+/// A row of `crates/lab/results/fine-bands.csv`.
 #[derive(Deserialize)]
 struct FineBand {
     cross_slope_deg: f64,
@@ -214,7 +214,7 @@ fn grid_errors(points: &[Point]) -> Result<String, Box<dyn Error>> {
         [] => [f64::NAN; 2],
         sorted => [sorted[sorted.len() / 2], sorted[sorted.len() - 1]],
     };
-    let fine = table::<FineBand>("results/fine-bands.csv")?;
+    let fine = table::<FineBand>("crates/lab/results/fine-bands.csv")?;
     let missed = fine.iter().filter(|band| {
         let found = at(band.cross_slope_deg, band.roll_deg).is_some_and(|point| {
             point.boundary.bands.iter().any(|b| {
