@@ -19,7 +19,7 @@ const INTERVAL: f64 = 0.005;
 /// Standard gravity, ft/s².
 const G: f64 = 32.174;
 
-/// What the payload has felt so far.
+/// The greatest acceleration of the payload so far, and when.
 #[derive(Default)]
 struct Accelerometer {
     before: Option<(f64, Vector3<f64>)>,

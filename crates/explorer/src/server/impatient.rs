@@ -27,7 +27,7 @@ impl Impatient {
         }
     }
 
-    /// What came of writing, or a fault if the client has not read for too long.
+    /// The result of writing, or a fault if the client has not read for too long.
     fn limited(
         &mut self,
         context: &mut Context<'_>,

@@ -17,7 +17,7 @@ pub type Reply = Response<Full<Bytes>>;
 
 const JSON: &str = "application/json";
 const TEXT: &str = "text/plain; charset=utf-8";
-/// What somebody reads who opens a link that is not that of the explorer.
+/// Answer to a link that is not that of the explorer.
 const NO_PAGE: &[u8] = b"There is no page at this address. touchdown explore prints its link when it starts: another one each time, \
     unless --port and --token-file keep it.\n";
 /// Content policy of a page: only files of this server, and scripts in the page itself that carry its nonce.

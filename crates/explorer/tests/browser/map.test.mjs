@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { calm, picture, start } from "./harness.mjs";
+import { brush, calm, picture, start } from "./harness.mjs";
 
 /** @type {Awaited<ReturnType<typeof start>>} */
 let explorer;
@@ -84,11 +84,7 @@ test("a link restores a point of a profile, and its landing is explored further"
 test("landings of a sample are selected and replayed", async () => {
   const page = await explorer.open("#tab=dispersion");
   await page.waitForSelector(".counts td");
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".scatter canvas").boundingBox());
-  await page.mouse.move(box.x + 0.2 * box.width, box.y + 0.2 * box.height);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.6 * box.height, { steps: 4 });
-  await page.mouse.up();
+  await brush(page, [0.2, 0.2], [0.6, 0.6]);
   const caption = (await page.locator(".counts caption").textContent()) ?? "";
   const count = Number(/^(\d+) of 300/.exec(caption)?.[1]);
   assert.ok(count > 20 && count < 280, caption);
@@ -130,11 +126,7 @@ test("a shipped map has values at its points, and landings that are refused leav
 test("a brush and the landing that was chosen survive a reload", async () => {
   const page = await explorer.open("#tab=dispersion");
   await page.waitForSelector(".counts td");
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".scatter canvas").boundingBox());
-  await page.mouse.move(box.x + 0.2 * box.width, box.y + 0.2 * box.height);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.6 * box.height, { steps: 4 });
-  await page.mouse.up();
+  await brush(page, [0.2, 0.2], [0.6, 0.6]);
   const caption = await page.locator(".counts caption").textContent();
   await page.locator(".scatter canvas").focus();
   await page.keyboard.press("ArrowRight");

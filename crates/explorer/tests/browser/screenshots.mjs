@@ -1,7 +1,7 @@
 // Pictures of the page for the documentation, written to docs/pictures.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
-import { calm, root, start } from "./harness.mjs";
+import { brush, calm, root, start } from "./harness.mjs";
 
 const folder = join(root, "docs/pictures");
 mkdirSync(folder, { recursive: true });
@@ -42,11 +42,7 @@ await shoot("explorer-pair", "#tab=map&at=152.5,-10", "light", async (page) => {
 });
 await shoot("explorer-dispersion", "#tab=dispersion", "light", async (page) => {
   await page.waitForSelector(".counts td");
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".scatter canvas").boundingBox());
-  await page.mouse.move(box.x + 0.35 * box.width, box.y + 0.15 * box.height);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 0.75 * box.width, box.y + 0.6 * box.height, { steps: 4 });
-  await page.mouse.up();
+  await brush(page, [0.35, 0.15], [0.75, 0.6]);
   await page.locator(".scatter canvas").focus();
   for (const key of ["ArrowUp", "ArrowRight", "Enter"]) await page.keyboard.press(key);
   await page.waitForSelector(".sample-tab .outcome[data-class]");

@@ -11,6 +11,16 @@ use touchdown_sweep::library::{Library, Source};
 
 use crate::common::{ask, named};
 
+/// The explorer's input, made of one table.
+fn of_table(file: &str, text: &str) -> Named {
+    let path = PathBuf::from(file);
+    let copies = [Source {
+        path: path.clone(),
+        text: text.to_owned(),
+    }];
+    Named::read(&[path], Library::Copies(&copies), None).unwrap()
+}
+
 #[test]
 fn a_map_is_a_grid_with_gaps_and_jumps() {
     let map = ask("map", &json!({"results": "surface-4-20"})).unwrap();
@@ -68,14 +78,8 @@ fn landings_beside_a_boundary_end_differently() {
 fn a_refined_map_without_its_triangles_says_what_is_missing() {
     let text = "slope_deg,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,certainty,level\n\
         10,0,unstable,12,12,12,certain,0\n15,5,unstable,11,11,11,certain,1\n";
-    let path = PathBuf::from("trade.csv");
     let map = |text: &str, axes: &str| -> Value {
-        let copies = [Source {
-            path: path.clone(),
-            text: text.to_owned(),
-        }];
-        let named = Named::read(std::slice::from_ref(&path), Library::Copies(&copies), None);
-        let told = answer(&named.unwrap(), "map", axes, &|| false);
+        let told = answer(&of_table("trade.csv", text), "map", axes, &|| false);
         serde_json::from_str(&told.unwrap()).unwrap()
     };
     let told = map(text, r#"{"results": "trade"}"#);
@@ -138,16 +142,7 @@ fn any_two_of_more_axes_make_a_map() {
         let speed = 10.0 + index as f64;
         rows += &format!("{friction},{slope},{roll},unstable,{speed},{speed},{speed},certain\n");
     }
-    let copies = [Source {
-        path: PathBuf::from("trade.csv"),
-        text: rows,
-    }];
-    let named = Named::read(
-        &[PathBuf::from("trade.csv")],
-        Library::Copies(&copies),
-        None,
-    )
-    .unwrap();
+    let named = of_table("trade.csv", &rows);
     let ask = |request: Value| -> Value {
         serde_json::from_str(&answer(&named, "map", &request.to_string(), &|| false).unwrap())
             .unwrap()
@@ -164,16 +159,7 @@ fn any_two_of_more_axes_make_a_map() {
 #[test]
 fn landings_of_a_sample_have_their_input_and_their_class() {
     let text = "friction,vehicle.strut.preload_lb,outcome,end_time_s,failure\n0.8,180,stable-rockback,2.5,\n0.9,190,bottomed-leg-2,0.3,\n1,170,sliding,40,\n";
-    let copies = [Source {
-        path: PathBuf::from("drawn.csv"),
-        text: text.to_owned(),
-    }];
-    let named = Named::read(
-        &[PathBuf::from("drawn.csv")],
-        Library::Copies(&copies),
-        None,
-    )
-    .unwrap();
+    let named = of_table("drawn.csv", text);
     let told = answer(&named, "sample", r#"{"results": "drawn"}"#, &|| false).unwrap();
     let told: Value = serde_json::from_str(&told).unwrap();
     assert_eq!(told["inputs"][1]["values"], json!([180.0, 190.0, 170.0]));
@@ -241,16 +227,7 @@ fn a_map_comes_in_the_units_asked_for_and_its_landings_stay() {
 #[test]
 fn landings_of_a_sample_come_in_the_units_asked_for_and_as_they_were_written() {
     let text = "vertical_velocity_mps,outcome,min_clearance_m\n3.048,sliding,0.3048\n";
-    let copies = [Source {
-        path: PathBuf::from("drawn.csv"),
-        text: text.to_owned(),
-    }];
-    let named = Named::read(
-        &[PathBuf::from("drawn.csv")],
-        Library::Copies(&copies),
-        None,
-    )
-    .unwrap();
+    let named = of_table("drawn.csv", text);
     let ask = |request: &str| -> Value {
         serde_json::from_str(&answer(&named, "sample", request, &|| false).unwrap()).unwrap()
     };

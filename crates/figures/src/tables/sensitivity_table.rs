@@ -50,7 +50,7 @@ pub struct Change {
     pub span: f64,
     /// Change of the transition velocity where the parameter falls by the span, if there is a transition.
     pub falls: Option<f64>,
-    /// The same where it grows.
+    /// Change of the transition velocity where the parameter grows by the span, if there is a transition.
     pub grows: Option<f64>,
     /// Their estimated error, if they follow from a derivative.
     pub error: Option<f64>,

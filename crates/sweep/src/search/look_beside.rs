@@ -1,6 +1,6 @@
-//! What lies close to a first transition that is not regular.
+//! Landings close to a first transition that is not regular.
 //!
-//! Where a margin runs through zero a lander topples ever sooner above the transition, as a rule. Where margins jump,
+//! A lander whose margin runs through zero topples ever sooner above the transition, as a rule. Where margins jump,
 //! landings may change back and forth more finely than is worth resolving: turn stable again above it, and topple in
 //! slivers below. So the search lands at even parts of the scan steps beside such a transition, and beside one with a
 //! stable landing within a scan step above it.

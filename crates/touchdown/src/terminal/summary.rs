@@ -163,7 +163,7 @@ fn bands(counts: &SweepCounts) -> String {
     )
 }
 
-/// What is known of the speeds below first transitions, and just above them.
+/// Lines about the speeds below first transitions, and just above them.
 fn below(counts: &SweepCounts) -> String {
     let HiddenBandChecks { below, drawn, .. } = counts.checks;
     let mut text = String::new();
