@@ -72,14 +72,14 @@ fn what_cannot_be_drawn_and_useless_choices_are_refused() {
     assert!(said.contains("do not fill a grid"), "{said}");
     let said = complaint(TABLE, &by(&["friction"]));
     assert!(said.contains("friction is no axis"), "{said}");
-    let history = "t_s,psi_deg\n0,1\n1,2\n";
-    let said = complaint(history, &by(&["psi_deg"]));
+    let history = "t_s,pitch_deg\n0,1\n1,2\n";
+    let said = complaint(history, &by(&["pitch_deg"]));
     assert!(
         said.contains("axes cannot be chosen for histories"),
         "{said}"
     );
     let columns = Choices {
-        columns: vec!["psi_deg".to_owned()],
+        columns: vec!["pitch_deg".to_owned()],
         ..Choices::default()
     };
     let said = complaint(TABLE, &columns);

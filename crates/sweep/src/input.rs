@@ -3,6 +3,7 @@
 pub mod choice;
 pub mod deck;
 pub mod method_input;
+pub(crate) mod numbers;
 pub mod scene_input;
 pub(crate) mod search_input;
 pub mod settings_input;

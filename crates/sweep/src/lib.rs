@@ -84,7 +84,7 @@ pub use documents::{
 };
 use documents::{csv_rows, spelling};
 pub use input::{choice, deck, method_input, scene_input, settings_input, vehicle_file};
-use input::{search_input, vehicle_tables};
+use input::{numbers, search_input, vehicle_tables};
 use journal::early_stop;
 pub use journal::{header, journal_files, merge, point_set, shard};
 use maps::{

@@ -165,7 +165,7 @@ fn refused(why: NoSurface, options: &Options) -> Failure {
             let option = match invalid.quantity.as_str() {
                 name if name.starts_with("impact_time_s") => "--impact-times",
                 "friction" => "--friction",
-                "angular_velocity_dps" => "--angular-velocity",
+                name if name.starts_with("angular_velocity") => "--angular-velocity",
                 _ if options.velocity_mps.is_some() => {
                     let (value, allowed) = (invalid.value, &invalid.allowed);
                     let said = format!("{allowed} (in ft/s: this is {value})");

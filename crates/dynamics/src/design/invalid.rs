@@ -49,27 +49,3 @@ pub(crate) fn require(
         Err(Invalid::new(quantity, value, allowed))
     }
 }
-
-/// Greatest magnitude of any number of a lander, whatever its unit, so that results of such numbers stay finite.
-const GREATEST: f64 = 1e9;
-
-/// Returns `Ok(value)` if it is greater than zero and within [`GREATEST`].
-pub(crate) fn positive(quantity: &str, value: f64) -> Result<f64, Invalid> {
-    require(quantity, value, "0 < value ≤ 1e9", |v| {
-        v > 0.0 && v <= GREATEST
-    })
-}
-
-/// Returns `Ok(value)` if it is not negative and within [`GREATEST`].
-pub(crate) fn non_negative(quantity: &str, value: f64) -> Result<f64, Invalid> {
-    require(quantity, value, "0 ≤ value ≤ 1e9", |v| {
-        (0.0..=GREATEST).contains(&v)
-    })
-}
-
-/// Returns `Ok(value)` if its magnitude is within [`GREATEST`].
-pub(crate) fn bounded(quantity: &str, value: f64) -> Result<f64, Invalid> {
-    require(quantity, value, "-1e9 ≤ value ≤ 1e9", |v| {
-        v.abs() <= GREATEST
-    })
-}

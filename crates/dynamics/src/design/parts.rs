@@ -1,15 +1,27 @@
 //! The parts of a lander as an input file describes them: plain numbers, not yet checked.
 //!
-//! Foot, slug, pound, second and radian throughout.
+//! Foot, slug, pound, second and radian throughout. Defaults are blanks to fill in; no lander has them. Keys, ranges and
+//! meanings of the numbers are in [`crate::quantities`].
 
 use nalgebra::Matrix3;
 
 use crate::crush_load::CrushLoad;
 use crate::profile::Profile;
 
+/// The body of a lander, apart from its inertia.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Body {
+    /// Mass M, slug.
+    pub mass: f64,
+    /// Acceleration of gravity g, ft/s².
+    pub gravity: f64,
+    /// Height ΔCG of the CG above the plane of the lower hardpoints, ft.
+    pub center_of_gravity_height: f64,
+}
+
 /// Moments and products of inertia about the CG in vehicle axes, slug·ft². Products are as in the report's input: the
 /// inertia matrix holds their negatives (59).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[allow(missing_docs)]
 pub struct Inertia {
     pub xx: f64,
@@ -32,7 +44,7 @@ impl Inertia {
 }
 
 /// One leg as an input file describes it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct LegDesign {
     /// Azimuth θj of the leg about the centreline, rad; leg 1 of the Surveyor is at 0, along y.
     pub azimuth: f64,
@@ -47,7 +59,7 @@ pub struct LegDesign {
 }
 
 /// The lower link and the hinges it shares with the strut (Figures 2-4 and 2-5 of the report).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Linkage {
     /// Distance l_p from the centreline to the lower hardpoint, ft.
     pub lower_hardpoint_radius: f64,
@@ -62,7 +74,7 @@ pub struct Linkage {
 }
 
 /// The strut: its travel, its friction and its load-carrying element.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strut {
     /// Length l_D0 when extended, ft.
     pub extended_length: f64,
@@ -93,8 +105,14 @@ pub enum StrutElement {
     Honeycomb(Honeycomb),
 }
 
+impl Default for StrutElement {
+    fn default() -> Self {
+        Self::Damper(Damper::default())
+    }
+}
+
 /// The shock absorber (42)-(45).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Damper {
     /// Structural stiffness K_s below the preload, lb/ft.
     pub structural_stiffness: f64,
@@ -125,7 +143,7 @@ pub struct Honeycomb {
 }
 
 /// The crushable footpad, hinged at the end of the lower link.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Footpad {
     /// Diameter d_f, ft.
     pub diameter: f64,
@@ -149,7 +167,7 @@ pub struct Footpad {
 
 /// A footpad on its edge: its lowest rim, at half of its height, crushes under a constant load, as in the program of
 /// 1966 (187 lb beyond 65 deg).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PadEdge {
     /// Inclination ξ beyond which it is on its edge, rad.
     pub angle: f64,
@@ -158,7 +176,7 @@ pub struct PadEdge {
 }
 
 /// The crushable block under the body beside each leg.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Block {
     /// Distance l_c from the centreline, ft.
     pub radius: f64,

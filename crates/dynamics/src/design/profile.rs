@@ -22,6 +22,15 @@ pub struct Segment {
     pub upper: f64,
 }
 
+/// The constant 1.
+impl Default for Profile {
+    fn default() -> Self {
+        Self {
+            knots: vec![[0.0, 1.0], [1.0, 1.0]],
+        }
+    }
+}
+
 impl Profile {
     /// Builds a table from `[x, y]` knots.
     ///

@@ -1,6 +1,10 @@
 //! Accuracy and intervals of the error-checking methods (3.3, card 12 to 16).
 
-use crate::invalid::{Invalid, require};
+use crate::invalid::Invalid;
+use crate::quantities::{FIRST_INTERVAL, LEAST_INTERVAL, field};
+use crate::quantity::{Field, Range, check};
+
+const POSITIVE: Range = Range::POSITIVE;
 
 /// Greatest truncation error per second of simulated time; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +24,19 @@ pub struct ErrorLimits {
     /// Pitch, yaw and roll angles.
     pub attitude: f64,
 }
+
+/// Error limits per second of the methods `"report"` and `"milne"`; the defaults are those of 4.1.4.
+pub const ERROR_LIMITS: [Field<ErrorLimits>; 7] = [
+    field!(pad_angle: new("pad_angle_deg", POSITIVE, "limit of footpad angles α").by_default("6")),
+    field!(link_rate: new("link_rate_dps", POSITIVE, "limit of link rates γ̇").by_default("2")),
+    field!(link_angle: new("link_angle_deg", POSITIVE, "limit of link angles γ").by_default("4")),
+    field!(velocity: new("velocity_fps", POSITIVE, "limit of velocities of the CG").by_default("1/6")),
+    field!(position: new("position_ft", POSITIVE, "limit of positions of the CG").by_default("1/6")),
+    field!(angular_velocity: new(
+        "angular_velocity_dps", POSITIVE, "limit of angular velocities")
+        .by_default("1/6")),
+    field!(attitude: new("attitude_deg", POSITIVE, "limit of Euler angles").by_default("2/3")),
+];
 
 impl Default for ErrorLimits {
     /// The choice of 4.1.4, used for all parametric studies.
@@ -60,9 +77,9 @@ pub struct ErrorControl {
 
 impl ErrorControl {
     /// First interval of the report's runs, s.
-    pub const FIRST_INTERVAL: f64 = 0.0005;
+    pub const FIRST_INTERVAL: f64 = FIRST_INTERVAL.default_number();
     /// Least interval of the sample run, s; later runs had 1e-5 s.
-    pub const LEAST_INTERVAL: f64 = 1e-6;
+    pub const LEAST_INTERVAL: f64 = LEAST_INTERVAL.default_number();
 
     /// Checks limits (per second), first interval (s) and least interval (s), which is not cut further.
     ///
@@ -73,40 +90,9 @@ impl ErrorControl {
         first_interval: f64,
         least_interval: f64,
     ) -> Result<Self, Invalid> {
-        let named = [
-            (
-                "error_per_second.pad_angle_deg",
-                limits.pad_angle.to_degrees(),
-            ),
-            (
-                "error_per_second.link_rate_dps",
-                limits.link_rate.to_degrees(),
-            ),
-            (
-                "error_per_second.link_angle_deg",
-                limits.link_angle.to_degrees(),
-            ),
-            ("error_per_second.velocity_fps", limits.velocity),
-            ("error_per_second.position_ft", limits.position),
-            (
-                "error_per_second.angular_velocity_dps",
-                limits.angular_velocity.to_degrees(),
-            ),
-            (
-                "error_per_second.attitude_deg",
-                limits.attitude.to_degrees(),
-            ),
-        ];
-        for (name, limit) in named {
-            require(name, limit, "value > 0", |v| v > 0.0)?;
-        }
-        let shortest = "1e-9 ≤ value ≤ 1";
-        require("least_interval_s", least_interval, shortest, |v| {
-            (1e-9..=1.0).contains(&v)
-        })?;
-        require("first_interval_s", first_interval, shortest, |v| {
-            (1e-9..=1.0).contains(&v)
-        })?;
+        check("error_per_second", &ERROR_LIMITS, &limits)?;
+        LEAST_INTERVAL.check("", least_interval)?;
+        FIRST_INTERVAL.check("", first_interval)?;
         Ok(Self {
             limits,
             intervals: Intervals {

@@ -1,12 +1,11 @@
 //! The ground covered by a vehicle that stands with its struts extended.
 
-use crate::invalid::{Invalid, bounded, require};
+use crate::invalid::{Invalid, require};
+use crate::quantities::OFFSET;
+use crate::quantity::check;
 
 /// Keys of the CG's offset from the centreline, along x and y of vehicle axes.
-const KEYS: [&str; 2] = [
-    "center_of_gravity_offset_x_ft",
-    "center_of_gravity_offset_y_ft",
-];
+const KEYS: [&str; 2] = [OFFSET[0].quantity.key, OFFSET[1].quantity.key];
 
 /// Checks that a CG off the centreline is over the polygon of the feet (x and y of vehicle axes, ft). Beyond it a
 /// vehicle falls over where it stands.
@@ -14,9 +13,7 @@ const KEYS: [&str; 2] = [
 /// # Errors
 /// Names the component to change and its range.
 pub(super) fn check_offset(offset: [f64; 2], feet: &[[f64; 2]]) -> Result<(), Invalid> {
-    for (key, value) in KEYS.iter().zip(offset) {
-        bounded(key, value)?;
-    }
+    check("", &OFFSET, &offset)?;
     let (greater, lesser) = match offset[0].abs() >= offset[1].abs() {
         true => (0, 1),
         false => (1, 0),

@@ -2,6 +2,11 @@
 
 use crate::invalid::{Invalid, require};
 use crate::per_leg::MOST_LEGS;
+use crate::quantities::{
+    BLOCK_GROUND_HEIGHT, BLOCK_TILT_ACROSS, BLOCK_TILT_ALONG, PAD_GROUND_HEIGHT, PAD_TILT_ACROSS,
+    PAD_TILT_ALONG,
+};
+use crate::quantity::Quantity;
 
 /// A plane of the ground under a footpad or a block.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -40,10 +45,6 @@ pub struct LegFooting {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ground([LegFooting; MOST_LEGS]);
 
-/// Greatest height or depth, ft, and greatest tilt, deg.
-const GREATEST_HEIGHT: f64 = 1000.0;
-const GREATEST_TILT: f64 = 60.0;
-
 impl Ground {
     /// The ground under the vehicle's legs in their order. Legs beyond the given ones have the surface.
     ///
@@ -52,8 +53,8 @@ impl Ground {
     pub fn new(legs: &[LegFooting]) -> Result<Self, Invalid> {
         let mut ground = Self::default();
         for (index, (leg, place)) in legs.iter().zip(&mut ground.0).enumerate() {
-            check(index, "", &leg.pad)?;
-            check(index, "block_", &leg.block)?;
+            check(index, &PAD, &leg.pad)?;
+            check(index, &BLOCK, &leg.block)?;
             *place = *leg;
         }
         Ok(ground)
@@ -66,11 +67,11 @@ impl Ground {
     pub(super) fn check_on(&self, slope: f64) -> Result<(), Invalid> {
         let legs = self.0.iter().enumerate();
         let patches = legs
-            .flat_map(|(leg, LegFooting { pad, block })| [(leg, "", pad), (leg, "block_", block)]);
-        for (leg, part, patch) in patches.filter(|(.., patch)| patch.is_tilted()) {
+            .flat_map(|(leg, LegFooting { pad, block })| [(leg, &PAD, pad), (leg, &BLOCK, block)]);
+        for (leg, [_, along, _], patch) in patches.filter(|(.., patch)| patch.is_tilted()) {
             let steepest = (slope + patch.tilt_along).to_degrees();
             require(
-                &name(leg, part, "tilt_along_deg"),
+                &format!("{}.{}", table(leg), along.key),
                 patch.tilt_along.to_degrees(),
                 "a tilt that leaves slope and tilt together between -90 and 90",
                 |_| steepest.abs() < 90.0,
@@ -85,27 +86,18 @@ impl Ground {
     }
 }
 
-fn name(leg: usize, part: &str, key: &str) -> String {
-    format!("footing[{}].{part}{key}", leg + 1)
+/// Height and tilts of the ground under a footpad, and under a block.
+const PAD: [Quantity; 3] = [PAD_GROUND_HEIGHT, PAD_TILT_ALONG, PAD_TILT_ACROSS];
+const BLOCK: [Quantity; 3] = [BLOCK_GROUND_HEIGHT, BLOCK_TILT_ALONG, BLOCK_TILT_ACROSS];
+
+fn table(leg: usize) -> String {
+    format!("footing[{}]", leg + 1)
 }
 
-fn check(leg: usize, part: &str, patch: &Patch) -> Result<(), Invalid> {
-    require(
-        &name(leg, part, "height_ft"),
-        patch.height,
-        "-1000 ≤ value ≤ 1000",
-        |height| height.abs() <= GREATEST_HEIGHT,
-    )?;
-    for (key, tilt) in [
-        ("tilt_along_deg", patch.tilt_along),
-        ("tilt_across_deg", patch.tilt_across),
-    ] {
-        require(
-            &name(leg, part, key),
-            tilt.to_degrees(),
-            "-60 ≤ value ≤ 60",
-            |tilt| tilt.abs() <= GREATEST_TILT,
-        )?;
-    }
-    Ok(())
+fn check(leg: usize, quantities: &[Quantity; 3], patch: &Patch) -> Result<(), Invalid> {
+    let [height, along, across] = quantities;
+    let table = table(leg);
+    height.check(&table, patch.height)?;
+    along.check_radians(&table, patch.tilt_along)?;
+    across.check_radians(&table, patch.tilt_across)
 }

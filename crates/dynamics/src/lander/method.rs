@@ -1,7 +1,8 @@
 //! Methods of integration to choose from.
 
 use super::error_control::ErrorControl;
-use crate::invalid::{Invalid, require};
+use crate::invalid::Invalid;
+use crate::quantities::INTERVAL;
 
 /// Method of integrating the equations of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -29,9 +30,7 @@ impl FixedInterval {
     /// # Errors
     /// It must lie in [1e-6, 1] s.
     pub fn new(seconds: f64) -> Result<Self, Invalid> {
-        require("interval_s", seconds, "1e-6 ≤ value ≤ 1", |v| {
-            (1e-6..=1.0).contains(&v)
-        })?;
+        INTERVAL.check("", seconds)?;
         Ok(Self(seconds))
     }
 
@@ -44,6 +43,6 @@ impl FixedInterval {
 impl Default for FixedInterval {
     /// That of section 4.1.2.
     fn default() -> Self {
-        Self(0.002)
+        Self(INTERVAL.default_number())
     }
 }

@@ -7,7 +7,11 @@ use super::vehicle::Vehicle;
 use crate::attitude::Attitude;
 pub use crate::rules::CrushRule;
 
-use crate::invalid::{Invalid, bounded, positive, require};
+use crate::invalid::Invalid;
+use crate::quantities::{
+    ANGULAR_VELOCITY_X, ANGULAR_VELOCITY_Y, ANGULAR_VELOCITY_Z, BLOCK_FRICTION, CROSS_SLOPE,
+    GRAVITY, HORIZONTAL_VELOCITY, PAD_FRICTION, SLOPE, VERTICAL_VELOCITY,
+};
 
 /// Touchdown conditions as an input gives them; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,38 +50,20 @@ impl Scene {
     /// # Errors
     /// Names the first quantity outside its range, in the words of the sweep file.
     pub fn new(conditions: Conditions) -> Result<Self, Invalid> {
-        let speed = |name, speed| {
-            require(name, speed, "0 ≤ value ≤ 10000", |v| {
-                (0.0..=1e4).contains(&v)
-            })
-        };
-        speed("vertical_velocity_fps", conditions.vertical_velocity)?;
-        speed("horizontal_velocity_fps", conditions.horizontal_velocity)?;
-        bounded("cross_slope_deg", conditions.cross_slope.to_degrees())?;
-        for rate in conditions.angular_velocity {
-            require(
-                "angular_velocity_dps",
-                rate.to_degrees(),
-                "-36000 ≤ value ≤ 36000",
-                |v| v.abs() <= 36_000.0 * (1.0 + 1e-12),
-            )?;
+        let given = &conditions;
+        VERTICAL_VELOCITY.check("", given.vertical_velocity)?;
+        HORIZONTAL_VELOCITY.check("", given.horizontal_velocity)?;
+        CROSS_SLOPE.check_radians("", given.cross_slope)?;
+        let rates = [ANGULAR_VELOCITY_X, ANGULAR_VELOCITY_Y, ANGULAR_VELOCITY_Z];
+        for (quantity, rate) in rates.iter().zip(given.angular_velocity) {
+            quantity.check_radians("", rate)?;
         }
-        require(
-            "slope_deg",
-            conditions.slope.to_degrees(),
-            "-90 < value < 90",
-            |v| v.abs() < 90.0,
-        )?;
-        let friction = |name, coefficient| {
-            require(name, coefficient, "0 ≤ value ≤ 1000", |v| {
-                (0.0..=1000.0).contains(&v)
-            })
-        };
-        friction("friction", conditions.pad_friction)?;
-        friction("block_friction", conditions.block_friction)?;
-        conditions.ground.check_on(conditions.slope)?;
-        if let Some(gravity) = conditions.gravity {
-            positive("gravity_fps2", gravity)?;
+        SLOPE.check_radians("", given.slope)?;
+        PAD_FRICTION.check("", given.pad_friction)?;
+        BLOCK_FRICTION.check("", given.block_friction)?;
+        given.ground.check_on(given.slope)?;
+        if let Some(gravity) = given.gravity {
+            GRAVITY.check("", gravity)?;
         }
         Ok(Self(conditions))
     }

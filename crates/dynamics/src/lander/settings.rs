@@ -2,7 +2,8 @@
 
 use super::method::Method;
 use super::vehicle::Vehicle;
-use crate::invalid::{Invalid, require};
+use crate::invalid::Invalid;
+use crate::quantities::{TIME_LIMIT, TOLERANCE};
 use crate::rules::{ContactRule, CrushRule, FrictionProfile, RuleChoices, Rules};
 
 /// Settings of the computation of a landing.
@@ -39,7 +40,7 @@ impl Settings {
     /// 5e-4 ft/s of the converged one (`results/work-precision.csv`).
     pub const BOUNDARY_TOLERANCE: f64 = 3e-5;
     /// Time limit t_f of the report's runs, s.
-    pub const DEFAULT_TIME_LIMIT: f64 = 40.0;
+    pub const DEFAULT_TIME_LIMIT: f64 = TIME_LIMIT.default_number();
 
     /// Checks solver settings: relative tolerance, time limit (s) and crush rule.
     ///
@@ -57,9 +58,7 @@ impl Settings {
     /// # Errors
     /// It must lie in (0, 10000] s.
     pub fn with_time_limit(self, time_limit: f64) -> Result<Self, Invalid> {
-        require("time_limit_s", time_limit, "0 < value ≤ 10000", |v| {
-            v > 0.0 && v <= 1e4
-        })?;
+        TIME_LIMIT.check("", time_limit)?;
         Ok(Self { time_limit, ..self })
     }
 
@@ -97,9 +96,7 @@ impl Settings {
     /// # Errors
     /// It must lie in [1e-12, 1e-2].
     pub fn with_tolerance(self, tolerance: f64) -> Result<Self, Invalid> {
-        require("tolerance", tolerance, "1e-12 ≤ value ≤ 1e-2", |v| {
-            (1e-12..=1e-2).contains(&v)
-        })?;
+        TOLERANCE.check("", tolerance)?;
         Ok(Self { tolerance, ..self })
     }
 

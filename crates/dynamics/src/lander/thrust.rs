@@ -2,6 +2,8 @@
 
 use crate::invalid::{Invalid, require};
 use crate::lanes::per_lane;
+use crate::quantities::{THRUST_OFFSET_X, THRUST_OFFSET_Y};
+use crate::quantity::Range;
 use crate::scalar::Real;
 
 /// Most knots of a table of thrust.
@@ -43,17 +45,13 @@ impl Thrust {
             )?;
         }
         for knot in knots {
-            require("thrust.force_lb", knot[1], "0 ≤ value ≤ 1e9", |force| {
-                (0.0..=1e9).contains(&force)
+            let allowed = Range::NOT_NEGATIVE;
+            require("thrust.force_lb", knot[1], &allowed.to_string(), |force| {
+                allowed.contains(force)
             })?;
         }
-        for (key, value) in ["thrust.offset_x_ft", "thrust.offset_y_ft"]
-            .iter()
-            .zip(offset)
-        {
-            require(key, value, "-1000 ≤ value ≤ 1000", |offset| {
-                offset.abs() <= 1000.0
-            })?;
+        for (quantity, value) in [THRUST_OFFSET_X, THRUST_OFFSET_Y].iter().zip(offset) {
+            quantity.check("thrust", value)?;
         }
         // An engine that never pushes counts as none.
         if knots.iter().all(|knot| knot[1] == 0.0) {

@@ -12,14 +12,16 @@ use nalgebra::{Matrix3, SymmetricEigen};
 
 use crate::contact::LegLaws;
 pub use crate::parts::{
-    Block, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
+    Block, Body, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
 };
 
 use super::footprint::check_offset;
 use crate::extremes::greatest;
-use crate::invalid::{Invalid, bounded, non_negative, positive, require};
+use crate::invalid::{Invalid, require};
 use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
+use crate::quantities;
+use crate::quantity::{Range, check};
 use crate::rules::Rules;
 
 /// Least number of legs that a vehicle stands on.
@@ -59,7 +61,6 @@ impl Leg {
     /// # Errors
     /// Names the first quantity outside its range, in the words of the vehicle file.
     pub fn new(design: LegDesign) -> Result<Self, Invalid> {
-        bounded("azimuth_deg", design.azimuth.to_degrees())?;
         let LegDesign {
             linkage,
             strut,
@@ -68,65 +69,29 @@ impl Leg {
             ..
         } = &design;
 
-        positive(
-            "linkage.lower_hardpoint_radius_ft",
-            linkage.lower_hardpoint_radius,
-        )?;
-        positive("linkage.lower_link_length_ft", linkage.lower_link_length)?;
-        positive("linkage.hardpoint_distance_ft", linkage.hardpoint_distance)?;
-        require(
-            "linkage.hardpoint_angle_deg",
-            linkage.hardpoint_angle.to_degrees(),
-            "between 0 and 90",
-            |v| (0.0..=90.0).contains(&v),
-        )?;
-        positive("linkage.inertia_slug_ft2", linkage.inertia)?;
-
-        positive("strut.extended_length_ft", strut.extended_length)?;
+        check("", &quantities::LEG, &design)?;
+        check("linkage", &quantities::LINKAGE, linkage)?;
+        check("strut", &quantities::STRUT, strut)?;
         let extended = strut.extended_length;
         require(
             "strut.minimum_length_ft",
             strut.minimum_length,
             "positive and below strut.extended_length_ft",
-            |v| v > 0.0 && v < extended,
-        )?;
-        require(
-            "strut.friction_fraction",
-            strut.friction_fraction,
-            "0 ≤ value < 1",
-            |v| (0.0..1.0).contains(&v),
+            |v| v < extended,
         )?;
         match &strut.element {
-            StrutElement::Damper(damper) => check_damper(damper)?,
+            StrutElement::Damper(damper) => check("strut", &quantities::DAMPER, damper)?,
             StrutElement::Honeycomb(honeycomb) => {
-                positive(
-                    "strut.unloading_stiffness_lb_per_ft",
-                    honeycomb.unloading_stiffness,
-                )?;
+                check("strut", &quantities::HONEYCOMB, honeycomb)?;
             }
         }
-
-        positive("footpad.diameter_ft", footpad.diameter)?;
-        positive("footpad.height_ft", footpad.height)?;
-        positive("footpad.crush_pressure_psf", footpad.crush_pressure)?;
-        positive("footpad.inertia_slug_ft2", footpad.inertia)?;
-        non_negative("footpad.hinge_damping_ftlb_s", footpad.hinge_damping)?;
+        check("footpad", &quantities::FOOTPAD, footpad)?;
         crush_profile("footpad.profile", &footpad.profile)?;
         if let Some(edge) = &footpad.edge {
-            require(
-                "footpad.edge_angle_deg",
-                edge.angle.to_degrees(),
-                "30 ≤ value < 84",
-                |angle| (30.0..84.0).contains(&angle),
-            )?;
-            positive("footpad.edge_load_lb", edge.load)?;
+            check("footpad", &quantities::EDGE, edge)?;
         }
-
         if let Some(block) = block {
-            positive("block.radius_ft", block.radius)?;
-            bounded("block.height_ft", block.height)?;
-            positive("block.diameter_ft", block.diameter)?;
-            positive("block.crush_pressure_psf", block.crush_pressure)?;
+            check("block", &quantities::BLOCK, block)?;
             crush_profile("block.profile", &block.profile)?;
         }
 
@@ -137,13 +102,13 @@ impl Leg {
             "footpad.minimum_angle_deg",
             minimum.to_degrees(),
             &format!("below the angle of the extended link, {extended_deg:.4} deg"),
-            |v| v > -90.0 && v < extended_deg,
+            |v| v < extended_deg,
         )?;
         require(
             "footpad.maximum_angle_deg",
             maximum.to_degrees(),
             &format!("above the angle of the extended link, {extended_deg:.4} deg"),
-            |v| v < 90.0 && v > extended_deg,
+            |v| v > extended_deg,
         )?;
         Ok(Self {
             laws: LegLaws::of(&design),
@@ -183,19 +148,6 @@ impl Leg {
     }
 }
 
-fn check_damper(damper: &Damper) -> Result<(), Invalid> {
-    positive(
-        "strut.structural_stiffness_lb_per_ft",
-        damper.structural_stiffness,
-    )?;
-    positive("strut.preload_lb", damper.preload)?;
-    non_negative("strut.spring_constant_lb_per_ft", damper.spring_constant)?;
-    non_negative("strut.compression_damping", damper.compression_damping)?;
-    non_negative("strut.rebound_damping", damper.rebound_damping)?;
-    non_negative("strut.rebound_growth_per_ft", damper.rebound_growth)?;
-    Ok(())
-}
-
 /// Checks a crush profile. It starts at zero pressure, and no later segment is steeper than the first, the elastic
 /// line: otherwise crushing would heal.
 fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
@@ -206,9 +158,11 @@ fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
         |p| p == 0.0,
     )?;
     let segments = profile.segments();
-    let elastic = positive(
+    let elastic = require(
         &format!("{quantity} (slope of segment 1, 1/ft)"),
         segments[0].slope,
+        &Range::POSITIVE.to_string(),
+        |slope| Range::POSITIVE.contains(slope),
     )?;
     for (index, segment) in segments.iter().enumerate().skip(1) {
         require(
@@ -279,23 +233,13 @@ impl Vehicle {
         legs: impl Into<Vec<Leg>>,
     ) -> Result<Self, Invalid> {
         let legs = legs.into();
-        positive("mass_slug", mass)?;
-        positive("gravity_fps2", gravity)?;
-        bounded("center_of_gravity_height_ft", center_of_gravity_height)?;
-        let Inertia {
-            xx,
-            yy,
-            zz,
-            xy,
-            xz,
-            yz,
-        } = inertia;
-        for (name, value) in [("xx", xx), ("yy", yy), ("zz", zz)] {
-            positive(&format!("inertia_slug_ft2.{name}"), value)?;
-        }
-        for (name, value) in [("xy", xy), ("xz", xz), ("yz", yz)] {
-            bounded(&format!("inertia_slug_ft2.{name}"), value)?;
-        }
+        let body = Body {
+            mass,
+            gravity,
+            center_of_gravity_height,
+        };
+        check("", &quantities::BODY, &body)?;
+        check("inertia_slug_ft2", &quantities::INERTIA, &inertia)?;
         let matrix = inertia.matrix();
         let moments = SymmetricEigen::new(matrix).eigenvalues;
         let (least, greatest) = (moments.min(), moments.max());

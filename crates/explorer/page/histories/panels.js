@@ -9,7 +9,7 @@ const PANELS = [
   ["Stability angle σ", [["σ", "sigma"]]],
   ["Clearance", [["least", "clearance"]]],
   ["Velocity", [["across", "x_rate"], ["up the slope", "y_rate"], ["down", "z_rate"]]],
-  ["Attitude", [["pitch Ψ", "psi"], ["yaw Φ", "phi"], ["roll Ξ", "xi"]]],
+  ["Attitude", [["pitch Ψ", "pitch"], ["yaw Φ", "yaw"], ["roll Ξ", "roll"]]],
   ["Strut force", [["leg #", "strut_force_#"]]],
   ["Strut stroke", [["leg #", "stroke_#"]]],
   ["Footpad load", [["leg #", "pad_normal_#"]]],

@@ -71,13 +71,14 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
 fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
     let name = parameter.program_name();
     let (value, is_given) = match parameter.home() {
-        Home::Scene => of_scene(touchdown, name)?,
+        Home::Scene => of_scene(touchdown, &parameter)?,
         Home::Vehicle => (of_vehicle(touchdown, &parameter)?, true),
         Home::Sweep => return of_solver(touchdown, &parameter),
     };
     let (group, leg) = groups::of(name);
-    let allowed = ranges::of(name);
-    let shown = ranges::shown(name, value);
+    let quantity = parameter.quantity()?;
+    let allowed = Allowed::of(Some(quantity));
+    let shown = ranges::shown(quantity, value);
     let in_si = OutputUnits::Si.quantity(name);
     Some(Told {
         title: bare_title(name),
@@ -105,7 +106,8 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
 }
 
 /// Value of a condition, and whether it is given; `None` if it does not apply to this touchdown.
-fn of_scene(touchdown: &Touchdown, name: &str) -> Option<(f64, bool)> {
+fn of_scene(touchdown: &Touchdown, parameter: &Parameter) -> Option<(f64, bool)> {
+    let (name, quantity) = (parameter.program_name(), parameter.quantity()?);
     let conditions = &touchdown.conditions;
     if let Some(value) = conditions.get(name) {
         return Some((value, true));
@@ -116,17 +118,17 @@ fn of_scene(touchdown: &Touchdown, name: &str) -> Option<(f64, bool)> {
     }
     if name.starts_with("thrust.") {
         let has_thrust = !conditions.thrust_knots().is_empty();
-        let default = if name == "thrust.scale" { 1.0 } else { 0.0 };
-        return has_thrust.then_some((default, false));
+        return has_thrust.then_some((quantity.default_number(), false));
     }
     if let Some(of_pad) = name
         .split_once("].block_")
         .map(|(leg, key)| format!("{leg}].{key}"))
     {
+        let of_pad = Parameter::named(&of_pad, touchdown.vehicle.vehicle.legs().len())?;
         return of_scene(touchdown, &of_pad).map(|(value, _)| (value, false));
     }
     if name.starts_with("footing[") {
-        return Some((0.0, false));
+        return Some((quantity.default_number(), false));
     }
     if name == "gravity_fps2" {
         return Some((touchdown.vehicle.vehicle.gravity(), false));
@@ -179,11 +181,9 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
         "tolerance" => (json!(settings.tolerance()), None),
         "time_limit_s" => {
             let limit = settings.time_limit();
-            let shown = ranges::shown(name, limit);
-            (
-                json!(limit),
-                Some(Slider::over(shown, limit, &ranges::of(name))),
-            )
+            let shown = ranges::shown(parameter.quantity()?, limit);
+            let slider = Slider::over(shown, limit, &Allowed::of(parameter.quantity()));
+            (json!(limit), Some(slider))
         }
         "friction_profile" => (
             json!(word(&FRICTION_PROFILES, settings.friction_profile())),
@@ -207,7 +207,7 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
         is_given: touchdown.gives_solver(key),
         slider,
         si: None,
-        allowed: ranges::of(name),
+        allowed: Allowed::of(parameter.quantity()),
         group: "solver",
         leg: None,
         is_own: false,

@@ -8,6 +8,7 @@ use touchdown_sweep::document::{Entry, Node, Value};
 use touchdown_sweep::history::History;
 use touchdown_sweep::parameter::Home;
 use touchdown_sweep::toml_text;
+use touchdown_sweep::unit::without_program_unit;
 
 use super::IsOver;
 use super::complaint::Complaint;
@@ -18,33 +19,11 @@ use crate::named::{Named, SourceKind};
 
 const SCENE_FILE: &str = "touchdown.toml";
 const VEHICLE_FILE: &str = "vehicle.toml";
-/// Options of `touchdown land` for conditions.
-const OPTIONS: [(&str, &str); 12] = [
-    ("vertical_velocity_fps", "--vertical-velocity"),
-    ("horizontal_velocity_fps", "--horizontal-velocity"),
-    ("cross_slope_deg", "--cross-slope"),
-    ("slope_deg", "--slope"),
-    ("friction", "--friction"),
-    ("block_friction", "--block-friction"),
-    ("pitch_deg", "--pitch"),
-    ("yaw_deg", "--yaw"),
-    ("roll_deg", "--roll"),
-    ("tip_deg", "--tip"),
-    ("tip_azimuth_deg", "--tip-azimuth"),
-    ("nominal_roll_deg", "--nominal-roll"),
-];
-/// Options for the solver.
-const SOLVER_OPTIONS: [(&str, &str); 9] = [
-    ("tolerance", "--tolerance"),
-    ("time_limit_s", "--time-limit"),
-    ("rules", "--rules"),
-    ("crush_rule", "--crush-rule"),
-    ("contact_rule", "--contact-rule"),
-    ("rest_rule", "--rest-rule"),
-    ("toppling_rule", "--toppling-rule"),
-    ("friction_profile", "--friction-profile"),
-    ("stop", "--stop"),
-];
+/// The option of `touchdown land` for a condition or a key of the solver, if there is one for it alone.
+fn option_of(name: &str) -> Option<String> {
+    let is_single = !name.contains('.') && !name.starts_with("angular_velocity");
+    is_single.then(|| format!("--{}", without_program_unit(name).replace('_', "-")))
+}
 
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -116,8 +95,8 @@ pub fn command(named: &Named, request: &str) -> Result<String, Complaint> {
     let mut words = vec!["touchdown land --vehicle".to_owned(), quoted(&vehicle_file)];
     let mut set = Vec::new();
     for (name, value) in given(&touchdown) {
-        match OPTIONS.iter().find(|(known, _)| *known == name) {
-            Some((_, option)) => words.push(format!("{option}={value}")),
+        match option_of(name) {
+            Some(option) => words.push(format!("{option}={value}")),
             None => set.push(format!("{name}={value}")),
         }
     }
@@ -127,7 +106,7 @@ pub fn command(named: &Named, request: &str) -> Result<String, Complaint> {
             .map(|one| format!("{}={}", one.parameter().name(), one.text())),
     );
     for entry in touchdown.solver_entries() {
-        if let Some((_, option)) = SOLVER_OPTIONS.iter().find(|(key, _)| *key == entry.key) {
+        if let Some(option) = option_of(&entry.key) {
             match &entry.node.value {
                 Value::Number(number) => words.push(format!("{option}={number}")),
                 Value::Text(word) => words.push(format!("{option}={word}")),

@@ -11,7 +11,7 @@ fn drawn(tables: &[(&str, &str)], columns: &[&str]) -> String {
 
 #[test]
 fn every_quantity_has_a_panel_and_free_flight_is_thick() {
-    let text = "tip_azimuth_deg,t_s,psi_deg,omega_x_dps,touches\n\
+    let text = "tip_azimuth_deg,t_s,pitch_deg,angular_velocity_x_dps,touches\n\
                 90,0,1,-3,1\n90,0.5,2,-2,0\n90,1,2,-2,0\n-90,0,3,1,1\n-90,1,3,2,1\n";
     let svg = drawn(&[("", text)], &[]);
     assert!(svg.contains("Pitch angle") && svg.contains("Angular velocity about x"));
@@ -32,9 +32,12 @@ fn printed_values_are_circles() {
 
 #[test]
 fn several_tables_lie_over_each_other_each_with_its_dashes() {
-    let one = "t_s,psi_deg,xi_deg\n0,1,2\n1,2,3\n";
-    let other = "t_s,psi_deg\n0,1\n2,4\n";
-    let svg = drawn(&[("one", one), ("other", other)], &["psi_deg", "xi_deg"]);
+    let one = "t_s,pitch_deg,roll_deg\n0,1,2\n1,2,3\n";
+    let other = "t_s,pitch_deg\n0,1\n2,4\n";
+    let svg = drawn(
+        &[("one", one), ("other", other)],
+        &["pitch_deg", "roll_deg"],
+    );
     assert!(svg.contains(">one</text>") && svg.contains(">other</text>"));
     assert!(svg.contains("Angle, deg") && svg.contains(">pitch angle Ψ</text>"));
     // Pitch of the other landing, and the legend's sample.

@@ -2,6 +2,7 @@
 
 use crate::axis_title::{axis_title, column_words};
 use crate::figure_error::FigureError;
+use crate::history_table::present_name;
 use crate::unit::{in_si, split_unit};
 
 /// A panel.
@@ -43,9 +44,9 @@ const PAGE: [PagePanel; 6] = [
     (
         "Attitude",
         &[
-            ("pitch Ψ", &["psi_deg"]),
-            ("yaw Φ", &["phi_deg"]),
-            ("roll Ξ", &["xi_deg"]),
+            ("pitch Ψ", &["pitch_deg"]),
+            ("yaw Φ", &["yaw_deg"]),
+            ("roll Ξ", &["roll_deg"]),
         ],
     ),
     ("Stability angle σ", &[("σ", &["sigma_deg"])]),
@@ -122,15 +123,15 @@ fn of_page(quantities: &[String], (title, curves): &PagePanel) -> Option<Panel> 
 /// Names the column that the table does not have.
 pub fn chosen(quantities: &[String], names: &[String]) -> Result<Vec<Panel>, FigureError> {
     let mut panels: Vec<(&str, Vec<Curve>)> = Vec::new();
-    for name in names {
-        let columns = matching(quantities, name);
+    for name in names.iter().map(|name| present_name(name)) {
+        let columns = matching(quantities, &name);
         if columns.is_empty() {
             return Err(FigureError::Table(format!(
                 "has no column {name}: expected {}",
                 patterns(quantities).join(", ")
             )));
         }
-        let unit = split_unit(name).1;
+        let unit = split_unit(&name).1;
         let curves = columns.iter().map(|column| curve(column));
         match panels.iter_mut().find(|(known, _)| *known == unit) {
             Some((_, panel)) => panel.extend(curves),
@@ -218,7 +219,7 @@ mod tests {
             "z_ft",
             "x_rate_fps",
             "z_rate_fps",
-            "psi_deg",
+            "pitch_deg",
             "sigma_deg",
             "strut_force_1_lb",
             "strut_force_2_lb",
@@ -266,12 +267,14 @@ mod tests {
 
     #[test]
     fn chosen_columns_share_a_panel_if_they_share_their_unit() {
-        let columns = owned(&["psi_deg", "stroke_1_ft", "stroke_2_ft", "xi_deg"]);
-        let panels = chosen(&columns, &owned(&["psi_deg", "stroke_#_ft", "xi_deg"])).unwrap();
+        let columns = owned(&["pitch_deg", "stroke_1_ft", "stroke_2_ft", "roll_deg"]);
+        let panels = chosen(&columns, &owned(&["pitch_deg", "stroke_#_ft", "roll_deg"])).unwrap();
         assert_eq!(titles(&panels), [("Angle, deg", 2), ("Length, ft", 2)]);
         assert_eq!(panels[1].curves[0].name, "stroke, leg 1");
         let complaint = chosen(&columns, &owned(&["stroke_ft"])).unwrap_err();
         let complaint = complaint.to_string();
-        assert!(complaint.contains("no column stroke_ft: expected psi_deg, stroke_#_ft, xi_deg"));
+        assert!(
+            complaint.contains("no column stroke_ft: expected pitch_deg, stroke_#_ft, roll_deg")
+        );
     }
 }

@@ -10,6 +10,16 @@ const TOUCHES: &str = "touches";
 /// Part of the name of a column of printed values, before its unit.
 const PRINTED: &str = "_1966";
 
+/// Names of columns up to version 0.1, and those they have now.
+const RENAMED: [(&str, &str); 6] = [
+    ("psi", "pitch"),
+    ("phi", "yaw"),
+    ("xi", "roll"),
+    ("omega_x", "angular_velocity_x"),
+    ("omega_y", "angular_velocity_y"),
+    ("omega_z", "angular_velocity_z"),
+];
+
 /// Histories of the same quantities.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HistoryTable {
@@ -46,6 +56,15 @@ pub struct Instant {
 /// Returns whether the heading of a table is one of histories.
 pub fn is_history(csv: &str) -> bool {
     has_column(csv, &[TIME])
+}
+
+/// The name that a column has now: with the words of input files.
+pub fn present_name(column: &str) -> String {
+    let renamed = RENAMED.iter().find_map(|(old, new)| {
+        let rest = column.strip_prefix(old)?;
+        rest.starts_with('_').then(|| format!("{new}{rest}"))
+    });
+    renamed.unwrap_or_else(|| column.to_owned())
 }
 
 impl HistoryTable {
@@ -96,7 +115,7 @@ impl HistoryTable {
                 }),
             }
         }
-        let named = |column: usize| names[column].to_owned();
+        let named = |column: usize| present_name(names[column]);
         Ok(Self {
             condition: condition.map(named),
             quantities: quantities.into_iter().map(named).collect(),
@@ -117,11 +136,12 @@ mod tests {
 
     #[test]
     fn landings_are_told_apart_by_the_column_before_time() {
+        // The name of the column is one of the time before input's words.
         let text = "tip_azimuth_deg,t_s,psi_deg,touches\n90,0,1,1\n90,0.5,2,0\n-90,0,3,1\n";
         assert!(is_history(text));
         let table = HistoryTable::parse(text).unwrap();
         assert_eq!(table.condition.as_deref(), Some("tip_azimuth_deg"));
-        assert_eq!(table.quantities, ["psi_deg"]);
+        assert_eq!(table.quantities, ["pitch_deg"]);
         assert_eq!(table.landings.len(), 2);
         let first = &table.landings[0];
         assert_eq!(first.condition, Some(90.0));

@@ -4,7 +4,7 @@ use crate::parameter_words::parameter_words;
 use crate::unit::split_unit;
 
 /// Columns with a symbol in their title, or with other words than their names.
-const TITLES: [(&str, &str); 28] = [
+const TITLES: [(&str, &str); 22] = [
     ("vertical_velocity_fps", "Vertical velocity V_V, ft/s"),
     ("horizontal_velocity_fps", "Horizontal velocity V_H, ft/s"),
     ("cross_slope_deg", "Cross-slope angle λ, deg"),
@@ -23,12 +23,6 @@ const TITLES: [(&str, &str); 28] = [
     ("x_rate_fps", "Velocity across, ft/s"),
     ("y_rate_fps", "Velocity up the slope, ft/s"),
     ("z_rate_fps", "Velocity down, ft/s"),
-    ("psi_deg", "Pitch angle Ψ, deg"),
-    ("phi_deg", "Yaw angle Φ, deg"),
-    ("xi_deg", "Roll angle Ξ, deg"),
-    ("omega_x_dps", "Angular velocity about x, deg/s"),
-    ("omega_y_dps", "Angular velocity about y, deg/s"),
-    ("omega_z_dps", "Angular velocity about z, deg/s"),
     ("angular_velocity_x_dps", "Angular velocity about x, deg/s"),
     ("angular_velocity_y_dps", "Angular velocity about y, deg/s"),
     ("angular_velocity_z_dps", "Angular velocity about z, deg/s"),

@@ -91,7 +91,7 @@ fn table_4_3(vehicle: &Vehicle) -> Result<String, Failure> {
 }
 
 fn azimuths(vehicle: &Vehicle) -> Result<String, Failure> {
-    let mut text = "tip_azimuth_deg,t_s,psi_deg,omega_x_dps,touches\n".to_owned();
+    let mut text = "tip_azimuth_deg,t_s,pitch_deg,angular_velocity_x_dps,touches\n".to_owned();
     for azimuth in AZIMUTHS {
         for moment in flights::tipped(vehicle, azimuth)?.moments {
             let Moment {

@@ -178,7 +178,7 @@ mod tests {
             ),
             // Angles, times, numbers, and what is named in SI already.
             ("roll_deg", "roll_deg", 30.0, 30.0),
-            ("omega_x_dps", "omega_x_dps", 3.0, 3.0),
+            ("angular_velocity_x_dps", "angular_velocity_x_dps", 3.0, 3.0),
             ("end_time_s", "end_time_s", 2.5, 2.5),
             ("friction", "friction", 0.8, 0.8),
             ("slope_rad", "slope_rad", 0.1, 0.1),

@@ -124,6 +124,11 @@ pub(crate) fn program_unit(name: &str) -> Option<(&str, &'static Unit)> {
     fitting.max_by_key(|(_, unit)| unit.ending.len())
 }
 
+/// A name without its unit, if that is one of the program.
+pub fn without_program_unit(name: &str) -> &str {
+    program_unit(name).map_or(name, |(bare, _)| bare)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

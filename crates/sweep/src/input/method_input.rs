@@ -1,10 +1,16 @@
 //! Integration methods by name, with their numbers.
 
+use touchdown_dynamics::error_control::ERROR_LIMITS;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, FixedInterval, Method};
+use touchdown_dynamics::quantities::{
+    ERROR_SCALE, FIRST_INTERVAL, INTERVAL, LEAST_INTERVAL, TOLERANCE,
+};
+use touchdown_dynamics::quantity::Quantity;
 
 use crate::choice::chosen_by;
 use crate::input_error::InputError;
+use crate::numbers::{self, joined, keys, keys_of};
 use crate::section::Section;
 
 /// Names of the methods.
@@ -15,24 +21,13 @@ const CHECKED: [&str; 2] = ["report", "milne"];
 const FIXED: [&str; 2] = ["rk4", "trapezoidal"];
 
 /// Keys of `[solver]` for the method.
-pub(crate) const KEYS: [&str; 6] = [
-    "method",
-    "error_scale",
-    "first_interval_s",
-    "least_interval_s",
-    "interval_s",
-    "error_per_second",
-];
+pub(crate) const KEYS: [&str; 6] =
+    joined(&[&["method", "error_per_second"], &keys_of::<4>(&NUMBERS)]);
 
-pub(crate) const LIMITS: [&str; 7] = [
-    "pad_angle_deg",
-    "link_rate_dps",
-    "link_angle_deg",
-    "velocity_fps",
-    "position_ft",
-    "angular_velocity_dps",
-    "attitude_deg",
-];
+/// Numbers of `[solver]` for the method.
+pub(crate) const NUMBERS: [Quantity; 4] = [ERROR_SCALE, FIRST_INTERVAL, LEAST_INTERVAL, INTERVAL];
+
+pub(crate) const LIMITS: [&str; 7] = keys(&ERROR_LIMITS);
 
 /// Numbers of a method.
 #[derive(Debug, Clone, Copy, Default)]
@@ -57,24 +52,22 @@ pub struct MethodNumbers {
 /// Names the first number that is out of range or not used by the method.
 pub fn method(name: &str, numbers: &MethodNumbers) -> Result<Method, Invalid> {
     let used = [
-        ("tolerance", numbers.tolerance, &["located"][..]),
-        ("error_scale", numbers.error_scale, &CHECKED),
-        ("first_interval_s", numbers.first_interval, &CHECKED),
-        ("least_interval_s", numbers.least_interval, &CHECKED),
-        ("interval_s", numbers.interval, &FIXED),
+        (TOLERANCE, numbers.tolerance, &["located"][..]),
+        (ERROR_SCALE, numbers.error_scale, &CHECKED),
+        (FIRST_INTERVAL, numbers.first_interval, &CHECKED),
+        (LEAST_INTERVAL, numbers.least_interval, &CHECKED),
+        (INTERVAL, numbers.interval, &FIXED),
     ];
-    for (key, value, users) in used {
+    for (quantity, value, users) in used {
         if let (Some(value), false) = (value, users.contains(&name)) {
             let users = users.join(" or ");
             let allowed = format!("only with method {users}; the method is {name}");
-            return Err(Invalid::new(key, value, &allowed));
+            return Err(Invalid::new(quantity.key, value, &allowed));
         }
     }
     let control = || -> Result<ErrorControl, Invalid> {
-        let scale = numbers.error_scale.unwrap_or(1.0);
-        if scale <= 0.0 {
-            return Err(Invalid::new("error_scale", scale, "value > 0"));
-        }
+        let scale = (numbers.error_scale).unwrap_or(ERROR_SCALE.default_number());
+        ERROR_SCALE.check("", scale)?;
         ErrorControl::new(
             numbers.limits.unwrap_or_default().scaled(scale),
             numbers
@@ -143,7 +136,7 @@ pub(crate) fn read(solver: &Section, tolerance: Option<f64>) -> Result<Method, I
     };
     let limits = match solver.optional_section("error_per_second", &LIMITS)? {
         None => None,
-        Some(table) => Some(error_limits(&table)?),
+        Some(table) => Some(numbers::read(&table, &ERROR_LIMITS)?),
     };
     if let (Some(found), false) = (
         solver.optional("error_per_second"),
@@ -152,38 +145,15 @@ pub(crate) fn read(solver: &Section, tolerance: Option<f64>) -> Result<Method, I
         let said = format!("expected to leave it out: method {name} does not use it");
         return Err(found.complain_that(&said));
     }
-    let numbers = MethodNumbers {
+    let given = MethodNumbers {
         tolerance,
-        error_scale: solver.optional_number("error_scale")?,
-        first_interval: solver.optional_number("first_interval_s")?,
-        least_interval: solver.optional_number("least_interval_s")?,
-        interval: solver.optional_number("interval_s")?,
+        error_scale: solver.optional_number(ERROR_SCALE.key)?,
+        first_interval: solver.optional_number(FIRST_INTERVAL.key)?,
+        least_interval: solver.optional_number(LEAST_INTERVAL.key)?,
+        interval: solver.optional_number(INTERVAL.key)?,
         limits,
     };
-    method(name, &numbers).map_err(|invalid| solver.complain(&invalid))
-}
-
-/// Reads error limits; missing ones default to the report's.
-fn error_limits(table: &Section) -> Result<ErrorLimits, InputError> {
-    let mut limits = ErrorLimits::default();
-    let angle = |key| -> Result<Option<f64>, InputError> {
-        Ok(table.optional_number(key)?.map(f64::to_radians))
-    };
-    let given = [
-        (&mut limits.pad_angle, angle("pad_angle_deg")?),
-        (&mut limits.link_rate, angle("link_rate_dps")?),
-        (&mut limits.link_angle, angle("link_angle_deg")?),
-        (&mut limits.velocity, table.optional_number("velocity_fps")?),
-        (&mut limits.position, table.optional_number("position_ft")?),
-        (&mut limits.angular_velocity, angle("angular_velocity_dps")?),
-        (&mut limits.attitude, angle("attitude_deg")?),
-    ];
-    for (limit, value) in given {
-        if let Some(value) = value {
-            *limit = value;
-        }
-    }
-    Ok(limits)
+    method(name, &given).map_err(|invalid| solver.complain(&invalid))
 }
 
 #[cfg(test)]

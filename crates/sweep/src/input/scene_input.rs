@@ -7,43 +7,28 @@ mod attitude;
 mod footing;
 mod thrust;
 
+use std::sync::LazyLock;
+
 use thiserror::Error;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::quantities::{self, CONDITIONS};
+use touchdown_dynamics::quantity::{IfMissing, Quantity};
 use touchdown_dynamics::rules::ContactRule;
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 use touchdown_dynamics::thrust::MOST_KNOTS;
 use touchdown_dynamics::vehicle::Vehicle;
 
+use crate::document::dotted;
 use crate::input_error::InputError;
+use crate::numbers::explanation;
 use crate::section::{LocatedValue, Section};
 
-use footing::FOOTING_NAMES;
+use attitude::{EULER, TIP};
 pub(crate) use footing::{FOOTING, FOOTING_KEYS};
-use thrust::THRUST_NAMES;
 pub(crate) use thrust::{THRUST, THRUST_KEYS};
 
-/// Names of the touchdown conditions of the whole vehicle, with units. Those of the ground under each leg are
-/// `footing[1].height_ft` etc.
-pub const NAMES: [&str; 16] = [
-    "vertical_velocity_fps",
-    "horizontal_velocity_fps",
-    "cross_slope_deg",
-    "slope_deg",
-    "friction",
-    "block_friction",
-    "pitch_deg",
-    "yaw_deg",
-    "roll_deg",
-    "tip_deg",
-    "tip_azimuth_deg",
-    "nominal_roll_deg",
-    "angular_velocity_x_dps",
-    "angular_velocity_y_dps",
-    "angular_velocity_z_dps",
-    "gravity_fps2",
-];
 /// Alternative to the acceleration of gravity: the body on which the vehicle lands.
 const GRAVITY: &str = "gravity";
 /// Bodies, each with its acceleration of gravity, m/s²: standard gravity, and surface gravities from NASA's planetary
@@ -55,25 +40,54 @@ pub(crate) const BODIES: [(&str, f64); 4] = [
     ("ceres", 0.284),
 ];
 /// The condition varied by a boundary search.
-pub const HORIZONTAL_VELOCITY: &str = "horizontal_velocity_fps";
+pub const HORIZONTAL_VELOCITY: &str = quantities::HORIZONTAL_VELOCITY.key;
 
 const METRES_PER_FOOT: f64 = 0.3048;
 
-/// Greatest angle, a hundred turns, deg: precision is lost beyond it.
-const GREATEST_ANGLE: f64 = 36_000.0;
+/// A condition of a touchdown.
+pub(crate) struct Condition {
+    /// Its name in results and as an axis, such as `slope_deg` or `footing[1].height_ft`.
+    pub(crate) name: String,
+    /// What it is.
+    pub(crate) quantity: &'static Quantity,
+}
 
-/// Number of all conditions.
-const COUNT: usize = NAMES.len() + THRUST_NAMES.len() + MOST_LEGS * FOOTING_KEYS.len();
+/// Number of conditions that do not belong to a leg, and of all.
+const OF_ALL_LEGS: usize = CONDITIONS.len() + quantities::THRUST.len();
+const COUNT: usize = OF_ALL_LEGS + MOST_LEGS * quantities::FOOTING.len();
 
-/// Names of all conditions of vehicles with `legs` legs.
+/// All conditions: of the whole vehicle, of the thrust, of the ground under leg 1, under leg 2, ...
+static ALL: LazyLock<Vec<Condition>> = LazyLock::new(|| {
+    let of = |table: String, quantities: &'static [Quantity]| {
+        quantities.iter().map(move |quantity| Condition {
+            name: dotted(&table, quantity.key),
+            quantity,
+        })
+    };
+    let of_legs =
+        (1..=MOST_LEGS).flat_map(|leg| of(format!("{FOOTING}[{leg}]"), quantities::FOOTING));
+    of(String::new(), CONDITIONS)
+        .chain(of(THRUST.to_owned(), quantities::THRUST))
+        .chain(of_legs)
+        .collect()
+});
+
+/// All conditions of vehicles with `legs` legs.
+pub(crate) fn conditions(legs: usize) -> &'static [Condition] {
+    &ALL[..OF_ALL_LEGS + legs * quantities::FOOTING.len()]
+}
+
+/// Their names.
 pub(crate) fn names(legs: usize) -> impl Iterator<Item = &'static str> {
-    let of_legs = FOOTING_NAMES.iter().take(legs).flatten();
-    NAMES.iter().chain(&THRUST_NAMES).chain(of_legs).copied()
+    conditions(legs)
+        .iter()
+        .map(|condition| condition.name.as_str())
 }
 
 /// Keys of a table [scene].
 pub(crate) fn scene_keys() -> Vec<&'static str> {
-    [&NAMES[..], &[GRAVITY, FOOTING, THRUST]].concat()
+    let keys = CONDITIONS.iter().map(|quantity| quantity.key);
+    keys.chain([GRAVITY, FOOTING, THRUST]).collect()
 }
 
 /// A table of named touchdown conditions; velocities in ft/s, lengths in ft, angles in deg, rates in deg/s.
@@ -135,13 +149,13 @@ impl NamedConditions {
     /// Reads conditions from a table [scene].
     pub(crate) fn read(scene: &Section) -> Result<Self, InputError> {
         let mut conditions = Self::default();
-        for name in NAMES {
-            if let Some(value) = scene.optional_number(name)? {
-                conditions.set(name, value);
+        for key in CONDITIONS.iter().map(|quantity| quantity.key) {
+            if let Some(value) = scene.optional_number(key)? {
+                conditions.set(key, value);
             }
         }
         if let Some(found) = scene.optional(GRAVITY) {
-            if conditions.get("gravity_fps2").is_some() {
+            if conditions.get(quantities::GRAVITY.key).is_some() {
                 return Err(found.complain_that("also given as a number: expected one of them"));
             }
             let word = found.text().ok();
@@ -151,7 +165,7 @@ impl NamedConditions {
                     "\"moon\", \"mars\", \"earth\" or \"ceres\", or a number as gravity_fps2 or gravity_mps2",
                 ));
             };
-            conditions.set("gravity_fps2", gravity / METRES_PER_FOOT);
+            conditions.set(quantities::GRAVITY.key, gravity / METRES_PER_FOOT);
         }
         conditions.read_thrust(scene)?;
         conditions.read_footing(scene)?;
@@ -177,37 +191,46 @@ impl NamedConditions {
 
     /// The given conditions and those that default from them, by name.
     pub fn resolved(&self) -> Vec<(&'static str, f64)> {
-        names(MOST_LEGS)
-            .filter_map(|name| Some((name, self.get(name).or_else(|| self.default_of(name))?)))
-            .collect()
+        let value = |name| self.get(name).or_else(|| self.default_of(name));
+        let of_vehicle = CONDITIONS.iter().map(|quantity| quantity.key);
+        let resolved = of_vehicle.filter_map(|name| Some((name, value(name)?)));
+        let others = conditions(MOST_LEGS).iter().skip(CONDITIONS.len());
+        let given = others.filter_map(|one| Some((one.name.as_str(), self.get(&one.name)?)));
+        resolved.chain(given).collect()
     }
 
+    /// Default of a condition of the whole vehicle, if it has one. One form of the attitude is as good as the other; the
+    /// form that is not given has no defaults.
     fn default_of(&self, name: &str) -> Option<f64> {
-        match name {
-            "block_friction" => self.get("friction"),
-            "pitch_deg" | "yaw_deg" | "roll_deg" if !self.is_tipped() => Some(0.0),
-            "nominal_roll_deg" if self.is_tipped() => Some(0.0),
-            "angular_velocity_x_dps" | "angular_velocity_y_dps" | "angular_velocity_z_dps" => {
-                Some(0.0)
-            }
+        if name == quantities::BLOCK_FRICTION.key {
+            return self.get(quantities::PAD_FRICTION.key);
+        }
+        let is_of_other_form = match self.is_tipped() {
+            true => EULER.contains(&name),
+            false => TIP.contains(&name),
+        };
+        match quantity(name)?.if_missing {
+            IfMissing::Number(default) if !is_of_other_form => Some(default),
             _ => None,
         }
     }
 
     /// Value of a condition, given or default.
     fn need(&self, name: &'static str) -> Result<f64, SceneFault> {
-        let fault = |value, allowed: &str| SceneFault {
-            name,
-            value,
-            allowed: allowed.to_owned(),
-        };
-        match self.get(name).or_else(|| self.default_of(name)) {
-            Some(value) if name.ends_with("_deg") && value.abs() > GREATEST_ANGLE => {
-                Err(fault(Some(value), "-36000 ≤ value ≤ 36000"))
-            }
-            Some(value) if value.is_finite() => Ok(value),
-            Some(value) => Err(fault(Some(value), "a finite number")),
-            None => Err(fault(None, meaning(name))),
+        let value = self.get(name).or_else(|| self.default_of(name));
+        let quantity = quantity(name);
+        match (value, quantity) {
+            (Some(value), Some(quantity)) if !quantity.range.contains(value) => Err(SceneFault {
+                name,
+                value: Some(value),
+                allowed: quantity.range.to_string(),
+            }),
+            (Some(value), _) => Ok(value),
+            (None, _) => Err(SceneFault {
+                name,
+                value,
+                allowed: quantity.map_or_else(String::new, explanation),
+            }),
         }
     }
 
@@ -220,8 +243,8 @@ impl NamedConditions {
         let is_located = settings.method() == Method::Located;
         if !self.thrust_knots().is_empty() && !is_located {
             return Err(SceneFault {
-                name: THRUST_NAMES[0],
-                value: self.get(THRUST_NAMES[0]).or(Some(1.0)),
+                name: thrust::SCALE,
+                value: self.get(thrust::SCALE).or(Some(1.0)),
                 allowed: "no thrust: only the method \"located\" knows it".to_owned(),
             });
         }
@@ -245,8 +268,8 @@ impl NamedConditions {
             });
         }
         let legs = vehicle.legs().len();
-        let beyond = FOOTING_NAMES.iter().skip(legs).flatten();
-        if let Some(name) = beyond.copied().find(|name| self.get(name).is_some()) {
+        let beyond = names(MOST_LEGS).skip(conditions(legs).len());
+        if let Some(name) = beyond.into_iter().find(|name| self.get(name).is_some()) {
             return Err(SceneFault {
                 name,
                 value: self.get(name),
@@ -261,18 +284,20 @@ impl NamedConditions {
     /// # Errors
     /// Names the first condition that is missing, not allowed, or in conflict with another.
     pub fn scene(&self) -> Result<Scene, SceneFault> {
+        let need = |quantity: &Quantity| self.need(quantity.key);
+        let angle = |quantity: &Quantity| need(quantity).map(f64::to_radians);
         let conditions = Conditions {
-            vertical_velocity: self.need("vertical_velocity_fps")?,
-            horizontal_velocity: self.need(HORIZONTAL_VELOCITY)?,
-            cross_slope: self.need("cross_slope_deg")?.to_radians(),
-            slope: self.need("slope_deg")?.to_radians(),
-            pad_friction: self.need("friction")?,
-            block_friction: self.need("block_friction")?,
+            vertical_velocity: need(&quantities::VERTICAL_VELOCITY)?,
+            horizontal_velocity: need(&quantities::HORIZONTAL_VELOCITY)?,
+            cross_slope: angle(&quantities::CROSS_SLOPE)?,
+            slope: angle(&quantities::SLOPE)?,
+            pad_friction: need(&quantities::PAD_FRICTION)?,
+            block_friction: need(&quantities::BLOCK_FRICTION)?,
             attitude: self.attitude()?,
             angular_velocity: [
-                self.need("angular_velocity_x_dps")?.to_radians(),
-                self.need("angular_velocity_y_dps")?.to_radians(),
-                self.need("angular_velocity_z_dps")?.to_radians(),
+                angle(&quantities::ANGULAR_VELOCITY_X)?,
+                angle(&quantities::ANGULAR_VELOCITY_Y)?,
+                angle(&quantities::ANGULAR_VELOCITY_Z)?,
             ],
             ground: self.ground()?,
             gravity: self.gravity()?,
@@ -282,17 +307,18 @@ impl NamedConditions {
     }
 
     fn gravity(&self) -> Result<Option<f64>, SceneFault> {
-        let name = "gravity_fps2";
+        let name = quantities::GRAVITY.key;
         self.get(name).map(|_| self.need(name)).transpose()
     }
 
     fn fault(&self, invalid: Invalid) -> SceneFault {
+        let [pad, block] = [quantities::PAD_FRICTION.key, quantities::BLOCK_FRICTION.key];
         // Block friction that defaults to friction is reported as friction.
-        let named = match names(MOST_LEGS).find(|name| *name == invalid.quantity) {
-            Some("block_friction") if self.get("block_friction").is_none() => Some("friction"),
-            named => named,
+        let name = match names(MOST_LEGS).find(|name| *name == invalid.quantity) {
+            Some(name) if name == block && self.get(block).is_none() => pad,
+            Some(name) => name,
+            None => pad,
         };
-        let name = named.unwrap_or("angular_velocity_x_dps");
         SceneFault {
             name,
             // The value as given: conversion to radians and back may change its last digit.
@@ -303,26 +329,16 @@ impl NamedConditions {
 }
 
 /// Conditions of every touchdown without default.
-pub(crate) const REQUIRED: [&str; 5] = [
-    "vertical_velocity_fps",
-    HORIZONTAL_VELOCITY,
-    "cross_slope_deg",
-    "slope_deg",
-    "friction",
-];
+pub(crate) fn required() -> impl Iterator<Item = &'static Quantity> {
+    CONDITIONS
+        .iter()
+        .filter(|quantity| quantity.if_missing == IfMissing::Required)
+}
 
-/// Meaning of a condition without default.
-pub(crate) fn meaning(name: &str) -> &'static str {
-    match name {
-        "vertical_velocity_fps" => "the downward velocity, ft/s, ≥ 0",
-        HORIZONTAL_VELOCITY => "the horizontal velocity, ft/s, ≥ 0",
-        "cross_slope_deg" => "the direction of travel, deg: 180 is straight downhill, 0 uphill",
-        "slope_deg" => "the slope of the surface, deg, -90 < value < 90",
-        "friction" => "the friction coefficient under the footpads, ≥ 0",
-        "tip_deg" => "the angle between centreline and vertical, deg",
-        "tip_azimuth_deg" => "the azimuth of the tip axis, deg",
-        _ => "a finite number",
-    }
+/// What the condition with a name is.
+pub(crate) fn quantity(name: &str) -> Option<&'static Quantity> {
+    let found = NamedConditions::position(name)?;
+    Some(ALL[found].quantity)
 }
 
 #[cfg(test)]
@@ -351,11 +367,12 @@ mod tests {
 
     #[test]
     fn what_has_no_default_is_asked_for() {
-        for name in &NAMES[..5] {
+        assert_eq!(required().count(), 5);
+        for name in required().map(|quantity| quantity.key) {
             let mut named = baseline();
             named.values[NamedConditions::position(name).unwrap()] = None;
             let fault = named.scene().unwrap_err();
-            assert_eq!((fault.name, fault.value), (*name, None));
+            assert_eq!((fault.name, fault.value), (name, None));
         }
     }
 

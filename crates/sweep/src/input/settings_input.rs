@@ -4,6 +4,8 @@ use std::path::Path;
 
 use serde_json::{Map, json};
 use touchdown_dynamics::method::Method;
+use touchdown_dynamics::quantities::{TIME_LIMIT, TOLERANCE};
+use touchdown_dynamics::quantity::Quantity;
 use touchdown_dynamics::rules::{
     ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
@@ -15,12 +17,15 @@ use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::method_input::{self, method_name};
+use crate::numbers::{joined, keys_of};
 use crate::section::{LocatedValue, Section};
 
-/// Keys of `[solver]`.
-pub const SOLVER: [&str; 9] = [
-    "tolerance",
-    "time_limit_s",
+/// Keys of `[solver]` for landings by any method.
+pub const SOLVER: [&str; 9] = joined(&[&keys_of::<2>(&NUMBERS), &WORDS]);
+/// Numbers of `[solver]` for landings by any method.
+const NUMBERS: [Quantity; 2] = [TOLERANCE, TIME_LIMIT];
+/// Keys that take words.
+const WORDS: [&str; 7] = [
     "rules",
     "crush_rule",
     "contact_rule",
@@ -29,6 +34,19 @@ pub const SOLVER: [&str; 9] = [
     "friction_profile",
     "stop",
 ];
+
+/// Keys of `[solver]` that take numbers.
+pub(crate) fn numbers() -> impl Iterator<Item = &'static Quantity> {
+    const { &NUMBERS }
+        .iter()
+        .chain(const { &method_input::NUMBERS })
+}
+
+/// All keys of `[solver]`.
+pub(crate) fn solver_keys() -> Vec<&'static str> {
+    [&SOLVER[..], &method_input::KEYS].concat()
+}
+
 /// Rule sets for landings.
 pub const RULES: [(&str, Rules); 2] = [("1966", Rules::REPORT), ("physical", Rules::PHYSICAL)];
 /// Rules for when an element may crush further.
@@ -233,22 +251,20 @@ pub fn settings_with<'v>(
 
 /// Location of the `stop` key in `[solver]`.
 pub(crate) fn stop<'d>(root: &Section<'d>) -> Result<Option<LocatedValue<'d>>, InputError> {
-    let known = [&SOLVER[..], &method_input::KEYS].concat();
-    let solver = root.optional_section("solver", &known)?;
+    let solver = root.optional_section("solver", &solver_keys())?;
     Ok(solver.and_then(|solver| solver.optional("stop")))
 }
 
 fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, InputError> {
-    let known = [&SOLVER[..], &method_input::KEYS].concat();
-    let Some(solver) = root.optional_section("solver", &known)? else {
+    let Some(solver) = root.optional_section("solver", &solver_keys())? else {
         return (Settings::default().with_tolerance(default_tolerance))
             .map_err(|invalid| root.complain(&invalid));
     };
-    let tolerance = solver.optional_number("tolerance")?;
+    let tolerance = solver.optional_number(TOLERANCE.key)?;
     let method = method_input::read(&solver, tolerance)?;
     let tolerance = tolerance.unwrap_or(default_tolerance);
     let time_limit =
-        (solver.optional_number("time_limit_s")?).unwrap_or(Settings::DEFAULT_TIME_LIMIT);
+        (solver.optional_number(TIME_LIMIT.key)?).unwrap_or(Settings::DEFAULT_TIME_LIMIT);
     let rules = rule_choices(&solver)?;
     let friction_profile = choice(&solver, "friction_profile", &FRICTION_PROFILES)?;
     let settings = Settings::default()

@@ -5,87 +5,58 @@ use std::path::Path;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::quantities;
+use touchdown_dynamics::quantity::{Field, Quantity};
 use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::vehicle::{
-    Block, Damper, Footpad, Honeycomb, Inertia, LEAST_LEGS, Leg, LegDesign, Linkage, Strut,
-    StrutElement, Vehicle,
+    Block, Body, Damper, Footpad, Honeycomb, LEAST_LEGS, Leg, LegDesign, Strut, StrutElement,
+    Vehicle,
 };
 
-use crate::choice::chosen_by;
-use crate::document::{Document, Value};
+use crate::choice::{self, choice, chosen_by};
+use crate::document::{Document, Value, dotted};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::library::Library;
+use crate::numbers::{self, fill, joined, keys, read};
 use crate::section::Section;
 use crate::settings_input::RULES;
-use crate::vehicle_tables::{LOAD, MULTIPLIER, PRESSURE, SCALE, crush_load, profile};
+use crate::vehicle_tables::{LOAD, MULTIPLIER, PRESSURE, crush_load, profile};
 
-pub(crate) const VEHICLE: [&str; 13] = [
-    "name",
-    "rules",
-    "mass_slug",
-    "gravity_fps2",
-    "center_of_gravity_height_ft",
-    "center_of_gravity_offset_x_ft",
-    "center_of_gravity_offset_y_ft",
-    "inertia_slug_ft2",
-    "linkage",
-    "strut",
-    "footpad",
-    "block",
-    "legs",
-];
-pub(crate) const INERTIA: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
-pub(crate) const LEG: [&str; 5] = ["azimuth_deg", "linkage", "strut", "footpad", "block"];
-pub(crate) const LINKAGE: [&str; 5] = [
-    "lower_hardpoint_radius_ft",
-    "lower_link_length_ft",
-    "hardpoint_distance_ft",
-    "hardpoint_angle_deg",
-    "inertia_slug_ft2",
-];
+pub(crate) const VEHICLE: [&str; 13] = joined(&[
+    &["name", "rules"],
+    &keys(&quantities::BODY),
+    &keys(&quantities::OFFSET),
+    &[
+        INERTIA_TABLE,
+        "linkage",
+        "strut",
+        "footpad",
+        "block",
+        "legs",
+    ],
+]);
+const INERTIA_TABLE: &str = "inertia_slug_ft2";
+pub(crate) const INERTIA: [&str; 6] = keys(&quantities::INERTIA);
+pub(crate) const LEG: [&str; 5] = joined(&[
+    &keys(&quantities::LEG),
+    &["linkage", "strut", "footpad", "block"],
+]);
+pub(crate) const LINKAGE: [&str; 5] = keys(&quantities::LINKAGE);
 /// Keys of struts of every kind.
-const STRUT: [&str; 4] = [
-    "kind",
-    "extended_length_ft",
-    "minimum_length_ft",
-    "friction_fraction",
-];
-/// Kinds of struts, each with the keys that only it has. The first is the default.
-pub(crate) const STRUT_KINDS: [(&str, &[&str]); 2] =
-    [("damper", &DAMPER), ("honeycomb", &HONEYCOMB)];
-const DAMPER: [&str; 8] = [
-    "structural_stiffness_lb_per_ft",
-    "preload_lb",
-    "spring_constant_lb_per_ft",
-    "compression_damping",
-    "rebound_damping",
-    "rebound_growth_per_ft",
-    "spring_profile",
-    "damping_profile",
-];
-const HONEYCOMB: [&str; 2] = ["unloading_stiffness_lb_per_ft", "crush_load"];
-pub(crate) const FOOTPAD: [&str; 10] = [
-    "diameter_ft",
-    "height_ft",
-    "crush_pressure_psf",
-    "inertia_slug_ft2",
-    "hinge_damping_ftlb_s",
-    "minimum_angle_deg",
-    "maximum_angle_deg",
-    "profile",
-    EDGE[0],
-    EDGE[1],
-];
-/// Load capacity of a footpad that has turned over; both keys or none.
-const EDGE: [&str; 2] = ["edge_angle_deg", "edge_load_lb"];
-pub(crate) const BLOCK: [&str; 5] = [
-    "radius_ft",
-    "height_ft",
-    "diameter_ft",
-    "crush_pressure_psf",
-    "profile",
-];
+const STRUT: [&str; 4] = joined(&[&["kind"], &keys(&quantities::STRUT)]);
+const DAMPER: [&str; 8] = joined(&[&keys(&quantities::DAMPER), &DAMPER_TABLES]);
+const DAMPER_TABLES: [&str; 2] = ["spring_profile", "damping_profile"];
+const HONEYCOMB: [&str; 2] = joined(&[&keys(&quantities::HONEYCOMB), &[CRUSH_LOAD]]);
+const CRUSH_LOAD: &str = "crush_load";
+pub(crate) const FOOTPAD: [&str; 10] = joined(&[
+    &keys(&quantities::FOOTPAD),
+    &[PROFILE],
+    &keys(&quantities::EDGE),
+]);
+pub(crate) const BLOCK: [&str; 5] = joined(&[&keys(&quantities::BLOCK), &[PROFILE]]);
+/// The table of a footpad or a block.
+const PROFILE: &str = "profile";
 /// The keys of all tables.
 pub(crate) const KEYS: [&[&str]; 12] = [
     &VEHICLE,
@@ -101,46 +72,79 @@ pub(crate) const KEYS: [&[&str]; 12] = [
     &PRESSURE,
     &LOAD,
 ];
-/// Offset of the CG from the centreline; 0 if missing.
-const OFFSET: [&str; 2] = [
-    "center_of_gravity_offset_x_ft",
-    "center_of_gravity_offset_y_ft",
-];
-/// Tables of a strut, footpad or block.
-const TABLES: [&str; 4] = ["spring_profile", "damping_profile", "profile", "crush_load"];
 /// Word in place of a table `[block]` for a leg without a block.
 const NO_BLOCK: &str = "none";
-/// Keys of a table [strut] of any kind.
-pub(crate) fn strut_keys() -> Vec<&'static str> {
-    [&STRUT[..], &DAMPER, &HONEYCOMB].concat()
+
+/// Kind of a strut, by what carries the load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum StrutKind {
+    /// The Surveyor's shock absorber.
+    #[default]
+    Damper,
+    /// A crushable cartridge.
+    Honeycomb,
 }
 
-/// Dotted names of all numbers of a vehicle file with `legs` legs; tables count by their scales.
-pub(crate) fn numbers(legs: usize) -> Vec<String> {
-    let parts: [(&str, &[&str]); 4] = [
-        ("linkage", &LINKAGE),
-        ("strut", &strut_keys()),
-        ("footpad", &FOOTPAD),
-        ("block", &BLOCK),
-    ];
-    let of_a_leg = parts.iter().flat_map(|(part, keys)| {
-        let numbers = keys.iter().filter(|key| **key != "kind");
-        numbers.map(move |key| match TABLES.contains(key) {
-            true => format!("{part}.{key}.{SCALE}"),
-            false => format!("{part}.{key}"),
-        })
-    });
-    let of_a_leg: Vec<String> = of_a_leg.collect();
+/// Words of the kinds.
+pub(crate) const STRUT_KINDS: [(&str, StrutKind); 2] = [
+    ("damper", StrutKind::Damper),
+    ("honeycomb", StrutKind::Honeycomb),
+];
+
+impl StrutKind {
+    /// Keys that only struts of this kind have.
+    fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Damper => &DAMPER,
+            Self::Honeycomb => &HONEYCOMB,
+        }
+    }
+}
+
+/// Keys of a table [strut] of any kind.
+pub(crate) fn strut_keys() -> Vec<&'static str> {
+    let of_kinds = STRUT_KINDS.iter().flat_map(|(_, kind)| kind.keys());
+    STRUT.iter().chain(of_kinds).copied().collect()
+}
+
+/// The numbers of each table of a leg; a table of knots counts by its scale.
+fn numbers_of_a_leg() -> impl Iterator<Item = (String, &'static Quantity)> {
+    let linkage = fields("linkage", &quantities::LINKAGE);
+    let strut = fields("strut", &quantities::STRUT)
+        .chain(fields("strut", &quantities::DAMPER))
+        .chain(DAMPER_TABLES.map(|table| scale("strut", table)))
+        .chain(fields("strut", &quantities::HONEYCOMB))
+        .chain([scale("strut", CRUSH_LOAD)]);
+    let footpad = fields("footpad", &quantities::FOOTPAD)
+        .chain([scale("footpad", PROFILE)])
+        .chain(fields("footpad", &quantities::EDGE));
+    let block = fields("block", &quantities::BLOCK).chain([scale("block", PROFILE)]);
+    linkage.chain(strut).chain(footpad).chain(block)
+}
+
+fn fields<T>(
+    table: &'static str,
+    fields: &'static [Field<T>],
+) -> impl Iterator<Item = (String, &'static Quantity)> {
+    numbers::quantities(fields).map(move |quantity| (dotted(table, quantity.key), quantity))
+}
+
+fn scale(part: &str, table: &str) -> (String, &'static Quantity) {
+    let quantity = &quantities::TABLE_SCALE;
+    (format!("{part}.{table}.{}", quantity.key), quantity)
+}
+
+/// Dotted names of all numbers of a vehicle file with `legs` legs, with what they are.
+pub(crate) fn numbers(legs: usize) -> Vec<(String, &'static Quantity)> {
     let own = (1..=legs).flat_map(|leg| {
-        std::iter::once("azimuth_deg")
-            .chain(of_a_leg.iter().map(String::as_str))
-            .map(move |key| format!("legs[{leg}].{key}"))
+        let azimuth = fields("", &quantities::LEG);
+        let numbers = azimuth.chain(numbers_of_a_leg());
+        numbers.map(move |(name, quantity)| (format!("legs[{leg}].{name}"), quantity))
     });
-    let body = ["mass_slug", "gravity_fps2", "center_of_gravity_height_ft"].into_iter();
-    body.chain(OFFSET)
-        .map(str::to_owned)
-        .chain(INERTIA.map(|key| format!("inertia_slug_ft2.{key}")))
-        .chain(of_a_leg.iter().cloned())
+    fields("", &quantities::BODY)
+        .chain(fields("", &quantities::OFFSET))
+        .chain(fields(INERTIA_TABLE, &quantities::INERTIA))
+        .chain(numbers_of_a_leg())
         .chain(own)
         .collect()
 }
@@ -149,10 +153,12 @@ pub(crate) fn numbers(legs: usize) -> Vec<String> {
 /// a table is 1 and the offset of the CG 0.
 pub fn number(document: &Document, path: &KeyPath) -> Option<f64> {
     let of_all = || document.number(&path.of_all_legs()?);
-    let by_default = || match path.steps.last()?.key.as_str() {
-        SCALE => Some(1.0),
-        key if OFFSET.contains(&key) => Some(0.0),
-        _ => None,
+    let by_default = || {
+        let offset = numbers::quantities(&quantities::OFFSET);
+        let key = &path.steps.last()?.key;
+        let optional = offset.chain([&quantities::TABLE_SCALE]);
+        let found = optional.into_iter().find(|quantity| quantity.key == key);
+        found.map(Quantity::default_number)
     };
     document.number(path).or_else(of_all).or_else(by_default)
 }
@@ -237,13 +243,17 @@ impl VehicleFile {
         }
         let rules = (root.optional("rules"))
             .map_or(Ok(Rules::PHYSICAL), |word| chosen_by(&word, &RULES))?;
-        let [x, y] = OFFSET.map(|key| root.optional_number(key));
-        let offset = [x?.unwrap_or(0.0), y?.unwrap_or(0.0)];
+        let offset = read(&root, &quantities::OFFSET)?;
+        let body: Body = read(&root, &quantities::BODY)?;
+        let inertia = read(
+            &root.section(INERTIA_TABLE, &INERTIA)?,
+            &quantities::INERTIA,
+        )?;
         let vehicle = Vehicle::new(
-            root.number("mass_slug")?,
-            root.number("gravity_fps2")?,
-            root.number("center_of_gravity_height_ft")?,
-            inertia(&root.section("inertia_slug_ft2", &INERTIA)?)?,
+            body.mass,
+            body.gravity,
+            body.center_of_gravity_height,
+            inertia,
             legs,
         )
         .and_then(|vehicle| vehicle.with_center_of_gravity_offset(offset))
@@ -267,101 +277,72 @@ fn of_a_leg(invalid: &Invalid) -> Option<(usize, Invalid)> {
     Some((leg, Invalid::new(key, invalid.value, &*invalid.allowed)))
 }
 
-fn inertia(section: &Section) -> Result<Inertia, InputError> {
-    Ok(Inertia {
-        xx: section.number("xx")?,
-        yy: section.number("yy")?,
-        zz: section.number("zz")?,
-        xy: section.number("xy")?,
-        xz: section.number("xz")?,
-        yz: section.number("yz")?,
-    })
-}
-
 /// Builds a leg from its own table, and from `entry`: its own table on top of the values for all legs.
 fn leg(own: &Section, entry: &Section) -> Result<Leg, InputError> {
-    let design = LegDesign {
-        azimuth: own.number("azimuth_deg")?.to_radians(),
-        linkage: linkage(&entry.section("linkage", &LINKAGE)?)?,
+    let mut design = LegDesign {
+        azimuth: 0.0,
+        linkage: read(&entry.section("linkage", &LINKAGE)?, &quantities::LINKAGE)?,
         strut: strut(&entry.section("strut", &strut_keys())?)?,
         footpad: footpad(&entry.section("footpad", &FOOTPAD)?)?,
         block: block(entry)?,
     };
+    fill(own, &quantities::LEG, &mut design)?;
     Leg::new(design).map_err(|invalid| entry.complain(&invalid))
 }
 
-fn linkage(section: &Section) -> Result<Linkage, InputError> {
-    Ok(Linkage {
-        lower_hardpoint_radius: section.number("lower_hardpoint_radius_ft")?,
-        lower_link_length: section.number("lower_link_length_ft")?,
-        hardpoint_distance: section.number("hardpoint_distance_ft")?,
-        hardpoint_angle: section.number("hardpoint_angle_deg")?.to_radians(),
-        inertia: section.number("inertia_slug_ft2")?,
-    })
-}
-
 fn strut(section: &Section) -> Result<Strut, InputError> {
-    let kind = match section.optional("kind") {
-        None => STRUT_KINDS[0].0,
-        Some(found) => chosen_by(&found, &STRUT_KINDS.map(|(kind, _)| (kind, kind)))?,
-    };
-    for (other, keys) in STRUT_KINDS.iter().filter(|(other, _)| *other != kind) {
-        if let Some(found) = keys.iter().find_map(|key| section.optional(key)) {
+    let kind = choice(section, "kind", &STRUT_KINDS)?;
+    for (word, other) in STRUT_KINDS.iter().filter(|(_, other)| *other != kind) {
+        if let Some(found) = other.keys().iter().find_map(|key| section.optional(key)) {
             return Err(found.complain_that(&format!(
-                "only struts of kind \"{other}\" have this, and this one is of kind \"{kind}\""
+                "only struts of kind \"{word}\" have this, and this one is of kind \"{}\"",
+                choice::word(&STRUT_KINDS, kind)
             )));
         }
     }
-    Ok(Strut {
-        extended_length: section.number("extended_length_ft")?,
-        minimum_length: section.number("minimum_length_ft")?,
-        friction_fraction: section.number("friction_fraction")?,
-        element: match kind {
-            "honeycomb" => StrutElement::Honeycomb(Honeycomb {
-                unloading_stiffness: section.number("unloading_stiffness_lb_per_ft")?,
-                crush_load: crush_load(section)?,
-            }),
-            _ => StrutElement::Damper(damper(section)?),
-        },
-    })
+    let mut strut = Strut::default();
+    fill(section, &quantities::STRUT, &mut strut)?;
+    strut.element = match kind {
+        StrutKind::Damper => StrutElement::Damper(damper(section)?),
+        StrutKind::Honeycomb => StrutElement::Honeycomb(honeycomb(section)?),
+    };
+    Ok(strut)
 }
 
 fn damper(section: &Section) -> Result<Damper, InputError> {
-    Ok(Damper {
-        structural_stiffness: section.number("structural_stiffness_lb_per_ft")?,
-        preload: section.number("preload_lb")?,
-        spring_constant: section.number("spring_constant_lb_per_ft")?,
-        compression_damping: section.number("compression_damping")?,
-        rebound_damping: section.number("rebound_damping")?,
-        rebound_growth: section.number("rebound_growth_per_ft")?,
-        spring_profile: profile(section, "spring_profile", MULTIPLIER)?,
-        damping_profile: profile(section, "damping_profile", MULTIPLIER)?,
-    })
+    let [spring, damping] = DAMPER_TABLES;
+    let mut damper: Damper = read(section, &quantities::DAMPER)?;
+    damper.spring_profile = profile(section, spring, MULTIPLIER)?;
+    damper.damping_profile = profile(section, damping, MULTIPLIER)?;
+    Ok(damper)
+}
+
+fn honeycomb(section: &Section) -> Result<Honeycomb, InputError> {
+    let mut honeycomb = Honeycomb {
+        unloading_stiffness: 0.0,
+        crush_load: crush_load(section)?,
+    };
+    fill(section, &quantities::HONEYCOMB, &mut honeycomb)?;
+    Ok(honeycomb)
 }
 
 fn footpad(section: &Section) -> Result<Footpad, InputError> {
-    Ok(Footpad {
-        diameter: section.number("diameter_ft")?,
-        height: section.number("height_ft")?,
-        crush_pressure: section.number("crush_pressure_psf")?,
-        inertia: section.number("inertia_slug_ft2")?,
-        hinge_damping: (section.optional_number("hinge_damping_ftlb_s")?).unwrap_or(0.0),
-        minimum_angle: section.number("minimum_angle_deg")?.to_radians(),
-        maximum_angle: section.number("maximum_angle_deg")?.to_radians(),
-        profile: profile(section, "profile", PRESSURE)?,
-        edge: edge(section)?,
-    })
+    let mut footpad: Footpad = read(section, &quantities::FOOTPAD)?;
+    footpad.profile = profile(section, PROFILE, PRESSURE)?;
+    footpad.edge = edge(section)?;
+    Ok(footpad)
 }
 
+/// Load capacity of a footpad that has turned over; both keys or none.
 fn edge(section: &Section) -> Result<Option<PadEdge>, InputError> {
-    if EDGE.iter().all(|key| section.optional(key).is_none()) {
+    let keys = keys(&quantities::EDGE);
+    if keys.iter().all(|key| section.optional(key).is_none()) {
         return Ok(None);
     }
-    let [angle, load] = EDGE.map(|key| section.number(key));
-    Ok(Some(PadEdge {
-        angle: angle?.to_radians(),
-        load: load?,
-    }))
+    for key in keys {
+        section.number(key)?;
+    }
+    read(section, &quantities::EDGE).map(Some)
 }
 
 fn block(entry: &Section) -> Result<Option<Block>, InputError> {
@@ -374,13 +355,9 @@ fn block(entry: &Section) -> Result<Option<Block>, InputError> {
         };
     }
     let section = entry.section("block", &BLOCK)?;
-    Ok(Some(Block {
-        radius: section.number("radius_ft")?,
-        height: section.number("height_ft")?,
-        diameter: section.number("diameter_ft")?,
-        crush_pressure: section.number("crush_pressure_psf")?,
-        profile: profile(&section, "profile", PRESSURE)?,
-    }))
+    let mut block: Block = read(&section, &quantities::BLOCK)?;
+    block.profile = profile(&section, PROFILE, PRESSURE)?;
+    Ok(Some(block))
 }
 
 #[cfg(test)]

@@ -94,7 +94,7 @@ fn the_center_of_gravity_is_on_the_centreline_unless_the_file_says_otherwise() {
 #[test]
 fn every_number_has_a_name() {
     let mut document = Document::parse(Path::new("v.toml"), SURVEYOR).unwrap();
-    for name in numbers(3) {
+    for (name, _) in numbers(3) {
         let path = KeyPath::parse(&name).unwrap();
         assert!(document.write(&path, Value::Number(0.5)), "{name}");
     }
@@ -111,7 +111,7 @@ fn the_surveyor_in_si_is_the_surveyor() {
     const SI: &str = include_str!("../../../../sweeps/vehicles/surveyor-si.toml");
     // Nothing in it has a unit of 1966.
     let document = Document::parse(Path::new("v.toml"), SI).unwrap();
-    let numbers: Vec<String> = numbers(3);
+    let numbers: Vec<String> = numbers(3).into_iter().map(|(name, _)| name).collect();
     for name in numbers.iter().filter(|name| !name.starts_with("legs[")) {
         let unit = crate::unit::unit(&format!("vehicle.{name}"));
         let is_there = |step: &str| SI.contains(&format!("{step} = "));

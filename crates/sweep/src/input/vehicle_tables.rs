@@ -2,6 +2,7 @@
 
 use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::profile::Profile;
+use touchdown_dynamics::quantities::TABLE_SCALE;
 
 use crate::input_error::InputError;
 use crate::section::{LocatedValue, Section};
@@ -14,8 +15,7 @@ const LEAST_STEP: f64 = 1e-6;
 pub(crate) const MULTIPLIER: [&str; 3] = ["stroke_in", "multiplier", SCALE];
 pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", SCALE];
 pub(crate) const LOAD: [&str; 3] = ["stroke_in", "load_lb", SCALE];
-/// Factor on the ordinates of a table; 1 if missing.
-pub(crate) const SCALE: &str = "scale";
+const SCALE: &str = TABLE_SCALE.key;
 
 /// Reads the table of a honeycomb cartridge. Strokes may repeat at a step of the load.
 pub(crate) fn crush_load(section: &Section) -> Result<CrushLoad, InputError> {
@@ -123,12 +123,13 @@ fn check_pressure(x: &[f64], y: &[f64], items: &[LocatedValue]) -> Result<(), In
     Ok(())
 }
 
+/// Reads the factor on the ordinates of a table.
 fn scale(table: &Section) -> Result<f64, InputError> {
     match table.optional(SCALE) {
-        None => Ok(1.0),
+        None => Ok(TABLE_SCALE.default_number()),
         Some(found) => match found.number()? {
-            scale if scale > 0.0 && scale <= GREATEST => Ok(scale),
-            _ => Err(found.complain("0 < value ≤ 1e9")),
+            scale if TABLE_SCALE.range.contains(scale) => Ok(scale),
+            _ => Err(found.complain(&TABLE_SCALE.range.to_string())),
         },
     }
 }

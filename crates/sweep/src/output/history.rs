@@ -92,32 +92,32 @@ pub const OF_BODY: [Column<Instant>; 18] = [
         "velocity of the CG along Z",
     ),
     Column::number(
-        "psi_deg",
+        "pitch_deg",
         |at| Some(at.attitude.euler().pitch.to_degrees()),
         "pitch Ψ",
     ),
     Column::number(
-        "phi_deg",
+        "yaw_deg",
         |at| Some(at.attitude.euler().yaw.to_degrees()),
         "yaw Φ",
     ),
     Column::number(
-        "xi_deg",
+        "roll_deg",
         |at| Some(at.attitude.euler().roll.to_degrees()),
         "roll Ξ",
     ),
     Column::number(
-        "omega_x_dps",
+        "angular_velocity_x_dps",
         |at| Some(at.angular_velocity.x.to_degrees()),
         "angular velocity about the vehicle's x axis",
     ),
     Column::number(
-        "omega_y_dps",
+        "angular_velocity_y_dps",
         |at| Some(at.angular_velocity.y.to_degrees()),
         "angular velocity about the vehicle's y axis",
     ),
     Column::number(
-        "omega_z_dps",
+        "angular_velocity_z_dps",
         |at| Some(at.angular_velocity.z.to_degrees()),
         "angular velocity about the vehicle's z axis (centreline)",
     ),

@@ -5,11 +5,12 @@
 //! short names, which results always use. A parameter named in an SI unit has its values and result columns in that
 //! unit.
 
+use touchdown_dynamics::quantity::Quantity;
+
 use crate::column::{Cell, Heading, Kind};
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
-use crate::method_input;
 use crate::scene_input;
 use crate::spelling::{
     Conversion, did_you_mean, differ_in_unit, dotted_conversion, spellings, with_unit_of,
@@ -25,6 +26,7 @@ pub struct Parameter {
     home: Home,
     path: KeyPath,
     words: Vec<&'static str>,
+    quantity: Option<&'static Quantity>,
 }
 
 /// Parameters are equal if they are the same quantity, in whatever unit.
@@ -49,18 +51,18 @@ impl Parameter {
     /// Finds the parameter with a name, in any of its units, for vehicles with `legs` legs.
     pub fn named(name: &str, legs: usize) -> Option<Self> {
         let short = name.strip_prefix("scene.").unwrap_or(name);
-        let of_scene = scene_input::names(legs).find_map(|known| {
-            let conversion = dotted_conversion(short, known)?;
-            Some((short, known.to_owned(), conversion))
+        let of_scene = scene_input::conditions(legs).iter().find_map(|known| {
+            let conversion = dotted_conversion(short, &known.name)?;
+            Some((short, known.name.clone(), conversion, Some(known.quantity)))
         });
         let others = || {
-            dotted_names(legs).into_iter().find_map(|known| {
+            dotted(legs).into_iter().find_map(|(known, quantity)| {
                 let conversion = dotted_conversion(name, &known)?;
-                Some((name, known, conversion))
+                Some((name, known, conversion, quantity))
             })
         };
         let is_scene = of_scene.is_some();
-        let (name, program_name, conversion) = of_scene.or_else(others)?;
+        let (name, program_name, conversion, quantity) = of_scene.or_else(others)?;
         let (home, path) = match program_name.strip_prefix("vehicle.") {
             _ if is_scene => (Home::Scene, program_name.as_str()),
             Some(path) => (Home::Vehicle, path),
@@ -75,6 +77,7 @@ impl Parameter {
             conversion,
             home,
             words,
+            quantity,
         })
     }
 
@@ -92,7 +95,9 @@ impl Parameter {
             let key = strsim::jaro_winkler(&last(name), &last(known)) - 0.01;
             whole.max(key)
         };
-        let all = scene.chain(full).chain(dotted_names(legs));
+        let all = scene
+            .chain(full)
+            .chain(dotted(legs).into_iter().map(|(name, _)| name));
         let all: Vec<String> = all
             .filter(|known| !known.starts_with("scene.") || name.starts_with("scene."))
             .collect();
@@ -156,11 +161,14 @@ impl Parameter {
         &self.path
     }
 
+    /// What it is; `None` for words.
+    pub fn quantity(&self) -> Option<&'static Quantity> {
+        self.quantity
+    }
+
     /// True for an angle or a rate of turn.
     pub fn is_angular(&self) -> bool {
-        ["_deg", "_dps"]
-            .iter()
-            .any(|unit| self.program_name.ends_with(unit))
+        self.quantity.is_some_and(Quantity::is_angular)
     }
 
     /// Allowed words; empty for a number.
@@ -229,7 +237,7 @@ impl Parameter {
 /// Names of all parameters of vehicles with `legs` legs, in program units.
 pub fn names(legs: usize) -> impl Iterator<Item = String> {
     let scene = scene_input::names(legs).map(str::to_owned);
-    scene.chain(dotted_names(legs))
+    scene.chain(dotted(legs).into_iter().map(|(name, _)| name))
 }
 
 /// Parameters that take words, and their words.
@@ -241,15 +249,19 @@ fn word_keys() -> impl Iterator<Item = (String, Vec<&'static str>)> {
         .chain(solver.map(|(key, words)| (format!("solver.{key}"), words)))
 }
 
-/// Names of all parameters outside the scene.
-fn dotted_names(legs: usize) -> Vec<String> {
+/// All parameters outside the scene, by name.
+fn dotted(legs: usize) -> Vec<(String, Option<&'static Quantity>)> {
     let vehicle = vehicle_file::numbers(legs).into_iter();
-    let search = search_input::SEARCH.iter();
-    let solver = settings_input::SOLVER.iter().chain(&method_input::KEYS);
+    let search = const { &search_input::NUMBERS }.iter();
+    let words = word_keys().map(|(key, _)| (key, None));
+    let in_table = |table: &'static str| {
+        move |quantity: &'static Quantity| (format!("{table}.{}", quantity.key), Some(quantity))
+    };
     vehicle
-        .map(|name| format!("vehicle.{name}"))
-        .chain(search.map(|name| format!("search.{name}")))
-        .chain(solver.map(|name| format!("solver.{name}")))
+        .map(|(name, quantity)| (format!("vehicle.{name}"), Some(quantity)))
+        .chain(search.map(in_table("search")))
+        .chain(settings_input::numbers().map(in_table("solver")))
+        .chain(words)
         .collect()
 }
 

@@ -12,10 +12,9 @@ use crate::grid::Grid;
 use crate::input_error::{InputError, Place};
 use crate::levels::Levels;
 use crate::library::{Library, Source};
-use crate::method_input;
 use crate::parameter::Parameter;
 use crate::scene_input::FOOTING;
-use crate::settings_input::SOLVER;
+use crate::settings_input::solver_keys;
 use crate::sweep::Sweep;
 use crate::toml_text::{self, entries, entry, node};
 
@@ -179,8 +178,8 @@ fn axis_entries(axes: &Map<String, Json>, values: &[Assignment]) -> Result<Vec<E
 
 /// The table `[solver]` without what the record says in other words.
 fn solver_entries(solver: Option<&Map<String, Json>>) -> Vec<Entry> {
-    let keys = SOLVER.iter().chain(&method_input::KEYS);
-    let given = keys.filter_map(|key| Some(entry(key, node(solver?.get(*key)?))));
+    let keys = solver_keys().into_iter();
+    let given = keys.filter_map(|key| Some(entry(key, node(solver?.get(key)?))));
     given.collect()
 }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::quantity::Quantity;
 
 use crate::axis_input::{self, AxisEntry};
 use crate::choice::choice;
@@ -14,6 +15,7 @@ use crate::document::Document;
 use crate::grid::{Grid, GridFault, MOST_POINTS};
 use crate::input_error::{InputError, short};
 use crate::library::Library;
+use crate::numbers::explanation;
 use crate::output_units::OutputUnits;
 use crate::parameter::{Home, Parameter};
 use crate::scene_input::{self, HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
@@ -188,21 +190,25 @@ fn check_complete(root: &Section, asked: JobWord) -> Result<(), InputError> {
     let scene = root.optional_section("scene", &scene_input::scene_keys())?;
     let search = root.optional_section("search", &search_input::SEARCH)?;
     let searched = |name: &str| asked == JobWord::Boundary && name == HORIZONTAL_VELOCITY;
-    let of_scene = scene_input::REQUIRED.into_iter().filter(|name| {
+    let of_scene = scene_input::required().filter(|quantity| {
+        let name = quantity.key;
         let given = (scene.as_ref()).and_then(|scene| scene_input::find(scene, name));
         given.is_none() && !varies(name) && !searched(name)
     });
-    let of_search = search_input::REQUIRED.into_iter().filter(|(key, _)| {
+    let of_search = search_input::required().filter(|quantity| {
+        let key = quantity.key;
         let given = search.as_ref().and_then(|search| search.optional(key));
         asked == JobWord::Boundary && given.is_none() && !varies(&format!("search.{key}"))
     });
-    let of_scene = of_scene.map(|name| (format!("scene.{name}"), scene_input::meaning(name)));
-    let of_search = of_search.map(|(key, meaning)| (format!("search.{key}"), meaning));
-    let vehicle = (root.optional("vehicle").is_none()).then(|| ("vehicle".to_owned(), VEHICLE));
-    let missing: Vec<(String, &str)> = (vehicle.into_iter())
-        .chain(of_scene)
-        .chain((!has_axes).then(|| ("axes".to_owned(), axis_input::NEEDED)))
-        .chain(of_search)
+    let named = |table: &str, quantity: &Quantity| {
+        (format!("{table}.{}", quantity.key), explanation(quantity))
+    };
+    let table = |key: &str, meaning: &str| (key.to_owned(), meaning.to_owned());
+    let vehicle = root.optional("vehicle").is_none();
+    let missing: Vec<(String, String)> = (vehicle.then(|| table("vehicle", VEHICLE)).into_iter())
+        .chain(of_scene.map(|quantity| named("scene", quantity)))
+        .chain((!has_axes).then(|| table("axes", axis_input::NEEDED)))
+        .chain(of_search.map(|quantity| named("search", quantity)))
         .collect();
     if missing.len() < 2 {
         return Ok(());

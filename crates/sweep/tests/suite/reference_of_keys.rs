@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 
+use touchdown_dynamics::quantity::{IfMissing, Quantity};
 use touchdown_sweep::input_keys::{tables, word_choices};
 use touchdown_sweep::unit::unit;
 
@@ -94,6 +95,61 @@ fn words_and_their_defaults_are_those_of_the_code() {
         };
         assert_eq!(row[3], default, "{key}");
     }
+}
+
+/// Row of a number of a table, as the page should have it.
+fn row(table: &str, number: &Quantity) -> String {
+    let per = if table.ends_with("per_second") {
+        " per s"
+    } else {
+        ""
+    };
+    let unit = unit(&format!("{table}.{}", number.key)).replace(' ', "·");
+    let and = if number.relation.is_empty() { "" } else { ", " };
+    let default = match number.if_missing {
+        IfMissing::Required => String::new(),
+        IfMissing::Number(number) => number.to_string(),
+        IfMissing::Words(words) => words.to_owned(),
+    };
+    format!(
+        "| `{}` | {}{per} | {}{and}{} | {default} | {} |",
+        number.key,
+        unit.replace('2', "²"),
+        number
+            .range
+            .to_string()
+            .replace('-', "−")
+            .replace("e−", "e-"),
+        number.relation,
+        number.meaning,
+    )
+    .replace("|  |", "| |")
+}
+
+#[test]
+fn numbers_are_described_as_in_the_catalogue() {
+    let lines: Vec<&str> = REFERENCE.lines().collect();
+    let mut missing = Vec::new();
+    for table in tables() {
+        let marker = format!("<!-- keys: {} -->", table.name);
+        let start = lines.iter().position(|line| *line == marker).unwrap();
+        let end = lines[start..].iter().position(|line| line.is_empty());
+        let rows = &lines[start..start + end.unwrap_or(lines.len() - start)];
+        let needed = table.numbers.iter().map(|number| row(table.name, number));
+        missing.extend(
+            needed
+                .filter(|row| !rows.contains(&row.as_str()))
+                .map(|row| (table.name, row)),
+        );
+    }
+    let told: String = missing
+        .iter()
+        .map(|(table, row)| format!("{table}: {row}\n"))
+        .collect();
+    assert!(
+        missing.is_empty(),
+        "docs/reference.md needs these rows:\n{told}"
+    );
 }
 
 #[test]

@@ -1,108 +1,140 @@
 //! Touchdown conditions on the command line.
 
-use clap::Args;
+use clap::builder::ValueParser;
+use clap::{Arg, ArgGroup, ArgMatches, Args, Command, FromArgMatches};
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::quantities::{
+    ANGULAR_VELOCITY_X, ANGULAR_VELOCITY_Y, ANGULAR_VELOCITY_Z, CONDITIONS,
+};
+use touchdown_dynamics::quantity::{IfMissing, Quantity};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_sweep::assignment::{self, Assignment};
 use touchdown_sweep::input_error::InputError;
+use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::parameter::Parameter;
 use touchdown_sweep::scene_input::{NamedConditions, SceneFault};
+use touchdown_sweep::unit::{unit, without_program_unit};
 
-/// The conditions of a single touchdown.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Touchdown")]
+/// The conditions of a single touchdown: an option for each in the catalogue, and one in SI where results in SI have
+/// another unit.
+#[derive(Debug)]
 pub struct TouchdownOptions {
-    /// Downward velocity V_V of the CG
-    #[arg(long, value_name = "FT/S", value_parser = finite, allow_hyphen_values = true)]
-    vertical_velocity: Option<f64>,
-    /// The same in m/s
-    #[arg(long, value_name = "M/S", value_parser = finite, allow_hyphen_values = true,
-          conflicts_with = "vertical_velocity")]
-    vertical_velocity_mps: Option<f64>,
-    /// Horizontal velocity V_H of the CG
-    #[arg(long, value_name = "FT/S", value_parser = finite, allow_hyphen_values = true)]
-    horizontal_velocity: Option<f64>,
-    /// The same in m/s
-    #[arg(long, value_name = "M/S", value_parser = finite, allow_hyphen_values = true,
-          conflicts_with = "horizontal_velocity")]
-    horizontal_velocity_mps: Option<f64>,
-    /// Direction of the horizontal velocity across the slope: 180 is straight downhill, 0 uphill
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    cross_slope: Option<f64>,
-    /// Slope of the surface, between -90 and 90
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    slope: Option<f64>,
-    /// Friction coefficient between surface and footpads
-    #[arg(long, value_name = "MU", value_parser = finite, allow_hyphen_values = true)]
-    friction: Option<f64>,
-    /// Friction coefficient between surface and body blocks [default: that of the footpads]
-    #[arg(long, value_name = "MU", value_parser = finite, allow_hyphen_values = true)]
-    block_friction: Option<f64>,
-    /// Pitch angle, about the horizontal axis across the slope [default: 0]
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    pitch: Option<f64>,
-    /// Yaw angle, about the vehicle's y axis after pitch [default: 0]
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    yaw: Option<f64>,
-    /// Roll angle, about the vehicle's centreline [default: 0]
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    roll: Option<f64>,
-    /// Angle between centreline and vertical; replaces --pitch, --yaw and --roll
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    tip: Option<f64>,
-    /// Azimuth of the axis about which the vehicle is tipped, with --tip
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    tip_azimuth: Option<f64>,
-    /// Roll about the centreline before tipping, with --tip [default: 0]
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
-    nominal_roll: Option<f64>,
-    /// Angular velocity about the vehicle's axes x, y and z, deg/s [default: 0,0,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true)]
-    angular_velocity: Option<[f64; 3]>,
+    /// What is given, in its unit.
+    given: Vec<(Parameter, f64)>,
+}
+
+/// Angular velocities, which one option gives.
+const RATES: [&Quantity; 3] = [
+    &ANGULAR_VELOCITY_X,
+    &ANGULAR_VELOCITY_Y,
+    &ANGULAR_VELOCITY_Z,
+];
+const RATES_OPTION: &str = "angular-velocity";
+
+/// The conditions that have an option for themselves.
+fn single() -> impl Iterator<Item = &'static Quantity> {
+    let is_rate = |quantity: &&Quantity| RATES.iter().any(|rate| rate.key == quantity.key);
+    CONDITIONS.iter().filter(move |quantity| !is_rate(quantity))
+}
+
+/// Names of a condition in the unit of the program and in SI, if that is another.
+fn names(quantity: &Quantity) -> impl Iterator<Item = String> {
+    let in_si = OutputUnits::Si.quantity(quantity.key).name().to_owned();
+    let is_other = in_si != quantity.key;
+    std::iter::once(quantity.key.to_owned()).chain(is_other.then_some(in_si))
+}
+
+/// The option of a condition, under a name in the unit of the program or in SI.
+fn argument(quantity: &Quantity, name: String) -> Arg {
+    let option = option_of(&name).trim_start_matches('-').to_owned();
+    let value_name = match unit(&name) {
+        "1" => "NUMBER".to_owned(),
+        unit => unit.to_uppercase(),
+    };
+    let argument = Arg::new(name.clone())
+        .long(option)
+        .value_name(value_name)
+        .value_parser(finite)
+        .allow_hyphen_values(true);
+    match name == quantity.key {
+        true => argument.help(help(quantity)),
+        false => argument
+            .help(format!("The same in {}", unit(&name)))
+            .conflicts_with(quantity.key),
+    }
+}
+
+/// Meaning, range and default of a condition.
+fn help(quantity: &Quantity) -> String {
+    let mut letters = quantity.meaning.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    let meaning: String = first.chain(letters).collect();
+    let default = match quantity.if_missing {
+        IfMissing::Required => String::new(),
+        IfMissing::Number(number) => format!("; default: {number}"),
+        IfMissing::Words(words) => format!("; default: {}", words.replace('`', "")),
+    };
+    format!("{meaning} [{}{default}]", quantity.range)
+}
+
+impl Args for TouchdownOptions {
+    fn group_id() -> Option<clap::Id> {
+        Some("TouchdownOptions".into())
+    }
+
+    fn augment_args(command: Command) -> Command {
+        let single =
+            single().flat_map(|quantity| names(quantity).map(move |name| argument(quantity, name)));
+        let rates = Arg::new(RATES_OPTION)
+            .long(RATES_OPTION)
+            .value_name("X,Y,Z")
+            .value_parser(ValueParser::from(triple))
+            .allow_hyphen_values(true)
+            .help("Angular velocity about the vehicle's axes x, y and z, deg/s [default: 0,0,0]");
+        let arguments: Vec<Arg> = single.chain([rates]).collect();
+        let names: Vec<_> = arguments.iter().map(|one| one.get_id().clone()).collect();
+        let group = ArgGroup::new("TouchdownOptions").multiple(true).args(names);
+        command
+            .next_help_heading("Touchdown")
+            .args(arguments)
+            .group(group)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for TouchdownOptions {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let single = single().flat_map(names).filter_map(|name| {
+            let value = *matches.get_one::<f64>(&name)?;
+            Some((Parameter::named(&name, MOST_LEGS)?, value))
+        });
+        let rates = matches.get_one::<[f64; 3]>(RATES_OPTION).copied();
+        let rates = RATES.iter().zip(rates.into_iter().flatten());
+        let rates =
+            rates.filter_map(|(rate, value)| Some((Parameter::named(rate.key, MOST_LEGS)?, value)));
+        Ok(Self {
+            given: single.chain(rates).collect(),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
 }
 
 impl TouchdownOptions {
     /// The conditions by name.
     pub fn named(&self) -> NamedConditions {
-        let [x, y, z] = match self.angular_velocity {
-            Some(rates) => rates.map(Some),
-            None => [None; 3],
-        };
-        let given = [
-            ("vertical_velocity_fps", self.vertical_velocity),
-            ("horizontal_velocity_fps", self.horizontal_velocity),
-            ("cross_slope_deg", self.cross_slope),
-            ("slope_deg", self.slope),
-            ("friction", self.friction),
-            ("block_friction", self.block_friction),
-            ("pitch_deg", self.pitch),
-            ("yaw_deg", self.yaw),
-            ("roll_deg", self.roll),
-            ("tip_deg", self.tip),
-            ("tip_azimuth_deg", self.tip_azimuth),
-            ("nominal_roll_deg", self.nominal_roll),
-            ("angular_velocity_x_dps", x),
-            ("angular_velocity_y_dps", y),
-            ("angular_velocity_z_dps", z),
-        ];
-        let given = given.into_iter();
-        let mut conditions =
-            NamedConditions::of(given.filter_map(|(name, value)| Some((name, value?))));
-        for (parameter, value) in self.in_si() {
-            conditions.set(parameter.program_name(), parameter.to_program(value));
+        let mut conditions = NamedConditions::default();
+        for (parameter, value) in &self.given {
+            conditions.set(parameter.program_name(), parameter.to_program(*value));
         }
         conditions
-    }
-
-    /// What is given in SI units.
-    fn in_si(&self) -> impl Iterator<Item = (Parameter, f64)> {
-        let given = [
-            ("vertical_velocity_mps", self.vertical_velocity_mps),
-            ("horizontal_velocity_mps", self.horizontal_velocity_mps),
-        ];
-        let parameter = |name| Parameter::named(name, MOST_LEGS);
-        (given.into_iter()).filter_map(move |(name, value)| Some((parameter(name)?, value?)))
     }
 
     /// The conditions by name, with those that `--set` gives.
@@ -141,17 +173,17 @@ impl TouchdownOptions {
                 {
                     return one.refuse_value(&allowed);
                 }
-                let mut in_si = self.in_si();
-                if let Some((parameter, value)) =
-                    in_si.find(|(parameter, _)| parameter.program_name() == name)
-                {
-                    let option = option_of(parameter.name());
-                    return InputError::value(&option, value, &parameter.explain(&allowed, value));
-                }
-                let option = option_of(name);
-                match value {
-                    Some(value) => InputError::value(&option, value, &in_options(&allowed)),
-                    None => InputError::missing(&option, &allowed),
+                let allowed = in_options(&allowed);
+                let mut given = self.given.iter();
+                match given.find(|(parameter, _)| parameter.program_name() == name) {
+                    Some((parameter, value)) => {
+                        let allowed = parameter.explain(&allowed, *value);
+                        InputError::value(&option_of(parameter.name()), value, &allowed)
+                    }
+                    None => match value {
+                        Some(value) => InputError::value(&option_of(name), value, &allowed),
+                        None => InputError::missing(&option_of(name), &allowed),
+                    },
                 }
             },
         )
@@ -163,11 +195,10 @@ fn option_of(name: &str) -> String {
     if name.contains('.') {
         return name.to_owned();
     }
-    let bare = ["_fps", "_deg", "_x_dps", "_y_dps", "_z_dps"]
-        .into_iter()
-        .find_map(|unit| name.strip_suffix(unit))
-        .unwrap_or(name);
-    format!("--{}", bare.replace('_', "-"))
+    if RATES.iter().any(|rate| rate.key == name) {
+        return format!("--{RATES_OPTION}");
+    }
+    format!("--{}", without_program_unit(name).replace('_', "-"))
 }
 
 /// A complaint with the names of angles turned into options.

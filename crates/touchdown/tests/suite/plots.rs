@@ -68,7 +68,8 @@ fn what_cannot_be_drawn_is_refused() {
         "friction is no axis",
         "cross_slope_deg, roll_deg",
     ]);
-    plot(&["grid.csv", "--columns", "psi_deg"]).refused(&["columns cannot be chosen for a sweep"]);
+    plot(&["grid.csv", "--columns", "pitch_deg"])
+        .refused(&["columns cannot be chosen for a sweep"]);
     bench.write("grid.csv", &grid().replace(",13,13,13", ",fast,13,13"));
     plot(&["grid.csv"]).refused(&["grid.csv: result table: row 4: first_transition_fps = fast"]);
     bench.write("grid.csv", &grid().replace("180,10", "170,10"));

@@ -57,12 +57,16 @@ fn decimal(digits: f64, power: i32) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::ranges::of;
+    use touchdown_sweep::parameter::Parameter;
+
     use super::*;
 
     #[test]
     fn ends_and_steps_are_round_and_hold_the_value() {
-        let slider = |name, range, value| Slider::over(range, value, &of(name));
+        let slider = |name, range, value| {
+            let parameter = Parameter::named(name, 3).unwrap();
+            Slider::over(range, value, &Allowed::of(parameter.quantity()))
+        };
         assert_eq!(
             slider("friction", [0.0, 2.0], 1.0),
             Slider {

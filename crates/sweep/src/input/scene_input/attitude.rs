@@ -1,11 +1,21 @@
 //! The attitude in either form: pitch, yaw and roll, or tip, azimuth and nominal roll.
 
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
+use touchdown_dynamics::quantities;
 
 use super::{NamedConditions, SceneFault};
 
-const EULER: [&str; 3] = ["pitch_deg", "yaw_deg", "roll_deg"];
-const TIP: [&str; 3] = ["tip_deg", "tip_azimuth_deg", "nominal_roll_deg"];
+/// Conditions of either form.
+pub(super) const EULER: [&str; 3] = [
+    quantities::PITCH.key,
+    quantities::YAW.key,
+    quantities::ROLL.key,
+];
+pub(super) const TIP: [&str; 3] = [
+    quantities::TIP.key,
+    quantities::TIP_AZIMUTH.key,
+    quantities::NOMINAL_ROLL.key,
+];
 
 impl NamedConditions {
     /// Removes the attitude in the form other than that of `names`.
@@ -27,10 +37,11 @@ impl NamedConditions {
     pub(super) fn attitude(&self) -> Result<Attitude, SceneFault> {
         let angle = |name| self.need(name).map(f64::to_radians);
         if !self.is_tipped() {
+            let [pitch, yaw, roll] = EULER.map(angle);
             return Ok(Attitude::from_euler(Euler {
-                pitch: angle("pitch_deg")?,
-                yaw: angle("yaw_deg")?,
-                roll: angle("roll_deg")?,
+                pitch: pitch?,
+                yaw: yaw?,
+                roll: roll?,
             }));
         }
         if let Some(name) = EULER.into_iter().find(|name| self.get(name).is_some()) {
@@ -44,18 +55,11 @@ impl NamedConditions {
                 ),
             });
         }
-        let tip = self.need("tip_deg")?;
-        if !(0.0..=180.0).contains(&tip) {
-            return Err(SceneFault {
-                name: "tip_deg",
-                value: Some(tip),
-                allowed: "0 ≤ value ≤ 180; the azimuth says where to".to_owned(),
-            });
-        }
+        let [tip, azimuth, nominal_roll] = TIP.map(angle);
         Ok(Attitude::from_tip(Tip {
-            tip: tip.to_radians(),
-            azimuth: angle("tip_azimuth_deg")?,
-            nominal_roll: angle("nominal_roll_deg")?,
+            tip: tip?,
+            azimuth: azimuth?,
+            nominal_roll: nominal_roll?,
         }))
     }
 }

@@ -2,49 +2,34 @@
 
 use touchdown_dynamics::ground::{Ground, LegFooting, Patch};
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::quantities;
 
-use super::{NamedConditions, SceneFault};
+use super::{NamedConditions, SceneFault, conditions};
 use crate::input_error::InputError;
+use crate::numbers::keys_of;
 use crate::section::{LocatedValue, Section};
 
 /// The table of the ground under one leg, and its keys.
 pub(crate) const FOOTING: &str = "footing";
-pub(crate) const FOOTING_KEYS: [&str; 6] = [
-    "height_ft",
-    "tilt_along_deg",
-    "tilt_across_deg",
-    "block_height_ft",
-    "block_tilt_along_deg",
-    "block_tilt_across_deg",
-];
-macro_rules! footing_names {
-    ($($leg:literal)*) => {
-        [$([
-            concat!("footing[", $leg, "].height_ft"),
-            concat!("footing[", $leg, "].tilt_along_deg"),
-            concat!("footing[", $leg, "].tilt_across_deg"),
-            concat!("footing[", $leg, "].block_height_ft"),
-            concat!("footing[", $leg, "].block_tilt_along_deg"),
-            concat!("footing[", $leg, "].block_tilt_across_deg"),
-        ]),*]
-    };
-}
+pub(crate) const FOOTING_KEYS: [&str; 6] = keys_of(quantities::FOOTING);
 
-/// Names of the conditions of the ground under each leg, in the order of [`FOOTING_KEYS`].
-pub(super) const FOOTING_NAMES: [[&str; FOOTING_KEYS.len()]; MOST_LEGS] =
-    footing_names!(1 2 3 4 5 6 7 8);
+/// Names of the conditions of the ground under leg `index`, from 0, in the order of [`FOOTING_KEYS`].
+fn names_of(index: usize) -> [&'static str; FOOTING_KEYS.len()] {
+    let first = conditions(index).len();
+    std::array::from_fn(|key| conditions(index + 1)[first + key].name.as_str())
+}
 
 /// Finds one of these numbers in a table [scene].
 pub(super) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
-    let (leg, rest) = FOOTING_NAMES.iter().enumerate().find_map(|(leg, names)| {
-        let key = names.iter().position(|known| *known == name)?;
+    let (leg, key) = (0..MOST_LEGS).find_map(|leg| {
+        let key = names_of(leg).iter().position(|known| *known == name)?;
         Some((leg, FOOTING_KEYS[key]))
     })?;
     scene
         .sections(FOOTING, &FOOTING_KEYS)
         .ok()?
         .get(leg)?
-        .optional(rest)
+        .optional(key)
 }
 
 impl NamedConditions {
@@ -58,8 +43,8 @@ impl NamedConditions {
                 footing.len()
             )));
         }
-        for (leg, names) in footing.iter().zip(FOOTING_NAMES) {
-            for (key, name) in FOOTING_KEYS.iter().zip(names) {
+        for (index, leg) in footing.iter().enumerate() {
+            for (key, name) in FOOTING_KEYS.iter().zip(names_of(index)) {
                 if let Some(value) = leg.optional_number(key)? {
                     self.set(name, value);
                 }
@@ -71,7 +56,7 @@ impl NamedConditions {
     /// The ground under the legs. The ground under a block defaults to that under its footpad.
     pub(super) fn ground(&self) -> Result<Ground, SceneFault> {
         let mut footing = Vec::with_capacity(MOST_LEGS);
-        for names in &FOOTING_NAMES {
+        for names in (0..MOST_LEGS).map(names_of) {
             let patch = |names: &[&'static str], default: Patch| -> Result<Patch, SceneFault> {
                 let given = |name| self.get(name).map(|_| self.need(name)).transpose();
                 let angle = |name| given(name).map(|angle| angle.map(f64::to_radians));

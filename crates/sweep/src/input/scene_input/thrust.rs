@@ -1,19 +1,28 @@
 //! Thrust after first contact: the table [scene.thrust], and axes such as `thrust.scale`.
 
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::quantities::{self, CONDITIONS};
+use touchdown_dynamics::quantity::Quantity;
 use touchdown_dynamics::thrust::Thrust;
 
-use super::{NamedConditions, SceneFault};
+use super::{NamedConditions, SceneFault, conditions};
 use crate::input_error::InputError;
+use crate::numbers::{joined, keys_of};
 use crate::section::{LocatedValue, Section};
 
-/// The table of thrust, all its keys, and the names of its numbers.
+/// The table of thrust, and its keys.
 pub(crate) const THRUST: &str = "thrust";
-pub(crate) const THRUST_KEYS: [&str; 5] =
-    ["time_s", "force_lb", "scale", "offset_x_ft", "offset_y_ft"];
-pub(super) const THRUST_NAMES: [&str; 3] =
-    ["thrust.scale", "thrust.offset_x_ft", "thrust.offset_y_ft"];
+pub(crate) const THRUST_KEYS: [&str; 5] = joined(&[&KNOTS, &NUMBER_KEYS]);
+const KNOTS: [&str; 2] = ["time_s", "force_lb"];
+const NUMBER_KEYS: [&str; 3] = keys_of(quantities::THRUST);
+/// Name of the condition that scales the forces.
+pub(super) const SCALE: &str = "thrust.scale";
 const NUMBERS: &str = "a list of numbers";
+
+/// Names of the conditions of thrust, in the order of [`NUMBER_KEYS`].
+fn names() -> [&'static str; NUMBER_KEYS.len()] {
+    std::array::from_fn(|index| conditions(0)[CONDITIONS.len() + index].name.as_str())
+}
 
 /// Finds one of these numbers in a table [scene].
 pub(super) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
@@ -46,7 +55,7 @@ impl NamedConditions {
         })?;
         self.thrust.0[..knots.len()].copy_from_slice(&knots);
         self.thrust.1 = knots.len();
-        for (key, name) in THRUST_KEYS[2..].iter().zip(THRUST_NAMES) {
+        for (key, name) in NUMBER_KEYS.iter().zip(names()) {
             if let Some(value) = thrust.optional_number(key)? {
                 self.set(name, value);
             }
@@ -61,17 +70,21 @@ impl NamedConditions {
 
     /// Thrust with scale and offset applied.
     pub(super) fn thrust(&self) -> Result<Thrust, SceneFault> {
-        let number = |name: &'static str, default: f64| match self.get(name) {
+        let number = |name: &'static str, quantity: &Quantity| match self.get(name) {
             Some(value) if self.thrust.1 == 0 => Err(SceneFault {
                 name,
                 value: Some(value),
                 allowed: "a table [scene.thrust] with time_s and force_lb".to_owned(),
             }),
             Some(_) => self.need(name),
-            None => Ok(default),
+            None => Ok(quantity.default_number()),
         };
-        let [scale, x, y] = THRUST_NAMES;
-        let (factor, offset) = (number(scale, 1.0)?, [number(x, 0.0)?, number(y, 0.0)?]);
+        let [scale, x, y] = names();
+        let factor = number(scale, &quantities::THRUST_SCALE)?;
+        let offset = [
+            number(x, &quantities::THRUST_OFFSET_X)?,
+            number(y, &quantities::THRUST_OFFSET_Y)?,
+        ];
         if self.thrust.1 == 0 {
             return Ok(Thrust::default());
         }

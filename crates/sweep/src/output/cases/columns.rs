@@ -10,7 +10,7 @@ use super::cells::{CaseCell, CaseCells};
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::parameter::{Home, Parameter};
-use crate::scene_input::{NamedConditions, REQUIRED};
+use crate::scene_input::{NamedConditions, required};
 use crate::settings_input;
 use crate::spelling::did_you_mean;
 
@@ -89,10 +89,11 @@ impl Columns {
             let mut given = columns.scene.iter();
             shared.get(name).is_some() || given.any(|(_, one)| one.program_name() == name)
         };
-        match REQUIRED.iter().find(|name| !has(name)) {
+        let required: Vec<&str> = required().map(|quantity| quantity.key).collect();
+        match required.iter().find(|name| !has(name)) {
             Some(absent) => Err(InputError::other(format!(
                 "column {absent} is missing: expected {}",
-                REQUIRED.join(", ")
+                required.join(", ")
             ))),
             None => Ok(columns),
         }
