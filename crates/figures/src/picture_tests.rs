@@ -134,7 +134,7 @@ fn over_friction(rolls: &[i32]) -> (String, String) {
             table += &format!("{friction},{roll},unstable,{speed},{speed},{speed},9,100\n");
         }
     }
-    let record = r#"{"title": "friction", "input": {"axes": {"friction": [0.1, 1.0, 10.0]}}}"#;
+    let record = r#"{"title": "friction", "spacing": {"friction": "log"}}"#;
     (table, record.to_owned())
 }
 
@@ -206,7 +206,7 @@ fn probabilities_over_a_logarithmic_axis_have_its_scale() {
     let row = |ends: &str| format!("friction,{ends},10,0.1,0,0.2,0,0,0.1,0.1,0,0.2\n");
     let bins = ["0.1,1", "1,10", "10,100"].map(row).concat();
     let table = format!("axis,from,to,landings,{}\n{bins}", heading.join(","));
-    let record = r#"{"input": {"axes": {"friction": {"log-uniform": {"from": 0.1, "to": 100}}}}}"#;
+    let record = r#"{"spacing": {"friction": "log"}}"#;
     let source = Source {
         table: &table,
         record: Some(record),

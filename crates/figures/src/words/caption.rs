@@ -98,7 +98,7 @@ impl Caption {
             statement: text(&record["statement"]),
             searched_to,
             map_error: input["map"][format!("error{}", speed_unit.ending())].as_f64(),
-            logarithmic: logarithmic(&input["axes"]),
+            logarithmic: logarithmic(&record["spacing"]),
             speed_unit,
             has_report_feet: has_report_feet(&input["vehicle"]),
         })
@@ -144,28 +144,12 @@ fn listed(words: &[String]) -> String {
     }
 }
 
-/// The axes of a record whose spacing or distribution is logarithmic, or whose values have one ratio: records list the
-/// values of short axes.
-fn logarithmic(axes: &Value) -> Vec<String> {
-    let is_logarithmic = |axis: &Value| match axis.as_array() {
-        Some(values) => has_one_ratio(values),
-        None => axis["spacing"] == "log" || axis["log-uniform"].is_object(),
-    };
-    let axes = axes.as_object().into_iter().flatten();
-    axes.filter(|(_, axis)| is_logarithmic(axis))
-        .map(|(name, _)| name.clone())
+/// The axes whose spacing in a record is logarithmic.
+fn logarithmic(spacing: &Value) -> Vec<String> {
+    let axes = spacing.as_object().into_iter().flatten();
+    axes.filter(|(_, spacing)| *spacing == "log")
+        .map(|(axis, _)| axis.clone())
         .collect()
-}
-
-/// Returns whether at least three values are greater than zero and each is the same multiple of the one before.
-fn has_one_ratio(values: &[Value]) -> bool {
-    let places: Option<Vec<f64>> = values
-        .iter()
-        .map(|value| value.as_f64().filter(|value| *value > 0.0).map(f64::ln))
-        .collect();
-    let places = places.unwrap_or_default();
-    let steps: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    steps.len() > 1 && steps[0] != 0.0 && steps.iter().all(|step| (step - steps[0]).abs() < 1e-9)
 }
 
 fn has_report_feet(vehicle: &Value) -> bool {
@@ -266,18 +250,12 @@ mod tests {
     }
 
     #[test]
-    fn axes_with_one_ratio_are_logarithmic() {
-        let record = json!({"input": {"axes": {
-            "friction": [0.1, 0.316227766017, 1.0, 3.16227766017], "slope_deg": [5, 10, 15], "roll_deg": [1, 10],
-            "pitch_deg": [1, 1, 1], "vehicle": ["a", "b", "c"], "vehicle.mass_slug": [0, 0, 0],
-            "cross_slope_deg": {"from": 1, "to": 100, "count": 2000, "spacing": "log"},
-            "block_friction": {"log-uniform": {"from": 0.1, "to": 10}}, "yaw_deg": {"uniform": {"from": 1, "to": 10}}}}});
-        let mut caption = Caption::from_record(&record.to_string(), SpeedUnit::default()).unwrap();
-        caption.logarithmic.sort();
-        assert_eq!(
-            caption.logarithmic,
-            ["block_friction", "cross_slope_deg", "friction"]
-        );
+    fn axes_are_logarithmic_where_the_record_says_so_whatever_their_values() {
+        let record = json!({
+            "input": {"axes": {"friction": [0.1, 1.0, 10.0], "slope_deg": [5, 10, 20]}},
+            "spacing": {"friction": "log"},
+        });
+        let caption = Caption::from_record(&record.to_string(), SpeedUnit::default()).unwrap();
         assert_eq!(caption.division("friction"), Division::Decades);
         assert_eq!(caption.division("slope_deg"), Division::Linear);
     }

@@ -237,10 +237,25 @@ pub fn record(sweep: &Sweep, counts: &SweepCounts, version: &str) -> Value {
             "outcomes": outcomes(counts),
         },
     });
+    let logarithmic = logarithmic_axes(sweep);
+    if !logarithmic.is_empty() {
+        record["spacing"] = Value::Object(logarithmic);
+    }
     if let Some(Part { points, of }) = sweep.part {
         record["partial"] = json!({ "points": points, "of": of });
     }
     record
+}
+
+/// The axes given with `spacing = "log"`, each with that word: the input lists the values of short ones.
+fn logarithmic_axes(sweep: &Sweep) -> Map<String, Value> {
+    let axes = sweep.axes.iter().enumerate();
+    axes.filter(|(index, _)| sweep.design.is_logarithmic(*index))
+        .map(|(_, axis)| {
+            let quantity = sweep.units.quantity(axis.name());
+            (quantity.name().to_owned(), json!("log"))
+        })
+        .collect()
 }
 
 /// Counts of outcomes for sweeps of single landings, with intervals of their probabilities for a sample.
@@ -274,7 +289,7 @@ fn outcomes(counts: &SweepCounts) -> Value {
 mod tests {
     use super::*;
     use crate::column::tests::{names, text};
-    use crate::sweep_file::tests::figure_4_09;
+    use crate::sweep_file::tests::{figure_4_09, read};
     use touchdown_dynamics::outcome::Class;
 
     fn example() -> (Sweep, Vec<Boundary>) {
@@ -356,5 +371,31 @@ mod tests {
         assert_eq!(record["input"]["vehicle"]["legs"][2]["azimuth_deg"], 240.0);
         assert_eq!(record["counts"]["landings"], 201);
         assert_eq!(record["counts"]["first_transition_to"]["bottomed"], 1);
+    }
+
+    #[test]
+    fn record_tells_the_axes_given_with_logarithmic_spacing() {
+        let spacing = |text: &str| {
+            let head = "title = \"T\"\nvehicle = \"vehicles/surveyor-table-4-1.toml\"\nunits = \"SI\"\n\
+                        scene = { cross_slope_deg = 180, slope_deg = 15, vertical_velocity_fps = 14, friction = 1 }\n";
+            let sweep = read(&format!("{head}{text}")).unwrap();
+            record(&sweep, &SweepCounts::default(), "1.2.3")["spacing"].clone()
+        };
+        let search =
+            "[search]\nfrom_fps = 8\nto_fps = 16\nscan_step_fps = 1\ntolerance_fps = 0.1\n";
+        let counted = "{ from = 5, to = 20, count = 3, spacing = \"log\" }";
+        let grid = format!(
+            "axes = {{ vehicle.strut.preload_lb = {counted}, roll_deg = [5, 10, 20] }}\n{search}"
+        );
+        assert_eq!(spacing(&grid), json!({"vehicle.strut.preload_n": "log"}));
+        let map = "map = { edge_width = { roll_deg = 5, pitch_deg = 5 }, error_fps = 0.5 }\n";
+        let map = format!("{map}axes = {{ roll_deg = {counted}, pitch_deg = [5, 20] }}\n{search}");
+        assert_eq!(spacing(&map), json!({"roll_deg": "log"}));
+        let drawn = "job = \"outcome\"\nsample = { design = \"monte-carlo\", count = 4, seed = 1 }\n\
+                     axes = { roll_deg = { from = 5, to = 20, spacing = \"log\" }, \
+                     horizontal_velocity_fps = { from = 8, to = 16 } }\n";
+        assert_eq!(spacing(drawn), json!({"roll_deg": "log"}));
+        let even = format!("axes.roll_deg = [5, 10, 20]\n{search}");
+        assert_eq!(spacing(&even), Value::Null);
     }
 }

@@ -1,8 +1,10 @@
 //! The points of a sweep: a grid, a sample, or the places of a map.
 
+use crate::distribution::Distribution;
 use crate::grid::Grid;
+use crate::levels::Levels;
 use crate::refined_grid::RefinedGrid;
-use crate::sample::Sample;
+use crate::sample::{Sample, SampledAxis};
 
 /// Arrangement of the points of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +36,22 @@ impl Design {
             Self::Grid(grid) => grid.coordinates(index),
             Self::Sample(sample) => sample.coordinates(index),
             Self::Map(map) => map.coordinates(index),
+        }
+    }
+
+    /// True if the values of an axis, from 0, were given or are distributed with `spacing = "log"`.
+    pub fn is_logarithmic(&self, axis: usize) -> bool {
+        let has_one_ratio = |grid: &Grid| matches!(grid.axes()[axis], Levels::Logarithmic { .. });
+        match self {
+            Self::Grid(grid) => has_one_ratio(grid),
+            Self::Map(map) => has_one_ratio(map.first_level()),
+            Self::Sample(sample) => matches!(
+                sample.axes()[axis],
+                SampledAxis::Single {
+                    distribution: Distribution::LogUniform { .. },
+                    ..
+                }
+            ),
         }
     }
 

@@ -12,7 +12,7 @@ pub(crate) fn figure_4_09() -> Sweep {
     Sweep::read(Path::new(path)).unwrap()
 }
 
-fn read(text: &str) -> Result<Sweep, InputError> {
+pub(crate) fn read(text: &str) -> Result<Sweep, InputError> {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("vehicles")).unwrap();
     fs::write(

@@ -178,6 +178,32 @@ fn sweeps_over_many_axes_are_drawn_at_worst_over_all_but_two() {
     assert_eq!(new, old);
 }
 
+/// Pictures of short axes have the spacing of the sweep file, whatever ratio their values have, and results are asked
+/// over logarithmic axes as over others.
+#[test]
+fn axes_have_the_scale_of_their_spacing() {
+    let bench = Bench::new();
+    let drawn = |values: &str| {
+        let axis = format!("[axes]\nroll_deg = {values}\n");
+        let (before, after) = crate::common::SWEEP.split_once("[axes]\n").unwrap();
+        let (_, after) = after.split_once('\n').unwrap();
+        bench.write("spaced.toml", &format!("{before}{axis}{after}"));
+        let done = bench.run(&["sweep", "spaced.toml"]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        bench.read("results/spaced.svg")
+    };
+    let counted = drawn("{ from = 2.5, to = 10, count = 3, spacing = \"log\" }");
+    let record: serde_json::Value =
+        serde_json::from_str(&bench.read("results/spaced.json")).unwrap();
+    assert_eq!(record["spacing"]["roll_deg"], "log");
+    for file in ["results/spaced.csv", "results/spaced.json"] {
+        let done = bench.run(&["ask", file, "--at", "roll_deg=5"]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    let listed = drawn("[2.5, 5, 10]");
+    assert_ne!(counted, listed);
+}
+
 /// A landing has a page of few panels; columns can be chosen, and landings drawn over each other.
 #[test]
 fn histories_are_drawn_on_a_page() {
