@@ -7,7 +7,6 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use serde_json::Value;
-use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::library::{Library, Source};
@@ -16,6 +15,7 @@ use touchdown_sweep::result_files::{self, NamedFiles};
 use touchdown_sweep::results;
 use touchdown_sweep::run::{Observer, Workers};
 use touchdown_sweep::runner::{Runner, Task};
+use touchdown_sweep::set_value::SetValue;
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_counts::SweepCounts;
 use touchdown_sweep::sweep_file;
@@ -70,7 +70,7 @@ impl Sweep {
         set: Vec<(String, String)>,
         units: Option<&str>,
     ) -> Result<Self, Failure> {
-        let set = set.iter().map(|(name, text)| Assignment::new(name, text));
+        let set = set.iter().map(|(name, text)| SetValue::new(name, text));
         let overrides = Overrides {
             vehicle: vehicle.map(|vehicle| vehicle.file.clone()),
             set: set.collect::<Result<_, _>>()?,

@@ -97,7 +97,9 @@ pub use output::{
     bands_table, cases, column_units, documented_columns, history, input_keys, landing_report,
     landing_table, map_tables, result_files, results, sensitivity_table, tables, warnings,
 };
-pub use points::{assignment, design, distribution, grid, levels, parameter, refined_grid, sample};
+pub use points::{
+    assignment, design, distribution, grid, levels, parameter, refined_grid, sample, set_value,
+};
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
 pub use search::{
     bands, boundary, certainty, contact_warnings, first_transition, hidden, hidden_band_checks,

@@ -13,3 +13,4 @@ pub mod refined_grid;
 pub mod sample;
 pub(crate) mod sample_input;
 pub(crate) mod sensitivity_input;
+pub mod set_value;

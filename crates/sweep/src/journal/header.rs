@@ -10,11 +10,11 @@ use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
-use crate::assignment::Assignment;
 use crate::case::CaseFault;
 use crate::input_error::InputError;
 use crate::library::{Library, Source};
 use crate::overrides::Overrides;
+use crate::set_value::SetValue;
 use crate::shard::Shard;
 use crate::sweep::OverrideNames;
 use crate::sweep_file::Sweep;
@@ -175,14 +175,14 @@ impl Header {
         };
         let library = Library::Copies(sources);
         let read_vehicle = |path: &PathBuf| VehicleFile::read_from(path, library);
-        let assignment = |(name, text): &(String, String)| Assignment::new(name, text);
+        let set_value = |(name, text): &(String, String)| SetValue::new(name, text);
         let with = Overrides {
             vehicle: overrides.vehicle.as_ref().map(read_vehicle).transpose()?,
             words: overrides.words.clone(),
             set: overrides
                 .set
                 .iter()
-                .map(assignment)
+                .map(set_value)
                 .collect::<Result<_, _>>()?,
             sensitivity: overrides.sensitivity.clone(),
             units: overrides.units,

@@ -76,15 +76,7 @@ pub(crate) fn sampled(
         "\"monte-carlo\", \"latin-hypercube\" or \"sobol\"",
     )?;
     let kind = chosen_by(&design, &SampleDesign::ALL.map(|kind| (kind.name(), kind)))?;
-    let count = section.whole_number("count", 1, kind.most_points() as u64)? as usize;
-    let seed = section.whole_number("seed", 0, GREATEST_SEED)?;
-    let enough = match section.optional("stop_at_interval_width") {
-        None => None,
-        Some(found) => match found.number()? {
-            width if width > 0.0 && width < 1.0 => Some(width),
-            _ => return Err(found.complain("0 < value < 1")),
-        },
-    };
+    let (count, seed, enough) = counts_of(&section, kind)?;
     let joint = joint_normal::read(&section, entries)?;
     let mut reader = Reader {
         sweep,
@@ -120,6 +112,31 @@ pub(crate) fn sampled(
         });
     let sample = Sample::new(axes.collect(), kind, count, seed);
     Ok(Some(Sampled { sample, enough }))
+}
+
+/// A sample of the same axes by the numbers of `[sample]`.
+pub(crate) fn drawn_again(root: &Section, sample: &Sample) -> Result<Sampled, InputError> {
+    let section = root.section("sample", &SAMPLE)?;
+    let (count, seed, enough) = counts_of(&section, sample.design())?;
+    let sample = Sample::new(sample.axes().to_vec(), sample.design(), count, seed);
+    Ok(Sampled { sample, enough })
+}
+
+/// Count, seed, and the width of intervals at which the sweep stops.
+fn counts_of(
+    section: &Section,
+    kind: SampleDesign,
+) -> Result<(usize, u64, Option<f64>), InputError> {
+    let count = section.whole_number("count", 1, kind.most_points() as u64)? as usize;
+    let seed = section.whole_number("seed", 0, GREATEST_SEED)?;
+    let enough = match section.optional("stop_at_interval_width") {
+        None => None,
+        Some(found) => match found.number()? {
+            width if width > 0.0 && width < 1.0 => Some(width),
+            _ => return Err(found.complain("0 < value < 1")),
+        },
+    };
+    Ok((count, seed, enough))
 }
 
 /// Form in which an axis is given.

@@ -2,15 +2,18 @@
 
 use crate::assignment::{self, Assignment};
 use crate::case;
+use crate::design::Design;
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::output_units::OutputUnits;
 use crate::parameter::Home;
 use crate::parameter::Parameter;
+use crate::sample_input::{self, Sampled};
 use crate::scene_input::HORIZONTAL_VELOCITY;
 use crate::section::Section;
 use crate::sensitivity_input;
+use crate::set_value::{SampleNumber, SetValue};
 use crate::sweep::{Job, OverrideNames, SWEEP, Sweep};
 use crate::vehicle_file::VehicleFile;
 use crate::{search_input, settings_input};
@@ -22,8 +25,8 @@ pub struct Overrides {
     pub vehicle: Option<VehicleFile>,
     /// Words of `[search]` and `[solver]`, by their dotted keys.
     pub words: Vec<(String, String)>,
-    /// Values of parameters that do not vary.
-    pub set: Vec<Assignment>,
+    /// Values of parameters that do not vary, and numbers of `[sample]`.
+    pub set: Vec<SetValue>,
     /// Parameters of sensitivities; if empty, those of the file apply.
     pub sensitivity: Vec<String>,
     /// Units of results.
@@ -51,7 +54,15 @@ impl Sweep {
                 self.document.write(&path, Value::Text(word.clone()));
             }
         }
-        self.set(&overrides.set)?;
+        let (mut set, mut numbers) = (Vec::new(), Vec::new());
+        for one in &overrides.set {
+            match one {
+                SetValue::Parameter(one) => set.push(one.clone()),
+                SetValue::Sample(one) => numbers.push(one),
+            }
+        }
+        self.set(&set)?;
+        self.set_sample(&numbers)?;
         let first = self.design.coordinates(0);
         let document = case::written(&self.document, &self.axes, Home::Sweep, &first);
         let root = Section::root(&document, &SWEEP)?;
@@ -63,7 +74,7 @@ impl Sweep {
             self.vehicle = vehicle.clone();
             self.sources.push(vehicle.document.source());
         }
-        self.vehicle = assignment::set_vehicle(&self.vehicle, &overrides.set)?;
+        self.vehicle = assignment::set_vehicle(&self.vehicle, &set)?;
         if overrides.vehicle.is_some() || !overrides.set.is_empty() {
             // The statement referred to the input of the sweep file.
             self.statement = None;
@@ -79,9 +90,7 @@ impl Sweep {
         self.overrides = OverrideNames {
             vehicle: overrides.vehicle.as_ref().map(path),
             words: overrides.words.clone(),
-            set: (overrides.set.iter())
-                .map(|one| (one.parameter().name().to_owned(), one.text().to_owned()))
-                .collect(),
+            set: overrides.set.iter().map(SetValue::said).collect(),
             sensitivity: overrides.sensitivity.clone(),
             units: overrides.units,
         };
@@ -112,6 +121,36 @@ impl Sweep {
             .collect();
         self.fixed.replace_attitude_form(&names);
         assignment::set_conditions(&mut self.fixed, set);
+        Ok(())
+    }
+
+    /// Sets numbers of `[sample]`, and draws its points anew.
+    fn set_sample(&mut self, numbers: &[&SampleNumber]) -> Result<(), InputError> {
+        for (index, one) in numbers.iter().enumerate() {
+            if numbers[..index]
+                .iter()
+                .any(|other| other.name() == one.name())
+            {
+                return Err(one.refuse("set twice: expected once"));
+            }
+            let Design::Sample(_) = self.design else {
+                return Err(one.refuse("the sweep has no table [sample]"));
+            };
+            if one.name() == "sample.stop_at_interval_width" && self.search().is_some() {
+                return Err(one.refuse("is used with job = \"outcome\" only"));
+            }
+            if let Some((path, value)) = one.entry() {
+                self.document.write(&path, value);
+            }
+        }
+        if let (Design::Sample(sample), false) = (&self.design, numbers.is_empty()) {
+            let root = Section::root(&self.document, &SWEEP)?;
+            let Sampled { sample, enough } = sample_input::drawn_again(&root, sample)?;
+            self.design = Design::Sample(sample);
+            if let Job::Outcome { enough: before } = &mut self.job {
+                *before = enough;
+            }
+        }
         Ok(())
     }
 

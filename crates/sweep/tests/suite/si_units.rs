@@ -7,7 +7,6 @@ use std::fmt::Debug;
 use std::path::Path;
 
 use touchdown_dynamics::scene::{CrushRule, Settings};
-use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::boundary::Boundary;
 use touchdown_sweep::column::Cell;
 use touchdown_sweep::findings::Finding;
@@ -17,6 +16,7 @@ use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::sensitivity::Dependence;
+use touchdown_sweep::set_value::SetValue;
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::unit::unit;
@@ -417,7 +417,7 @@ fn derivatives_are_told_in_the_unit_of_their_parameter() {
 #[test]
 fn a_sweep_in_si_goes_on_from_its_journal() {
     let overrides = Overrides {
-        set: vec![Assignment::parse("vehicle.strut.preload_n=890").unwrap()],
+        set: vec![SetValue::parse("vehicle.strut.preload_n=890").unwrap()],
         ..Overrides::default()
     };
     let sweep = read_sweep(SI, SURVEYOR_SI)

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use touchdown_dynamics::rules::{CrushRule, Rules};
-use touchdown_sweep::assignment::Assignment;
 use touchdown_sweep::choice::word;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::overrides::Overrides;
+use touchdown_sweep::set_value::SetValue;
 use touchdown_sweep::settings_input::{CRUSH_RULES, RULES};
 use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -24,8 +24,8 @@ pub struct OverrideOptions {
     #[arg(long, value_name = "FILE")]
     vehicle: Option<PathBuf>,
     /// Set one value by its dotted name, e.g. vehicle.strut.preload_lb=200 or slope_deg=10; may be repeated
-    #[arg(long, value_name = "KEY=VALUE", value_parser = Assignment::parse)]
-    set: Vec<Assignment>,
+    #[arg(long, value_name = "KEY=VALUE", value_parser = SetValue::parse)]
+    set: Vec<SetValue>,
     /// Rules by which vehicles land: "1966" or "physical"
     #[arg(long, value_name = "RULES", value_parser = choice(&RULES))]
     rules: Option<Rules>,

@@ -267,3 +267,54 @@ fn wrong_distributions_are_refused() {
         bench.run(&["sweep", "sweep.toml"]).refused(fragments);
     }
 }
+
+/// Numbers of `[sample]` given by `--set` are those of a changed file, also in journals of shards.
+#[test]
+fn set_numbers_of_a_sample_are_those_of_a_changed_file() {
+    let files = Bench::new();
+    let changed = SAMPLE
+        .replace("count = 5000", "count = 12")
+        .replace("seed = 1966", "seed = 7");
+    files.write("sweep.toml", &changed);
+    let done = files.run(&["sweep", "sweep.toml"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let expected = files.read("results/sweep.csv");
+    assert_eq!(expected.lines().count(), 13);
+
+    let bench = bench();
+    let set = ["--set", "sample.count=12", "--set", "sample.seed=7"];
+    for shard in ["1/2", "2/2"] {
+        let run = ["sweep", "sweep.toml", "--shard", shard];
+        let done = bench.run(&[&run[..], &set].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    let done = bench.run(&["merge", "results"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.read("results/sweep.csv"), expected);
+
+    let width = ["--set", "sample.stop_at_interval_width=0.9"];
+    let done = bench.run(&[&["sweep", "sweep.toml", "--out=wide"][..], &width].concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert_eq!(bench.read("wide/sweep.csv").lines().count(), 101);
+}
+
+#[test]
+fn numbers_of_a_sample_that_cannot_be_set_are_refused() {
+    let bench = bench();
+    bench.write("grid.toml", crate::common::SWEEP);
+    let set = |file: &str, value: &str| bench.run(&["sweep", file, "--set", value]);
+    set("grid.toml", "sample.count=5").refused(&["--set sample.count=5", "no table [sample]"]);
+    set("sweep.toml", "sample.count=0").refused(&["sample.count = 0", "from 1 to 1000000000"]);
+    set("sweep.toml", "sample.design=sobol").refused(&["sample.design = sobol: cannot be set"]);
+    let twice = ["--set", "sample.seed=1", "--set", "sample.seed=2"];
+    let done = bench.run(&[&["sweep", "sweep.toml"][..], &twice].concat());
+    done.refused(&["--set sample.seed=2: set twice"]);
+    // A number of a sample is no axis.
+    bench.write(
+        "axis.toml",
+        &SAMPLE.replace("[axes]\n", "[axes]\nsample.count = [5, 6]\n"),
+    );
+    bench
+        .run(&["sweep", "axis.toml"])
+        .refused(&["axes.sample", "unknown parameter"]);
+}
