@@ -35,8 +35,8 @@ use crate::interruptible::{self, Work};
 type PyColumns<'py> = Vec<(String, Bound<'py, PyTuple>)>;
 
 /// Lands every row of a table of columns, each an array of numbers or a list of texts; `scene` has the default
-/// conditions of rows. With `out`, results also go to this file, in the format of the command line, and until then to a
-/// journal beside it.
+/// conditions of rows. With `out`, results also go to this file, as CSV or Parquet by its name, and until then to a journal
+/// beside it.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "Python gives them by name")]
 pub fn land_many<'py>(
@@ -80,10 +80,14 @@ pub fn land_many<'py>(
                     inputs: &[],
                     overwrite,
                 };
-                guard.check(&out, cases::is_table).map_err(in_the_way)?;
+                let is_own = |line: &str| match is_parquet(&out) {
+                    true => line.starts_with(PARQUET),
+                    false => cases::is_table(line),
+                };
+                guard.check(&out, is_own).map_err(in_the_way)?;
                 if !overwrite && out.exists() {
-                    let there = fs::read_to_string(&out)
-                        .map_err(|error| InputError::unreadable(&out, error))?;
+                    let there =
+                        fs::read(&out).map_err(|error| InputError::unreadable(&out, error))?;
                     let found = landed_again(&out, &there, &table, &workers, work, results)?;
                     return Ok((found, Vec::new()));
                 }
@@ -99,6 +103,13 @@ pub fn land_many<'py>(
     let classes = found.classes.into_python(py)?;
     columns.insert(1, ("outcome_class".to_owned(), classes));
     Ok((columns, [of_journal, of_landings]))
+}
+
+/// The bytes with which Parquet files begin.
+const PARQUET: &str = "PAR1";
+
+fn is_parquet(out: &Path) -> bool {
+    out.extension().is_some_and(|ending| ending == "parquet")
 }
 
 /// Results of all rows.
@@ -144,7 +155,7 @@ fn landed_into(
         let finding = bytes.as_deref().and_then(Finding::decode);
         landings.push(finding.and_then(Finding::landing));
     }
-    let written = results.set_all(table, landings)?;
+    let written = results.set_all(table, landings, is_parquet(out))?;
     folder.write_files(&[(name.into_owned(), written)])?;
     found.remove_journals()?;
     Ok((results, of_journal))
@@ -154,7 +165,7 @@ fn landed_into(
 /// so they are computed anew.
 fn landed_again(
     out: &Path,
-    there: &str,
+    there: &[u8],
     table: &CaseTable,
     workers: &Workers,
     work: &Work,
@@ -164,7 +175,8 @@ fn landed_again(
         let complaint = "holds other results: expected another file, or overwrite=True";
         Failure::from(InputError::in_file(out, complaint))
     };
-    if there.lines().count() != 1 + table.len() {
+    let lines = || there.split_inclusive(|byte| *byte == b'\n').count();
+    if !is_parquet(out) && lines() != 1 + table.len() {
         return Err(refuse());
     }
     let mut landings = vec![None; table.len()];
@@ -175,7 +187,7 @@ fn landed_again(
         }
         Ok(())
     })?;
-    if results.set_all(table, landings)? != there.as_bytes() {
+    if results.set_all(table, landings, is_parquet(out))? != there {
         return Err(refuse());
     }
     Ok(results)
@@ -283,11 +295,12 @@ impl Results {
         warnings::of_cases(rows, self.units)
     }
 
-    /// Sets the results of all rows; returns their table in the format of the command line.
+    /// Sets the results of all rows; returns their table as CSV or Parquet.
     fn set_all(
         &mut self,
         table: &CaseTable,
         landings: Vec<Option<Landing>>,
+        is_parquet: bool,
     ) -> Result<Vec<u8>, Failure> {
         let mut rows = Vec::with_capacity(landings.len());
         for (row, landing) in landings.into_iter().enumerate() {
@@ -297,7 +310,10 @@ impl Results {
             rows.push((table.name(row), landing));
         }
         let named = rows.iter().map(|(name, landing)| (name.as_str(), landing));
-        cases::table(named, self.units).map_err(Failure::engine)
+        match is_parquet {
+            true => cases::parquet_table(named, self.units, &table.input).map_err(Failure::engine),
+            false => cases::table(named, self.units).map_err(Failure::engine),
+        }
     }
 
     /// Sets the results of a row.

@@ -255,7 +255,7 @@ MAPPED = {"roll_deg": [0, 20]}
         (lambda lander, scene: td.sweep(lander, scene, MAPPED, sensitivity=np.array(["fiction", "roll_deg"])), "sensitivity.parameters"),
         (lambda lander, scene: td.land_many(lander, FAST, scene=scene, threads=0), "threads = 0: expected a whole number from 1 on"),
         (lambda lander, scene: td.land_many(lander, FAST, scene=scene, out=3), "out = 3: expected a path"),
-        (lambda lander, scene: td.land_many(lander, FAST, scene=scene, out="z.parquet"), "out = 'z.parquet': expected a name that ends in .csv"),
+        (lambda lander, scene: td.land_many(lander, FAST, scene=scene, out="z.json"), "out = 'z.json': expected a name that ends in .csv or .parquet"),
         (lambda lander, scene: td.land_many(lander, {"roll_deg": []}, scene=scene, out="z.csv"), "the table of cases: has no rows"),
         (lambda lander, scene: scene.replace({3: 4}), "key of conditions = 3: expected a text"),
         (lambda lander, scene: scene.replace("steep"), "conditions = 'steep': expected a dictionary"),

@@ -212,6 +212,29 @@ def test_cases_keep_their_names(lander, scene, tmp_path):
     assert td.read(tmp_path / "landed.csv").index.tolist() == ["01", "2"]
 
 
+@pytest.mark.parametrize("units", ["US", "SI"])
+def test_parquet_has_the_table_of_csv(units, lander, scene, tmp_path):
+    def landed(name, rolls=(0, 5), **options):
+        table = {"case": ["01", "2"], "roll_deg": rolls, "vehicle.strut.preload_lb": [185.0, 150.0]}
+        return td.land_many(lander, table, scene=scene, units=units, out=tmp_path / name, progress=False, **options)
+
+    found = landed("landed.parquet")
+    pd.testing.assert_frame_equal(found, landed("landed.csv"))
+    assert not list(tmp_path.glob("*.journal"))
+    parquet = polars.read_parquet(tmp_path / "landed.parquet")
+    csv = polars.read_csv(tmp_path / "landed.csv", schema_overrides=parquet.schema)
+    assert parquet.equals(csv)
+    assert parquet["case"].to_list() == ["01", "2"]
+    # What is there already comes out the same, or stays.
+    pd.testing.assert_frame_equal(found, landed("landed.parquet"))
+    with pytest.raises(td.InputError, match="holds other results"):
+        landed("landed.parquet", (0, 6))
+    assert landed("landed.parquet", (0, 6), overwrite=True).end_time_s.iloc[1] != found.end_time_s.iloc[1]
+    (tmp_path / "mine.parquet").write_text("mine")
+    with pytest.raises(td.InputError, match="exists and is no earlier result"):
+        landed("mine.parquet")
+
+
 def test_series_keep_their_index(lander, scene):
     speeds = pd.Series([10.0, 11.0], index=pd.Index(["a", "b"], name="run"))
     landed = td.land_many(lander, {"roll_deg": [0, 5], "horizontal_velocity_fps": speeds, "pitch_deg": 0 * speeds}, scene=scene, progress=False)

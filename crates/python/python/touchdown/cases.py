@@ -51,7 +51,7 @@ def land_many(
     units : {"US", "SI"}, optional
         Units of the results, which are part of the names of the columns; without, those of `use_units`.
     out : path, optional
-        CSV file for the results too. What is finished is in a journal beside it at once: after an interruption the same call goes on.
+        CSV or Parquet file for the results too. What is finished is in a journal beside it at once: after an interruption the same call goes on.
     overwrite : bool
         Whether to replace a file with other results. Without, it is refused when all rows are landed and differ from it.
     threads : int, optional
@@ -88,8 +88,8 @@ def land_many(
     columns, index = list(columns_of(table).items()), index_of(table)
     conditions = None if scene is None else checked_scene(scene)._engine
     file = None if out is None else a_path("out", out)
-    if file is not None and not file.endswith(".csv"):
-        raise InputError.of_value("out", out, "a name that ends in .csv; to_parquet of the result writes Parquet")
+    if file is not None and not file.endswith((".csv", ".parquet")):
+        raise InputError.of_value("out", out, "a name that ends in .csv or .parquet")
     options = (checked(units), file, a_flag("overwrite", overwrite), thread_count(threads))
     with watching(progress, "landings") as watch:
         found, (of_journal, of_landings) = _engine.land_many(

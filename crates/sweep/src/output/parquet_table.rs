@@ -1,9 +1,9 @@
 //! Result tables as Parquet files, one row group at a time.
 //!
 //! The columns are those of the CSV file, with types; an empty cell is null. The metadata hold the units of the columns
-//! and the full input of the sweep, as JSON, and the program that wrote them.
+//! and the full input, as JSON, and the program that wrote them.
 
-use std::io;
+use std::io::{self, Write};
 use std::sync::Arc;
 
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
@@ -17,7 +17,6 @@ use parquet::schema::types::Type;
 use serde_json::{Map, Value, json};
 
 use crate::column::{Cell, Kind};
-use crate::file_writer::Draft;
 use crate::results;
 use crate::sweep_file::Sweep;
 use crate::unit::unit;
@@ -26,15 +25,27 @@ use crate::unit::unit;
 const GROUP: usize = 1 << 16;
 
 /// A table being written.
-pub(crate) struct ParquetTable {
-    writer: SerializedFileWriter<Draft>,
+pub(crate) struct ParquetTable<W: Write + Send> {
+    writer: SerializedFileWriter<W>,
     columns: usize,
     rows: Vec<Vec<Cell>>,
 }
 
-impl ParquetTable {
-    /// Starts a table with columns of these names and kinds.
-    pub(crate) fn begin(draft: Draft, sweep: &Sweep, columns: &[(&str, Kind)]) -> io::Result<Self> {
+/// Metadata by name; what is `None` is a name alone.
+type Metadata = Vec<(&'static str, Option<String>)>;
+
+/// What the table of a sweep says of its input.
+pub(crate) fn of_sweep(sweep: &Sweep) -> Metadata {
+    vec![
+        ("title", Some(sweep.title.clone())),
+        ("input", Some(sweep.resolved_in(sweep.units).to_string())),
+        ("input_fingerprint", Some(results::input_fingerprint(sweep))),
+    ]
+}
+
+impl<W: Write + Send> ParquetTable<W> {
+    /// Starts a table with columns of these names and kinds, and what its metadata say of the input.
+    pub(crate) fn begin(file: W, input: Metadata, columns: &[(&str, Kind)]) -> io::Result<Self> {
         let units: Map<String, Value> = (columns.iter())
             .map(|(name, _)| ((*name).to_owned(), json!(unit(name))))
             .collect();
@@ -57,20 +68,20 @@ impl ParquetTable {
             .build()
             .map_err(failed)?;
         let program = results::program(env!("CARGO_PKG_VERSION"));
-        let metadata = [
-            ("title", Some(sweep.title.clone())),
+        let mut metadata = input;
+        metadata.extend([
             ("units", Some(json!(units).to_string())),
-            ("input", Some(sweep.resolved_in(sweep.units).to_string())),
-            ("input_fingerprint", Some(results::input_fingerprint(sweep))),
             ("program", Some(program.to_string())),
             ("commit", results::COMMIT.map(str::to_owned)),
-        ];
-        let metadata = metadata.map(|(key, value)| KeyValue::new(key.to_owned(), value));
+        ]);
+        let metadata = (metadata.into_iter())
+            .map(|(key, value)| KeyValue::new(key.to_owned(), value))
+            .collect();
         let properties = WriterProperties::builder()
-            .set_key_value_metadata(Some(metadata.to_vec()))
+            .set_key_value_metadata(Some(metadata))
             .set_created_by("touchdown".to_owned())
             .build();
-        let writer = SerializedFileWriter::new(draft, Arc::new(schema), Arc::new(properties));
+        let writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties));
         Ok(Self {
             writer: writer.map_err(failed)?,
             columns: count,
@@ -88,7 +99,7 @@ impl ParquetTable {
     }
 
     /// Finishes the table.
-    pub(crate) fn end(mut self) -> io::Result<Draft> {
+    pub(crate) fn end(mut self) -> io::Result<W> {
         self.write_group().map_err(failed)?;
         self.writer.into_inner().map_err(failed)
     }

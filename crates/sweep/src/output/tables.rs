@@ -11,7 +11,7 @@ use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
 use crate::output_units::Quantity;
-use crate::parquet_table::ParquetTable;
+use crate::parquet_table::{self, ParquetTable};
 use crate::refined_grid::RefinedGrid;
 use crate::rounds::Rounds;
 use crate::sensitivity_table;
@@ -200,7 +200,7 @@ struct Table {
     quantities: Vec<Quantity>,
     writer: csv::Writer<Draft>,
     path: PathBuf,
-    parquet: Option<(ParquetTable, PathBuf)>,
+    parquet: Option<(ParquetTable<Draft>, PathBuf)>,
 }
 
 impl Table {
@@ -221,7 +221,8 @@ impl Table {
                 let names = quantities.iter().map(Quantity::name);
                 let columns: Vec<(&str, Kind)> =
                     names.zip(heading.iter().map(|one| one.kind)).collect();
-                let table = ParquetTable::begin(folder.draft(&name("parquet"))?, sweep, &columns);
+                let draft = folder.draft(&name("parquet"))?;
+                let table = ParquetTable::begin(draft, parquet_table::of_sweep(sweep), &columns);
                 Some((table.map_err(|error| refuse(&path, error))?, path))
             }
         };

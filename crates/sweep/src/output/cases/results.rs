@@ -1,10 +1,17 @@
 //! Table of the results of cases.
 
+use std::io;
+
+use serde_json::Value;
 use touchdown_dynamics::landing::Landing;
 
-use crate::column::{cells, headings};
+use crate::column::{Cell, Kind, cells, headings};
 use crate::landing_table::COLUMNS;
 use crate::output_units::{OutputUnits, Quantity};
+use crate::parquet_table::ParquetTable;
+
+/// First column: the name of the case.
+const CASE: &str = "case";
 
 /// True if a file with this first line is a table of results of cases.
 pub fn is_table(line: &str) -> bool {
@@ -22,12 +29,10 @@ pub fn table<'r>(
     rows: impl Iterator<Item = (&'r str, &'r Landing)> + Clone,
     units: OutputUnits,
 ) -> Result<Vec<u8>, csv::Error> {
-    let legs = rows.clone().map(|(_, landing)| landing.leg_count());
-    let legs = legs.max().unwrap_or(0);
+    let legs = most_legs(rows.clone());
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_field("case")?;
-    let names = headings(&COLUMNS, legs).map(|one| units.quantity(&one.name));
-    let quantities: Vec<Quantity> = names.collect();
+    writer.write_field(CASE)?;
+    let quantities: Vec<Quantity> = columns(legs, units).map(|(quantity, _)| quantity).collect();
     writer.write_record(quantities.iter().map(Quantity::name))?;
     for (name, landing) in rows {
         writer.write_field(name)?;
@@ -37,4 +42,37 @@ pub fn table<'r>(
     writer
         .into_inner()
         .map_err(|error| error.into_error().into())
+}
+
+/// The same table as a Parquet file, with the input of the cases in its metadata.
+///
+/// # Errors
+/// Only out of memory.
+pub fn parquet_table<'r>(
+    rows: impl Iterator<Item = (&'r str, &'r Landing)> + Clone,
+    units: OutputUnits,
+    input: &Value,
+) -> io::Result<Vec<u8>> {
+    let legs = most_legs(rows.clone());
+    let columns: Vec<(Quantity, Kind)> = columns(legs, units).collect();
+    let named = columns.iter().map(|(one, kind)| (one.name(), *kind));
+    let headings: Vec<(&str, Kind)> = [(CASE, Kind::Word)].into_iter().chain(named).collect();
+    let input = vec![("input", Some(input.to_string()))];
+    let mut table = ParquetTable::begin(Vec::new(), input, &headings)?;
+    for (name, landing) in rows {
+        let cells = columns.iter().zip(cells(&COLUMNS, landing, legs));
+        let cells = cells.map(|((quantity, _), cell)| quantity.cell(cell));
+        let name = Cell::Word(name.to_owned());
+        table.add([name].into_iter().chain(cells).collect())?;
+    }
+    table.end()
+}
+
+fn most_legs<'r>(rows: impl Iterator<Item = (&'r str, &'r Landing)>) -> usize {
+    let legs = rows.map(|(_, landing)| landing.leg_count());
+    legs.max().unwrap_or(0)
+}
+
+fn columns(legs: usize, units: OutputUnits) -> impl Iterator<Item = (Quantity, Kind)> {
+    headings(&COLUMNS, legs).map(move |one| (units.quantity(&one.name), one.kind))
 }
