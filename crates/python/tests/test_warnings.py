@@ -75,6 +75,19 @@ def test_footpads_crushed_through():
         assert CRUSHED in told(call)
 
 
+def test_struts_beyond_their_crush_tables():
+    lander = td.vehicles.four_legs()
+    # Millimetres where metres were meant: the table ends at a tenth of the stroke.
+    short = lander.replace({"strut.crush_load.stroke_mm": [0, 12, 12, 30]})
+    scene = td.Scene(vertical_velocity_mps=4, horizontal_velocity_fps=0, cross_slope_deg=0, slope_deg=0, friction=1)
+    assert "beyond the 0.0300 m at which its crush_load ends" in told(lambda: td.land(short, scene, units="SI"))
+    said = told(lambda: td.land_many(short, {"roll_deg": [0, 5]}, scene=scene, progress=False))
+    assert said.startswith("in 2 cases, first in row 0: struts stroked beyond the end of their crush_load")
+    search = {"from_mps": 0, "to_mps": 2, "scan_step_mps": 1, "tolerance_mps": 0.5}
+    said = told(lambda: td.sweep(short, scene, {"roll_deg": [0, 5]}, search=search, progress=False))
+    assert said.startswith("at 2 points: struts stroked beyond the end of their crush_load")
+
+
 def test_undecided_landings(lander, scene):
     solver = {"time_limit_s": 0.1}
     axes = {"horizontal_velocity_fps": {"from": 0, "to": 2}}

@@ -83,6 +83,9 @@ impl Trajectory<'_> {
             max_stroke_share: PerLeg::from_fn(self.leg_count(), |j| {
                 self.peaks.stroke[j] / self.laws[j].bottoming_stroke()
             }),
+            max_stroke_table_share: PerLeg::from_fn(self.leg_count(), |j| {
+                self.peaks.stroke[j] / self.laws[j].table_end()
+            }),
             max_pad_crush: pad_crush.map(|[crush, _]| crush),
             max_pad_crush_share: pad_crush.map(|[crush, height]| crush / height),
             final_rates: final_rates(

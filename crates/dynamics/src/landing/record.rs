@@ -158,6 +158,9 @@ pub struct Landing {
     pub max_stroke: PerLeg<f64>,
     /// That stroke as a share of the stroke at which the strut bottoms.
     pub max_stroke_share: PerLeg<f64>,
+    /// That stroke as a share of the one at which the crush table of a cartridge ends: more than 1 means beyond it. Zero
+    /// for other struts, and where the table reaches the stroke at which the strut bottoms.
+    pub max_stroke_table_share: PerLeg<f64>,
     /// Greatest interference at which either section of each footpad was crushed, ft; for a pad on its edge that of the
     /// edge, if its share is greater.
     pub max_pad_crush: PerLeg<f64>,

@@ -128,6 +128,9 @@ impl<'a> Flight<'a> {
             max_stroke_share: PerLeg::from_fn(state.leg_count(), |j| {
                 extremes.stroke[j] / self.model.bottoming_stroke(j)
             }),
+            max_stroke_table_share: PerLeg::from_fn(state.leg_count(), |j| {
+                extremes.stroke[j] / self.model.table_end(j)
+            }),
             max_pad_crush: pad_crush.map(|[crush, _]| crush),
             max_pad_crush_share: pad_crush.map(|[crush, height]| crush / height),
             final_rates: final_rates(

@@ -68,6 +68,11 @@ impl ForceModel {
         self.laws[leg].bottoming_stroke()
     }
 
+    /// As [`LegLaws::table_end`], of leg `leg`.
+    pub fn table_end(&self, leg: usize) -> f64 {
+        self.laws[leg].table_end()
+    }
+
     /// The equations of motion.
     pub fn motion(&self) -> &Motion<f64> {
         &self.motion

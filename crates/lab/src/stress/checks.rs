@@ -88,6 +88,7 @@ pub mod tests {
             max_strut_force: [0.0; 3].into(),
             max_stroke: [0.0; 3].into(),
             max_stroke_share: [0.0; 3].into(),
+            max_stroke_table_share: [0.0; 3].into(),
             max_pad_crush: [0.0; 3].into(),
             max_pad_crush_share: [0.0; 3].into(),
             final_rates: FinalRates {

@@ -114,12 +114,13 @@ pub fn verdict_time(landing: &Landing) -> f64 {
     beyond.map_or(landing.end_time, |beyond| beyond.verdict_time)
 }
 
-/// Warnings of a landing whose energy balance closes: elements that gave back more energy than they took, and footpads
-/// crushed beyond their hinges.
+/// Warnings of a landing whose energy balance closes: elements that gave back more energy than they took, footpads
+/// crushed beyond their hinges, and cartridges beyond their crush tables.
 pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
     let ContactWarnings {
         given,
         is_crushed_through,
+        is_beyond_table,
     } = ContactWarnings::of(landing);
     let mut told = Vec::new();
     if given > 0.0 {
@@ -127,6 +128,9 @@ pub fn warning(landing: &Landing, units: OutputUnits) -> Option<String> {
     }
     if is_crushed_through {
         told.extend(crushed_through(landing, units));
+    }
+    if is_beyond_table {
+        told.extend(beyond_table(landing, units));
     }
     (!told.is_empty()).then(|| told.join("; "))
 }
@@ -146,6 +150,30 @@ fn crushed_through(landing: &Landing, units: OutputUnits) -> Option<String> {
     Some(format!(
         "footpad {} was crushed by {crush:.3} {unit}, which is more than the {height:.3} {unit} up to its hinge: the contact rule \
          \"face\" ends such a landing as bottomed",
+        leg + 1
+    ))
+}
+
+/// Warning that struts were crushed beyond their crush tables.
+pub const BEYOND_TABLE: &str = "struts stroked beyond the end of their crush_load, where the load stays that of the last \
+     knot: a knot at the full stroke says that this is meant";
+
+/// Warning that a strut was crushed beyond its crush table.
+fn beyond_table(landing: &Landing, units: OutputUnits) -> Option<String> {
+    let quantity = units.quantity("stroke_ft");
+    let shares = landing.max_stroke_table_share.iter();
+    let (leg, share) = shares.enumerate().find(|(_, share)| **share > 1.0)?;
+    let stroke = landing.max_stroke[leg];
+    let [stroke, end, full] = [
+        stroke,
+        stroke / share,
+        stroke / landing.max_stroke_share[leg],
+    ]
+    .map(|length| quantity.number(length));
+    let unit = quantity.unit();
+    Some(format!(
+        "strut {} stroked {stroke:.4} {unit}, beyond the {end:.4} {unit} at which its crush_load ends: the load stays that of the \
+         last knot; a knot at the full stroke, {full:.4} {unit}, says that this is meant",
         leg + 1
     ))
 }

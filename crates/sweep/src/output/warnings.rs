@@ -57,12 +57,13 @@ pub fn of_sweep(sweep: &Sweep, counts: &SweepCounts) -> Vec<String> {
             landing_report::given_by_contact(energy, sweep.units)
         ));
     }
-    if counts.with_crushed_through > 0 {
-        told.push(format!(
-            "at {}: {}",
-            number(counts.with_crushed_through, "point"),
-            landing_report::CRUSHED_THROUGH
-        ));
+    for (points, what) in [
+        (counts.with_crushed_through, landing_report::CRUSHED_THROUGH),
+        (counts.with_beyond_table, landing_report::BEYOND_TABLE),
+    ] {
+        if points > 0 {
+            told.push(format!("at {}: {what}", number(points, "point")));
+        }
     }
     let undecided = counts.outcomes.map_or(0, |count| count.undecided);
     if undecided > 0 {
@@ -92,14 +93,20 @@ pub fn of_cases(
             landing_report::given_by_contact(warnings.given, units)
         ));
     }
-    let crushed = || told(|warnings| warnings.is_crushed_through);
-    if let Some((first, _)) = crushed().next() {
-        all.push(format!(
-            "in {}, first in {first}: {}",
-            number(crushed().count(), "case"),
-            landing_report::CRUSHED_THROUGH
-        ));
-    }
+    let mut tell = |is_told: fn(&ContactWarnings) -> bool, what: &str| {
+        if let Some((first, _)) = told(is_told).next() {
+            let cases = number(told(is_told).count(), "case");
+            all.push(format!("in {cases}, first in {first}: {what}"));
+        }
+    };
+    tell(
+        |warnings| warnings.is_crushed_through,
+        landing_report::CRUSHED_THROUGH,
+    );
+    tell(
+        |warnings| warnings.is_beyond_table,
+        landing_report::BEYOND_TABLE,
+    );
     all
 }
 

@@ -1,4 +1,4 @@
-//! Warnings of effects that the contact rule of 1966 allows but no real material shows.
+//! Warnings of effects that the model allows but no real material shows.
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::landing::Landing;
@@ -16,6 +16,8 @@ pub struct ContactWarnings {
     pub given: f64,
     /// True if a footpad was crushed beyond its hinge in a landing that did not end as bottomed.
     pub is_crushed_through: bool,
+    /// True if a cartridge was crushed beyond its crush table, which ends short of the stroke of the strut.
+    pub is_beyond_table: bool,
 }
 
 impl ContactWarnings {
@@ -29,6 +31,7 @@ impl ContactWarnings {
         Self {
             given: if is_much { given } else { 0.0 },
             is_crushed_through: is_crushed_through && !is_bottomed,
+            is_beyond_table: (landing.max_stroke_table_share.iter()).any(|share| *share > 1.0),
         }
     }
 
@@ -37,6 +40,7 @@ impl ContactWarnings {
         Self {
             given: self.given.max(other.given),
             is_crushed_through: self.is_crushed_through || other.is_crushed_through,
+            is_beyond_table: self.is_beyond_table || other.is_beyond_table,
         }
     }
 }

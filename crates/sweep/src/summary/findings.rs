@@ -111,6 +111,7 @@ pub(crate) mod tests {
             max_strut_force: [1.0, 2.0, 3.0].into(),
             max_stroke: [0.25, 0.5, 0.125].into(),
             max_stroke_share: [0.5, 1.0, 0.25].into(),
+            max_stroke_table_share: [0.0; 3].into(),
             max_pad_crush: [0.0; 3].into(),
             max_pad_crush_share: [0.0; 3].into(),
             final_rates: FinalRates {

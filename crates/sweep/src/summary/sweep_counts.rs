@@ -58,6 +58,8 @@ pub struct SweepCounts {
     pub most_given: Option<(usize, f64)>,
     /// Points where a footpad was crushed beyond its hinge in a landing.
     pub with_crushed_through: usize,
+    /// Points with struts crushed beyond their crush tables.
+    pub with_beyond_table: usize,
     /// Cells of a map.
     pub coarse_cells: CoarseCells,
     /// Outcomes, for a sweep of single landings.
@@ -143,6 +145,7 @@ impl SweepCounts {
 
     fn add_warnings(&mut self, point: usize, warnings: ContactWarnings) {
         self.with_crushed_through += usize::from(warnings.is_crushed_through);
+        self.with_beyond_table += usize::from(warnings.is_beyond_table);
         if warnings.given > 0.0 {
             self.with_given += 1;
             if (self.most_given).is_none_or(|(_, most)| warnings.given > most) {

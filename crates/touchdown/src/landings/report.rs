@@ -85,6 +85,13 @@ pub fn text(report: &LandingReport) -> String {
         "- of the whole, %",
         (landing.max_stroke_share.into_iter()).map(|share| format!("{:.1}", 100.0 * share)),
     );
+    let of_table = landing.max_stroke_table_share;
+    if of_table.iter().any(|share| *share > 1.0) {
+        lines.legs(
+            "- of its crush table, %",
+            (of_table.into_iter()).map(|share| format!("{:.1}", 100.0 * share)),
+        );
+    }
     let energy = units.quantity("energy_ftlb");
     let closure = energy.number(energies.closure());
     let thrust = ("+ work of the thrust", energies.thrust);

@@ -310,3 +310,79 @@ fn a_footpad_crushed_through_its_height_is_told_or_bottoms() {
         "{physical}"
     );
 }
+
+/// Strokes a tenth of what was meant: the load stays that of the last knot, which is told where a strut comes so far.
+#[test]
+fn struts_that_outrun_their_crush_tables_are_told() {
+    let bench = Bench::new();
+    let told = |strokes: &str, loads: &str, speed: &str| {
+        let lander = FOUR_LEGS
+            .replace("stroke_mm = [0, 120, 120, 300]", strokes)
+            .replace("load_n = [2500, 2500, 7000, 7000]", loads);
+        bench.write("lander.toml", &lander);
+        let done = bench.run(&[
+            "land",
+            "--vehicle",
+            "lander.toml",
+            "--units=SI",
+            "--horizontal-velocity=0",
+            "--cross-slope=0",
+            "--slope=0",
+            "--friction=1",
+            "--vertical-velocity-mps",
+            speed,
+        ]);
+        assert!(done.code.is_some_and(|code| code < 2), "{}", done.err);
+        (done.out, done.err)
+    };
+    let short = "stroke_mm = [0, 12, 12, 30]";
+    let loads = "load_n = [2500, 2500, 7000, 7000]";
+    let (report, warning) = told(short, loads, "3");
+    assert!(report.contains("- of its crush table, %"), "{report}");
+    assert!(
+        warning.contains("beyond the 0.0300 m at which its crush_load ends")
+            && warning.contains("a knot at the full stroke, 0.3000 m,"),
+        "{warning}"
+    );
+    for (strokes, loads, speed) in [
+        // Not reached; said to be meant; reaching the stop but for rounding; one load for all strokes.
+        (short, loads, "0.1"),
+        (
+            "stroke_mm = [0, 12, 12, 30, 300]",
+            "load_n = [2500, 2500, 7000, 7000, 7000]",
+            "3",
+        ),
+        ("stroke_mm = [0, 120, 120, 299.9]", loads, "3"),
+        ("stroke_mm = [0]", "load_n = [5000]", "3"),
+    ] {
+        let (report, warning) = told(strokes, loads, speed);
+        assert_eq!(warning, "", "{strokes}");
+        assert!(!report.contains("crush table"), "{report}");
+    }
+
+    told(short, loads, "3");
+    let heading =
+        "vertical_velocity_mps,horizontal_velocity_mps,cross_slope_deg,slope_deg,friction";
+    bench.write("cases.csv", &format!("{heading}\n0.1,0,0,0,1\n3,0,0,0,1\n"));
+    let done = bench.run(&[
+        "land",
+        "--vehicle=lander.toml",
+        "--cases=cases.csv",
+        "--out=out.csv",
+    ]);
+    let expected =
+        "warning: in 1 case, first in case 2: struts stroked beyond the end of their crush_load";
+    assert!(done.err.contains(expected), "{}", done.err);
+    let sweep = "vehicle = \"lander.toml\"\n[scene]\ncross_slope_deg = 0\nslope_deg = 0\nfriction = 1\n\
+                 [axes]\nvertical_velocity_mps = [0.1, 3]\n\
+                 [search]\nfrom_mps = 0\nto_mps = 1\nscan_step_mps = 1\ntolerance_mps = 0.5\n";
+    bench.write("short.toml", sweep);
+    let done = bench.run(&["sweep", "short.toml"]);
+    assert!(
+        done.out
+            .contains("warning: at 1 point: struts stroked beyond the end"),
+        "{}{}",
+        done.out,
+        done.err
+    );
+}

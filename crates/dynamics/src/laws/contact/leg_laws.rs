@@ -6,7 +6,7 @@ use super::Sets;
 use crate::crush::CrushLaw;
 use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::Stops;
-use crate::parts::{LegDesign, StrutElement};
+use crate::parts::{LegDesign, Strut, StrutElement};
 use crate::rules::{ContactRule, CrushRule};
 use crate::strut::{STOP_STROKE, StrutLaw};
 
@@ -26,6 +26,8 @@ pub struct LegLaws {
     pub(super) strut: StrutLaw,
     /// Cartridge of the strut: absent in a shock absorber.
     pub(super) cartridge: CrushLaw,
+    /// See [`LegLaws::table_end`].
+    pub(super) table_end: f64,
     pub(super) stops: Stops,
     /// Footpad on its edge: absent where such a landing ends.
     pub(super) edge: CrushLaw,
@@ -74,6 +76,20 @@ impl Heights {
     }
 }
 
+/// See [`LegLaws::table_end`]. A single knot is a load for all strokes.
+fn table_end(strut: &Strut) -> f64 {
+    // Lengths in other units are rounded.
+    const REACHES: f64 = 0.999;
+    let reached = REACHES * (strut.extended_length - strut.minimum_length);
+    let end = match &strut.element {
+        StrutElement::Honeycomb(cartridge) => cartridge.crush_load.knots().last(),
+        StrutElement::Damper(_) => None,
+    };
+    let end = end.map(|[end, _]| *end);
+    let is_short = |end: &f64| *end > 0.0 && *end < reached;
+    end.filter(is_short).unwrap_or(f64::INFINITY)
+}
+
 impl LegLaws {
     /// The laws of a leg of this design, under the default rules.
     pub fn of(design: &LegDesign) -> Self {
@@ -86,6 +102,7 @@ impl LegLaws {
                     CrushLaw::new(&block.profile, CrushLaw::BLOCK_PRESSURE_THRESHOLD)
                 }),
             strut: StrutLaw::new(&design.strut),
+            table_end: table_end(&design.strut),
             cartridge: match &design.strut.element {
                 StrutElement::Damper(_) => CrushLaw::absent(),
                 StrutElement::Honeycomb(honeycomb) => CrushLaw::of_cartridge(honeycomb),
@@ -149,6 +166,12 @@ impl LegLaws {
     /// Stroke at which the strut bottoms, ft.
     pub fn bottoming_stroke(&self) -> f64 {
         self.strut.bottoming_stroke()
+    }
+
+    /// Stroke at which the crush table of the cartridge ends, ft; infinite without a table, and where it reaches the
+    /// stroke at which the strut bottoms.
+    pub fn table_end(&self) -> f64 {
+        self.table_end
     }
 
     /// Returns whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
