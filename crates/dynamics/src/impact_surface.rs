@@ -92,6 +92,7 @@ pub struct ImpactSurface {
 
 /// Why there is no surface.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum NoSurface {
     /// An impact time or another input that cannot be used.
     Input(Invalid),

@@ -35,6 +35,7 @@ const ANGULAR_SPAN: f64 = 1.0;
 
 /// Sensitivities of the first transition of a point.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Sensitivity {
     /// The first transition, ft/s, narrowed further than by the search.
     pub speed: Option<f64>,
@@ -83,6 +84,7 @@ pub(crate) fn span(parameter: &Parameter, value: f64, step: f64) -> f64 {
 
 /// Dependence of the transition velocity on a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Dependence {
     /// Smooth.
     Smooth {

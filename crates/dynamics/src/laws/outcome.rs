@@ -44,6 +44,7 @@ pub enum Outcome {
 /// Why a landing could not be computed to its end.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Failure {
     /// A loaded footpad inclined more than 65 deg, where the model has no law.
     PadInclination {

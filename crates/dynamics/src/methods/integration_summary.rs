@@ -7,6 +7,7 @@ pub const CLASSES: usize = 8;
 
 /// Intervals, cuts, and truncation errors.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct IntegrationSummary {
     /// Accepted intervals.
     pub intervals: u64,

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Reasons why a journal cannot be used.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum JournalError {
     /// Error of the file system.
     Io {

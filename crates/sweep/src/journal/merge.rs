@@ -20,6 +20,7 @@ pub struct Shards {
 
 /// Reason why journals do not make up a sweep.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum MergeError {
     /// One of them cannot be read.
     #[error(transparent)]

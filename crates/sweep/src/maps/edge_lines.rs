@@ -9,6 +9,7 @@ use crate::surface_pieces::MapSurface;
 
 /// Kind of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EdgeKind {
     /// A transition on one side only.
     End,

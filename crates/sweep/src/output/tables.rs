@@ -45,6 +45,7 @@ pub struct Tables {
 
 /// Reason why tables could not be written.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum TablesError {
     /// A journal cannot be read.
     #[error(transparent)]

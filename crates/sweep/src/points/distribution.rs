@@ -8,6 +8,7 @@ use crate::levels::{Fault, rounded};
 
 /// Distribution of a parameter.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Distribution {
     /// Uniform between two ends.
     Uniform {

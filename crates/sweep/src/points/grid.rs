@@ -18,6 +18,7 @@ pub const MOST_POINTS: usize = 1_000_000_000;
 
 /// Reasons why axes span no grid.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum GridFault {
     /// There are no axes.
     Empty,

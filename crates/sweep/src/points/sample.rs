@@ -12,6 +12,7 @@ use crate::levels::rounded;
 
 /// Method of drawing the points of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SampleDesign {
     /// Independent points.
     MonteCarlo,

@@ -16,6 +16,7 @@ const NUMBERS: [&str; 3] = [
 
 /// A value that replaces one of a sweep file or of its vehicle.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub enum SetValue {
     /// Of a parameter.
     Parameter(Assignment),

@@ -21,6 +21,7 @@ use crate::trial::{LEAST_JUMP, Sample, Trial};
 
 /// Transitions that are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Doubt {
     /// Those where no margin runs through zero.
     #[default]

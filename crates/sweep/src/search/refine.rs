@@ -26,6 +26,7 @@ use crate::trial::{Sample, margin_jumps};
 
 /// Method of narrowing brackets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Refinement {
     /// Interpolates margins that decide the change; halves without one.
     #[default]

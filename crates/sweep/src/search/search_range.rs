@@ -33,6 +33,7 @@ pub struct Search {
 
 /// Part of the speed range that a search covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Extent {
     /// Up to the first transition.
     #[default]
@@ -43,6 +44,7 @@ pub enum Extent {
 
 /// Kind of scan over the range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Scan {
     /// Lands at every step.
     #[default]

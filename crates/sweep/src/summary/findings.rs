@@ -9,6 +9,7 @@ use crate::sensitivity::Sensitivity;
 
 /// The result of a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Finding {
     /// Result of a search for the boundary of stable landings.
     Boundary(Boundary),

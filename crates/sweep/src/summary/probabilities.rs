@@ -246,6 +246,7 @@ pub fn wilson(hits: u64, trials: u64) -> [f64; 2] {
 
 /// Landings of a sample counted over bins of each axis.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Probabilities {
     axes: Vec<Bins>,
 }

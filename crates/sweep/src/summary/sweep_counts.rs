@@ -16,6 +16,7 @@ use crate::transition_statistics::TransitionStatistics;
 
 /// Counts over the points of a sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct SweepCounts {
     /// Points.
     pub points: usize,

@@ -33,6 +33,7 @@ pub struct Case {
 
 /// Reason why a point has no valid input.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum CaseFault {
     /// A condition of the scene is missing or not allowed.
     #[error(transparent)]

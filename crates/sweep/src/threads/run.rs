@@ -47,6 +47,7 @@ impl Observer for () {}
 
 /// Reason why a run has no result.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum RunError {
     /// The run was cancelled.
     #[error("cancelled")]
