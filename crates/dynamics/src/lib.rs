@@ -71,6 +71,50 @@
 //!
 //! The crate `touchdown-sweep` reads landers from files, searches the speed at which they topple, and sweeps it.
 //!
+//! # How a landing is computed
+//!
+//! **One way to compute a landing.** The equations are written once over a number type (`scalar::Real`): `f64` for a landing
+//! alone, `Lanes<N>` for 2, 4 or 8 landings. Legs follow one another in loops; a vehicle has 3 to 8 of them (`PerLeg`), counted at
+//! run time. In a batch (`batch.rs`) each landing has its own time, step length, laws and events. Those whose next steps are of one
+//! kind, explicit or implicit, take them together in lanes; what follows a step is done one by one by the same code as alone
+//! (`landing/simulation`), compiled for the registers of a single landing. The widest registers of the processor are found at run
+//! time (`registers`), and each width is compiled for its own instruction set. Nothing is contracted or reordered, and elementary
+//! functions come from `libm`, so every bit is the same for any width, neighbour and machine (`tests/suite/batch.rs`).
+//!
+//! **The mode is data.** Every law is piecewise smooth. Each law's file has a small state machine that knows its active piece
+//! (crushing front or elastic line, table segment, friction branch, stroke or rebound, stop) and gives three things: the
+//! *coefficients* of that piece, the *range* of each signal over which they hold, and the *next piece* when a signal leaves its
+//! range. The equations of motion are arithmetic in the coefficients. An event is a signal that leaves its range; there is no
+//! other kind.
+//!
+//! **Events are located, not sampled.** After each accepted step the signals of all legs are compared with their ranges
+//! (`integrator/ranges`). Interferences and strokes come with their rates, so the cubic through both ends of the step tells whether
+//! they stay or where they leave (`integrator/cubic`). Where that is doubtful, the middle of the step is evaluated too. The first exit is
+//! located on the dense output to 1e-3 s times the tolerance, and the step ends just beyond it. Ranges are widened by a slack far
+//! above rounding and far below anything physical, and the next range reaches back by as much: the side after an event is known,
+//! and a root cannot fire twice. Then the laws *settle* (`landing/events`): one change may bring another, until every signal lies
+//! in its range.
+//!
+//! **Verdicts are events too**, but they change no law: critical feet, the plane of motion, calm and σ, or under the rule `"hull"` σ alone, are followed over each step's
+//! dense output without restarting the integration (`landing/verdict`). Not located are rest on supports (`landing/rest`), endless slides (`landing/steadiness`) and toppling of a vehicle
+//! that touched down beyond its feet: they last, so they are asked for at ends of steps. **Extremes lie within steps**: parabolas close in on a least
+//! σ or clearance and on a greatest strut force; steps that may hide one are kept until it is known not to matter (`landing/hidden_forces`).
+//!
+//! **Stiff are a few directions.** A foot stuck by friction slows at thousands per second, and links and pads swing on the elasticity
+//! of what is pressed in. All of it acts through a few quantities a leg, whose force derivatives `response` holds. Where the fastest
+//! decay times the step exceeds 2.5 (`landing/stiffness`), the step is linearly implicit (Rodas4P2 of Steinebach): legs touch the body but
+//! not each other, so each stage solves six equations.
+//!
+//! **Contact at the face is a variant of the equations** (`motion/face`), compiled beside that of 1966, which pays nothing for it. A batch has the rule
+//! of its first landing in its lanes; others land alone.
+//!
+//! **What has a closed form is not integrated.** While all legs hang, steps follow the body's parabola, the power series of its rotation
+//! and the exponentials of its links (`motion/free_flight`). A pad that presses on a stop is carried by what it has *turned*; its
+//! angle follows (`hinge`).
+//!
+//! **The integrators of 1966 stand beside it** (`methods/`). They choose each law's piece from the state at every evaluation
+//! (`contact/choice`) and judge at the starts of intervals, as the report's program did.
+//!
 //! # Features and versions
 //!
 //! `serde` makes results serializable. Until version 1.0 a new minor version may change the interface. What changes any bit

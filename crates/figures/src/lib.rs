@@ -1,6 +1,14 @@
 //! Pictures of stability boundaries and of landings, from result tables alone.
 //!
-//! The same table gives the same picture, byte for byte.
+//! The same table gives the same picture, byte for byte. The floors, from the top:
+//!
+//! | floor | what |
+//! |---|---|
+//! | `picture` | which picture a table has |
+//! | `charts`, `maps` | profiles, histories, tornado charts; contour maps and perspectives |
+//! | `page` | `canvas` writes the SVG, with coordinates finer than pixels; colours, axes and ticks, legends, the sheet with its captions |
+//! | `tables` | result tables as they are read |
+//! | `words`, `png` | captions, titles, numbers; PNG from SVG |
 
 mod charts;
 mod maps;

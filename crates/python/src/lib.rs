@@ -3,6 +3,19 @@
 //! Input is passed as TOML text and read by the same code as files, so that keys, units and errors are those of the
 //! command line. Columns are passed as the bytes of NumPy arrays. Long calls run on their own threads
 //! (`interruptible`).
+//!
+//! | part | what |
+//! |---|---|
+//! | `src/documents` | dictionaries become TOML text, and that what files become: keys, units, ranges and complaints are in one place |
+//! | `src/landing`, `boundary`, `cases`, `sweeps` | calls of the engine; columns go to and from NumPy as bytes (`columns`) |
+//! | `src/interruptible` | long work on a thread of its own, while the caller's looks at signals and tells progress. A landing that does not end when told to is left to itself. A single landing is computed in place and looks at signals itself |
+//! | `src/errors` | complaints and panics as exceptions; `fault` panics on purpose, for tests of the very wheel |
+//! | `vehicle`, `scene`, `landing`, `boundaries`, `cases`, `sweeps` | what people import: values that never change, with docstrings and types |
+//! | `reading`, `datasets` | result tables as datasets. A sweep in memory is one into a temporary folder that is read back: there is one way to make results |
+//! | `_arguments` | arguments are looked at: what was given, what is allowed |
+//! | `_warnings` | warnings of journals and landings, which point at whoever called the package |
+//! | `_units` | results in SI, by the names and factors of the engine |
+//! | `plot` | pictures with matplotlib |
 
 mod boundary;
 mod cases;

@@ -38,6 +38,34 @@
 //! [`runner`] computes a whole sweep into a journal, from which an interrupted run goes on, and writes its tables; its page
 //! has the few lines that this takes. [`overrides::Overrides`] replaces values as the options of the command line do.
 //!
+//! # How a sweep is computed
+//!
+//! **Searches ask, threads land.** A search knows which landing it wants next only when it knows the last one, while lanes want many at
+//! a time. So searches are `async` and ask at once for all landings that they will need anyway. Many searches run side by side on the
+//! first thread, which lands too and keeps the journal, and what they ask for waits in the `landing_queue`, the first point first. A landing does not depend
+//! on its neighbours, so neither does a search.
+//!
+//! **Maps want points in rounds.** What is wanted of a first-level cell (`maps/cell_refinement`, `maps/interval_refinement` over one axis) depends on what is known in it alone, so
+//! that threads, interruptions and shards, each of which has whole cells, change nothing. A round is what all results of the rounds
+//! before call for; with a budget, the most urgent part of it (`maps/rounds`). Every place has a number in the finest grid
+//! (`points/refined_grid`), by which the journal knows it.
+//!
+//! **Results outlive a crash.** A grid is never written out: a point follows from its number. Each result goes to the journal as soon as it is
+//! known; tables are written from the journal in the order of the points, beside their place and then renamed. Tables of
+//! cases go the same way, a row being a point.
+//!
+//! **A number of the input is one entry.** Key with its unit, range, default, meaning, usual values and its place in the typed design stand together in the physics'
+//! catalogue (`design/quantities`; `[search]` has its own entries in `input/search_input`). Checks, readers, axes, `--set`, SI, options of `land`, sliders and
+//! `docs/reference.md` come from it. It is below the readers because a lander built in Rust is checked by it too.
+//!
+//! **A column is one entry.** Its name, the kind of its cells, the function that takes it from a landing, a boundary, a band or an
+//! instant, and its sentence in `docs/output.md` stand together (`documents/column`; the catalogues are the `COLUMNS` of
+//! `output` and `summary`). CSV, Parquet, JSON, Python and the document come from it. Rows are typed until they are written.
+//!
+//! **Units change at the end.** Everything up to the journal is in feet and pounds. `OutputUnits::quantity` turns the name of a column
+//! and its numbers into SI where tables, records and reports are written (`tables`, `input_in_units`, `report`), and pictures
+//! take their units from the names in the tables.
+//!
 //! # Versions
 //!
 //! Until version 1.0 a new minor version may change the interface, which follows the program. Journals of another model

@@ -3,6 +3,18 @@
 //! The program `touchdown`: one landing, a table of landings, or a sweep for the speed at which
 //! the lander begins to topple. The laboratory (`crates/lab`) uses what is public here: the commands, and how they speak
 //! to the terminal.
+//!
+//! The floors, from the top:
+//!
+//! | floor | what |
+//! |---|---|
+//! | `main`, `lib` | the commands |
+//! | `explore` | the explorer |
+//! | `landings`, `sweeps`, `ask`, `surface` | `land`; `sweep` and `merge`; V_H at one place; the surface from impact times |
+//! | `pictures` | `plot` |
+//! | `import_deck`, `new`, `shell` | card decks, starting files, completions and manual page |
+//! | `options` | options that several commands share |
+//! | `terminal` | messages, progress, interruption, files that may be written |
 
 mod ask;
 mod explore;

@@ -283,7 +283,14 @@ const WRONG: [(&str, &str, &[&str]); 15] = [
             "mean slope_deg or slope_rad?",
         ],
     ),
-    ("friction = 1.0", "", &["scene.friction is missing", "0 ≤ value ≤ 1000, nominal friction coefficient"]),
+    (
+        "friction = 1.0",
+        "",
+        &[
+            "scene.friction is missing",
+            "0 ≤ value ≤ 1000, nominal friction coefficient",
+        ],
+    ),
     (
         "slope_deg = 15",
         "slope_deg = 90",
