@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes a release of the version in Cargo.toml: checks everything, puts crates, wheel and the explorer as a page into
-# target/release-VERSION, and tags the commit. It publishes nothing.
+# Makes a release of the version in Cargo.toml: checks everything, puts crates, wheel, the explorer as a page and the documents
+# as a site into target/release-VERSION, and tags the commit. It publishes nothing.
 #
 #     scripts/release.sh
 set -euo pipefail
@@ -26,6 +26,8 @@ for crate in "${crates[@]}"; do
 done
 python3 -m venv "$out/python"
 scripts/tests/python_package.sh "$out/python/bin/python" "$out"
+"$out/python/bin/pip" install --quiet --requirement scripts/site-requirements.txt
+"$out/python/bin/python" scripts/site.py "$out/site"
 rm -r "$out/python"
 target/release/touchdown explore sweeps/vehicles/*.toml results/surface-4-20.csv --export "$out/touchdown-explorer.html"
 git tag --annotate "v$version" --message "touchdown $version"

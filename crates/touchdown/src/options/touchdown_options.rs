@@ -70,12 +70,19 @@ fn help(quantity: &Quantity) -> String {
     let mut letters = quantity.meaning.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     let meaning: String = first.chain(letters).collect();
+    // A range that nobody comes near says nothing here.
+    const WIDE: f64 = 1e4;
+    let range = (quantity.range.upper < WIDE).then(|| quantity.range.to_string());
     let default = match quantity.if_missing {
-        IfMissing::Required => String::new(),
-        IfMissing::Number(number) => format!("; default: {number}"),
-        IfMissing::Words(words) => format!("; default: {}", words.replace('`', "")),
+        IfMissing::Required => None,
+        IfMissing::Number(number) => Some(format!("default: {number}")),
+        IfMissing::Words(words) => Some(format!("default: {}", words.replace('`', ""))),
     };
-    format!("{meaning} [{}{default}]", quantity.range)
+    let notes: Vec<String> = range.into_iter().chain(default).collect();
+    match notes.is_empty() {
+        true => meaning,
+        false => format!("{meaning} [{}]", notes.join("; ")),
+    }
 }
 
 impl Args for TouchdownOptions {

@@ -221,3 +221,65 @@ fn what_cannot_be_set_is_refused() {
     }
     assert_eq!(bench.list("."), ["surveyor.toml", "sweep.toml"]);
 }
+
+#[test]
+fn every_condition_has_an_option_that_does_what_set_does() {
+    let bench = Bench::new();
+    let help = bench.run(&["land", "--help"]).out;
+    let history = |words: &[&str], file: &str| {
+        let done = bench.run(&[&["land", "--vehicle", "surveyor.toml"], words].concat());
+        assert_eq!(done.code, Some(0), "{words:?}: {}", done.err);
+        bench.read(file)
+    };
+    let given = [
+        ("--vertical-velocity", "vertical_velocity_fps", "9"),
+        (
+            "--horizontal-velocity-mps",
+            "horizontal_velocity_mps",
+            "1.5",
+        ),
+        ("--cross-slope", "cross_slope_deg", "150"),
+        ("--slope", "slope_deg", "-5"),
+        ("--friction", "friction", "0.7"),
+        ("--block-friction", "block_friction", "0.3"),
+        ("--pitch", "pitch_deg", "-2"),
+        ("--yaw", "yaw_deg", "3"),
+        ("--roll", "roll_deg", "20"),
+        ("--gravity-mps2", "gravity_mps2", "3.71"),
+    ];
+    let rates = [
+        ("angular_velocity_x_dps", "4"),
+        ("angular_velocity_y_dps", "-5"),
+        ("angular_velocity_z_dps", "6"),
+    ];
+    let mut options: Vec<&str> = (given.iter())
+        .flat_map(|(option, _, value)| [*option, value])
+        .collect();
+    options.extend(["--angular-velocity", "4,-5,6", "--history", "options.csv"]);
+    let named = given.iter().map(|(_, name, value)| (*name, *value));
+    let set: Vec<String> = (named.chain(rates))
+        .map(|(name, value)| format!("{name}={value}"))
+        .collect();
+    let mut words: Vec<&str> = set.iter().flat_map(|one| ["--set", one]).collect();
+    words.extend(["--history", "set.csv"]);
+    assert_eq!(history(&options, "options.csv"), history(&words, "set.csv"));
+
+    for option in [
+        "--vertical-velocity-mps",
+        "--gravity",
+        "--tip",
+        "--tip-azimuth",
+        "--nominal-roll",
+    ] {
+        assert!(help.contains(&format!("{option} <")), "{option}");
+    }
+    let both = [&BASELINE[..], &["--vertical-velocity-mps", "3"]].concat();
+    bench
+        .run(&both)
+        .refused(&["--vertical-velocity-mps", "cannot be used with"]);
+    let light = [&BASELINE[..], &["--gravity-mps2", "-1"]].concat();
+    bench.run(&light).refused(&[
+        "--gravity-mps2 = -1: expected 0 < value ≤ 1e9",
+        "(in ft/s2: this is",
+    ]);
+}
