@@ -92,7 +92,7 @@ fn followed((vehicle, scene): &(Vehicle, Scene), rule: ContactRule) -> (Landing,
 
 #[test]
 fn contact_at_the_face_only_takes_energy() {
-    let cases = fixed_list(&wild(), 40);
+    let cases = fixed_list(&wild(), 20);
     let worst = (cases.par_iter())
         .map(|case| {
             let (landing, given) = followed(case, ContactRule::Face);

@@ -134,7 +134,7 @@ fn tighter_limits_lead_to_the_converged_branch() {
 /// Mean interval and error of the CG's position at 1 s (ft), as geometric means over runs that
 /// differ in their first interval.
 fn typical_error(vehicle: &Vehicle, scene: &Scene, scale: f64, exact: &Vector3<f64>) -> (f64, f64) {
-    let runs: Vec<(f64, f64)> = first_intervals(8)
+    let runs: Vec<(f64, f64)> = first_intervals(4)
         .map(|first| {
             let mut track = Vec::new();
             let mut observe = |instant: &Instant| track.push(instant.position);

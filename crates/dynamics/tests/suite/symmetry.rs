@@ -77,7 +77,7 @@ fn compare(
 ) -> Vec<Pair> {
     let same: Vec<usize> = (0..image_leg.len()).collect();
     // Legs more than three cost more, and the same law is asked of them.
-    touchdowns(if same.len() > 3 { 40 } else { 200 })
+    touchdowns(if same.len() > 3 { 25 } else { 100 })
         .par_iter()
         .map(|(conditions, rule)| {
             let settings = Settings::new(1e-6, 1.5, *rule).unwrap();

@@ -46,8 +46,8 @@ fn a_place_of_a_record_has_what_the_table_says() {
         ("results/no-products/figure-4-23", 4, 1),
         ("results/section-rule/figure-4-05", 5, 1),
         ("results/surface-4-20", 700, 2),
-        ("results/landers/six-legs-map", 40, 2),
-        ("results/landers/four-legs-roll", 6, 1),
+        ("results/landers/six-legs-map", 80, 2),
+        ("results/landers/four-legs-roll", 25, 1),
     ] {
         let expected = row(&format!("{stem}.csv"), number);
         let value = |(name, value): &(String, String)| Assignment::new(name, value).unwrap();

@@ -17,7 +17,7 @@ fn it_lists_axes_checks_points_and_writes_nothing() {
         "[axes]",
         "[axes]\nvehicle.strut.compression_damping = [45, 54, 60]\n\
          vehicle.center_of_gravity_height_ft = { from = 1.2, to = 1.6, count = 81 }",
-    );
+    ) + "[solver]\ntime_limit_s = 0.01\n";
     bench.write("trade.toml", &trade);
     let told = told(&bench, &["trade.toml", "--shard", "1/3"]);
     for fragment in [

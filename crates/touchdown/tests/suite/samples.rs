@@ -2,6 +2,8 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
+use std::sync::LazyLock;
+
 use crate::common::Bench;
 
 const SAMPLE: &str = r#"title = "Dispersed touchdowns"
@@ -45,10 +47,16 @@ fn whole(threads: &str) -> [String; 2] {
     RESULTS.map(|name| bench.read(name))
 }
 
+/// The results of a run from beginning to end.
+fn uninterrupted() -> &'static [String; 2] {
+    static RESULTS_OF_ONE_RUN: LazyLock<[String; 2]> = LazyLock::new(|| whole("2"));
+    &RESULTS_OF_ONE_RUN
+}
+
 #[test]
 fn probabilities_have_intervals_and_the_run_ends_when_they_are_narrow() {
-    let results = whole("2");
-    assert_eq!(whole("1"), results);
+    let results = uninterrupted();
+    assert_eq!(whole("1"), *results);
     let rows: Vec<Vec<&str>> = results[1]
         .lines()
         .map(|row| row.split(',').collect())
@@ -72,7 +80,7 @@ fn probabilities_have_intervals_and_the_run_ends_when_they_are_narrow() {
 #[cfg(unix)]
 #[test]
 fn a_killed_sample_ends_where_it_would_have_ended() {
-    let expected = whole("2");
+    let expected = uninterrupted();
     let bench = bench();
     for _ in 0..3 {
         let mut run = bench
@@ -85,13 +93,13 @@ fn a_killed_sample_ends_where_it_would_have_ended() {
     }
     let done = bench.run(&["sweep", "sweep.toml"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
-    assert_eq!(RESULTS.map(|name| bench.read(name)), expected);
+    assert_eq!(RESULTS.map(|name| bench.read(name)), *expected);
 }
 
 /// A shard cannot know when all are enough; together they end at the same point.
 #[test]
 fn shards_of_a_sample_merge_to_the_same_results() {
-    let expected = whole("2");
+    let expected = uninterrupted();
     let bench = bench();
     let fewer = SAMPLE.replace("count = 5000", "count = 1000");
     bench.write("sweep.toml", &fewer);
@@ -101,7 +109,7 @@ fn shards_of_a_sample_merge_to_the_same_results() {
     }
     let merged = bench.run(&["merge", "results"]);
     assert_eq!(merged.code, Some(0), "{}", merged.err);
-    assert_eq!(RESULTS.map(|name| bench.read(name)), expected);
+    assert_eq!(RESULTS.map(|name| bench.read(name)), *expected);
 }
 
 /// Transitions of dispersed touchdowns, with every kind of distribution.
