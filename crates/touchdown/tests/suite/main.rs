@@ -19,6 +19,7 @@ mod nothing_silent;
 mod output_columns;
 mod output_in_si;
 mod plots;
+mod promised_refusals;
 mod runs;
 mod samples;
 mod scene_files;
