@@ -119,7 +119,7 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         to: number(&TO)?,
         scan_step: number(&SCAN_STEP)?,
         parts_below: parts_below as u32,
-        tolerance: number(&TOLERANCE)?,
+        tolerance: section.number(TOLERANCE.key)?,
         extent: choice(section, bands, &EXTENTS)?,
         scan: choice(section, scan, &SCANS)?,
         scan_looseness: number(&SCAN_LOOSENESS)?,
@@ -152,7 +152,7 @@ pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
         ),
         (
             TOLERANCE,
-            search.tolerance <= step,
+            (LEAST_BRACKET..=step).contains(&search.tolerance),
             format!("{LEAST_BRACKET:e} ≤ value ≤ scan_step_fps = {step}"),
         ),
     ];

@@ -335,12 +335,12 @@ fn footpad(section: &Section) -> Result<Footpad, InputError> {
 
 /// Load capacity of a footpad that has turned over; both keys or none.
 fn edge(section: &Section) -> Result<Option<PadEdge>, InputError> {
-    let keys = keys(&quantities::EDGE);
-    if keys.iter().all(|key| section.optional(key).is_none()) {
+    let both = || numbers::quantities(&quantities::EDGE);
+    if both().all(|quantity| section.optional(quantity.key).is_none()) {
         return Ok(None);
     }
-    for key in keys {
-        section.number(key)?;
+    for quantity in both() {
+        section.value(quantity.key, &numbers::explanation(quantity))?;
     }
     read(section, &quantities::EDGE).map(Some)
 }

@@ -25,6 +25,7 @@ use crate::library::Library;
 use crate::resolved_input;
 use crate::scene_input::NamedConditions;
 use crate::settings_input::solver_in_record;
+use crate::sweep_file::VEHICLE;
 use crate::vehicle_file::{self, VehicleFile};
 
 /// Columns that are not parameters: the name of the case, its vehicle file, and a remark without effect.
@@ -258,7 +259,12 @@ impl Vehicles {
     /// Reads the vehicle file of a row, unless read already.
     fn read(&mut self, name: Option<String>, folder: &Path) -> Result<(), InputError> {
         if let Some(name) = name.filter(|name| !self.files.contains_key(name)) {
-            let file = VehicleFile::read_from(&folder.join(&name), Library::Disk)?;
+            let path = folder.join(&name);
+            if let Some(refusal) = Library::Disk.refusal(&path) {
+                let said = format!("vehicle = {name}: {refusal}: expected {VEHICLE}");
+                return Err(InputError::other(said));
+            }
+            let file = VehicleFile::read_from(&path, Library::Disk)?;
             self.files.insert(name, file);
         }
         Ok(())

@@ -153,7 +153,7 @@ impl AxisEntry<'_> {
 
     /// A range by its step, which must meet its end.
     fn range(&self, form: &Section, from: f64, to: f64) -> Result<Levels, InputError> {
-        let found = form.value("step", "a number")?;
+        let found = form.value("step", "a number, or a count in its place")?;
         let levels = Levels::range(from, to, found.number()?).map_err(complaint(form, from, to))?;
         let [last, beyond] = [levels.count() - 1, levels.count()].map(|index| levels.value(index));
         // The end is met within rounding.

@@ -19,13 +19,12 @@ use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::settings_input;
 use crate::spelling::did_you_mean;
-use crate::sweep_file::{locate_condition, named_vehicle};
+use crate::sweep_file::{VEHICLE, locate_condition, named_vehicle};
 use crate::vehicle_file::{self, VehicleFile};
 
 pub(crate) const SCENE_FILE: [&str; 6] = ["title", UNITS, "vehicle", "scene", "solver", "case"];
 /// Keys of a case that are not parameters.
 pub(crate) const CASE: [&str; 2] = ["name", "vehicle"];
-const VEHICLE: &str = "the path of a vehicle file, relative to this file";
 const CASES: &str = "tables [[case]]";
 const NAME: &str = "letters, digits, - and _ in quotes, not the name of a case before";
 

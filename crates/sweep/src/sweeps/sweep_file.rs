@@ -221,7 +221,7 @@ fn check_complete(root: &Section, asked: JobWord) -> Result<(), InputError> {
 }
 
 /// Meaning of the key `vehicle`.
-const VEHICLE: &str = "the path of a vehicle file, relative to this file";
+pub(crate) const VEHICLE: &str = "the path of a vehicle file, relative to this file";
 
 /// Checks that nothing is given twice or without effect.
 fn check_names(
@@ -358,7 +358,12 @@ pub(crate) fn locate_condition(
                 entry.parameter.explain(&fault.allowed, value)
             ))
         }
-        _ => scene.missing(fault.name, &fault.allowed),
+        // Of the vehicle, which the scene or the solver does not go with.
+        (None, Some(value)) => scene.lacks(&format!(
+            "{} = {value}: expected {}",
+            fault.name, fault.allowed
+        )),
+        (_, None) => scene.missing(fault.name, &fault.allowed),
     }
 }
 

@@ -11,24 +11,26 @@ const TOLERANCE: &str = "tolerance_fps = 0.1";
 
 /// What is replaced in the vehicle file, by what, and the message.
 #[rustfmt::skip]
-const VEHICLES: [(&str, &str, &str); 25] = [
+const VEHICLES: [(&str, &str, &str); 27] = [
     (r#""1966"  "#, r#""1967"  "#, r#"surveyor.toml:3: rules = "1967": expected "1966" or "physical""#),
     ("gravity_fps2 = 5.31", "gravity_fps2 = 0", "surveyor.toml:5: gravity_fps2 = 0: expected 0 < value ≤ 1e9"),
     ("= 1.445", "= -9", "surveyor.toml:6: center_of_gravity_height_ft (over footpad 1) = -7.415522676408691: expected the CG above the footpads"),
     ("= 1.445", "= 1.445\ncenter_of_gravity_offset_x_ft = 9", "surveyor.toml:7: center_of_gravity_offset_x_ft = 9: expected -3.6935 < value < 3.6935, which keeps the CG over the polygon of the feet at center_of_gravity_offset_y_ft = 0"),
-    ("angle_deg = 41", "angle_deg = 91", "surveyor.toml:20: linkage.hardpoint_angle_deg = 91: expected between 0 and 90"),
+    ("angle_deg = 41", "angle_deg = 91", "surveyor.toml:20: linkage.hardpoint_angle_deg = 91: expected 0 ≤ value ≤ 90"),
     ("extended_length_ft = 3.1275", "extended_length_ft = 9", "surveyor.toml:24: strut.extended_length_ft = 9: expected a length that the hardpoints and the lower link can span"),
     ("minimum_length_ft = 2.7525", "minimum_length_ft = 3.2", "surveyor.toml:25: strut.minimum_length_ft = 3.2: expected positive and below strut.extended_length_ft"),
     ("friction_fraction = 0.05", "friction_fraction = 1", "surveyor.toml:29: strut.friction_fraction = 1: expected 0 ≤ value < 1"),
     ("extended_length", "kind = \"spring\"\nextended_length", r#"surveyor.toml:24: strut.kind = "spring": expected "damper" or "honeycomb""#),
     ("preload_lb = 185", "preload_lb = 185\nunloading_stiffness_lb_per_ft = 1e5", r#"surveyor.toml:28: strut.unloading_stiffness_lb_per_ft = 1e5: only struts of kind "honeycomb" have this, and this one is of kind "damper""#),
-    ("preload_lb = 185", "", "surveyor.toml:23: strut.preload_lb is missing: expected a number"),
+    ("preload_lb = 185", "", "surveyor.toml:23: strut.preload_lb is missing: expected 0 < value ≤ 1e9 lb, preload F_p of the spring"),
     ("stroke_in = [0, 0.25", "stroke_in = [0.1, 0.25", "surveyor.toml:35: strut.spring_profile.stroke_in[1] = 0.1: expected 0 as the first abscissa"),
     ("multiplier = [1, 1, 1", "multiplier = [1, 1", "surveyor.toml:36: strut.spring_profile.multiplier = […]: 19 numbers: expected as many as in stroke_in, 20"),
     ("multiplier = [1, 1.08", "multiplier = [1, -1.08", "surveyor.toml:40: strut.damping_profile.multiplier[2] = -1.08: expected 0 ≤ value ≤ 1e9, the scale included"),
     ("minimum_angle_deg = 0.75", "minimum_angle_deg = 60", "surveyor.toml:47: footpad.minimum_angle_deg = 60: expected below the angle of the extended link, 17.9978 deg"),
     ("maximum_angle_deg = 45", "maximum_angle_deg = 9", "surveyor.toml:48: footpad.maximum_angle_deg = 9: expected above the angle of the extended link, 17.9978 deg"),
-    ("maximum_angle_deg = 45", "maximum_angle_deg = 45\nedge_angle_deg = 65", "surveyor.toml:42: footpad.edge_load_lb is missing: expected a number"),
+    ("maximum_angle_deg = 45", "maximum_angle_deg = 90", "surveyor.toml:48: footpad.maximum_angle_deg = 90: expected -90 < value < 90"),
+    ("maximum_angle_deg = 45", "maximum_angle_deg = 45\nhinge_damping_ftlb_s = 2", "sweep.toml:3: vehicle.footpad.hinge_damping_ftlb_s = 2: expected no damping: only the contact rule \"face\" knows it"),
+    ("maximum_angle_deg = 45", "maximum_angle_deg = 45\nedge_angle_deg = 65", "surveyor.toml:42: footpad.edge_load_lb is missing: expected 0 < value ≤ 1e9 lb, load under which its lowest rim crushes"),
     ("maximum_angle_deg = 45", "maximum_angle_deg = 45\nedge_angle_deg = 84\nedge_load_lb = 187", "surveyor.toml:49: footpad.edge_angle_deg = 84: expected 30 ≤ value < 84"),
     ("[0, 1, 1, 21]", "[0, 1, 0.9, 21]", "surveyor.toml:62: block.profile.relative_pressure[3] = 0.9: expected 1 ≤ value ≤ 57.500000: no segment falls, and none is steeper than the first"),
     ("[0, 1, 1, 21]", "[0.1, 1, 1, 21]", "surveyor.toml:62: block.profile.relative_pressure[1] = 0.1: expected 0, the pressure at no interference"),
@@ -60,13 +62,13 @@ const SWEEPS: [(&str, &str, &str); 12] = [
     ("title", "job = \"landing\"\ntitle", r#"sweep.toml:1: job = "landing": expected "boundary" or "outcome""#),
     ("title", "job = \"outcome\"\ntitle", r#"sweep.toml:11: search = a table: not used with job = "outcome""#),
     ("title", "statement = 3\ntitle", "sweep.toml:1: statement = 3: expected text in quotes"),
-    ("slope_deg = 15\nfriction = 1.0\n[axes]\nroll_deg = { from = -10, to = 10, step = 10 }", "friction = 1.0\ntip_deg = 3\n[axes]\nslope_deg = [1, 2]", "sweep.toml:3: scene.tip_azimuth_deg is missing: expected the azimuth of the tip axis, deg"),
-    ("slope_deg = 15\nfriction = 1.0\n[axes]\nroll_deg = { from = -10, to = 10, step = 10 }", "friction = 1.0\ntip_deg = 181\ntip_azimuth_deg = 0\n[axes]\nslope_deg = [1, 2]", "sweep.toml:7: scene.tip_deg = 181: expected 0 ≤ value ≤ 180; the azimuth says where to"),
+    ("slope_deg = 15\nfriction = 1.0\n[axes]\nroll_deg = { from = -10, to = 10, step = 10 }", "friction = 1.0\ntip_deg = 3\n[axes]\nslope_deg = [1, 2]", "sweep.toml:3: scene.tip_azimuth_deg is missing: expected -36000 ≤ value ≤ 36000 deg, tip form: azimuth Γ"),
+    ("slope_deg = 15\nfriction = 1.0\n[axes]\nroll_deg = { from = -10, to = 10, step = 10 }", "friction = 1.0\ntip_deg = 181\ntip_azimuth_deg = 0\n[axes]\nslope_deg = [1, 2]", "sweep.toml:7: scene.tip_deg = 181: expected 0 ≤ value ≤ 180"),
     ("slope_deg = 15\nfriction = 1.0", "slope_deg = 40\nfriction = 1.0\n[[scene.footing]]\ntilt_along_deg = 55", "sweep.toml:9: scene.footing[1].tilt_along_deg = 55: expected a tilt that leaves slope and tilt together between -90 and 90"),
     ("friction = 1.0\n[axes]\nroll_deg = { from = -10, to = 10, step = 10 }", "[axes]\nroll_deg = { values = [1, 2], zip = \"a\" }\nfriction = { values = [1], zip = \"a\" }", r#"sweep.toml:9: axes.friction = { values = [1], zip = "a" }: moves together with roll_deg but has another number of values: expected the same number of values in one zip group"#),
     ("scan_step_fps = 1.25", "scan_step_fps = 1e-6", "sweep.toml:13: search.scan_step_fps = 1e-6: expected at most 1000000 steps"),
     ("scan_step_fps = 1.25", "scan_step_fps = 3", "sweep.toml:13: search.scan_step_fps = 3: expected at most to_fps - from_fps = 2.5"),
-    ("from_fps = 10", "from_fps = -1", "sweep.toml:11: search.from_fps = -1: expected a number ≥ 0"),
+    ("from_fps = 10", "from_fps = -1", "sweep.toml:11: search.from_fps = -1: expected 0 ≤ value ≤ 10000"),
     ("tolerance_fps = 0.1", "tolerance_fps = 1e-10", "sweep.toml:14: search.tolerance_fps = 1e-10: expected 1e-9 ≤ value ≤ scan_step_fps = 1.25"),
 ];
 
@@ -84,7 +86,7 @@ const SCENES: [(&str, &str); 15] = [
     ("thrust = { time_s = [0, 2, 1], force_lb = [3, 3, 3] }", "sweep.toml:8: scene.thrust.time_s = 1: expected a time after the one before, 2, and ≤ 10000"),
     ("thrust = { time_s = [], force_lb = [] }", "sweep.toml:8: scene.thrust.time_s = 0: expected 1 to 16 numbers"),
     ("thrust = { time_s = [0], force_lb = [3], offset_x_ft = 1001 }", "sweep.toml:8: scene.thrust.offset_x_ft = 1001: expected -1000 ≤ value ≤ 1000"),
-    ("thrust = { time_s = [0], force_lb = [3], scale = -1 }", "sweep.toml:8: scene.thrust.scale = -1: expected 0 ≤ value ≤ 1e9 (the forces times the scale)"),
+    ("thrust = { time_s = [0], force_lb = [3], scale = -1 }", "sweep.toml:8: scene.thrust.scale = -1: expected 0 ≤ value ≤ 1e9"),
     ("[[scene.footing]]\n[[scene.footing]]\n[[scene.footing]]\n[[scene.footing]]\nheight_ft = 1", "sweep.toml:12: scene.footing[4].height_ft = 1: expected the number of a leg: the vehicle has 3"),
     ("[[scene.footing]]\nheight_ft = 1001", "sweep.toml:9: scene.footing[1].height_ft = 1001: expected -1000 ≤ value ≤ 1000"),
     ("[[scene.footing]]\ntilt_along_deg = 61", "sweep.toml:9: scene.footing[1].tilt_along_deg = 61: expected -60 ≤ value ≤ 60"),
@@ -92,10 +94,11 @@ const SCENES: [(&str, &str); 15] = [
 
 /// Axes in place of that of the sweep.
 #[rustfmt::skip]
-const AXES: [(&str, &str); 11] = [
+const AXES: [(&str, &str); 12] = [
     (r#"search.bands = ["first", "all"]"#, r#"sweep.toml:9: axes.search.bands = ["first", "all"]: cannot vary: expected [search] bands, one for the whole sweep"#),
     ("solver.error_per_second.velocity_fps = [1, 2]", "sweep.toml:9: axes.solver.error_per_second.velocity_fps = [1, 2]: unknown parameter"),
     ("roll_deg = { from = 0, to = 10, step = 5, count = 3 }", "sweep.toml:9: axes.roll_deg = { from = 0, to = 10, step = 5, count = 3 }: has step and count: expected only one of them"),
+    ("roll_deg = { from = 0, to = 10 }", "sweep.toml:9: axes.roll_deg.step is missing: expected a number, or a count in its place"),
     ("roll_deg = { from = 0, to = 10, count = 1 }", "sweep.toml:9: axes.roll_deg.count = 1: expected a whole number from 2 to 1e7 (from 0 to 10)"),
     ("roll_deg = { from = 0, to = 10, count = 10000001 }", "sweep.toml:9: axes.roll_deg.count = 10000001: expected a whole number from 2 to 1e7 (from 0 to 10)"),
     ("roll_deg = { from = 0, to = 10, step = 1e-9 }", "sweep.toml:9: axes.roll_deg.step = 1e-9: expected a number that gives at most 1e7 values (from 0 to 10)"),
@@ -137,7 +140,7 @@ const SAMPLES: [(&str, &str); 7] = [
 #[rustfmt::skip]
 const BEHIND: [(&str, &str); 24] = [
     (r#"scan = "fast""#, r#"sweep.toml:15: search.scan = "fast": expected "full" or "skipping""#),
-    ("scan_looseness = 101", "sweep.toml:15: search.scan_looseness = 101: expected 1 to 100"),
+    ("scan_looseness = 101", "sweep.toml:15: search.scan_looseness = 101: expected 1 ≤ value ≤ 100"),
     (r#"refinement = "newton""#, r#"sweep.toml:15: search.refinement = "newton": expected "margin" or "bisection""#),
     (r#"certainty = "some""#, r#"sweep.toml:15: search.certainty = "some": expected "doubtful" or "all" or "none""#),
     ("[sensitivity]\nparameters = []", "sweep.toml:16: sensitivity.parameters = []: expected a list of at least one name"),
@@ -151,8 +154,8 @@ const BEHIND: [(&str, &str); 24] = [
     ("[solver]\nmethod = \"rk4\"\nfirst_interval_s = 0.01", "sweep.toml:17: solver.first_interval_s = 0.01: expected only with method report or milne; the method is rk4"),
     ("[solver]\nmethod = \"milne\"\nfirst_interval_s = 2", "sweep.toml:17: solver.first_interval_s = 2: expected 1e-9 ≤ value ≤ 1"),
     ("[solver]\nmethod = \"milne\"\nleast_interval_s = 2", "sweep.toml:17: solver.least_interval_s = 2: expected 1e-9 ≤ value ≤ 1"),
-    ("[solver]\nmethod = \"report\"\nerror_scale = 0", "sweep.toml:17: solver.error_scale = 0: expected value > 0"),
-    ("[solver]\nmethod = \"report\"\n[solver.error_per_second]\nvelocity_fps = 0", "sweep.toml:18: solver.error_per_second.velocity_fps = 0: expected value > 0"),
+    ("[solver]\nmethod = \"report\"\nerror_scale = 0", "sweep.toml:17: solver.error_scale = 0: expected 0 < value ≤ 1e9"),
+    ("[solver]\nmethod = \"report\"\n[solver.error_per_second]\nvelocity_fps = 0", "sweep.toml:18: solver.error_per_second.velocity_fps = 0: expected 0 < value ≤ 1e9"),
     ("[solver]\nfriction_profile = \"D\"", r#"sweep.toml:16: solver.friction_profile = "D": expected "A" or "B" or "C""#),
     ("[solver]\nrules = \"lunar\"", r#"sweep.toml:16: solver.rules = "lunar": expected "1966" or "physical""#),
     ("[solver]\nmethod = \"euler\"", r#"sweep.toml:16: solver.method = "euler": expected "located" or "report" or "rk4" or "trapezoidal" or "milne""#),
@@ -175,14 +178,15 @@ const CASES: [(&str, &str); 6] = [
 
 /// A column and its cell in a table of cases, behind those without default.
 #[rustfmt::skip]
-const COLUMNS: [(&str, &str, &str); 9] = [
+const COLUMNS: [(&str, &str, &str); 10] = [
     ("search.from_fps", "3", "cases.csv:1: column search.from_fps: no such column"),
+    ("vehicle", "none.toml", "cases.csv:2: row 1: vehicle = none.toml: there is no file none.toml: expected the path of a vehicle file, relative to this file"),
     ("friction", "1", "cases.csv:1: column friction is there twice: expected once"),
     ("slope_rad", "1", "cases.csv:1: columns slope_deg and slope_rad: expected one spelling of a quantity"),
     ("vehicle.strut.kind", "damper", "cases.csv:1: column vehicle.strut.kind: no such column"),
     ("solver.method", "euler", "cases.csv:2: row 1: solver.method = euler: expected one of located, report, rk4, trapezoidal, milne"),
     ("solver.error_scale", "2", "cases.csv:2: row 1: at solver.error_scale = 2: solver.error_scale = 2: expected only with method report or milne; the method is located"),
-    ("tip_deg", "2", "cases.csv:2: row 1: tip_azimuth_deg is missing: expected the azimuth of the tip axis, deg"),
+    ("tip_deg", "2", "cases.csv:2: row 1: tip_azimuth_deg is missing: expected -36000 ≤ value ≤ 36000 deg, tip form: azimuth Γ"),
     ("vehicle.legs[4].strut.preload_lb", "2", "cases.csv:2: row 1: at vehicle.legs[4].strut.preload_lb = 2: vehicle.legs[4].strut.preload_lb: the vehicle has 3 legs"),
     ("block_friction", "1001", "cases.csv:2: row 1: block_friction = 1001: expected 0 ≤ value ≤ 1000"),
 ];
