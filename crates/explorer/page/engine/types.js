@@ -17,7 +17,7 @@
  * @typedef {"US" | "SI"} Units
  *
  * @typedef {{ from: number, to: number, step: number }} Slider
- * @typedef {{ name: string, title: string, unit: string, value: number | string | null, slider: Slider | null,
+ * @typedef {{ name: string, title: string, meaning: string, unit: string, value: number | string | null, slider: Slider | null,
  *   si: { name: string, unit: string, value: number | null, slider: Slider | null } | null,
  *   allowed: { lower: number | null, upper: number | null, text: string } | null,
  *   is_given: boolean, group: string, leg: number | null, is_own: boolean, words: string[] }} Parameter

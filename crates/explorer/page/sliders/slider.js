@@ -76,7 +76,9 @@ export class NumberSlider {
     this.back.disabled = !isChanged;
     this.unit.textContent = unit;
     this.range.hidden = slider === null || parameter.words.length > 0;
-    this.root.title = parameter.allowed?.text ? `${this.name}: ${parameter.allowed.text}` : this.name;
+    const range = parameter.words.length > 0 ? "" : parameter.allowed?.text;
+    const told = [parameter.meaning, range].filter(Boolean).join("; ");
+    this.root.title = told ? `${this.name}: ${told}` : this.name;
     // What is being moved or typed is not pulled from under the hand.
     if (this.isMoving) return;
     if (document.activeElement !== this.field || this.field instanceof HTMLSelectElement) {

@@ -35,6 +35,8 @@ struct Request {
 struct Told {
     name: String,
     title: String,
+    /// What it is, as `docs/reference.md` says it; empty for words.
+    meaning: &'static str,
     unit: &'static str,
     value: Value,
     /// True if the input gives it; false for a default.
@@ -82,6 +84,7 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
     let in_si = OutputUnits::Si.quantity(name);
     Some(Told {
         title: bare_title(name),
+        meaning: quantity.meaning,
         unit: split_unit(name).1,
         value: json!(value),
         is_given,
@@ -202,6 +205,7 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
     Some(Told {
         name: name.to_owned(),
         title: bare_title(name),
+        meaning: parameter.quantity().map_or("", |quantity| quantity.meaning),
         unit: split_unit(name).1,
         value,
         is_given: touchdown.gives_solver(key),

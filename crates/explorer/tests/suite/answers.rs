@@ -260,6 +260,7 @@ fn what_is_never_allowed_is_refused() {
         {
             continue;
         }
+        assert_ne!(parameter["meaning"], "", "{name}");
         for (end, is_open) in [("lower", "is_lower_open"), ("upper", "is_upper_open")] {
             let bound = allowed[end].as_f64().unwrap();
             let outward = if end == "lower" { -1.0 } else { 1.0 };

@@ -12,16 +12,16 @@ use crate::common::{Bench, Done, LAND_CASES, SWEEP};
 use touchdown_sweep::journal::{Access, InOrder, Records};
 
 /// Points of [`sweep`].
-const POINTS: usize = 24;
+const POINTS: usize = 48;
 
-/// Twenty-four points over roll and the strut's damping, all bands: the first is in the journal long before the last is
+/// Forty-eight points over roll and the strut's damping, all bands: the first is in the journal long before the last is
 /// computed.
 fn sweep() -> String {
     SWEEP
         .replace(
             "roll_deg = { from = -10, to = 10, step = 10 }",
             "vehicle.strut.compression_damping = [45, 54, 60]\n\
-             roll_deg = { from = -14, to = 14, step = 4 }",
+             roll_deg = { from = -15, to = 15, step = 2 }",
         )
         .replace(
             "tolerance_fps = 0.1",
@@ -174,7 +174,7 @@ fn cases() -> String {
             case % 7
         )
     };
-    heading.to_owned() + &(0..150).map(row).collect::<String>()
+    heading.to_owned() + &(0..400).map(row).collect::<String>()
 }
 
 #[test]
@@ -211,7 +211,7 @@ fn tables_of_cases_go_on_after_interruptions_with_the_same_results() {
     let resumed = run(&["--threads", "3"]);
     assert_eq!(resumed.code, Some(0), "{}", resumed.err);
     assert!(
-        resumed.err.contains("of 150 cases are in"),
+        resumed.err.contains("of 400 cases are in"),
         "{}",
         resumed.err
     );
