@@ -250,8 +250,10 @@ impl<'d> Section<'d> {
             .at(self.place.line(line));
         };
         match found.node.value {
-            // As written, since the physics may use another unit.
-            Value::Number(_) if explanation.is_empty() => found.complain(&invalid.allowed),
+            // As written, since the physics may use another unit, and the fault may be in any item of a list.
+            Value::Number(_) | Value::List(_) if explanation.is_empty() => {
+                found.complain(&invalid.allowed)
+            }
             _ => {
                 let name = format!("{}{explanation}", found.path());
                 let value = found.conversion.with_unit(invalid.value);

@@ -262,7 +262,7 @@ impl Vehicles {
             let path = folder.join(&name);
             if let Some(refusal) = Library::Disk.refusal(&path) {
                 let said = format!("vehicle = {name}: {refusal}: expected {VEHICLE}");
-                return Err(InputError::other(said));
+                return Err(InputError::unreadable(&path, said));
             }
             let file = VehicleFile::read_from(&path, Library::Disk)?;
             self.files.insert(name, file);
