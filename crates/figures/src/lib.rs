@@ -1,6 +1,6 @@
 //! Pictures of stability boundaries and of landings, from result tables alone.
 //!
-//! The same table gives the same picture, byte for byte. The floors, from the top:
+//! Equal tables give equal pictures, byte for byte. The floors, from the top:
 //!
 //! | floor | what |
 //! |---|---|

@@ -8,7 +8,7 @@ use crate::parts::{
     Block, Body, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, PadEdge, Strut,
 };
 
-use Usual::{Around, Beside, Between, Times, UpFrom, UpTo};
+use Usual::{Around, Beside, Between, Times};
 
 const POSITIVE: Range = Range::POSITIVE;
 const NOT_NEGATIVE: Range = Range::NOT_NEGATIVE;
@@ -158,10 +158,10 @@ pub const FOOTPAD: [Field<Footpad>; 7] = [
         .default(0.0)),
     field!(minimum_angle: new("minimum_angle_deg", ACUTE, "inner stop of the pad angle α")
         .also("below the angle of the extended link")
-        .usually(UpFrom(-45.0))),
+        .usually(Between(-45.0, 0.0))),
     field!(maximum_angle: new("maximum_angle_deg", ACUTE, "outer stop of the pad angle α")
         .also("above the angle of the extended link")
-        .usually(UpTo(85.0))),
+        .usually(Between(45.0, 85.0))),
 ];
 
 /// Load capacity of a footpad that has turned over: both numbers or none.
@@ -245,6 +245,9 @@ quantities! {
         .usually(Between(0.5, 35.0));
 }
 
+/// Thrust at a knot of its table.
+pub(crate) const THRUST_FORCE: Quantity =
+    Quantity::new("force_lb", NOT_NEGATIVE, "thrust at each knot");
 const OFF_CENTRE: Range = Range::closed(-1000.0, 1000.0);
 
 quantities! {

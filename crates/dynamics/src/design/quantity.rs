@@ -28,7 +28,7 @@ impl Range {
     pub const POSITIVE: Self = Self::closed(0.0, GREATEST).above_lower();
     /// Zero or greater.
     pub const NOT_NEGATIVE: Self = Self::closed(0.0, GREATEST);
-    /// Of any sign.
+    /// Positive or negative.
     pub const ANY: Self = Self::closed(-GREATEST, GREATEST);
 
     /// Both ends and what lies between them.
@@ -41,7 +41,7 @@ impl Range {
         }
     }
 
-    /// The same range without its lower end.
+    /// This range without its lower end.
     pub const fn above_lower(self) -> Self {
         Self {
             is_lower_open: true,
@@ -49,7 +49,7 @@ impl Range {
         }
     }
 
-    /// The same range without its upper end.
+    /// This range without its upper end.
     pub const fn below_upper(self) -> Self {
         Self {
             is_upper_open: true,
@@ -93,14 +93,14 @@ impl fmt::Display for End {
     }
 }
 
-/// What holds if the input leaves a number out.
+/// Value of a number that the input leaves out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum IfMissing {
     /// It has to be given.
     Required,
     /// This value, in the unit of the key.
     Number(f64),
-    /// What these words say.
+    /// A value that depends on others, in words.
     Words(&'static str),
 }
 
@@ -115,10 +115,6 @@ pub enum Usual {
     Around(f64),
     /// This far on both sides.
     Beside(f64),
-    /// From a least value, to the value or zero.
-    UpFrom(f64),
-    /// From the value or 45, to a greatest value.
-    UpTo(f64),
 }
 
 /// A number of the input.
@@ -128,11 +124,11 @@ pub struct Quantity {
     pub key: &'static str,
     /// Allowed values, whatever other numbers are.
     pub range: Range,
-    /// What other numbers demand besides; empty if they demand nothing.
+    /// Demand of other numbers, in words; empty if there is none.
     pub relation: &'static str,
-    /// What holds if it is left out.
+    /// Value if it is left out.
     pub if_missing: IfMissing,
-    /// What it is, with its symbol of the model.
+    /// Meaning, with the symbol of the model.
     pub meaning: &'static str,
     /// Values among which one usually looks.
     pub usual: Usual,
@@ -151,12 +147,12 @@ impl Quantity {
         }
     }
 
-    /// The same, with a demand that other numbers make.
+    /// Adds a demand of other numbers.
     pub const fn also(self, relation: &'static str) -> Self {
         Self { relation, ..self }
     }
 
-    /// The same, with a default.
+    /// Gives it a default.
     pub const fn default(self, default: f64) -> Self {
         Self {
             if_missing: IfMissing::Number(default),
@@ -164,7 +160,7 @@ impl Quantity {
         }
     }
 
-    /// The same, with a default in words.
+    /// Gives it a default that depends on others, in words.
     pub const fn by_default(self, words: &'static str) -> Self {
         Self {
             if_missing: IfMissing::Words(words),
@@ -172,19 +168,16 @@ impl Quantity {
         }
     }
 
-    /// The same, usually looked at among these values.
+    /// Gives it the values among which one usually looks.
     pub const fn usually(self, usual: Usual) -> Self {
         Self { usual, ..self }
     }
 
-    /// Its default, which is a number.
-    ///
-    /// # Panics
-    /// If it has no such default. In a constant, the program does not compile then.
-    pub const fn default_number(&self) -> f64 {
+    /// Its default, if that is a number.
+    pub const fn default_number(&self) -> Option<f64> {
         match self.if_missing {
-            IfMissing::Number(number) => number,
-            IfMissing::Required | IfMissing::Words(_) => panic!("no number as default"),
+            IfMissing::Number(number) => Some(number),
+            IfMissing::Required | IfMissing::Words(_) => None,
         }
     }
 
@@ -208,7 +201,7 @@ impl Quantity {
         }
     }
 
-    /// The same for an angle or rate in radians. The ends of the range hold but for rounding.
+    /// Checks an angle or rate in radians. The ends of the range hold but for rounding.
     ///
     /// # Errors
     /// As [`Quantity::check`].

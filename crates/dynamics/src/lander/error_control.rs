@@ -77,9 +77,9 @@ pub struct ErrorControl {
 
 impl ErrorControl {
     /// First interval of the report's runs, s.
-    pub const FIRST_INTERVAL: f64 = FIRST_INTERVAL.default_number();
+    pub const FIRST_INTERVAL: f64 = FIRST_INTERVAL.default_number().unwrap();
     /// Least interval of the sample run, s; later runs had 1e-5 s.
-    pub const LEAST_INTERVAL: f64 = LEAST_INTERVAL.default_number();
+    pub const LEAST_INTERVAL: f64 = LEAST_INTERVAL.default_number().unwrap();
 
     /// Checks limits (per second), first interval (s) and least interval (s), which is not cut further.
     ///

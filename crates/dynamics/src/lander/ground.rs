@@ -71,7 +71,7 @@ impl Ground {
         for (leg, [_, along, _], patch) in patches.filter(|(.., patch)| patch.is_tilted()) {
             let steepest = (slope + patch.tilt_along).to_degrees();
             require(
-                &format!("{}.{}", table(leg), along.key),
+                &name(leg, along.key),
                 patch.tilt_along.to_degrees(),
                 "a tilt that leaves slope and tilt together between -90 and 90",
                 |_| steepest.abs() < 90.0,
@@ -90,14 +90,17 @@ impl Ground {
 const PAD: [Quantity; 3] = [PAD_GROUND_HEIGHT, PAD_TILT_ALONG, PAD_TILT_ACROSS];
 const BLOCK: [Quantity; 3] = [BLOCK_GROUND_HEIGHT, BLOCK_TILT_ALONG, BLOCK_TILT_ACROSS];
 
-fn table(leg: usize) -> String {
-    format!("footing[{}]", leg + 1)
+fn name(leg: usize, key: &str) -> String {
+    format!("footing[{}].{key}", leg + 1)
 }
 
 fn check(leg: usize, quantities: &[Quantity; 3], patch: &Patch) -> Result<(), Invalid> {
     let [height, along, across] = quantities;
-    let table = table(leg);
-    height.check(&table, patch.height)?;
-    along.check_radians(&table, patch.tilt_along)?;
-    across.check_radians(&table, patch.tilt_across)
+    (height.check("", patch.height))
+        .and_then(|()| along.check_radians("", patch.tilt_along))
+        .and_then(|()| across.check_radians("", patch.tilt_across))
+        .map_err(|invalid| Invalid {
+            quantity: name(leg, &invalid.quantity),
+            ..invalid
+        })
 }

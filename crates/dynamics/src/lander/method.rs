@@ -43,6 +43,6 @@ impl FixedInterval {
 impl Default for FixedInterval {
     /// That of section 4.1.2.
     fn default() -> Self {
-        Self(INTERVAL.default_number())
+        Self(const { INTERVAL.default_number().unwrap() })
     }
 }

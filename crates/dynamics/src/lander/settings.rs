@@ -40,7 +40,7 @@ impl Settings {
     /// 5e-4 ft/s of the converged one (`results/work-precision.csv`).
     pub const BOUNDARY_TOLERANCE: f64 = 3e-5;
     /// Time limit t_f of the report's runs, s.
-    pub const DEFAULT_TIME_LIMIT: f64 = TIME_LIMIT.default_number();
+    pub const DEFAULT_TIME_LIMIT: f64 = TIME_LIMIT.default_number().unwrap();
 
     /// Checks solver settings: relative tolerance, time limit (s) and crush rule.
     ///

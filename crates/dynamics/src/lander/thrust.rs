@@ -2,8 +2,7 @@
 
 use crate::invalid::{Invalid, require};
 use crate::lanes::per_lane;
-use crate::quantities::{THRUST_OFFSET_X, THRUST_OFFSET_Y};
-use crate::quantity::Range;
+use crate::quantities::{THRUST_FORCE, THRUST_OFFSET_X, THRUST_OFFSET_Y};
 use crate::scalar::Real;
 
 /// Most knots of a table of thrust.
@@ -45,10 +44,7 @@ impl Thrust {
             )?;
         }
         for knot in knots {
-            let allowed = Range::NOT_NEGATIVE;
-            require("thrust.force_lb", knot[1], &allowed.to_string(), |force| {
-                allowed.contains(force)
-            })?;
+            THRUST_FORCE.check("thrust", knot[1])?;
         }
         for (quantity, value) in [THRUST_OFFSET_X, THRUST_OFFSET_Y].iter().zip(offset) {
             quantity.check("thrust", value)?;

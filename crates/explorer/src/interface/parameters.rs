@@ -35,7 +35,7 @@ struct Request {
 struct Told {
     name: String,
     title: String,
-    /// What it is, as `docs/reference.md` says it; empty for words.
+    /// Meaning, as `docs/reference.md` says it; empty for words.
     meaning: &'static str,
     unit: &'static str,
     value: Value,
@@ -121,7 +121,10 @@ fn of_scene(touchdown: &Touchdown, parameter: &Parameter) -> Option<(f64, bool)>
     }
     if name.starts_with("thrust.") {
         let has_thrust = !conditions.thrust_knots().is_empty();
-        return has_thrust.then_some((quantity.default_number(), false));
+        return quantity
+            .default_number()
+            .filter(|_| has_thrust)
+            .map(|value| (value, false));
     }
     if let Some(of_pad) = name
         .split_once("].block_")
@@ -131,7 +134,7 @@ fn of_scene(touchdown: &Touchdown, parameter: &Parameter) -> Option<(f64, bool)>
         return of_scene(touchdown, &of_pad).map(|(value, _)| (value, false));
     }
     if name.starts_with("footing[") {
-        return Some((quantity.default_number(), false));
+        return quantity.default_number().map(|value| (value, false));
     }
     if name == "gravity_fps2" {
         return Some((touchdown.vehicle.vehicle.gravity(), false));

@@ -66,7 +66,8 @@ pub fn method(name: &str, numbers: &MethodNumbers) -> Result<Method, Invalid> {
         }
     }
     let control = || -> Result<ErrorControl, Invalid> {
-        let scale = (numbers.error_scale).unwrap_or(ERROR_SCALE.default_number());
+        let scale =
+            (numbers.error_scale).unwrap_or(const { ERROR_SCALE.default_number().unwrap() });
         ERROR_SCALE.check("", scale)?;
         ErrorControl::new(
             numbers.limits.unwrap_or_default().scaled(scale),

@@ -84,7 +84,13 @@ pub(crate) fn number(section: &Section, quantity: &Quantity) -> Result<Option<f6
     }
 }
 
-/// What a number should be, where it is missing: range, unit and meaning.
+/// Reads a number whose default, if any, is a number.
+pub(crate) fn definite(section: &Section, quantity: &Quantity) -> Result<f64, InputError> {
+    let missing = || section.missing(quantity.key, &explanation(quantity));
+    number(section, quantity)?.ok_or_else(missing)
+}
+
+/// Explanation of a number that is missing: range, unit and meaning.
 pub(crate) fn explanation(quantity: &Quantity) -> String {
     let unit = match unit(quantity.key) {
         "1" => String::new(),

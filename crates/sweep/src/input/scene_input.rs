@@ -48,7 +48,7 @@ const METRES_PER_FOOT: f64 = 0.3048;
 pub(crate) struct Condition {
     /// Its name in results and as an axis, such as `slope_deg` or `footing[1].height_ft`.
     pub(crate) name: String,
-    /// What it is.
+    /// Its entry in the catalogue.
     pub(crate) quantity: &'static Quantity,
 }
 
@@ -335,7 +335,7 @@ pub(crate) fn required() -> impl Iterator<Item = &'static Quantity> {
         .filter(|quantity| quantity.if_missing == IfMissing::Required)
 }
 
-/// What the condition with a name is.
+/// Entry in the catalogue of the condition with a name.
 pub(crate) fn quantity(name: &str) -> Option<&'static Quantity> {
     let found = NamedConditions::position(name)?;
     Some(ALL[found].quantity)

@@ -7,7 +7,7 @@ use crate::boundary::{Extent, Search};
 use crate::certainty::Doubt;
 use crate::choice::{choice, words};
 use crate::input_error::InputError;
-use crate::numbers::{joined, keys_of, number};
+use crate::numbers::{definite, joined, keys_of};
 use crate::refine::Refinement;
 use crate::scan::Scan;
 use crate::section::Section;
@@ -103,7 +103,7 @@ pub(crate) fn required() -> impl Iterator<Item = &'static Quantity> {
 pub(crate) fn search(root: &Section) -> Result<Search, InputError> {
     let section = &root.section("search", &SEARCH)?;
     let number = |quantity: &Quantity| -> Result<f64, InputError> {
-        let value = number(section, quantity)?.unwrap_or(f64::NAN);
+        let value = definite(section, quantity)?;
         match (
             quantity.range.contains(value),
             section.optional(quantity.key),

@@ -158,7 +158,7 @@ pub fn number(document: &Document, path: &KeyPath) -> Option<f64> {
         let key = &path.steps.last()?.key;
         let optional = offset.chain([&quantities::TABLE_SCALE]);
         let found = optional.into_iter().find(|quantity| quantity.key == key);
-        found.map(Quantity::default_number)
+        found.and_then(Quantity::default_number)
     };
     document.number(path).or_else(of_all).or_else(by_default)
 }

@@ -126,7 +126,7 @@ fn check_pressure(x: &[f64], y: &[f64], items: &[LocatedValue]) -> Result<(), In
 /// Reads the factor on the ordinates of a table.
 fn scale(table: &Section) -> Result<f64, InputError> {
     match table.optional(SCALE) {
-        None => Ok(TABLE_SCALE.default_number()),
+        None => Ok(const { TABLE_SCALE.default_number().unwrap() }),
         Some(found) => match found.number()? {
             scale if TABLE_SCALE.range.contains(scale) => Ok(scale),
             _ => Err(found.complain(&TABLE_SCALE.range.to_string())),

@@ -161,7 +161,7 @@ impl Parameter {
         &self.path
     }
 
-    /// What it is; `None` for words.
+    /// Its entry in the catalogue; `None` for words.
     pub fn quantity(&self) -> Option<&'static Quantity> {
         self.quantity
     }

@@ -52,7 +52,5 @@ pub fn shown(quantity: &Quantity, value: f64) -> [f64; 2] {
             [value - reach, value + reach]
         }
         Usual::Beside(reach) => [value - reach, value + reach],
-        Usual::UpFrom(least) => [least, value.max(0.0)],
-        Usual::UpTo(greatest) => [value.min(45.0), greatest],
     }
 }

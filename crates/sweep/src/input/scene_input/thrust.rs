@@ -2,7 +2,6 @@
 
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::quantities::{self, CONDITIONS};
-use touchdown_dynamics::quantity::Quantity;
 use touchdown_dynamics::thrust::Thrust;
 
 use super::{NamedConditions, SceneFault, conditions};
@@ -15,6 +14,12 @@ pub(crate) const THRUST: &str = "thrust";
 pub(crate) const THRUST_KEYS: [&str; 5] = joined(&[&KNOTS, &NUMBER_KEYS]);
 const KNOTS: [&str; 2] = ["time_s", "force_lb"];
 const NUMBER_KEYS: [&str; 3] = keys_of(quantities::THRUST);
+/// Defaults of the numbers, in their order.
+const DEFAULTS: [f64; 3] = [
+    quantities::THRUST_SCALE.default_number().unwrap(),
+    quantities::THRUST_OFFSET_X.default_number().unwrap(),
+    quantities::THRUST_OFFSET_Y.default_number().unwrap(),
+];
 /// Name of the condition that scales the forces.
 pub(super) const SCALE: &str = "thrust.scale";
 const NUMBERS: &str = "a list of numbers";
@@ -70,21 +75,19 @@ impl NamedConditions {
 
     /// Thrust with scale and offset applied.
     pub(super) fn thrust(&self) -> Result<Thrust, SceneFault> {
-        let number = |name: &'static str, quantity: &Quantity| match self.get(name) {
+        let number = |name: &'static str, default: f64| match self.get(name) {
             Some(value) if self.thrust.1 == 0 => Err(SceneFault {
                 name,
                 value: Some(value),
                 allowed: "a table [scene.thrust] with time_s and force_lb".to_owned(),
             }),
             Some(_) => self.need(name),
-            None => Ok(quantity.default_number()),
+            None => Ok(default),
         };
         let [scale, x, y] = names();
-        let factor = number(scale, &quantities::THRUST_SCALE)?;
-        let offset = [
-            number(x, &quantities::THRUST_OFFSET_X)?,
-            number(y, &quantities::THRUST_OFFSET_Y)?,
-        ];
+        let [by_default, x_by_default, y_by_default] = DEFAULTS;
+        let factor = number(scale, by_default)?;
+        let offset = [number(x, x_by_default)?, number(y, y_by_default)?];
         if self.thrust.1 == 0 {
             return Ok(Thrust::default());
         }
