@@ -133,7 +133,7 @@ pub use search::{
     bands, boundary, certainty, contact_warnings, first_transition, hidden, hidden_band_checks,
     lattice, patchy, refine, scan, search_range, skipped, trial,
 };
-use search::{join_all, narrowed_scan, run_out};
+use search::{join_all, landings_on_request, narrowed_scan, run_out};
 pub use summary::{findings, probabilities, sweep_counts, transition_statistics};
 pub use sweeps::{
     case, measured_scenes, overrides, place, resolved_input, scene_file, single_landing, sweep,

@@ -8,6 +8,7 @@ pub mod first_transition;
 pub mod hidden;
 pub mod hidden_band_checks;
 pub(crate) mod join_all;
+pub(crate) mod landings_on_request;
 pub mod lattice;
 pub(crate) mod look_beside;
 pub(crate) mod narrowed_scan;

@@ -79,7 +79,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
             search.kept,
         ))
     };
-    let found = block_on(search.all_bands(at))?;
+    let found = block_on(search.boundary(at))?;
     let bands: Vec<Band> = found.bands.iter().map(band).collect();
     written(&json!({
         "bands": bands,

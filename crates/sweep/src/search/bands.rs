@@ -5,9 +5,11 @@
 
 pub use crate::boundary::Band;
 use crate::boundary::{Boundary, Bracket};
+use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Outcome;
 
 use crate::certainty::{Certainty, Variation};
+use crate::landings_on_request::{FirstError, Land, Stopped};
 use crate::search_range::{Extent, Search};
 use crate::trial::{Sample, Trial};
 
@@ -21,24 +23,26 @@ impl Search {
         &self,
         land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
     ) -> Result<Boundary, Stop> {
-        match self.extent {
-            Extent::First => self.first_transition(land).await,
-            Extent::All => self.all_bands(land).await,
-        }
+        let first_error = FirstError::default();
+        let (land, kept) = (&land, &first_error);
+        let land =
+            |speed, variation| async move { kept.keep(land(speed, variation).await) }.boxed_local();
+        let found = match self.extent {
+            Extent::First => self.first_transition(&land).await,
+            Extent::All => self.all_bands(&land).await,
+        };
+        first_error.result(found)
     }
 
-    /// Searches all bands. `land` computes the landing at a horizontal speed, with a variation. The first transition is
-    /// that of [`Search::first_transition`], unless a hidden band lies below it.
+    /// Searches all bands. The first transition is that of [`Search::first_transition`], unless a hidden band lies below
+    /// it.
     ///
     /// # Errors
-    /// Returns at once with the first error of `land`.
-    pub async fn all_bands<Stop>(
-        &self,
-        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Boundary, Stop> {
-        let scan = self.narrowed_scan(false, &land).await?;
+    /// Returns at once if a landing stops.
+    async fn all_bands(&self, land: &Land<'_>) -> Result<Boundary, Stopped> {
+        let scan = self.narrowed_scan(false, land).await?;
         let mut boundary = Boundary::of_scan(&scan);
-        let settled = self.settled(&scan.samples, usize::MAX, &land).await?;
+        let settled = self.settled(&scan.samples, usize::MAX, land).await?;
         boundary.settle(&settled);
         boundary.bands = bands(&settled.samples);
         for (band, tested) in boundary.bands.iter_mut().zip(&settled.tests) {

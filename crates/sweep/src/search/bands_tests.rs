@@ -99,7 +99,7 @@ fn a_third_class_inside_a_bracket_is_a_band_of_its_own() {
 #[test]
 fn a_band_narrower_than_the_scan_step_is_found_by_its_dip() {
     let angle = |v: f64| 0.2 * ((v - 13.1).abs() - 0.02);
-    let Ok(found) = block_on(SEARCH.all_bands(async |speed, _| {
+    let Ok(found) = block_on(SEARCH.boundary(async |speed, _| {
         let class = if angle(speed) > 0.0 {
             Class::Stable
         } else {

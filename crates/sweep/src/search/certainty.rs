@@ -17,7 +17,8 @@ use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 
-use crate::trial::{LEAST_JUMP, Sample, Trial};
+use crate::landings_on_request::{Land, Stopped};
+use crate::trial::{LEAST_JUMP, Sample};
 
 /// Transitions that are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -183,17 +184,17 @@ pub(crate) fn is_doubtful(below: &[Sample], above: &[Sample]) -> bool {
 
 /// Tests the change between two neighbouring landings, which were computed with the variation `given`. Widens the
 /// interval by at most `widest` (ft/s) to either side.
-pub(crate) async fn test<Stop>(
+pub(crate) async fn test(
     given: Variation,
     [low, high]: [&Sample; 2],
     widest: f64,
-    land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-) -> Result<Certainty, Stop> {
+    land: &Land<'_>,
+) -> Result<Certainty, Stopped> {
     let width = high.speed - low.speed;
     let mut agreed = [low.speed, high.speed];
     for (end, sample, sign) in [(0, low, -1.0), (1, high, 1.0)] {
         let class = sample.class();
-        let agree = async |speed: f64, is_new: bool| -> Result<bool, Stop> {
+        let agree = async |speed: f64, is_new: bool| -> Result<bool, Stopped> {
             let itself = is_new.then_some(given);
             let test = Variation::testing(sample.trial.tolerance);
             for variation in itself.into_iter().chain([test]) {

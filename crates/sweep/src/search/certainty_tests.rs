@@ -1,6 +1,7 @@
 use super::*;
+use crate::trial::Trial;
 use futures::executor::block_on;
-use std::convert::Infallible;
+use futures::future::{FutureExt, ready};
 
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::CrushRule;
@@ -8,17 +9,17 @@ use touchdown_dynamics::scene::CrushRule;
 /// Tests the change at 1 ft/s of landings whose transition moves by `shift` at another tolerance.
 fn tested(shift: f64) -> (Certainty, usize) {
     let landings = std::cell::Cell::new(0);
-    let land = async |speed: f64, variation: Variation| {
+    let land = |speed: f64, variation: Variation| {
         landings.set(landings.get() + 1);
         let moved = match variation {
             Variation::At { .. } => shift,
             _ => 0.0,
         };
         let margin = if speed < 1.0 + moved { 0.1 } else { -0.1 };
-        Ok::<_, Infallible>(Sample::example(speed, margin).trial)
+        ready(Ok(Sample::example(speed, margin).trial)).boxed_local()
     };
     let (low, high) = (Sample::example(0.9995, 0.1), Sample::example(1.0005, -0.1));
-    let Ok(certainty) = block_on(test(Variation::Unchanged, [&low, &high], 0.25, &land));
+    let certainty = block_on(test(Variation::Unchanged, [&low, &high], 0.25, &land)).unwrap();
     (certainty, landings.get())
 }
 

@@ -5,24 +5,20 @@
 //! the outcome changes is narrowed down.
 
 use crate::boundary::Boundary;
-use crate::certainty::Variation;
+use crate::landings_on_request::{Land, Stopped};
 use crate::search_range::Search;
-use crate::trial::Trial;
 
 impl Search {
-    /// Searches the first transition. `land` computes the landing at a horizontal speed, with a variation.
+    /// Searches the first transition.
     ///
     /// # Errors
-    /// Returns at once with the first error of `land`.
-    pub async fn first_transition<Stop>(
-        &self,
-        land: impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Boundary, Stop> {
-        let scan = self.narrowed_scan(true, &land).await?;
+    /// Returns at once if a landing stops.
+    pub(crate) async fn first_transition(&self, land: &Land<'_>) -> Result<Boundary, Stopped> {
+        let scan = self.narrowed_scan(true, land).await?;
         let mut boundary = Boundary::of_scan(&scan);
         let is_bracketed = boundary.transition.is_some_and(|found| found.low.is_some());
         let first = usize::from(is_bracketed);
-        let settled = self.settled(&scan.samples, first, &land).await?;
+        let settled = self.settled(&scan.samples, first, land).await?;
         boundary.settle(&settled);
         Ok(boundary)
     }

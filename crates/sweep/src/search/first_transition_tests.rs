@@ -2,7 +2,7 @@ use super::*;
 use crate::certainty::{Doubt, LEAST_LANDINGS};
 use crate::refine::Refinement;
 use crate::search_range::{Extent, Scan};
-use crate::trial::Sample;
+use crate::trial::{Sample, Trial};
 use futures::executor::block_on;
 use std::convert::Infallible;
 use touchdown_dynamics::outcome::Class;
@@ -23,7 +23,7 @@ pub(crate) const SEARCH: Search = Search {
 
 fn find(search: Search, class: impl Fn(f64) -> Class) -> Boundary {
     let found: Result<_, Infallible> =
-        block_on(search.first_transition(async |speed, _| Ok(Trial::example(class(speed), 10))));
+        block_on(search.boundary(async |speed, _| Ok(Trial::example(class(speed), 10))));
     match found {
         Ok(boundary) => boundary,
     }
@@ -105,7 +105,7 @@ fn none_when_all_is_stable_and_the_upper_end_is_looked_at() {
 #[test]
 fn stops_when_told_to() {
     let landings = std::cell::Cell::new(0);
-    let stopped = block_on(SEARCH.first_transition(async |_, _| {
+    let stopped = block_on(SEARCH.boundary(async |_, _| {
         landings.set(landings.get() + 1);
         if landings.get() > 3 {
             Err("stop")

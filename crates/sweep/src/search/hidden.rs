@@ -14,6 +14,7 @@
 
 use touchdown_dynamics::outcome::Class;
 
+use crate::landings_on_request::{LandAt, Stopped};
 use crate::trial::Sample;
 
 /// Steepness of a margin assumed inside an interval, as a multiple of that around it.
@@ -94,11 +95,11 @@ fn dips(around: &[Sample], coordinates: impl Fn(&Sample) -> Option<[f64; 2]>) ->
 
 /// Searches for the least margin against ending as `otherwise` between two like landings, by golden section. Stops when
 /// a landing ends in another class or the landings are spent; returns them all.
-pub(crate) async fn look<Stop>(
+pub(crate) async fn look(
     [low, high]: [&Sample; 2],
     otherwise: Class,
-    sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-) -> Result<Vec<Sample>, Stop> {
+    sample: &LandAt<'_>,
+) -> Result<Vec<Sample>, Stopped> {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let (mut a, mut b) = (low.speed, high.speed);
     let mut landings: Vec<Sample> = Vec::with_capacity(LANDINGS);
@@ -133,9 +134,9 @@ pub(crate) async fn look<Stop>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::landings_on_request::at_once;
     use crate::trial::Trial;
     use futures::executor::block_on;
-    use std::convert::Infallible;
 
     fn at(speed: f64, least_angle: f64) -> Sample {
         let class = if least_angle > 0.0 {
@@ -208,8 +209,9 @@ mod tests {
         let topples = |speed: f64| at(speed, (speed - 0.3).abs() - 0.01);
         let bottoms = |speed: f64| leaving(Class::Stable, speed, (speed - 0.3).abs() - 0.01);
         let find = |land: &dyn Fn(f64) -> Sample, class| {
-            let sample = async |speed| Ok::<_, Infallible>(land(speed));
-            let Ok(landings) = block_on(look([&land(0.0), &land(1.0)], class, &sample));
+            let at_once = at_once(land);
+            let ends = [land(0.0), land(1.0)];
+            let landings = block_on(look(ends.each_ref(), class, &at_once)).unwrap();
             assert!(landings.iter().any(|l| l.class() == class));
             assert!(landings.len() <= LANDINGS);
         };

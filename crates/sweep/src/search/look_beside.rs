@@ -10,6 +10,7 @@ use std::cell::RefCell;
 use touchdown_dynamics::outcome::Class;
 
 use crate::join_all::join_all;
+use crate::landings_on_request::{LandAt, Stopped};
 use crate::narrowed_scan::{NarrowedScan, confirmed};
 use crate::patchy::PatchyStretch;
 use crate::search_range::Search;
@@ -37,12 +38,12 @@ impl NarrowedScan {
     }
 
     /// Lands below the first transition, a scan step at a time, until all landings there are stable.
-    pub(crate) async fn look_just_below<Stop>(
+    pub(crate) async fn look_just_below(
         &mut self,
         search: &Search,
-        of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<(), Stop> {
+        of_scan: &LandAt<'_>,
+        sample: &LandAt<'_>,
+    ) -> Result<(), Stopped> {
         let mut not_stable = 1;
         while not_stable > 0
             && let Some([low, _]) = self.first_transition()
@@ -54,12 +55,12 @@ impl NarrowedScan {
     }
 
     /// Lands above the first transition, a scan step at a time, until landings there are all stable, or none is.
-    pub(crate) async fn look_just_above<Stop>(
+    pub(crate) async fn look_just_above(
         &mut self,
         search: &Search,
-        of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<(), Stop> {
+        of_scan: &LandAt<'_>,
+        sample: &LandAt<'_>,
+    ) -> Result<(), Stopped> {
         let all = u64::from(LANDINGS);
         let mut from = self.first_change();
         let mut is_mixed = true;
@@ -84,13 +85,13 @@ impl NarrowedScan {
 
     /// Lands in the middle of even parts of a range (ft/s), where there is no landing yet; returns the number of those
     /// that are not stable.
-    async fn look<Stop>(
+    async fn look(
         &mut self,
         [from, to]: [f64; 2],
         expected: Class,
-        of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<u64, Stop> {
+        of_scan: &LandAt<'_>,
+        sample: &LandAt<'_>,
+    ) -> Result<u64, Stopped> {
         let part = (to - from) / f64::from(LANDINGS);
         let middles: Vec<f64> = (0..LANDINGS)
             .map(|index| from + part * (f64::from(index) + 0.5))

@@ -8,6 +8,7 @@
 
 use std::cell::RefCell;
 
+use futures::future::FutureExt;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use touchdown_dynamics::outcome::{Class, Outcome};
@@ -16,12 +17,13 @@ use crate::certainty::Variation;
 use crate::hidden;
 use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
 use crate::join_all::join_all;
+use crate::landings_on_request::{Land, LandAt, Stopped};
 use crate::patchy::PatchyStretch;
 use crate::refine::Narrowed;
 use crate::run_out::run_outs;
 use crate::search_range::{Scan, Search};
 use crate::skipped::Skipped;
-use crate::trial::{Sample, Trial, first_unstable};
+use crate::trial::{Sample, first_unstable};
 
 /// Rounding error allowed in the greatest bracket width, as a part of it.
 const ROUNDING: f64 = 1e-9;
@@ -43,11 +45,11 @@ pub(crate) struct NarrowedScan {
 
 impl Search {
     /// Scans the range, or the part below the first change away from a stable landing, and narrows the changes.
-    pub(crate) async fn narrowed_scan<Stop>(
+    pub(crate) async fn narrowed_scan(
         &self,
         to_first: bool,
-        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<NarrowedScan, Stop> {
+        land: &Land<'_>,
+    ) -> Result<NarrowedScan, Stopped> {
         let variation = self.scan_variation();
         let (loose, holds) = self.scan_and_narrow(variation, to_first, land).await?;
         if holds {
@@ -73,18 +75,21 @@ impl Search {
     }
 
     /// Scans with such landings and narrows the changes; also returns whether the result holds at the tolerance itself.
-    async fn scan_and_narrow<Stop>(
+    async fn scan_and_narrow(
         &self,
         variation: Variation,
         to_first: bool,
-        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<(NarrowedScan, bool), Stop> {
-        let of_scan = async |speed| {
-            let sample = Sample::at(speed, land(speed, variation)).await?;
-            let is_loose = variation != Variation::Unchanged;
-            Ok(Sample { is_loose, ..sample })
+        land: &Land<'_>,
+    ) -> Result<(NarrowedScan, bool), Stopped> {
+        let of_scan = |speed| {
+            async move {
+                let sample = Sample::at(speed, land(speed, variation)).await?;
+                let is_loose = variation != Variation::Unchanged;
+                Ok(Sample { is_loose, ..sample })
+            }
+            .boxed_local()
         };
-        let sample = async |speed| Sample::at(speed, land(speed, Variation::Unchanged)).await;
+        let sample = |speed| Sample::at(speed, land(speed, Variation::Unchanged)).boxed_local();
         let mut scan = NarrowedScan {
             samples: self.scanned(to_first, &of_scan).await?,
             ..NarrowedScan::default()
@@ -124,12 +129,12 @@ impl Search {
     }
 
     /// Narrows the changes between the landings of a scan.
-    async fn narrow_changes<Stop>(
+    async fn narrow_changes(
         &self,
         scan: &mut NarrowedScan,
         to_first: bool,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<(), Stop> {
+        sample: &LandAt<'_>,
+    ) -> Result<(), Stopped> {
         loop {
             let changes = scan.wide_changes(self.tolerance, to_first);
             let narrowing = self.narrowing(!to_first);
@@ -183,10 +188,7 @@ impl NarrowedScan {
     }
 
     /// Lands where margins run out below the first change.
-    async fn follow_margins<Stop>(
-        &mut self,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<(), Stop> {
+    async fn follow_margins(&mut self, sample: &LandAt<'_>) -> Result<(), Stopped> {
         let run_outs = run_outs(self.below_first()).into_iter();
         let landings = join_all(run_outs.map(|run_out| run_out.follow(sample))).await?;
         self.insert(landings.into_iter().flatten().collect());
@@ -195,14 +197,15 @@ impl NarrowedScan {
 
     /// Scans closer below the first change. What is not stable there is landed at the solver's tolerance at once: a
     /// change that is only there at a looser one would hide those above it.
-    async fn look_closer<Stop>(
+    async fn look_closer(
         &mut self,
         search: &Search,
-        of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<(), Stop> {
+        of_scan: &LandAt<'_>,
+        sample: &LandAt<'_>,
+    ) -> Result<(), Stopped> {
         let dropped = RefCell::new(Vec::new());
-        let closer = async |speed| confirmed(speed, Class::Stable, of_scan, sample, &dropped).await;
+        let closer =
+            |speed| confirmed(speed, Class::Stable, of_scan, sample, &dropped).boxed_local();
         let closer = search.scanned_closer(&self.samples, &closer).await?;
         self.keep(closer, dropped);
         Ok(())
@@ -210,12 +213,12 @@ impl NarrowedScan {
 
     /// Lands at a speed drawn at random below the first change. The lowest landing seeds it, so that a place has the
     /// same speed in any sweep.
-    async fn draw_below<Stop>(
+    async fn draw_below(
         &mut self,
         from: f64,
-        of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<(), Stop> {
+        of_scan: &LandAt<'_>,
+        sample: &LandAt<'_>,
+    ) -> Result<(), Stopped> {
         let [lowest, .., highest] = self.below_first() else {
             return Ok(());
         };
@@ -241,11 +244,11 @@ impl NarrowedScan {
     }
 
     /// Checks the intervals that may hide a band.
-    async fn look_for_hidden_bands<Stop>(
+    async fn look_for_hidden_bands(
         &mut self,
         scan_step: f64,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<(), Stop> {
+        sample: &LandAt<'_>,
+    ) -> Result<(), Stopped> {
         let samples = &self.samples;
         let suspects = hidden::suspects(samples, scan_step);
         let looks = suspects.iter().map(|suspect| {
@@ -317,13 +320,13 @@ impl NarrowedScan {
 
 /// A loose landing if it is stable, or is not, as a landing of class `expected`; else one at the solver's tolerance, the
 /// loose one going to `dropped`.
-pub(crate) async fn confirmed<Stop>(
+pub(crate) async fn confirmed(
     speed: f64,
     expected: Class,
-    of_scan: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
+    of_scan: &LandAt<'_>,
+    sample: &LandAt<'_>,
     dropped: &RefCell<Vec<Sample>>,
-) -> Result<Sample, Stop> {
+) -> Result<Sample, Stopped> {
     let loose = of_scan(speed).await?;
     let is_stable = |class| class == Class::Stable;
     if !loose.is_loose || is_stable(loose.class()) == is_stable(expected) {
@@ -340,6 +343,7 @@ mod tests {
     use super::*;
     use crate::boundary::{Boundary, Extent};
     use crate::first_transition::tests::SEARCH;
+    use crate::trial::Trial;
     use futures::executor::block_on;
 
     const LOOSE: Search = Search {

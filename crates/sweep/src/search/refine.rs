@@ -21,6 +21,7 @@
 use touchdown_dynamics::outcome::Class;
 
 use crate::hidden_band_checks::CheckCounts;
+use crate::landings_on_request::{LandAt, Stopped};
 use crate::lattice::Lattice;
 use crate::trial::{Sample, margin_jumps};
 
@@ -68,12 +69,12 @@ pub(crate) struct Narrowed {
 impl Narrowing {
     /// Narrows the change of class between two landings, and any other met on the way. `sample` lands at the solver's
     /// tolerance; the two landings may be looser.
-    pub(crate) async fn between<Stop>(
+    pub(crate) async fn between(
         &self,
         low: &Sample,
         high: &Sample,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<Narrowed, Stop> {
+        sample: &LandAt<'_>,
+    ) -> Result<Narrowed, Stopped> {
         let lattice = Lattice::new(low.speed, high.speed, self.tolerance);
         let mut nodes = Vec::new();
         let mut land = async |index| {
@@ -117,12 +118,12 @@ impl Narrowing {
 
     /// Looks for further changes where a margin jumps or turns back inside the interval: lands at the thirds of each
     /// wide gap between like landings, and narrows what it finds.
-    async fn look_again<Stop>(
+    async fn look_again(
         &self,
         ends: &[Node; 2],
         found: &mut Vec<Node>,
-        land: &mut impl AsyncFnMut(u64) -> Result<Node, Stop>,
-    ) -> Result<CheckCounts, Stop> {
+        land: &mut impl AsyncFnMut(u64) -> Result<Node, Stopped>,
+    ) -> Result<CheckCounts, Stopped> {
         let mut nodes: Vec<Node> = ends.iter().chain(found.iter()).cloned().collect();
         nodes.sort_by_key(|node| node.index);
         let wide = ends[1].index / WIDE_GAP;
@@ -154,12 +155,12 @@ impl Narrowing {
         Ok(looks)
     }
 
-    async fn narrow<Stop>(
+    async fn narrow(
         &self,
         mut low: Node,
         mut high: Node,
-        land: &mut impl AsyncFnMut(u64) -> Result<Node, Stop>,
-    ) -> Result<(), Stop> {
+        land: &mut impl AsyncFnMut(u64) -> Result<Node, Stopped>,
+    ) -> Result<(), Stopped> {
         let most = libm::log2((high.index - low.index) as f64).ceil() as i32 + SLACK;
         let mut landings = 0;
         let mut outside: Option<Node> = None;

@@ -1,7 +1,7 @@
 use super::*;
+use crate::landings_on_request::at_once;
 use crate::trial::Trial;
 use futures::executor::block_on;
-use std::convert::Infallible;
 
 const HALVINGS: usize = 8;
 
@@ -13,8 +13,8 @@ fn bracket(refinement: Refinement, sample: impl Fn(f64) -> Sample) -> ([f64; 2],
         to_all: true,
     };
     let (low, high) = (sample(0.0), sample(0.25));
-    let land = async |speed| Ok::<_, Infallible>(sample(speed));
-    let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
+    let land = at_once(&sample);
+    let narrowed = block_on(narrowing.between(&low, &high, &land)).unwrap();
     let mut samples = narrowed.samples;
     assert!(narrowed.ends.is_empty());
     let landings = samples.len() - 2 * narrowed.checks.checks as usize;
@@ -90,9 +90,9 @@ fn an_irregular_interval_is_looked_at_again() {
             tolerance: 0.001,
             to_all: true,
         };
-        let land = async |speed| Ok::<_, Infallible>(Sample::example(speed, margin(speed)));
+        let land = at_once(|speed| Sample::example(speed, margin(speed)));
         let (low, high) = (Sample::example(0.0, 0.2), Sample::example(0.25, -0.05));
-        let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
+        let narrowed = block_on(narrowing.between(&low, &high, &land)).unwrap();
         let mut samples = narrowed.samples;
         samples.extend([low, high]);
         samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
@@ -116,8 +116,8 @@ fn ends_of_a_scan_are_landed_at_again_beside_a_change() {
             is_loose: true,
             ..Sample::example(speed, loose_place - speed)
         });
-        let land = async |speed| Ok::<_, Infallible>(Sample::example(speed, place - speed));
-        let Ok(narrowed) = block_on(narrowing.between(&low, &high, &land));
+        let land = at_once(|speed| Sample::example(speed, place - speed));
+        let narrowed = block_on(narrowing.between(&low, &high, &land)).unwrap();
         let ends = narrowed.ends.iter();
         ends.map(|end| (end.speed, end.class())).collect::<Vec<_>>()
     };

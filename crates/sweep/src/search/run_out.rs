@@ -8,6 +8,7 @@
 
 use touchdown_dynamics::outcome::Class;
 
+use crate::landings_on_request::{LandAt, Stopped};
 use crate::trial::Sample;
 
 /// Most landings in an interval.
@@ -35,10 +36,7 @@ impl RunOut {
 
     /// Lands where the margin runs out, and again where it does then. Stops when a landing is not stable, or when the
     /// margin has started anew; returns all landings.
-    pub(crate) async fn follow<Stop>(
-        mut self,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<Vec<Sample>, Stop> {
+    pub(crate) async fn follow(mut self, sample: &LandAt<'_>) -> Result<Vec<Sample>, Stopped> {
         let mut landings = Vec::new();
         while let Some(place) = self.place()
             && landings.len() < LANDINGS
@@ -96,11 +94,10 @@ pub(crate) fn run_outs(samples: &[Sample]) -> Vec<RunOut> {
 
 #[cfg(test)]
 mod tests {
-    use std::convert::Infallible;
-
     use futures::executor::block_on;
 
     use super::*;
+    use crate::landings_on_request::at_once;
 
     /// A landing whose margin runs to zero at `zero` with a slope of 1, and topples from there on over a band; beyond
     /// it the margin starts anew at 0.5.
@@ -114,11 +111,8 @@ mod tests {
     }
 
     fn followed(samples: &[Sample], land: impl Fn(f64) -> Sample) -> Vec<Vec<Sample>> {
-        let sample = async |speed| Ok::<_, Infallible>(land(speed));
-        let follow = |run_out: RunOut| {
-            let Ok(landings) = block_on(run_out.follow(&sample));
-            landings
-        };
+        let land = at_once(land);
+        let follow = |run_out: RunOut| block_on(run_out.follow(&land)).unwrap();
         run_outs(samples).into_iter().map(follow).collect()
     }
 

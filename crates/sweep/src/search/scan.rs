@@ -23,6 +23,7 @@ use futures::future::try_join;
 use touchdown_dynamics::outcome::Class;
 
 use crate::join_all::join_all;
+use crate::landings_on_request::{LandAt, Stopped};
 use crate::refine::{aim, place};
 pub use crate::search_range::Scan;
 
@@ -50,11 +51,11 @@ const STRIDE: f64 = 4.0;
 impl Search {
     /// Scans the range, or the part below the first change away from a stable landing; returns the landings, lowest
     /// speed first. Asks for many landings at a time where all of them are needed.
-    pub(crate) async fn scanned<Stop>(
+    pub(crate) async fn scanned(
         &self,
         to_first: bool,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<Vec<Sample>, Stop> {
+        sample: &LandAt<'_>,
+    ) -> Result<Vec<Sample>, Stopped> {
         let steps = self.scan_count() - 1;
         let walk = Walk {
             land: async |index| sample(self.scan_speed(index)).await,
@@ -84,11 +85,11 @@ impl Search {
 
     /// Lands at parts of a scan step between the scan landings (in order) up to the first change, where they are not
     /// quiet; returns the new landings.
-    pub(crate) async fn scanned_closer<Stop>(
+    pub(crate) async fn scanned_closer(
         &self,
         samples: &[Sample],
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<Vec<Sample>, Stop> {
+        sample: &LandAt<'_>,
+    ) -> Result<Vec<Sample>, Stopped> {
         let step = self.scan_step / f64::from(self.parts_below);
         let speed = |index: u64| (self.from + index as f64 * step).min(self.to);
         let walk = Walk {
@@ -175,11 +176,11 @@ struct Place {
     trial: Trial,
 }
 
-impl<F, Stop> Walk<F>
+impl<F> Walk<F>
 where
-    F: AsyncFn(u64) -> Result<Sample, Stop>,
+    F: AsyncFn(u64) -> Result<Sample, Stopped>,
 {
-    async fn to(&self, index: u64) -> Result<Place, Stop> {
+    async fn to(&self, index: u64) -> Result<Place, Stopped> {
         let sample = (self.land)(index).await?;
         let place = Place {
             index,
@@ -210,7 +211,7 @@ where
 
     /// Lands between two landings, which may lie on a line with a third. Returns true once the first change is found,
     /// if only that is sought.
-    async fn between(&self, low: &Place, high: &Place, on_line: bool) -> Result<bool, Stop> {
+    async fn between(&self, low: &Place, high: &Place, on_line: bool) -> Result<bool, Stopped> {
         if high.index - low.index <= 1 {
             return Ok(self.to_first && high.class != Class::Stable);
         }

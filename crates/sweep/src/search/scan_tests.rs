@@ -1,10 +1,10 @@
 use super::*;
 use crate::boundary::Extent;
 use crate::certainty::Doubt;
+use crate::landings_on_request::at_once;
 use crate::refine::Refinement;
 use crate::trial::{Margins, Trial};
 use futures::executor::block_on;
-use std::convert::Infallible;
 
 const SEARCH: Search = Search {
     from: 0.0,
@@ -29,7 +29,7 @@ fn landing(speed: f64, trial: Trial) -> Sample {
 
 /// Scans landings with a duration and class for each speed; returns them.
 fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -> Vec<Sample> {
-    let sample = async |speed| {
+    let sample = at_once(|speed| {
         let (duration, class) = land(speed);
         let mut trial = Trial {
             duration,
@@ -37,10 +37,9 @@ fn samples(search: Search, to_first: bool, land: impl Fn(f64) -> (f64, Class)) -
         };
         trial.margins.bottoming = Some(0.5);
         trial.margins.toppling = Some(if class == Class::Stable { 0.9 } else { -0.9 });
-        Ok::<_, Infallible>(landing(speed, trial))
-    };
-    let Ok(samples) = block_on(search.scanned(to_first, &sample));
-    samples
+        landing(speed, trial)
+    });
+    block_on(search.scanned(to_first, &sample)).unwrap()
 }
 
 /// Speeds of such a scan.
@@ -90,14 +89,14 @@ fn quiet_stretches_are_passed_over_and_changes_found_in_the_same_step() {
 #[test]
 fn small_margins_are_not_passed_over() {
     let count = |margin: f64| {
-        let sample = async |speed| {
+        let sample = at_once(|speed| {
             let mut trial = Trial::example(Class::Stable, 1);
             trial.duration = 0.5;
             trial.margins.bottoming = Some(0.5);
             trial.margins.toppling = Some(margin);
-            Ok::<_, Infallible>(landing(speed, trial))
-        };
-        let Ok(samples) = block_on(SEARCH.scanned(false, &sample));
+            landing(speed, trial)
+        });
+        let samples = block_on(SEARCH.scanned(false, &sample)).unwrap();
         samples.len()
     };
     // A margin of 0.2 rad² is passed over where landings are less than 2 ft/s apart.
@@ -115,14 +114,14 @@ fn long_landings_are_never_passed_over() {
 #[test]
 fn landings_next_to_a_stop_and_failures_are_never_passed_over() {
     let count = |to_first, class, margin| {
-        let sample = async |speed| {
+        let sample = at_once(|speed| {
             let mut trial = Trial::example(class, 1);
             trial.duration = 0.5;
             trial.margins.bottoming = Some(margin);
             trial.margins.toppling = Some(0.9);
-            Ok::<_, Infallible>(landing(speed, trial))
-        };
-        let Ok(samples) = block_on(SEARCH.scanned(to_first, &sample));
+            landing(speed, trial)
+        });
+        let samples = block_on(SEARCH.scanned(to_first, &sample)).unwrap();
         samples.len()
     };
     for class in [Class::Stable, Class::Unstable, Class::Bottomed] {
@@ -165,7 +164,7 @@ fn landings_on_both_sides_of_a_stop_are_not_passed_over() {
 #[test]
 fn long_landings_on_a_line_are_passed_over_below_the_first_transition() {
     let count = |to_first, bend: f64| {
-        let sample = async |speed: f64| {
+        let sample = at_once(|speed: f64| {
             let mut trial = Trial::example(Class::Stable, 1);
             trial.duration = 3.0;
             trial.least_angle = 0.5 - 0.01 * speed - bend * speed * speed;
@@ -173,9 +172,9 @@ fn long_landings_on_a_line_are_passed_over_below_the_first_transition() {
                 toppling: Some(0.9),
                 bottoming: Some(0.5),
             };
-            Ok::<_, Infallible>(landing(speed, trial))
-        };
-        let Ok(samples) = block_on(SEARCH.scanned(to_first, &sample));
+            landing(speed, trial)
+        });
+        let samples = block_on(SEARCH.scanned(to_first, &sample)).unwrap();
         samples.len()
     };
     // Eight at strides of 4 ft/s, and one in the middle of each; the last stride is shorter.

@@ -7,13 +7,15 @@
 
 use std::cell::Cell;
 
+use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Settled, Tested};
 use crate::certainty::{self, Certainty, Doubt, Variation, is_doubtful};
 use crate::join_all::join_all;
+use crate::landings_on_request::{Land, LandAt, Stopped};
 use crate::search_range::Search;
-use crate::trial::{Sample, Trial};
+use crate::trial::Sample;
 
 /// Solver tolerances at which a disputed transition is searched again, in turn. The last bracket is compared with
 /// landings at 1e-10.
@@ -25,12 +27,12 @@ const BESIDE: f64 = 0.45;
 
 impl Search {
     /// Tests the lowest `most` changes between landings in order.
-    pub(crate) async fn settled<Stop>(
+    pub(crate) async fn settled(
         &self,
         samples: &[Sample],
         most: usize,
-        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Settled, Stop> {
+        land: &Land<'_>,
+    ) -> Result<Settled, Stopped> {
         let runs: Vec<&[Sample]> = samples.chunk_by(|a, b| a.class() == b.class()).collect();
         let middle = |run: &[Sample]| 0.5 * (run[0].speed + run[run.len() - 1].speed);
         let tests = (1..runs.len()).take(most).map(|above| {
@@ -53,19 +55,23 @@ impl Search {
 
     /// Tests the change between two runs of landings, if required, and searches it again if disputed. Other changes lie
     /// beyond the `limits` (ft/s).
-    async fn tested<Stop>(
+    async fn tested(
         &self,
         [below, above]: [&[Sample]; 2],
         limits: [f64; 2],
-        land: &impl AsyncFn(f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Tested, Stop> {
+        land: &Land<'_>,
+    ) -> Result<Tested, Stopped> {
         let ends = [&below[below.len() - 1], &above[0]];
         let spent = Cell::new([0, 0]);
-        let counted = async |speed, variation| {
-            let trial = land(speed, variation).await?;
-            let [landings, evaluations] = spent.get();
-            spent.set([landings + 1, evaluations + trial.evaluations]);
-            Ok(trial)
+        let counts = &spent;
+        let counted = |speed, variation| {
+            async move {
+                let trial = land(speed, variation).await?;
+                let [landings, evaluations] = counts.get();
+                counts.set([landings + 1, evaluations + trial.evaluations]);
+                Ok(trial)
+            }
+            .boxed_local()
         };
         let mut certainty = match self.doubt {
             Doubt::None => Certainty::Untested,
@@ -85,7 +91,7 @@ impl Search {
                 tolerance,
                 tilt: 0.0,
             };
-            let sample = async |speed| Sample::at(speed, counted(speed, tighter)).await;
+            let sample = |speed| Sample::at(speed, counted(speed, tighter)).boxed_local();
             let classes = ends.map(Sample::class);
             let cut = if found.is_none() { 0.5 } else { BESIDE };
             let bracket = self.bracket_of(interval, limits, classes, cut, &sample);
@@ -112,14 +118,14 @@ impl Search {
 
     /// Narrows an interval to a bracket of a change between two classes. If its ends are of other classes, it is
     /// widened by a scan step at most; `None` if no such change lies alone between the limits.
-    async fn bracket_of<Stop>(
+    async fn bracket_of(
         &self,
         [from, to]: [f64; 2],
         limits: [f64; 2],
         classes: [Class; 2],
         cut: f64,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<Option<[Sample; 2]>, Stop> {
+        sample: &LandAt<'_>,
+    ) -> Result<Option<[Sample; 2]>, Stopped> {
         let bounded = |speed: f64| speed.clamp(limits[0], limits[1]);
         let mut reach = to - from;
         let (mut low, mut high) = (sample(bounded(from)).await?, sample(bounded(to)).await?);

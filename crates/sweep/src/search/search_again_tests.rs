@@ -4,6 +4,7 @@ use std::convert::Infallible;
 use super::*;
 use crate::boundary::{Boundary, Extent};
 use crate::first_transition::tests::SEARCH;
+use crate::trial::Trial;
 use futures::executor::block_on;
 
 /// Searches landings that topple over a `width` from a speed that depends on the tolerance, with no telling margins;

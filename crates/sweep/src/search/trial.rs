@@ -7,6 +7,7 @@ use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::contact_warnings::ContactWarnings;
+use crate::landings_on_request::Stopped;
 
 /// Result of one landing.
 #[derive(Debug, Clone, PartialEq)]
@@ -147,10 +148,10 @@ pub struct Sample {
 
 impl Sample {
     /// Awaits a landing at a speed (ft/s).
-    pub(crate) async fn at<Stop>(
+    pub(crate) async fn at(
         speed: f64,
-        landing: impl Future<Output = Result<Trial, Stop>>,
-    ) -> Result<Self, Stop> {
+        landing: impl Future<Output = Result<Trial, Stopped>>,
+    ) -> Result<Self, Stopped> {
         let trial = landing.await?;
         Ok(Self {
             speed,

@@ -2,8 +2,8 @@
 
 use touchdown_dynamics::outcome::Class;
 
+use crate::landings_on_request::{LandAt, Stopped};
 use crate::refine::{Narrowing, Refinement};
-use crate::trial::Sample;
 use crate::trial::first_unstable;
 
 /// Range in which a transition is sought; speeds in ft/s.
@@ -24,10 +24,7 @@ pub(crate) struct Near {
 impl Near {
     /// Middle of the bracket between a stable landing and one of class `to`, both computed; `None` if there is no such
     /// change within reach.
-    pub(crate) async fn follow<Stop>(
-        &self,
-        sample: &impl AsyncFn(f64) -> Result<Sample, Stop>,
-    ) -> Result<Option<f64>, Stop> {
+    pub(crate) async fn follow(&self, sample: &LandAt<'_>) -> Result<Option<f64>, Stopped> {
         let lowest = (self.around - self.reach).max(0.0);
         let highest = self.around + self.reach;
         let below = (self.around - self.within).clamp(lowest, highest);
@@ -74,9 +71,9 @@ impl Near {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trial::Trial;
+    use crate::landings_on_request::at_once;
+    use crate::trial::{Sample, Trial};
     use futures::executor::block_on;
-    use std::convert::Infallible;
 
     /// Topples from 11.4 ft/s on, with a margin that runs through zero there, and bottoms from 12.5 on.
     fn land(speed: f64) -> Sample {
@@ -99,11 +96,11 @@ mod tests {
             to,
             width: 1e-4,
         };
-        let sample = async |speed| {
+        let counted = at_once(|speed| {
             landings.set(landings.get() + 1);
-            Ok::<_, Infallible>(land(speed))
-        };
-        let Ok(speed) = block_on(near.follow(&sample));
+            land(speed)
+        });
+        let speed = block_on(near.follow(&counted)).unwrap();
         (speed, landings.get())
     }
 

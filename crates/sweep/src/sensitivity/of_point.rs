@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::vehicle::Vehicle;
 
@@ -11,6 +12,7 @@ use crate::boundary::{Boundary, Extent, Search};
 use crate::case::Case;
 use crate::certainty::{Certainty, Doubt, Variation};
 use crate::join_all::join_all;
+use crate::landings_on_request::{FirstError, Stopped};
 use crate::parameter::Parameter;
 use crate::sweep_file::Sweep;
 use crate::trial::{Sample, Trial};
@@ -27,13 +29,30 @@ const EXPECTED: f64 = 1.0 / 16.0;
 const ANGULAR_SCALE: f64 = 30.0;
 
 /// Computes the sensitivities of a point; the search of its `case` found `boundary`.
+///
+/// # Errors
+/// Returns at once with the first error of `land`.
 pub(crate) async fn of_point<Stop>(
+    sweep: &Sweep,
+    point: usize,
+    searched: (&Case, &Search),
+    boundary: &Boundary,
+    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
+) -> Result<Sensitivity, Stop> {
+    let first_error = FirstError::default();
+    let land =
+        async |case: &Case, speed, variation| first_error.keep(land(case, speed, variation).await);
+    let found = of_landings(sweep, point, searched, boundary, &land).await;
+    first_error.result(found)
+}
+
+async fn of_landings(
     sweep: &Sweep,
     point: usize,
     (case, search): (&Case, &Search),
     boundary: &Boundary,
-    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
-) -> Result<Sensitivity, Stop> {
+    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
+) -> Result<Sensitivity, Stopped> {
     let without_slopes = |speed, dependence| {
         let slopes = vec![Slope::new(None, dependence); sweep.sensitivity.len()];
         Sensitivity {
@@ -70,7 +89,7 @@ pub(crate) async fn of_point<Stop>(
         width,
     };
     let sensitivity = match near
-        .follow(&async |speed| Sample::at(speed, counted(case, speed, at)).await)
+        .follow(&|speed| Sample::at(speed, counted(case, speed, at)).boxed_local())
         .await?
     {
         // This time, landings at the ends of the bracket ended differently.
@@ -120,14 +139,14 @@ struct FollowedTransition {
 
 impl FollowedTransition {
     /// Computes the dependence of the transition on a parameter.
-    async fn slope<Stop>(
+    async fn slope(
         &self,
         sweep: &Sweep,
         point: usize,
         (vehicle, search): (&Vehicle, &Search),
         parameter: &Parameter,
-        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Slope, Stop> {
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
+    ) -> Result<Slope, Stopped> {
         let scaled = |value| Some((value, scale(parameter, value, vehicle)?));
         let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
             return Ok(Slope::new(None, Dependence::NoStep));
@@ -151,13 +170,13 @@ impl FollowedTransition {
 
     /// Computes the dependence from inputs `with` changes of up to `step` of the parameter; transitions are followed
     /// over `reach`, ft/s.
-    async fn dependence<Stop, Refused>(
+    async fn dependence<Refused>(
         &self,
         (step, reach): (f64, f64),
         with: &impl Fn(f64) -> Result<Case, Refused>,
         search: &Search,
-        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<Dependence, Stop> {
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
+    ) -> Result<Dependence, Stopped> {
         if self.is_alike([with(-step), with(step)], land).await? {
             return Ok(Dependence::Smooth {
                 derivative: 0.0,
@@ -185,7 +204,7 @@ impl FollowedTransition {
                 width: self.width,
             };
             match near
-                .follow(&async |speed| Sample::at(speed, land(&case, speed, self.at)).await)
+                .follow(&|speed| Sample::at(speed, land(&case, speed, self.at)).boxed_local())
                 .await?
             {
                 Some(speed) => speeds[place] = speed,
@@ -203,11 +222,11 @@ impl FollowedTransition {
     }
 
     /// True if the landing is the same, to the last bit, with both inputs.
-    async fn is_alike<Stop, Refused>(
+    async fn is_alike<Refused>(
         &self,
         cases: [Result<Case, Refused>; 2],
-        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
-    ) -> Result<bool, Stop> {
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
+    ) -> Result<bool, Stopped> {
         for case in cases {
             let Ok(case) = case else {
                 return Ok(false);
@@ -238,11 +257,11 @@ fn scale(parameter: &Parameter, value: f64, vehicle: &Vehicle) -> Option<f64> {
 }
 
 /// First transition of a changed input by an ordinary search, ft/s.
-async fn first_transition<Stop>(
+async fn first_transition(
     case: &Case,
     search: &Search,
-    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
-) -> Result<Option<f64>, Stop> {
+    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
+) -> Result<Option<f64>, Stopped> {
     let search = Search {
         extent: Extent::First,
         doubt: Doubt::None,

@@ -1,0 +1,66 @@
+//! Landings that a search asks for.
+//!
+//! Whoever starts a search says how to land; the search knows neither how nor what may stop it. So it is compiled once, whatever it
+//! is given. A landing takes a thousand times as long as the box that it comes in.
+
+use std::cell::RefCell;
+
+use futures::future::LocalBoxFuture;
+
+use crate::certainty::Variation;
+use crate::trial::{Sample, Trial};
+
+/// A landing could not be computed; [`FirstError`] keeps the reason.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Stopped;
+
+/// Lands at a horizontal speed (ft/s), with a variation.
+pub(crate) type Land<'a> =
+    dyn Fn(f64, Variation) -> LocalBoxFuture<'a, Result<Trial, Stopped>> + 'a;
+
+/// Lands at a horizontal speed (ft/s), in one way.
+pub(crate) type LandAt<'a> = dyn Fn(f64) -> LocalBoxFuture<'a, Result<Sample, Stopped>> + 'a;
+
+/// The first error of a landing.
+pub(crate) struct FirstError<E>(RefCell<Option<E>>);
+
+impl<E> Default for FirstError<E> {
+    fn default() -> Self {
+        Self(RefCell::new(None))
+    }
+}
+
+impl<E> FirstError<E> {
+    /// Keeps the error of a landing.
+    ///
+    /// # Errors
+    /// [`Stopped`] if there is one.
+    pub(crate) fn keep<T>(&self, landed: Result<T, E>) -> Result<T, Stopped> {
+        landed.map_err(|error| {
+            self.0.borrow_mut().get_or_insert(error);
+            Stopped
+        })
+    }
+
+    /// The result of a search that asked for these landings.
+    ///
+    /// # Errors
+    /// The first error of a landing.
+    ///
+    /// # Panics
+    /// If the search stopped although no landing did.
+    pub(crate) fn result<T>(self, searched: Result<T, Stopped>) -> Result<T, E> {
+        searched.map_err(|Stopped| {
+            (self.0.into_inner()).expect("a search stops with the error of a landing")
+        })
+    }
+}
+
+/// Lands at once.
+#[cfg(test)]
+pub(crate) fn at_once<'a>(
+    land: impl Fn(f64) -> Sample + 'a,
+) -> impl Fn(f64) -> LocalBoxFuture<'a, Result<Sample, Stopped>> {
+    use futures::future::{FutureExt, ready};
+    move |speed| ready(Ok(land(speed))).boxed_local()
+}
