@@ -131,7 +131,7 @@ pub use points::{
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
 pub use search::{
     bands, boundary, certainty, contact_warnings, first_transition, hidden, hidden_band_checks,
-    lattice, patchy, refine, scan, search_range, skipped, trial,
+    lattice, patchy, refine, scan, search_range, skipped, trial, variation,
 };
 use search::{join_all, landings_on_request, narrowed_scan, run_out};
 pub use summary::{findings, probabilities, sweep_counts, transition_statistics};

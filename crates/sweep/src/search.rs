@@ -20,3 +20,4 @@ pub(crate) mod search_again;
 pub mod search_range;
 pub mod skipped;
 pub mod trial;
+pub mod variation;

@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 use touchdown_dynamics::landing::land_located_while;
 use touchdown_sweep::boundary::{self, Boundary, Extent, Search};
-use touchdown_sweep::certainty::{Certainty, Doubt, Variation};
+use touchdown_sweep::certainty::{Certainty, Doubt};
 use touchdown_sweep::refine::Refinement;
 use touchdown_sweep::search_range::Scan;
 use touchdown_sweep::trial::{Scales, Trial};
+use touchdown_sweep::variation::Variation;
 
 use super::IsOver;
 use super::classes::{ClassWords, class_words};

@@ -8,10 +8,11 @@ use crate::boundary::{Boundary, Bracket};
 use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Outcome;
 
-use crate::certainty::{Certainty, Variation};
+use crate::certainty::Certainty;
 use crate::landings_on_request::{FirstError, Land, Stopped};
 use crate::search_range::{Extent, Search};
 use crate::trial::{Sample, Trial};
+use crate::variation::Variation;
 
 impl Search {
     /// Searches the part of the range given by [`Search::extent`]. `land` computes the landing at a horizontal speed,

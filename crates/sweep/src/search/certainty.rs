@@ -13,12 +13,10 @@
 //! by more than a bracket, and 54 of the 174 others.
 
 use serde::{Deserialize, Serialize};
-use touchdown_dynamics::attitude::{Attitude, Euler};
-use touchdown_dynamics::invalid::Invalid;
-use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 
 use crate::landings_on_request::{Land, Stopped};
 use crate::trial::{LEAST_JUMP, Sample};
+use crate::variation::{TOLERANCES, Variation};
 
 /// Transitions that are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -64,24 +62,6 @@ impl Certainty {
     }
 }
 
-/// A change in how a landing is computed, for a scan or a test.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Variation {
-    /// None.
-    Unchanged,
-    /// A factor on the solver's tolerance.
-    Tolerance(f64),
-    /// A factor on the solver's tolerance, for a scan: steady landings end early.
-    Scan(f64),
-    /// A solver tolerance, and a turn about the x axis of the ground, deg.
-    At {
-        /// The tolerance.
-        tolerance: f64,
-        /// The turn, deg.
-        tilt: f64,
-    },
-}
-
 /// Least number of landings of a test: one at either end.
 pub const LEAST_LANDINGS: u64 = 2;
 
@@ -91,63 +71,12 @@ const TIGHTER: f64 = 0.1;
 /// Tilt of a test landing, deg.
 const TILT: f64 = 1e-6;
 
-/// Range of solver tolerances.
-const TOLERANCES: [f64; 2] = [1e-12, 1e-2];
-
-impl Variation {
-    /// The variation that tests a landing computed at a solver tolerance.
-    fn testing(tolerance: f64) -> Self {
-        Self::At {
-            tolerance: (TIGHTER * tolerance).max(TOLERANCES[0]),
-            tilt: TILT,
-        }
+/// The variation that tests a landing computed at a solver tolerance.
+fn testing(tolerance: f64) -> Variation {
+    Variation::At {
+        tolerance: (TIGHTER * tolerance).max(TOLERANCES[0]),
+        tilt: TILT,
     }
-
-    /// Applies the variation to a scene and settings.
-    ///
-    /// # Errors
-    /// If the changed scene or settings are invalid.
-    pub fn of(self, scene: &Scene, settings: &Settings) -> Result<(Scene, Settings), Invalid> {
-        let conditions = *scene.conditions();
-        let mut settings = *settings;
-        let mut tilt = 0.0;
-        match self {
-            Self::Unchanged => {}
-            Self::Tolerance(factor) => settings = at_tolerance(settings, factor)?,
-            Self::Scan(factor) => settings = at_tolerance(settings, factor)?.ending_early(),
-            Self::At {
-                tolerance,
-                tilt: degrees,
-            } => {
-                settings = settings.with_tolerance(tolerance)?;
-                tilt = degrees;
-            }
-        }
-        let scene = match tilt == 0.0 {
-            true => *scene,
-            false => Scene::new(tilted(conditions, tilt))?,
-        };
-        Ok((scene, settings))
-    }
-}
-
-/// Turns the conditions about the x axis of the ground, deg.
-fn tilted(conditions: Conditions, degrees: f64) -> Conditions {
-    let tilt = Attitude::from_euler(Euler {
-        pitch: degrees.to_radians(),
-        yaw: 0.0,
-        roll: 0.0,
-    });
-    Conditions {
-        attitude: tilt.after(&conditions.attitude),
-        ..conditions
-    }
-}
-
-/// Settings with their tolerance multiplied by a factor.
-fn at_tolerance(settings: Settings, factor: f64) -> Result<Settings, Invalid> {
-    let [least, greatest] = TOLERANCES;
-    settings.with_tolerance((settings.tolerance() * factor).clamp(least, greatest))
 }
 
 /// Greatest rate of change of a steep margin across a bracket, as a multiple of that on either side.
@@ -196,7 +125,7 @@ pub(crate) async fn test(
         let class = sample.class();
         let agree = async |speed: f64, is_new: bool| -> Result<bool, Stopped> {
             let itself = is_new.then_some(given);
-            let test = Variation::testing(sample.trial.tolerance);
+            let test = testing(sample.trial.tolerance);
             for variation in itself.into_iter().chain([test]) {
                 if land(speed, variation).await?.class != class {
                     return Ok(false);

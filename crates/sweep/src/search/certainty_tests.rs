@@ -3,8 +3,9 @@ use crate::trial::Trial;
 use futures::executor::block_on;
 use futures::future::{FutureExt, ready};
 
+use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::outcome::Class;
-use touchdown_dynamics::scene::CrushRule;
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 
 /// Tests the change at 1 ft/s of landings whose transition moves by `shift` at another tolerance.
 fn tested(shift: f64) -> (Certainty, usize) {
@@ -88,10 +89,10 @@ fn variations_change_what_they_say_and_little_of_it() {
     assert_eq!(varied(Variation::Tolerance(0.1)).1.tolerance(), 1e-7);
     let scan = varied(Variation::Scan(10.0)).1;
     assert!((scan.tolerance() - 1e-5).abs() < 1e-20 && scan.ends_early());
-    let (tested, tighter) = varied(Variation::testing(1e-6));
+    let (tested, tighter) = varied(testing(1e-6));
     assert!((tighter.tolerance() - 1e-7).abs() < 1e-20);
     let turn = tested.conditions().attitude.euler().pitch - attitude.euler().pitch;
     assert!((turn.to_degrees() - 1e-6).abs() < 1e-9, "{turn}");
     // No tighter than the solver can be.
-    assert_eq!(varied(Variation::testing(1e-12)).1.tolerance(), 1e-12);
+    assert_eq!(varied(testing(1e-12)).1.tolerance(), 1e-12);
 }

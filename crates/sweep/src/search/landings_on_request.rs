@@ -7,8 +7,8 @@ use std::cell::RefCell;
 
 use futures::future::LocalBoxFuture;
 
-use crate::certainty::Variation;
 use crate::trial::{Sample, Trial};
+use crate::variation::Variation;
 
 /// A landing could not be computed; [`FirstError`] keeps the reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +20,19 @@ pub(crate) type Land<'a> =
 
 /// Lands at a horizontal speed (ft/s), in one way.
 pub(crate) type LandAt<'a> = dyn Fn(f64) -> LocalBoxFuture<'a, Result<Sample, Stopped>> + 'a;
+
+/// Awaits a landing at a speed (ft/s).
+pub(crate) async fn sample(
+    speed: f64,
+    landing: impl Future<Output = Result<Trial, Stopped>>,
+) -> Result<Sample, Stopped> {
+    let trial = landing.await?;
+    Ok(Sample {
+        speed,
+        trial,
+        is_loose: false,
+    })
+}
 
 /// The first error of a landing.
 pub(crate) struct FirstError<E>(RefCell<Option<E>>);

@@ -7,12 +7,13 @@ use rand_chacha::ChaCha8Rng;
 
 use super::*;
 use crate::boundary::{Boundary, Extent};
-use crate::certainty::{Doubt, Variation};
+use crate::certainty::Doubt;
 use crate::first_transition::tests::SEARCH;
 use crate::probabilities::wilson;
 use crate::refine::Refinement;
 use crate::search_range::Scan;
 use crate::trial::{Margins, Trial};
+use crate::variation::Variation;
 
 const CLOSER: Search = Search {
     parts_below: 2,

@@ -13,17 +13,17 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use touchdown_dynamics::outcome::{Class, Outcome};
 
-use crate::certainty::Variation;
 use crate::hidden;
 use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
 use crate::join_all::join_all;
-use crate::landings_on_request::{Land, LandAt, Stopped};
+use crate::landings_on_request::{self, Land, LandAt, Stopped};
 use crate::patchy::PatchyStretch;
 use crate::refine::Narrowed;
 use crate::run_out::run_outs;
 use crate::search_range::{Scan, Search};
 use crate::skipped::Skipped;
 use crate::trial::{Sample, first_unstable};
+use crate::variation::Variation;
 
 /// Rounding error allowed in the greatest bracket width, as a part of it.
 const ROUNDING: f64 = 1e-9;
@@ -83,13 +83,15 @@ impl Search {
     ) -> Result<(NarrowedScan, bool), Stopped> {
         let of_scan = |speed| {
             async move {
-                let sample = Sample::at(speed, land(speed, variation)).await?;
+                let sample = landings_on_request::sample(speed, land(speed, variation)).await?;
                 let is_loose = variation != Variation::Unchanged;
                 Ok(Sample { is_loose, ..sample })
             }
             .boxed_local()
         };
-        let sample = |speed| Sample::at(speed, land(speed, Variation::Unchanged)).boxed_local();
+        let sample = |speed| {
+            landings_on_request::sample(speed, land(speed, Variation::Unchanged)).boxed_local()
+        };
         let mut scan = NarrowedScan {
             samples: self.scanned(to_first, &of_scan).await?,
             ..NarrowedScan::default()

@@ -11,11 +11,12 @@ use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Settled, Tested};
-use crate::certainty::{self, Certainty, Doubt, Variation, is_doubtful};
+use crate::certainty::{self, Certainty, Doubt, is_doubtful};
 use crate::join_all::join_all;
-use crate::landings_on_request::{Land, LandAt, Stopped};
+use crate::landings_on_request::{self, Land, LandAt, Stopped};
 use crate::search_range::Search;
 use crate::trial::Sample;
+use crate::variation::Variation;
 
 /// Solver tolerances at which a disputed transition is searched again, in turn. The last bracket is compared with
 /// landings at 1e-10.
@@ -91,7 +92,8 @@ impl Search {
                 tolerance,
                 tilt: 0.0,
             };
-            let sample = |speed| Sample::at(speed, counted(speed, tighter)).boxed_local();
+            let sample =
+                |speed| landings_on_request::sample(speed, counted(speed, tighter)).boxed_local();
             let classes = ends.map(Sample::class);
             let cut = if found.is_none() { 0.5 } else { BESIDE };
             let bracket = self.bracket_of(interval, limits, classes, cut, &sample);

@@ -7,7 +7,6 @@ use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::contact_warnings::ContactWarnings;
-use crate::landings_on_request::Stopped;
 
 /// Result of one landing.
 #[derive(Debug, Clone, PartialEq)]
@@ -147,19 +146,6 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Awaits a landing at a speed (ft/s).
-    pub(crate) async fn at(
-        speed: f64,
-        landing: impl Future<Output = Result<Trial, Stopped>>,
-    ) -> Result<Self, Stopped> {
-        let trial = landing.await?;
-        Ok(Self {
-            speed,
-            trial,
-            is_loose: false,
-        })
-    }
-
     /// The class of its outcome.
     pub fn class(&self) -> Class {
         self.trial.class

@@ -10,12 +10,13 @@ use super::follow::Near;
 use super::{Dependence, Sensitivity, Slope, difference, span};
 use crate::boundary::{Boundary, Extent, Search};
 use crate::case::Case;
-use crate::certainty::{Certainty, Doubt, Variation};
+use crate::certainty::{Certainty, Doubt};
 use crate::join_all::join_all;
-use crate::landings_on_request::{FirstError, Stopped};
+use crate::landings_on_request::{self, FirstError, Stopped};
 use crate::parameter::Parameter;
 use crate::sweep_file::Sweep;
-use crate::trial::{Sample, Trial};
+use crate::trial::Trial;
+use crate::variation::Variation;
 
 /// Bracket width here, as a part of that of the search.
 const FINER: f64 = 0.1;
@@ -89,7 +90,7 @@ async fn of_landings(
         width,
     };
     let sensitivity = match near
-        .follow(&|speed| Sample::at(speed, counted(case, speed, at)).boxed_local())
+        .follow(&|speed| landings_on_request::sample(speed, counted(case, speed, at)).boxed_local())
         .await?
     {
         // This time, landings at the ends of the bracket ended differently.
@@ -204,7 +205,9 @@ impl FollowedTransition {
                 width: self.width,
             };
             match near
-                .follow(&|speed| Sample::at(speed, land(&case, speed, self.at)).boxed_local())
+                .follow(&|speed| {
+                    landings_on_request::sample(speed, land(&case, speed, self.at)).boxed_local()
+                })
                 .await?
             {
                 Some(speed) => speeds[place] = speed,

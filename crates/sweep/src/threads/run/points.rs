@@ -7,7 +7,6 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use super::{Observer, RunError, SEARCHES, Stop, Workers};
 use crate::case::{Case, CaseFault};
-use crate::certainty::Variation;
 use crate::early_stop::EarlyStop;
 use crate::findings::Finding;
 use crate::journal::Opened;
@@ -19,6 +18,7 @@ use crate::sensitivity;
 use crate::shard::Shard;
 use crate::sweep_file::{Job, Sweep};
 use crate::trial::{Scales, Trial};
+use crate::variation::Variation;
 
 impl Workers {
     /// Computes every point of a shard that is not `done`, and adds it to the journal.
