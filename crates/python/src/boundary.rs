@@ -30,7 +30,7 @@ pub fn boundary<'py>(
         let workers = Workers::start(threads)?;
         work.more(1);
         let mut found = None;
-        workers.each_point(&sweep, &[0], 1, work, &work.cancel, |_, finding| {
+        workers.each_point(&sweep, &[0], 1, work, &work.cancel, &mut |_, finding| {
             found = Some(finding);
         })?;
         let mut counts = SweepCounts::of(&sweep);

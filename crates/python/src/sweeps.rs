@@ -172,8 +172,8 @@ fn run(
     let of_journal = run.warnings().to_vec();
     let mut found = run.compute()?.results()?;
     let draw = |_: &_, _: &str| Ok::<_, Failure>(NamedFiles::new());
-    let written =
-        workers.lend(|| result_files::write(sweep, &mut found, folder, VERSION, is_parquet, draw));
+    let written = workers
+        .within(|| result_files::write(sweep, &mut found, folder, VERSION, is_parquet, draw));
     let (counts, _) = written?;
     found.remove_journals()?;
     Ok([of_journal, warnings::of_sweep(sweep, &counts)])

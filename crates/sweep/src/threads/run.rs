@@ -118,11 +118,6 @@ impl Workers {
         self.pool.current_num_threads()
     }
 
-    /// Runs other parallel work on these threads.
-    pub fn lend<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        self.pool.install(work)
-    }
-
     /// Searches points with `search`, `at_a_time` per thread, and passes each result to `keep`; all threads compute
     /// their landings. Also calls `keep` from time to time without a new result.
     ///

@@ -50,14 +50,13 @@ use crate::shard::Shard;
 use crate::sweep_file::Sweep;
 
 /// Threads, folder and callbacks shared by runs.
-#[derive(Debug)]
-pub struct Runner<'r, O> {
+pub struct Runner<'r> {
     /// The threads.
     pub workers: &'r Workers,
     /// Folder of the journals.
     pub folder: &'r Folder,
     /// Progress callbacks.
-    pub observer: &'r O,
+    pub observer: &'r dyn Observer,
     /// Set to stop a run.
     pub cancel: &'r AtomicBool,
     /// Version of the program, for the journals.
@@ -84,20 +83,19 @@ impl Task<'_> {
 }
 
 /// A run whose journal is open.
-#[derive(Debug)]
-pub struct Run<'r, O> {
-    runner: &'r Runner<'r, O>,
+pub struct Run<'r> {
+    runner: &'r Runner<'r>,
     task: Task<'r>,
     path: PathBuf,
     opened: Opened,
 }
 
-impl<'r, O: Observer> Runner<'r, O> {
+impl<'r> Runner<'r> {
     /// Opens the journal of a run, or creates it, and tells the observer how many points it has.
     ///
     /// # Errors
     /// If the journal belongs to other input or cannot be opened.
-    pub fn begin(&'r self, task: Task<'r>) -> Result<Run<'r, O>, RunError> {
+    pub fn begin(&'r self, task: Task<'r>) -> Result<Run<'r>, RunError> {
         let (name, header) = match task {
             Task::Sweep(sweep, shard) => {
                 let header = Header::new(sweep, self.version, shard);
@@ -121,7 +119,7 @@ impl<'r, O: Observer> Runner<'r, O> {
     }
 }
 
-impl<O: Observer> Run<'_, O> {
+impl Run<'_> {
     /// The journal.
     pub fn journal(&self) -> &Path {
         &self.path

@@ -304,7 +304,7 @@ impl Sampling {
             .map(|index| all.point(index))
             .collect();
         self.send(News::Begun(done.len(), Instant::now()));
-        let keep = |place: usize, finding: Finding| {
+        let mut keep = |place: usize, finding: Finding| {
             let row = results::row(sweep, points[place], &finding);
             let taken = Taken {
                 landings: finding.landings(),
@@ -313,7 +313,8 @@ impl Sampling {
             };
             self.send(News::Taken(taken));
         };
-        match workers.each_point(sweep, &points, SEARCHES, &*self.counter, &self.cancel, keep) {
+        let (counter, cancel) = (&*self.counter, &self.cancel);
+        match workers.each_point(sweep, &points, SEARCHES, counter, cancel, &mut keep) {
             Err(RunError::Cancelled) => Ok(()),
             ended => Ok(ended?),
         }

@@ -275,7 +275,7 @@ impl Night<'_> {
         let mut results = points.results()?;
         let (folder, format) = (self.folder, self.options.format);
         let written = (self.workers)
-            .lend(|| sweep_results::write(sweep, &mut results, folder, circumstances, format))?;
+            .within(|| sweep_results::write(sweep, &mut results, folder, circumstances, format))?;
         results.remove_journals()?;
         Ok(Done::Whole(Box::new(written)))
     }

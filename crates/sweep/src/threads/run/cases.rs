@@ -24,7 +24,7 @@ impl Workers {
         &self,
         table: &CaseTable,
         opened: &mut Opened,
-        observer: &impl Observer,
+        observer: &dyn Observer,
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
         let Opened { journal, done, .. } = opened;
@@ -47,7 +47,7 @@ impl Workers {
         &self,
         table: &CaseTable,
         rows: impl Iterator<Item = usize>,
-        observer: &impl Observer,
+        observer: &dyn Observer,
         cancel: &AtomicBool,
         keep: impl FnMut(Option<(usize, Landing)>) -> Result<(), JournalError>,
     ) -> Result<(), RunError> {
@@ -78,7 +78,7 @@ impl Workers {
         &self,
         count: usize,
         request: impl Fn(usize) -> Request + Sync,
-        observer: &impl Observer,
+        observer: &dyn Observer,
         cancel: &AtomicBool,
     ) -> Result<Vec<Landing>, RunError> {
         let stop = Stop::on(cancel);

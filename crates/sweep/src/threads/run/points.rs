@@ -31,7 +31,7 @@ impl Workers {
         sweep: &Sweep,
         shard: Shard,
         opened: &mut Opened,
-        observer: &impl Observer,
+        observer: &dyn Observer,
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
         if let Some(map) = sweep.map() {
@@ -71,7 +71,7 @@ impl Workers {
         map: &RefinedGrid,
         shard: Shard,
         opened: &mut Opened,
-        observer: &impl Observer,
+        observer: &dyn Observer,
         cancel: &AtomicBool,
     ) -> Result<(), RunError> {
         let mut there = opened.findings(map.count()).map_err(RunError::Journal)?;
@@ -120,9 +120,16 @@ impl Workers {
     pub fn points(&self, sweep: &Sweep, points: &[usize]) -> Result<Vec<Finding>, RunError> {
         let never = AtomicBool::new(false);
         let mut found: Vec<(usize, Finding)> = Vec::with_capacity(points.len());
-        self.each_point(sweep, points, SEARCHES, &(), &never, |index, finding| {
-            found.push((index, finding));
-        })?;
+        self.each_point(
+            sweep,
+            points,
+            SEARCHES,
+            &(),
+            &never,
+            &mut |index, finding| {
+                found.push((index, finding));
+            },
+        )?;
         found.sort_by_key(|(index, _)| *index);
         Ok(found.into_iter().map(|(_, finding)| finding).collect())
     }
@@ -137,9 +144,9 @@ impl Workers {
         sweep: &Sweep,
         points: &[usize],
         searches: usize,
-        observer: &impl Observer,
+        observer: &dyn Observer,
         cancel: &AtomicBool,
-        mut keep: impl FnMut(usize, Finding),
+        keep: &mut dyn FnMut(usize, Finding),
     ) -> Result<(), RunError> {
         let stop = Stop::on(cancel);
         let search = async |index: usize, landing_queue: &LandingQueue| {
@@ -173,7 +180,7 @@ async fn find_watched(
     sweep: &Sweep,
     point: usize,
     landing_queue: &LandingQueue,
-    observer: &impl Observer,
+    observer: &dyn Observer,
     stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
     observer.begin(point);
@@ -191,7 +198,7 @@ async fn find(
     sweep: &Sweep,
     point: usize,
     queue: SearchQueue<'_>,
-    observer: &impl Observer,
+    observer: &dyn Observer,
     stop: &Stop<'_>,
 ) -> Result<Finding, RunError> {
     let invalid = |fault| RunError::Point {
