@@ -128,14 +128,15 @@
 //! |---|---|---|
 //! | [`batch`] | many landings, a lane of a register for each | |
 //! | [`land`], [`methods`], [`impact_surface`] | one landing by any method; the methods of 1966; the surface from impact times | |
-//! | [`landing`] | one landing: steps, events, verdicts, its account | [`touchdown`], [`energy`], [`critical_feet`], [`stability`], [`record`] |
+//! | [`landing`] | one landing: steps, events, verdicts, its account | [`touchdown`], [`energy`], `critical_feet`, [`stability`], [`record`] |
 //! | `equations` | kinematics and equations of motion | [`state`], [`kinematics`], [`motion`], [`response`] |
-//! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], [`settings`], [`method`], [`error_control`] |
-//! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], [`signal`], [`outcome`] |
+//! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], `settings`, [`method`], [`error_control`] |
+//! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], `signal`, [`outcome`] |
 //! | `design` | plain data of a lander | [`parts`], [`quantities`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
-//! | `numbers` | scalars, lanes, registers, one item per leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], [`products`] |
+//! | `numbers` | scalars, lanes, registers, one item per leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], `products` |
 
+#![warn(unnameable_types)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod design;
@@ -154,7 +155,10 @@ pub mod model_version;
 
 pub use design::{attitude, crush_load, invalid, parts, profile, quantities, quantity, rules};
 pub use equations::{kinematics, motion, response, state};
-pub use lander::{error_control, ground, method, scene, settings, thrust, vehicle};
-pub use landing::{critical_feet, energy, record, stability, touchdown};
-pub use laws::{contact, crush, friction, hinge, leg_pieces, outcome, signal, strut};
-pub use numbers::{extremes, lanes, per_leg, products, registers, scalar};
+pub use lander::{error_control, ground, method, scene, thrust, vehicle};
+use landing::critical_feet;
+pub use landing::{energy, record, stability, touchdown};
+use laws::signal;
+pub use laws::{contact, crush, friction, hinge, leg_pieces, outcome, strut};
+use numbers::{extremes, products};
+pub use numbers::{lanes, per_leg, registers, scalar};

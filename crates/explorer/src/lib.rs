@@ -16,6 +16,8 @@
 //! the command line because they come out of the same calls (`landing_report`, `history`). The crate `explorer-wasm` is the floors `interface` and `named` as a
 //! WebAssembly module for exported pages, with texts in two buffers; for other machines it is empty.
 
+#![warn(unnameable_types)]
+
 #[cfg(feature = "server")]
 pub mod export;
 pub mod interface;

@@ -10,6 +10,8 @@
 //! | `tables` | result tables as they are read |
 //! | `words`, `png` | captions, titles, numbers; PNG from SVG |
 
+#![warn(unnameable_types)]
+
 mod charts;
 mod maps;
 mod page;
@@ -18,17 +20,16 @@ pub mod png;
 mod tables;
 mod words;
 
-pub use charts::{boundary_profile, history_chart, line_chart, tornado_chart, work_precision};
+pub use charts::line_chart;
 use charts::{
-    distribution_chart, history_page, outcome_chart, probability_chart, shading, tornado_words,
+    boundary_profile, distribution_chart, history_chart, history_page, outcome_chart,
+    probability_chart, shading, tornado_chart, tornado_words, work_precision,
 };
-use maps::{colour_bar, hatching, isolines, view_point};
-pub use maps::{
-    contour_map, leading_feet, levels, map_legend, map_view, perspective, refined_map, surface,
-};
+use maps::{colour_bar, contour_map, hatching, isolines, map_view, perspective, view_point};
+pub use maps::{leading_feet, levels, map_legend, refined_map, surface};
 use page::{canvas, frame, sheet, text, thinning};
 pub use page::{legend, palette, style};
-pub use tables::{bands_table, boundary_table, history_table, map_table, sensitivity_table};
-use tables::{profile_points, table};
-pub use words::{axis_title, caption, figure_error, number, parameter_words, speed_unit, unit};
-use words::{division, ticks};
+pub use tables::{bands_table, boundary_table, map_table};
+use tables::{history_table, profile_points, sensitivity_table, table};
+pub use words::{axis_title, caption, figure_error, number, speed_unit, unit};
+use words::{division, parameter_words, ticks};

@@ -91,6 +91,7 @@
 //!
 //! Nothing here prints: progress goes to a [`run::Observer`], input errors are [`input_error::InputError`]s.
 
+#![warn(unnameable_types)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod documents;
@@ -108,36 +109,35 @@ pub mod sensitivity;
 
 pub use documents::{
     column, document, file_writer, fingerprint, input_error, key_path, library, output_guard,
-    output_units, section, source, toml_text, unit,
+    output_units, toml_text, unit,
 };
-use documents::{csv_rows, spelling};
+use documents::{csv_rows, section, source, spelling};
 pub use input::{choice, deck, method_input, scene_input, settings_input, vehicle_file};
 use input::{numbers, search_input, vehicle_tables};
 use journal::early_stop;
 pub use journal::{header, journal_files, merge, point_set, shard};
 use maps::{
-    cell, cell_refinement, curved, interval_refinement, located_side, pieces, profile_edges,
-    speed_bands,
+    cell, cell_refinement, curved, edge_lines, interval_refinement, located_side, pieces,
+    profile_edges, resampled, speed_bands, surface_pieces,
 };
-pub use maps::{edge_lines, height, resampled, rounds, surface_pieces};
-use output::parquet_table;
+pub use maps::{height, rounds};
 pub use output::{
     bands_table, cases, column_units, documented_columns, history, input_keys, landing_report,
-    landing_table, map_tables, result_files, results, sensitivity_table, tables, warnings,
+    landing_table, result_files, results, tables, warnings,
 };
+use output::{map_tables, parquet_table, sensitivity_table};
 pub use points::{
     assignment, design, distribution, grid, levels, parameter, refined_grid, sample, set_value,
 };
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
+use search::{bands, hidden, join_all, landings_on_request, lattice, narrowed_scan, run_out};
 pub use search::{
-    bands, boundary, certainty, contact_warnings, first_transition, hidden, hidden_band_checks,
-    lattice, patchy, refine, scan, search_range, skipped, trial, variation,
+    boundary, certainty, contact_warnings, hidden_band_checks, patchy, refine, scan, search_range,
+    skipped, trial, variation,
 };
-use search::{join_all, landings_on_request, narrowed_scan, run_out};
 pub use summary::{findings, probabilities, sweep_counts, transition_statistics};
 pub use sweeps::{
-    case, measured_scenes, overrides, place, resolved_input, scene_file, single_landing, sweep,
-    sweep_file,
+    case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,
 };
 use threads::landing_queue;
 pub use threads::{run, runner};

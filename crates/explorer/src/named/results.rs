@@ -64,7 +64,7 @@ pub struct Results {
 
 impl Results {
     /// Reads a table, and the touchdown in the record beside it; `None` if it has neither transitions nor landings.
-    pub fn read(
+    pub(crate) fn read(
         reading: &mut Reading,
         file: &Path,
     ) -> Result<Option<(Self, Option<Source>)>, InputError> {

@@ -84,7 +84,7 @@ pub struct Source {
 
 impl Source {
     /// Reads a file of any kind.
-    pub fn read(reading: &mut Reading, file: &Path) -> Result<Vec<Self>, InputError> {
+    pub(crate) fn read(reading: &mut Reading, file: &Path) -> Result<Vec<Self>, InputError> {
         let document = reading.document(file)?;
         let has = |key: &str| document.root().iter().any(|entry| entry.key == key);
         if has("axes") || has("search") {
@@ -97,7 +97,7 @@ impl Source {
     }
 
     /// A vehicle at the baseline of the report, or at the part of its velocities at which it lands.
-    pub fn of_vehicle(reading: &mut Reading, file: &Path) -> Result<Self, InputError> {
+    pub(crate) fn of_vehicle(reading: &mut Reading, file: &Path) -> Result<Self, InputError> {
         let document = reading.document(file)?;
         let units = units_of(&document);
         let vehicle = VehicleFile::from_document(document)?;

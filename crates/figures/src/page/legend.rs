@@ -38,7 +38,7 @@ pub enum Mark {
 }
 
 /// Draws a mark of half breadth `side`, centred at a place, pixels.
-pub fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
+pub(crate) fn draw_mark(canvas: &mut Canvas, mark: Mark, (x, y): Point, side: f64) {
     match mark {
         Mark::Transition(kind) => {
             let colour = palette::mark(kind);
@@ -167,7 +167,7 @@ pub fn rows(entries: &[Entry], width: f64) -> Vec<&[Entry]> {
 }
 
 /// Draws rows of entries, each centred about `middle`, the first at height `top`.
-pub fn draw(canvas: &mut Canvas, rows: &[&[Entry]], middle: f64, top: f64) {
+pub(crate) fn draw(canvas: &mut Canvas, rows: &[&[Entry]], middle: f64, top: f64) {
     for (row, entries) in rows.iter().enumerate() {
         let y = top + ROW * row as f64;
         let used: f64 = entries.iter().map(entry_width).sum();

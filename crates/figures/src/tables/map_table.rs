@@ -114,7 +114,7 @@ impl MapTable {
     }
 
     /// The map with positions along axes of these divisions instead of their values.
-    pub fn placed(mut self, divisions: [Division; 2]) -> Self {
+    pub(crate) fn placed(mut self, divisions: [Division; 2]) -> Self {
         let triangles = self.triangles.iter_mut().flatten().map(|(place, _)| place);
         let edges = self.edges.iter_mut().flat_map(|edge| &mut edge.places);
         for place in triangles.chain(edges).chain(&mut self.patchy) {

@@ -105,7 +105,7 @@ impl Caption {
     }
 
     /// Division of the scale of an axis.
-    pub fn division(&self, axis: &str) -> Division {
+    pub(crate) fn division(&self, axis: &str) -> Division {
         match self.logarithmic.iter().any(|known| known == axis) {
             true => Division::Decades,
             false => Division::Linear,
