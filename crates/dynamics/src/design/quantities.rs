@@ -192,6 +192,8 @@ pub const BLOCK: [Field<Block>; 4] = [
 pub const TABLE_SCALE: Quantity =
     Quantity::new("scale", POSITIVE, "factor on the table").default(1.0);
 
+const ATTITUDE: &str = "attitude";
+const GROUND: &str = "ground";
 const SPEED: Range = Range::closed(0.0, 10_000.0);
 const FRICTION: Range = Range::closed(0.0, 1000.0);
 const LEVEL: Usual = Between(-45.0, 45.0);
@@ -210,37 +212,50 @@ quantities! {
         "cross_slope_deg", TURNS, "direction λ of V_H: 180 is straight downhill, 0 uphill")
         .usually(HALF_TURNS);
     SLOPE = new("slope_deg", ACUTE, "slope θ_s of the surface")
+        .of(GROUND)
         .usually(Between(-30.0, 45.0));
     PAD_FRICTION = new(
         "friction", FRICTION, "nominal friction coefficient μ0 between footpads and surface")
+        .of(GROUND)
         .usually(Between(0.0, 2.0));
     BLOCK_FRICTION = new("block_friction", FRICTION, "the same between body blocks and surface")
+        .of(GROUND)
         .by_default("`friction`")
         .usually(Between(0.0, 2.0));
     PITCH = new("pitch_deg", TURNS, "pitch Ψ, about the horizontal X axis across the slope")
+        .of(ATTITUDE)
         .default(0.0)
         .usually(LEVEL);
-    YAW = new("yaw_deg", TURNS, "yaw Φ, about the once-turned y axis").default(0.0).usually(LEVEL);
-    ROLL = new("roll_deg", TURNS, "roll Ξ, about the centreline").default(0.0).usually(HALF_TURNS);
+    YAW = new("yaw_deg", TURNS, "yaw Φ, about the once-turned y axis")
+        .of(ATTITUDE).default(0.0).usually(LEVEL);
+    ROLL = new("roll_deg", TURNS, "roll Ξ, about the centreline")
+        .of(ATTITUDE).default(0.0).usually(HALF_TURNS);
     TIP = new(
         "tip_deg", Range::closed(0.0, 180.0), "tip form: angle ν between centreline and vertical")
+        .of(ATTITUDE)
         .by_default("the other form")
         .usually(Between(0.0, 45.0));
     TIP_AZIMUTH = new(
         "tip_azimuth_deg", TURNS, "tip form: azimuth Γ of the axis about which the vehicle is tipped")
+        .of(ATTITUDE)
         .by_default("the other form")
         .usually(HALF_TURNS);
     NOMINAL_ROLL = new(
         "nominal_roll_deg", TURNS, "tip form: roll K about the centreline before tipping")
+        .of(ATTITUDE)
         .default(0.0)
         .usually(HALF_TURNS);
     ANGULAR_VELOCITY_X = new(
         "angular_velocity_x_dps", TURNS, "angular velocity about the vehicle's x axis")
+        .of(ATTITUDE)
         .default(0.0)
         .usually(RATES);
-    ANGULAR_VELOCITY_Y = new("angular_velocity_y_dps", TURNS, "the same about y").default(0.0).usually(RATES);
-    ANGULAR_VELOCITY_Z = new("angular_velocity_z_dps", TURNS, "the same about z").default(0.0).usually(RATES);
+    ANGULAR_VELOCITY_Y = new("angular_velocity_y_dps", TURNS, "the same about y")
+        .of(ATTITUDE).default(0.0).usually(RATES);
+    ANGULAR_VELOCITY_Z = new("angular_velocity_z_dps", TURNS, "the same about z")
+        .of(ATTITUDE).default(0.0).usually(RATES);
     GRAVITY = new("gravity_fps2", POSITIVE, "acceleration of gravity where the vehicle lands")
+        .of(GROUND)
         .by_default("that of the vehicle")
         .usually(Between(0.5, 35.0));
 }

@@ -132,6 +132,8 @@ pub struct Quantity {
     pub meaning: &'static str,
     /// Values among which one usually looks.
     pub usual: Usual,
+    /// Group in lists of numbers; none if its table is the group.
+    pub group: Option<&'static str>,
 }
 
 impl Quantity {
@@ -144,6 +146,15 @@ impl Quantity {
             if_missing: IfMissing::Required,
             meaning,
             usual: Usual::Times(0.25, 2.0),
+            group: None,
+        }
+    }
+
+    /// Puts it into a group of its table.
+    pub const fn of(self, group: &'static str) -> Self {
+        Self {
+            group: Some(group),
+            ..self
         }
     }
 

@@ -77,8 +77,8 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
         Home::Vehicle => (of_vehicle(touchdown, &parameter)?, true),
         Home::Sweep => return of_solver(touchdown, &parameter),
     };
-    let (group, leg) = groups::of(name);
     let quantity = parameter.quantity()?;
+    let (group, leg) = groups::of(name, quantity);
     let allowed = Allowed::of(Some(quantity));
     let shown = ranges::shown(quantity, value);
     let in_si = OutputUnits::Si.quantity(name);

@@ -1,5 +1,7 @@
 //! Display groups of parameters.
 
+use touchdown_dynamics::quantity::Quantity;
+
 /// All groups, in display order.
 const ORDER: [&str; 13] = [
     "touchdown",
@@ -16,19 +18,6 @@ const ORDER: [&str; 13] = [
     "footing",
     "solver",
 ];
-const ATTITUDE: [&str; 9] = [
-    "pitch_deg",
-    "yaw_deg",
-    "roll_deg",
-    "tip_deg",
-    "tip_azimuth_deg",
-    "nominal_roll_deg",
-    "angular_velocity_x_dps",
-    "angular_velocity_y_dps",
-    "angular_velocity_z_dps",
-];
-const GROUND: [&str; 4] = ["slope_deg", "friction", "block_friction", "gravity_fps2"];
-
 /// Position of a group.
 pub fn place(group: &str) -> usize {
     let place = ORDER.iter().position(|known| *known == group);
@@ -36,7 +25,7 @@ pub fn place(group: &str) -> usize {
 }
 
 /// Group of a parameter, and the number of the leg if it is one leg's own.
-pub fn of(name: &str) -> (&'static str, Option<usize>) {
+pub fn of(name: &str, quantity: &Quantity) -> (&'static str, Option<usize>) {
     let leg = |rest: &str| {
         rest.split(']')
             .next()
@@ -49,14 +38,7 @@ pub fn of(name: &str) -> (&'static str, Option<usize>) {
         return ("thrust", None);
     }
     let Some(path) = name.strip_prefix("vehicle.") else {
-        let group = if ATTITUDE.contains(&name) {
-            "attitude"
-        } else if GROUND.contains(&name) {
-            "ground"
-        } else {
-            "touchdown"
-        };
-        return (group, None);
+        return (quantity.group.unwrap_or("touchdown"), None);
     };
     let (path, leg) = match path
         .strip_prefix("legs[")
