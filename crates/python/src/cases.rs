@@ -80,10 +80,7 @@ pub fn land_many<'py>(
                     inputs: &[],
                     overwrite,
                 };
-                let is_own = |line: &str| match is_parquet(&out) {
-                    true => line.starts_with(PARQUET),
-                    false => cases::is_table(line),
-                };
+                let is_own = |line: &str| cases::is_table(&out, line);
                 guard.check(&out, is_own).map_err(in_the_way)?;
                 if !overwrite && out.exists() {
                     let there =
@@ -103,13 +100,6 @@ pub fn land_many<'py>(
     let classes = found.classes.into_python(py)?;
     columns.insert(1, ("outcome_class".to_owned(), classes));
     Ok((columns, [of_journal, of_landings]))
-}
-
-/// The bytes with which Parquet files begin.
-const PARQUET: &str = "PAR1";
-
-fn is_parquet(out: &Path) -> bool {
-    out.extension().is_some_and(|ending| ending == "parquet")
 }
 
 /// Results of all rows.
@@ -155,7 +145,7 @@ fn landed_into(
         let finding = bytes.as_deref().and_then(Finding::decode);
         landings.push(finding.and_then(Finding::landing));
     }
-    let written = results.set_all(table, landings, is_parquet(out))?;
+    let written = results.set_all(table, landings, out)?;
     folder.write_files(&[(name.into_owned(), written)])?;
     found.remove_journals()?;
     Ok((results, of_journal))
@@ -176,7 +166,7 @@ fn landed_again(
         Failure::from(InputError::in_file(out, complaint))
     };
     let lines = || there.split_inclusive(|byte| *byte == b'\n').count();
-    if !is_parquet(out) && lines() != 1 + table.len() {
+    if !cases::is_parquet(out) && lines() != 1 + table.len() {
         return Err(refuse());
     }
     let mut landings = vec![None; table.len()];
@@ -187,7 +177,7 @@ fn landed_again(
         }
         Ok(())
     })?;
-    if results.set_all(table, landings, is_parquet(out))? != there {
+    if results.set_all(table, landings, out)? != there {
         return Err(refuse());
     }
     Ok(results)
@@ -295,12 +285,12 @@ impl Results {
         warnings::of_cases(rows, self.units)
     }
 
-    /// Sets the results of all rows; returns their table as CSV or Parquet.
+    /// Sets the results of all rows; returns their table for the file `out`.
     fn set_all(
         &mut self,
         table: &CaseTable,
         landings: Vec<Option<Landing>>,
-        is_parquet: bool,
+        out: &Path,
     ) -> Result<Vec<u8>, Failure> {
         let mut rows = Vec::with_capacity(landings.len());
         for (row, landing) in landings.into_iter().enumerate() {
@@ -310,10 +300,7 @@ impl Results {
             rows.push((table.name(row), landing));
         }
         let named = rows.iter().map(|(name, landing)| (name.as_str(), landing));
-        match is_parquet {
-            true => cases::parquet_table(named, self.units, &table.input).map_err(Failure::engine),
-            false => cases::table(named, self.units).map_err(Failure::engine),
-        }
+        cases::table(out, named, self.units, &table.input).map_err(Failure::engine)
     }
 
     /// Sets the results of a row.

@@ -16,7 +16,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 pub use cells::{CaseCell, CaseCells};
 use columns::{Columns, Given, Row, at, values};
-pub use results::{is_table, parquet_table, table};
+pub use results::{csv_table, is_parquet, is_table, table};
 
 use crate::fingerprint::fingerprint;
 use crate::header::Header;

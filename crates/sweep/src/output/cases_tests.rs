@@ -220,7 +220,7 @@ fn complaints_name_line_row_column_and_value() {
 fn results_begin_with_the_case() {
     let landing = example();
     let rows = [("a,b", &landing), ("c", &landing)];
-    let text = String::from_utf8(table(rows.into_iter(), OutputUnits::Us).unwrap()).unwrap();
+    let text = String::from_utf8(csv_table(rows.into_iter(), OutputUnits::Us).unwrap()).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     assert!(lines[0].starts_with("case,outcome,end_time_s"));
     assert!(lines[1].starts_with("\"a,b\",failure,1.5"));

@@ -61,7 +61,7 @@ pub fn run(
     let landings = landings(&table, &mut results)?;
     let names: Vec<String> = (0..count).map(|row| table.name(row)).collect();
     let rows = names.iter().map(String::as_str).zip(&landings);
-    let written = cases::table(rows, units).map_err(Failure::running)?;
+    let written = cases::table(out, rows, units, &table.input).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
     let rows = names.iter().zip(&landings);

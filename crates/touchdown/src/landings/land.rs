@@ -122,7 +122,7 @@ pub struct Options {
         help_heading = "Many landings"
     )]
     pub cases: Option<PathBuf>,
-    /// CSV file for the results of --cases; folder for the results and histories of a scene file
+    /// File for the results of --cases, CSV or, if it ends so, .parquet; folder for the results and histories of a scene file
     #[arg(long, value_name = "PATH", help_heading = "Many landings")]
     pub out: Option<PathBuf>,
     /// Also replace existing files that are not earlier results of this command
@@ -180,7 +180,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     match (&options.cases, &options.out) {
         (Some(cases), Some(out)) => {
             let workers = Workers::start(options.threads)?;
-            guard.check(out, touchdown_sweep::cases::is_table)?;
+            guard.check(out, |line| touchdown_sweep::cases::is_table(out, line))?;
             let (quiet, vehicle) = (options.quiet, &vehicle);
             cases::run(&workers, quiet, vehicle, &settings, cases, out, units)
         }

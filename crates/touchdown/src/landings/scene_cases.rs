@@ -51,7 +51,10 @@ pub fn run(
         let file = folder.path(&format!("{stem}-{}.csv", case.name));
         guard.check(&file, is_history)?;
     }
-    guard.check(&folder.path(&format!("{stem}.csv")), cases::is_table)?;
+    let table = format!("{stem}.csv");
+    guard.check(&folder.path(&table), |line| {
+        cases::is_table(Path::new(&table), line)
+    })?;
 
     let (cancel, start) = (interrupt::flag()?, Instant::now());
     let mut progress: Option<Progress> = None;
@@ -75,8 +78,9 @@ pub fn run(
         progress.finish();
     }
     let names = cases.iter().map(|case| case.name.as_str());
-    let results = cases::table(names.zip(&landings), units).map_err(Failure::running)?;
-    written.extend(folder.write_files(&[(format!("{stem}.csv"), results)])?);
+    let rows = names.zip(&landings);
+    let results = cases::csv_table(rows, units).map_err(Failure::running)?;
+    written.extend(folder.write_files(&[(table, results)])?);
     print(&text(&cases, &landings, units))?;
     for (case, landing) in cases.iter().zip(&landings) {
         if let Some(warning) = landing_report::warning(landing, units) {

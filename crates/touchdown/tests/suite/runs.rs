@@ -279,6 +279,24 @@ fn cases_are_landed_in_their_order() {
     assert_eq!(bench.list("new"), ["out.csv"]);
 }
 
+#[test]
+fn cases_go_to_a_parquet_file_that_is_named_so() {
+    let bench = Bench::new();
+    bench.write(
+        "cases.csv",
+        "vertical_velocity_fps,horizontal_velocity_fps,cross_slope_deg,slope_deg,friction\n14,2,180,15,1\n",
+    );
+    for _ in ["there is none", "there is an earlier one"] {
+        let done = bench.land_cases(&["out.parquet"]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+    }
+    let table = std::fs::read(bench.path("out.parquet")).unwrap();
+    assert!(table.starts_with(b"PAR1") && table.ends_with(b"PAR1"));
+    bench.write("other.parquet", "not a table\n");
+    let refused = bench.land_cases(&["other.parquet"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.err);
+}
+
 /// Whoever reads may stop reading, as `head` does.
 #[test]
 fn a_closed_pipe_is_no_failure() {

@@ -1,6 +1,7 @@
 //! Table of the results of cases.
 
 use std::io;
+use std::path::Path;
 
 use serde_json::Value;
 use touchdown_dynamics::landing::Landing;
@@ -13,19 +14,43 @@ use crate::parquet_table::ParquetTable;
 /// First column: the name of the case.
 const CASE: &str = "case";
 
-/// True if a file with this first line is a table of results of cases.
-pub fn is_table(line: &str) -> bool {
-    line.starts_with("case,outcome,end_time_s,")
+/// True if a table of results of cases is written to this file as Parquet, as its ending says.
+pub fn is_parquet(file: &Path) -> bool {
+    file.extension().is_some_and(|ending| ending == "parquet")
 }
 
-/// The results of cases as CSV in these units: `case`, then the columns of [`landing_table`] for the greatest number of
-/// legs.
+/// True if `file`, with this first line, is a table of results of cases.
+pub fn is_table(file: &Path, line: &str) -> bool {
+    match is_parquet(file) {
+        true => line.starts_with("PAR1"),
+        false => line.starts_with("case,outcome,end_time_s,"),
+    }
+}
+
+/// The results of cases for `file` in these units, as Parquet or CSV: `case`, then the columns of [`landing_table`] for the
+/// greatest number of legs. Parquet has the input of the cases in its metadata.
 ///
 /// [`landing_table`]: crate::landing_table
 ///
 /// # Errors
 /// Only out of memory.
 pub fn table<'r>(
+    file: &Path,
+    rows: impl Iterator<Item = (&'r str, &'r Landing)> + Clone,
+    units: OutputUnits,
+    input: &Value,
+) -> io::Result<Vec<u8>> {
+    match is_parquet(file) {
+        true => parquet_table(rows, units, input),
+        false => Ok(csv_table(rows, units)?),
+    }
+}
+
+/// The same table as CSV, for any file.
+///
+/// # Errors
+/// Only out of memory.
+pub fn csv_table<'r>(
     rows: impl Iterator<Item = (&'r str, &'r Landing)> + Clone,
     units: OutputUnits,
 ) -> Result<Vec<u8>, csv::Error> {
@@ -44,11 +69,7 @@ pub fn table<'r>(
         .map_err(|error| error.into_error().into())
 }
 
-/// The same table as a Parquet file, with the input of the cases in its metadata.
-///
-/// # Errors
-/// Only out of memory.
-pub fn parquet_table<'r>(
+fn parquet_table<'r>(
     rows: impl Iterator<Item = (&'r str, &'r Landing)> + Clone,
     units: OutputUnits,
     input: &Value,
