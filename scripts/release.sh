@@ -16,6 +16,12 @@ grep -q "^## $version\$" CHANGELOG.md || refuse "CHANGELOG.md has no section \"#
 grep -q "^version: $version\$" CITATION.cff || refuse "CITATION.cff names another version"
 ! git rev-parse --quiet --verify "refs/tags/v$version" >/dev/null || refuse "v$version is tagged already"
 .ci/run
+# What libraries changed since the last release must fit the new version.
+if last=$(git describe --tags --abbrev=0 --match 'v*' 2>/dev/null); then
+    command -v cargo-semver-checks > /dev/null || cargo install --locked cargo-semver-checks
+    cargo semver-checks --baseline-rev "$last" --package touchdown-dynamics --package touchdown-sweep \
+        --package touchdown-figures --package touchdown-explorer
+fi
 
 mkdir -p "$out"
 # Each after those that it uses.
