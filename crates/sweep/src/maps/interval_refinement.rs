@@ -19,7 +19,6 @@ pub(crate) fn refined<'k>(
     let mut refinement = Refinement {
         rules,
         bands,
-        whole: interval.size[0],
         refined: Refined::default(),
     };
     let [low, size] = [interval.low[0], interval.size[0]];
@@ -33,7 +32,6 @@ pub(crate) fn refined<'k>(
 struct Refinement<'r, F> {
     rules: &'r MapRules,
     bands: F,
-    whole: usize,
     refined: Refined,
 }
 
@@ -65,7 +63,6 @@ impl<'k, F: Fn(usize) -> Option<&'k SpeedBands>> Refinement<'_, F> {
         if size <= BRACKET {
             return self.leaf([low, size], parent);
         }
-        let share = size as f64 / self.whole as f64;
         let leap = a.leap(b);
         // Lines half as long are four times closer to a smooth curve. Intervals without a transition come last.
         let expected = match parent {
@@ -73,11 +70,13 @@ impl<'k, F: Fn(usize) -> Option<&'k SpeedBands>> Refinement<'_, F> {
             None => UNKNOWN,
             Some(error) => 0.5 * error.min(leap),
         };
-        let urgency = if leap.is_finite() {
-            expected.sqrt() * share
+        let weight = if leap.is_finite() {
+            expected.sqrt()
         } else {
-            END * share
+            END
         };
+        // First-level intervals are equally long, so that lengths compare.
+        let urgency = weight * size as f64;
         let half = size / 2;
         let Some(middle) = self.ask(low + half, urgency) else {
             return self.leaf([low, size], parent);
