@@ -197,6 +197,17 @@ mod tests {
     }
 
     #[test]
+    fn a_folder_that_cannot_be_written_is_a_fault_of_files_and_a_name_is_not() {
+        let home = tempfile::tempdir().unwrap();
+        let file = home.path().join("file");
+        fs::write(&file, "").unwrap();
+        let unwritable = Folder::open(&file.join("results")).unwrap_err();
+        assert!(unwritable.is_of_files(), "{unwritable}");
+        let folder = Folder::of(home.path()).unwrap_err();
+        assert!(!folder.is_of_files(), "{folder}");
+    }
+
+    #[test]
     fn one_impossible_file_leaves_nothing_beside() {
         let home = tempfile::tempdir().unwrap();
         let folder = Folder::open(home.path()).unwrap();

@@ -53,6 +53,15 @@ fn result(point: usize) -> Vec<u8> {
 }
 
 #[test]
+fn a_result_takes_the_length_that_is_foretold() {
+    let empty = Bench::with(&[]).bytes().len();
+    for point in 0..POINTS {
+        let taken = Bench::with(&[point]).bytes().len() - empty;
+        assert_eq!(record_length(result(point).len()), taken);
+    }
+}
+
+#[test]
 fn results_are_read_in_the_order_of_points() {
     let bench = Bench::with(&[3, 0, 5, 1]);
     let opened = bench.open().unwrap();

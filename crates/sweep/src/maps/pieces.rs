@@ -251,3 +251,44 @@ fn is_left_of_all(ring: &[Corner], at: Position) -> bool {
         (q[1] - p[1]) * (at[0] - p[0]) - (q[0] - p[0]) * (at[1] - p[1]) > 0.0
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two corners of a cell have one band more. The edges around each are longer than the way from one to the other is
+    /// wide or high.
+    #[test]
+    fn of_four_edges_those_around_a_corner_are_joined() {
+        let is_in_corner = |[i, j]: Place| (i < 5 && j > 5) || (i > 3 && j < 3);
+        let up = (0..8)
+            .map(|step| [0, step])
+            .chain((0..8).map(|step| [step, 8]));
+        let round: Vec<Place> = up.clone().chain(up.map(|[i, j]| [8 - i, 8 - j])).collect();
+        let transposed = round.iter().rev().map(|[i, j]| [*j, *i]).collect();
+        for (places, turn) in [(round, false), (transposed, true)] {
+            let height = |[i, j]: Place| {
+                let is_other = is_in_corner(if turn { [j, i] } else { [i, j] });
+                let height = Height {
+                    speed: Some(if is_other { 20.0 } else { 10.0 }),
+                    bands: usize::from(is_other),
+                };
+                ([i, j], height)
+            };
+            let ring: Vec<Known> = places.into_iter().map(height).collect();
+            let around = Around {
+                ring: &ring,
+                within: &[],
+                bend: None,
+            };
+            let (pieces, cuts) = around.pieces(0.2);
+            assert_eq!((pieces.len(), cuts.len()), (3, 2));
+            let corners: Vec<f64> = (pieces.iter())
+                .filter(|piece| piece.ring.iter().all(|corner| corner.speed == 20.0))
+                .map(Piece::area)
+                .collect();
+            // Half of the steps from the edges to the corner, 4.5 by 2.5.
+            assert_eq!(corners, [0.5 * 4.5 * 2.5; 2]);
+        }
+    }
+}

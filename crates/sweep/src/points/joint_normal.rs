@@ -136,4 +136,17 @@ mod tests {
             assert_eq!(cholesky(&matrix), None, "{matrix:?}");
         }
     }
+
+    #[test]
+    fn units_of_the_axes_do_not_decide_what_is_a_distribution() {
+        for units in [[1e-9, 1e-9], [1e9, 1e9], [1e-6, 1e6]] {
+            let in_units = |correlations: [[f64; 2]; 2]| -> Vec<Vec<f64>> {
+                let row = |i: usize| (0..2).map(move |j| units[i] * correlations[i][j] * units[j]);
+                (0..2).map(|i| row(i).collect()).collect()
+            };
+            assert!(cholesky(&in_units([[1.0, 0.5], [0.5, 1.0]])).is_some());
+            assert_eq!(cholesky(&in_units([[1.0, 0.5], [0.4, 1.0]])), None);
+            assert_eq!(cholesky(&in_units([[1.0, 1.0], [1.0, 1.0]])), None);
+        }
+    }
 }

@@ -164,6 +164,14 @@ mod tests {
         assert_eq!(run_outs(&[0.0, 0.25, 0.5, 0.75].map(rises)), []);
         let lasts = |speed: f64| Sample::example(speed, 1.0 - speed);
         assert_eq!(run_outs(&[0.0, 0.25, 0.5, 0.75].map(lasts)), []);
+        // To the very speed of the next landing, upward and downward.
+        for mirror in [1.0, -1.0] {
+            let mut samples = [0.25, 0.5, 0.75].map(lasts).to_vec();
+            samples.push(Sample::example(1.0, 0.5));
+            samples.iter_mut().for_each(|one| one.speed *= mirror);
+            samples.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+            assert_eq!(run_outs(&samples), []);
+        }
         // Landings that topple are no side of such an interval.
         assert_eq!(run_outs(&[0.0, 0.4, 0.8, 1.2].map(lasts)), []);
     }

@@ -93,3 +93,24 @@ fn a_band_that_vanishes_at_tighter_tolerances_stays_disputed() {
     assert_eq!(found.bands.len(), 3);
     assert_eq!((found.searched_again, found.disputed), (0, 2));
 }
+
+#[test]
+fn no_speed_is_kept_twice_where_a_bracket_ends_at_a_landing_of_the_scan() {
+    let scanned = [(10.0, 1.0), (11.0, 1.0), (12.0, -1.0), (13.0, -1.0)]
+        .map(|(speed, margin)| Sample::example(speed, margin));
+    let again = |index: usize| {
+        let mut sample = scanned[index].clone();
+        sample.trial.tolerance = 1e-6;
+        sample
+    };
+    let test = Tested {
+        ends: Some([again(1), again(2)]),
+        certainty: Certainty::Certain,
+        is_spared: false,
+        landings: 2,
+        evaluations: 2,
+    };
+    let kept = with_brackets(&[&scanned[..2], &scanned[2..]], &[test]);
+    let [first, .., last] = scanned.clone();
+    assert_eq!(kept, [first, again(1), again(2), last]);
+}

@@ -48,3 +48,19 @@ pub fn level_grid(quick: bool) -> Result<Vec<Scene>, SceneFault> {
         .map(|(cross, roll)| level(10.0 * f64::from(cross), 10.0 * f64::from(roll), 0.0))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_differ_and_the_quick_ones_are_among_them() {
+        type Scenes = fn(bool) -> Result<Vec<Scene>, SceneFault>;
+        for (scenes, all, some) in [(near_boundary as Scenes, 40, 10), (level_grid, 143, 5)] {
+            let (whole, quick) = (scenes(false).unwrap(), scenes(true).unwrap());
+            assert_eq!((whole.len(), quick.len()), (all, some));
+            assert!((1..all).all(|index| !whole[..index].contains(&whole[index])));
+            assert!(quick.iter().all(|scene| whole.contains(scene)));
+        }
+    }
+}

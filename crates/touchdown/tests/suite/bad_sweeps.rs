@@ -6,7 +6,7 @@ use crate::common::{Bench, SURVEYOR, SWEEP};
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
 #[rustfmt::skip]
-const SWEEPS: [(&str, &str, &[&str]); 36] = [
+const SWEEPS: [(&str, &str, &[&str]); 38] = [
     // Unknown, missing and misplaced keys, and wrong units.
     ("friction = 1.0", "frction = 1.0", &["sweep.toml:7: scene.frction = 1.0", "did you mean friction?"]),
     ("slope_deg = 15", "slope_grad = 16", &["sweep.toml:6: scene.slope_grad = 16", "did you mean slope_deg or slope_rad?"]),
@@ -45,6 +45,8 @@ const SWEEPS: [(&str, &str, &[&str]); 36] = [
     // What would be ignored, and what is wrong in an axis.
     ("tolerance_fps = 0.1", "tolerance_fps = 0.1\n[solver]\n[solver.error_per_second]\nvelocity_fps = 1", &["sweep.toml:16: solver.error_per_second", "method located does not use it"]),
     (", step = 10 }\n[search]", " }\n[sample]\ndesign = \"sobol\"\ncount = 4\nseed = 1\nstop_at_interval_width = 0.1\n[search]", &["sweep.toml:14: sample.stop_at_interval_width = 0.1", "job = \"outcome\" only"]),
+    (", step = 10 }\n[search]", " }\n[sample]\ndesign = \"sobol\"\ncount = 4\nseed = 1\nstop_at_interval_width = 0\n[search]", &["sweep.toml:14: sample.stop_at_interval_width = 0", "0 < value < 1"]),
+    (", step = 10 }\n[search]", " }\n[sample]\ndesign = \"sobol\"\ncount = 4\nseed = 1\nstop_at_interval_width = 1\n[search]", &["sweep.toml:14: sample.stop_at_interval_width = 1", "0 < value < 1"]),
     ("[axes]", "[solver]\nmethod = \"rk4\"\n[axes]\nsolver.interval_s = [5, 0.01]", &["sweep.toml:11: axes.solver.interval_s = [5, 0.01]: at solver.interval_s = 5: solver.interval_s = 5: expected 1e-6"]),
     ("vehicle = \"surveyor.toml\"", "vehicle = \".\"", &["sweep.toml:2: vehicle = \".\": . is a folder"]),
 ];

@@ -212,7 +212,7 @@ fn dry_runs_tell_of_the_first_level() {
 
 /// What is replaced in the sweep file, by what, and what the message must contain.
 #[rustfmt::skip]
-const BAD: [(&str, &str, &[&str]); 13] = [
+const BAD: [(&str, &str, &[&str]); 15] = [
     ("error_fps = 0.3", "", &["map.toml:10: map.error_fps is missing", "budget_landings"]),
     ("error_fps = 0.3", "error_fps = 0", &["map.toml:12: map.error_fps = 0", "> 0"]),
     ("error_fps = 0.3", "budget_landings = 1.5", &["map.toml:12: map.budget_landings = 1.5", "whole number"]),
@@ -223,6 +223,8 @@ const BAD: [(&str, &str, &[&str]); 13] = [
     ("roll_deg = 2 }", "roll_deg = 11 }", &["map.toml:11: map.edge_width.roll_deg = 11", "0 < value ≤ 10"]),
     ("roll_deg = 2 }", "roll_deg = 1e-9 }", &["map.toml:11: map.edge_width", "2^26 places"]),
     ("[20, 30, 40]", "[20, 40, 30]", &["map.toml:9: axes.roll_deg", "rise, or fall"]),
+    ("[20, 30, 40]", "[20, 30, 30, 40]", &["map.toml:9: axes.roll_deg"]),
+    ("[20, 30, 40]", "[40, 30, 30, 20]", &["map.toml:9: axes.roll_deg"]),
     ("[20, 30, 40]", "[20]", &["map.toml:9: axes.roll_deg", "two values or more"]),
     ("[search]", "[sample]\ndesign = \"sobol\"\ncount = 4\nseed = 1\n[search]", &["map.toml:10: map", "beside [sample]"]),
     ("title", "job = \"outcome\"\ntitle", &["map.toml:11: map", "says nothing where job"]),

@@ -74,7 +74,7 @@ const SWEEPS: [(&str, &str, &str); 12] = [
 
 /// Keys behind those of the scene.
 #[rustfmt::skip]
-const SCENES: [(&str, &str); 15] = [
+const SCENES: [(&str, &str); 16] = [
     ("pitch_deg = 1\ntip_deg = 3\ntip_azimuth_deg = 0", "sweep.toml:8: scene.pitch_deg = 1: expected either pitch_deg, yaw_deg, roll_deg or tip_deg, tip_azimuth_deg, nominal_roll_deg, not both"),
     ("vertical_velocity_mps = 3", "sweep.toml:8: scene.vertical_velocity_mps = 3: expected one spelling of a quantity, but line 4 says vertical_velocity_fps"),
     (r#"gravity = "venus""#, r#"sweep.toml:8: scene.gravity = "venus": expected "moon", "mars", "earth" or "ceres", or a number as gravity_fps2 or gravity_mps2"#),
@@ -88,6 +88,7 @@ const SCENES: [(&str, &str); 15] = [
     ("thrust = { time_s = [0], force_lb = [3], offset_x_ft = 1001 }", "sweep.toml:8: scene.thrust.offset_x_ft = 1001: expected -1000 ≤ value ≤ 1000"),
     ("thrust = { time_s = [0], force_lb = [3], scale = -1 }", "sweep.toml:8: scene.thrust.scale = -1: expected 0 ≤ value ≤ 1e9"),
     ("[[scene.footing]]\n[[scene.footing]]\n[[scene.footing]]\n[[scene.footing]]\nheight_ft = 1", "sweep.toml:12: scene.footing[4].height_ft = 1: expected the number of a leg: the vehicle has 3"),
+    ("footing = [{}, {}, {}, {}, {}, {}, {}, {}, {}]", "sweep.toml:8: scene.footing = [{}, {}, {}, {}, {}, {}, {}, {}, {}]: 9 tables: expected at most one for each leg"),
     ("[[scene.footing]]\nheight_ft = 1001", "sweep.toml:9: scene.footing[1].height_ft = 1001: expected -1000 ≤ value ≤ 1000"),
     ("[[scene.footing]]\ntilt_along_deg = 61", "sweep.toml:9: scene.footing[1].tilt_along_deg = 61: expected -60 ≤ value ≤ 60"),
 ];

@@ -79,11 +79,12 @@ fn a_scene_file_without_cases_is_one_landing() {
 
 /// What a scene file says behind the scene, and what the message must contain.
 #[rustfmt::skip]
-const REFUSED: [(&str, &[&str]); 5] = [
+const REFUSED: [(&str, &[&str]); 6] = [
     ("[[case]]\n[[case]]\nslope_deg = 95\n", &["deck.toml:10: case 2: slope_deg = 95", "-90 < value < 90"]),
     ("[[case]]\nfrictoin = 1\n", &["deck.toml:9: case[1].frictoin = 1", "did you mean friction?"]),
     ("[[case]]\nvehicle.strut.preload_lb = -5\n", &["deck.toml:9: case 1: strut.preload_lb = -5"]),
     ("[[case]]\nsolver.method = \"euler\"\n", &["deck.toml:9: case[1].solver.method", "located"]),
+    ("[[case]]\nvehicle = \"surveyor.toml\"\nsolver.error_scale = 2\n", &["deck.toml:10: case 1: solver.error_scale = 2"]),
     ("[[case]]\nname = \"../a\"\n", &["deck.toml:9: case[1].name", "letters, digits"]),
 ];
 
