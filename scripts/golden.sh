@@ -3,4 +3,6 @@
 # rows, and by how much at most. Commit the result where a change of the model explains it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-TOUCHDOWN_RENEW_GOLDEN=1 cargo test --quiet --release -p touchdown --test suite -- the_corpus_gives --nocapture
+for test in the_corpus_gives pictures_of_the_corpus; do
+    TOUCHDOWN_RENEW_GOLDEN=1 cargo test --quiet --release -p touchdown --test suite -- "$test" --nocapture
+done

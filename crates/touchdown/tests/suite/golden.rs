@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::common::Bench;
 
 /// Set to renew what is expected.
-const RENEW: &str = "TOUCHDOWN_RENEW_GOLDEN";
+pub const RENEW: &str = "TOUCHDOWN_RENEW_GOLDEN";
 
 /// What is run in the folder of the input, by the name of the folder of its results; `OUT` stands for that folder.
 const RUNS: [(&str, &[&str]); 16] = [
@@ -91,7 +91,7 @@ const RUNS: [(&str, &[&str]); 16] = [
     ),
 ];
 
-fn golden() -> PathBuf {
+pub fn golden() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden")
 }
 

@@ -18,6 +18,7 @@ mod maps;
 mod nothing_silent;
 mod output_columns;
 mod output_in_si;
+mod pictures;
 mod plots;
 mod promised_refusals;
 mod runs;
