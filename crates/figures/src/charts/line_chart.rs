@@ -238,6 +238,27 @@ mod tests {
         let mut chart = chart();
         chart.panels[1].curves[0].remarks = vec!["first".to_owned(), "second".to_owned()];
         let svg = draw(&chart).unwrap();
-        assert!(svg.contains(">first</text>") && svg.contains(">second</text>"));
+        let lines = |end: &str| {
+            svg.lines()
+                .filter(|line| line.contains(end))
+                .collect::<Vec<_>>()
+        };
+        let number = |line: &str, key: &str| -> f64 {
+            let rest = line.split(key).nth(1).unwrap();
+            rest.split('"').next().unwrap().parse().unwrap()
+        };
+        let [lowest, highest] = lines("<circle")[..] else {
+            panic!("two points");
+        };
+        // Below the point, and above that on the axis.
+        let below = |text: &str, point: &str| {
+            let [text] = lines(text)[..] else {
+                panic!("one remark");
+            };
+            assert_eq!(number(text, " x=\""), number(point, "cx=\""));
+            number(text, " y=\"") - number(point, "cy=\"")
+        };
+        assert!(below(">first</text>", lowest) < 0.0);
+        assert!(below(">second</text>", highest) > 0.0);
     }
 }

@@ -84,3 +84,23 @@ fn every_point_with_a_transition_is_seen_and_every_mark_explained() {
     let none = grid(3, |_, _| None);
     assert!(!drawn(&none).contains("lowest"));
 }
+
+#[test]
+fn labels_stand_within_the_map() {
+    let area = Area {
+        left: 0.0,
+        top: 0.0,
+        right: 400.0,
+        bottom: 400.0,
+    };
+    let is_labelled = |line: &dyn Fn(f64) -> Point| {
+        let line = (0..=40).map(|step| line(10.0 * f64::from(step))).collect();
+        let mut canvas = Canvas::new((400.0, 400.0));
+        draw_lines(&mut canvas, &area, &[], [(12.5, vec![line])].into_iter());
+        canvas.into_svg().contains(">12.5</text>")
+    };
+    for (across, expected) in [(2.0, false), (200.0, true), (398.0, false)] {
+        assert_eq!(is_labelled(&|along| (across, along)), expected);
+        assert_eq!(is_labelled(&|along| (along, across)), expected);
+    }
+}

@@ -126,6 +126,21 @@ mod tests {
     use crate::surface::tests::{example, grid};
 
     #[test]
+    fn no_level_is_that_of_an_end_however_crowded_it_is() {
+        for turn in [0.0, 11.0] {
+            let crowd = (0..200).map(|index| 10.0 + 0.0025 * f64::from(index));
+            let heights = (0..=21).map(|index| 0.5 * f64::from(index)).chain(crowd);
+            let heights: Vec<f64> = heights.map(|height| (turn - height).abs()).collect();
+            let ends = heights.iter().copied();
+            let ends = ends.clone().reduce(f64::min).zip(ends.reduce(f64::max));
+            let (least, greatest) = ends.unwrap();
+            let levels = Levels::through(&heights);
+            let is_inside = |level: &f64| least < *level && *level < greatest;
+            assert!(levels.values().iter().all(is_inside), "{levels:?}");
+        }
+    }
+
+    #[test]
     fn levels_are_round_lie_between_the_ends_and_are_closer_where_the_points_are() {
         assert_eq!(
             Levels::of(&example()).values(),

@@ -171,3 +171,12 @@ fn patchy_transitions_are_marked() {
     let map = MapTable::parse(TRIANGLE, None, Some(&table), None);
     assert_eq!(map.unwrap().patchy, [[130.0, 10.0]]);
 }
+
+#[test]
+fn a_jump_grows_with_the_heights() {
+    let jump = |step: f64| grid(20, |row, column| Some(step * (row + column) as f64)).jump;
+    for step in [0.001, 0.01, 0.1] {
+        let ratio = jump(10.0 * step) / jump(step);
+        assert!((ratio - 10.0).abs() < 1e-9, "{step}: {ratio}");
+    }
+}

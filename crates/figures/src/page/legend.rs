@@ -186,6 +186,47 @@ pub(crate) fn draw(canvas: &mut Canvas, rows: &[&[Entry]], middle: f64, top: f64
 mod tests {
     use super::*;
 
+    /// Numbers of the picture of a mark at a place.
+    fn numbers(mark: Mark, place: Point) -> Vec<f64> {
+        let mut canvas = Canvas::new((500.0, 500.0));
+        draw_mark(&mut canvas, mark, place, 5.0);
+        let svg = canvas.into_svg();
+        let parts = svg.split(|c: char| !(c.is_ascii_digit() || "-.".contains(c)));
+        parts.filter_map(|part| part.parse().ok()).collect()
+    }
+
+    #[test]
+    fn a_mark_looks_the_same_wherever_it_stands() {
+        let of_kinds = [
+            Kind::Unstable,
+            Kind::Bottomed,
+            Kind::Failure,
+            Kind::Undecided,
+        ];
+        let of_kinds = of_kinds.map(|kind| [Mark::Transition(kind), Mark::AtOrBelow(kind)]);
+        let others = [
+            Mark::NoTransition,
+            Mark::Lowest,
+            Mark::Jump,
+            Mark::Ring(WHITE),
+            Mark::Lone(WHITE),
+            Mark::Interval,
+            Mark::Line(stripe()),
+            Mark::Area(stripe()),
+            Mark::Patchy,
+            Mark::Hatched,
+        ];
+        for mark in of_kinds.into_iter().flatten().chain(others) {
+            let (here, there) = (numbers(mark, (100.0, 200.0)), numbers(mark, (130.0, 240.0)));
+            assert_eq!(here.len(), there.len());
+            let moved: Vec<f64> = here.iter().zip(&there).map(|(a, b)| b - a).collect();
+            let is_of = |way: f64| move |moved: &f64| (moved - way).abs() < 1e-6;
+            let is_any = |moved: &f64| [0.0, 30.0, 40.0].iter().any(|way| is_of(*way)(moved));
+            assert!(moved.iter().all(is_any), "{mark:?}: {moved:?}");
+            assert!(moved.iter().any(is_of(30.0)) && moved.iter().any(is_of(40.0)));
+        }
+    }
+
     #[test]
     fn entries_that_do_not_fit_go_to_the_next_row() {
         let entry = |text: &str| (Mark::Lowest, text.to_owned());
