@@ -1,13 +1,15 @@
 //! Pictures that were drawn before are drawn again, bit by bit.
 //!
-//! Those of `results` stand beside their tables; of those of the corpus `tests/golden/pictures.csv` has checksums. A change of
-//! drawings changes them: look at the pictures, draw `results` anew with `touchdown plot`, and renew the checksums with
+//! Those of `results` stand beside their tables; of those of the corpus `tests/golden/pictures.csv` has fingerprints. A change of
+//! drawings changes them: look at the pictures, draw `results` anew with `touchdown plot`, and renew the fingerprints with
 //! `scripts/golden.sh`.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use touchdown_sweep::fingerprint::fingerprint;
 
 use crate::common::Bench;
 use crate::golden::{RENEW, golden};
@@ -74,22 +76,14 @@ fn committed_pictures_are_drawn_again_from_their_tables() {
     assert_eq!(compared, 28);
 }
 
-/// A checksum of a text (FNV-1a).
-fn checksum(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
-        (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
-}
-
 #[test]
 fn pictures_of_the_corpus_are_drawn_as_they_were() {
     let tables = golden().join("expected");
-    let mut found = "picture,length,checksum\n".to_owned();
+    let mut found = "picture,fingerprint\n".to_owned();
     for table in files(&tables).iter().filter(|path| ends_with(path, ".csv")) {
         let name = table.strip_prefix(&tables).unwrap().with_extension("");
         for (end, svg) in drawn(table) {
-            let (length, sum) = (svg.len(), checksum(&svg));
-            writeln!(found, "{}{end},{length},{sum:016x}", name.display()).unwrap();
+            writeln!(found, "{}{end},{}", name.display(), fingerprint(&svg)).unwrap();
         }
     }
     let place = golden().join("pictures.csv");
