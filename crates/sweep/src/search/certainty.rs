@@ -13,10 +13,11 @@
 //! by more than a bracket, and 54 of the 174 others.
 
 use serde::{Deserialize, Serialize};
+use touchdown_dynamics::quantities::TOLERANCE;
 
 use crate::landings_on_request::{Land, Stopped};
 use crate::trial::{LEAST_JUMP, Sample};
-use crate::variation::{TOLERANCES, Variation};
+use crate::variation::Variation;
 
 /// Transitions that are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -74,7 +75,7 @@ const TILT: f64 = 1e-6;
 /// The variation that tests a landing computed at a solver tolerance.
 fn testing(tolerance: f64) -> Variation {
     Variation::At {
-        tolerance: (TIGHTER * tolerance).max(TOLERANCES[0]),
+        tolerance: (TIGHTER * tolerance).max(TOLERANCE.range.lower),
         tilt: TILT,
     }
 }

@@ -1,7 +1,7 @@
 //! Landings that a search asks for.
 //!
-//! Whoever starts a search says how to land; the search knows neither how nor what may stop it. So it is compiled once, whatever it
-//! is given. A landing takes a thousand times as long as the box that it comes in.
+//! A search is given a function that lands. It knows neither the type of that function nor that of its errors, so it is compiled
+//! once. A landing takes a thousand times as long as the box that it comes in.
 
 use std::cell::RefCell;
 
@@ -10,9 +10,9 @@ use futures::future::LocalBoxFuture;
 use crate::trial::{Sample, Trial};
 use crate::variation::Variation;
 
-/// A landing could not be computed; [`FirstError`] keeps the reason.
+/// A landing could not be computed. Only [`FirstError::keep`], which keeps the reason, makes one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Stopped;
+pub(crate) struct Stopped(());
 
 /// Lands at a horizontal speed (ft/s), with a variation.
 pub(crate) type Land<'a> =
@@ -51,7 +51,7 @@ impl<E> FirstError<E> {
     pub(crate) fn keep<T>(&self, landed: Result<T, E>) -> Result<T, Stopped> {
         landed.map_err(|error| {
             self.0.borrow_mut().get_or_insert(error);
-            Stopped
+            Stopped(())
         })
     }
 
@@ -61,9 +61,9 @@ impl<E> FirstError<E> {
     /// The first error of a landing.
     ///
     /// # Panics
-    /// If the search stopped although no landing did.
+    /// Never for a search of these landings: nothing else stops it.
     pub(crate) fn result<T>(self, searched: Result<T, Stopped>) -> Result<T, E> {
-        searched.map_err(|Stopped| {
+        searched.map_err(|Stopped(())| {
             (self.0.into_inner()).expect("a search stops with the error of a landing")
         })
     }

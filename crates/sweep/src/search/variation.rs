@@ -2,10 +2,8 @@
 
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::quantities::TOLERANCE;
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
-
-/// Range of solver tolerances.
-pub(crate) const TOLERANCES: [f64; 2] = [1e-12, 1e-2];
 
 /// A change in how a landing is computed, for a scan or a test.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,6 +67,6 @@ fn tilted(conditions: Conditions, degrees: f64) -> Conditions {
 
 /// Settings with their tolerance multiplied by a factor.
 fn at_tolerance(settings: Settings, factor: f64) -> Result<Settings, Invalid> {
-    let [least, greatest] = TOLERANCES;
-    settings.with_tolerance((settings.tolerance() * factor).clamp(least, greatest))
+    let tolerance = settings.tolerance() * factor;
+    settings.with_tolerance(tolerance.clamp(TOLERANCE.range.lower, TOLERANCE.range.upper))
 }

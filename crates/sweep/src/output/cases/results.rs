@@ -46,7 +46,7 @@ pub fn table<'r>(
     }
 }
 
-/// The same table as CSV, for any file.
+/// Writes the table as CSV, whatever its file is called.
 ///
 /// # Errors
 /// Only out of memory.
