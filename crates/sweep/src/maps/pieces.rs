@@ -192,19 +192,35 @@ impl Around<'_> {
     }
 }
 
-/// The piece between two edges close to each other, and the single edge made of both.
+/// The pieces on either side of two edges close to each other, and the single edge made of both. The outer piece is the
+/// strip between the edge and the places outside it, where the rest of the ring begins.
 fn cut_off(arc: Vec<Known>, [from, to]: [Crossing; 2]) -> (Vec<Piece>, Vec<Cut>) {
-    let corner = |[outer, inner]: Crossing| {
-        let at = middle(position(outer.0), position(inner.0));
-        let speed = inner.1.speed?;
+    let on_edge = |crossing: Crossing, side: usize| {
+        let at = middle(position(crossing[0].0), position(crossing[1].0));
+        let speed = crossing[side].1.speed?;
         Some(Corner { at, speed })
     };
-    let piece = corners(&arc).and_then(|mut ring| {
-        ring.extend([corner(to)?, corner(from)?]);
-        Some(Piece::new(ring, None))
-    });
-    let crossings = vec![from, to];
-    (piece.into_iter().collect(), vec![Cut { crossings }])
+    let inner = || {
+        let mut ring = corners(&arc)?;
+        ring.extend([on_edge(to, 1)?, on_edge(from, 1)?]);
+        Some(ring)
+    };
+    let outer = || {
+        Some(vec![
+            corner(from[0])?,
+            on_edge(from, 0)?,
+            on_edge(to, 0)?,
+            corner(to[0])?,
+        ])
+    };
+    let rings = [inner(), outer()].into_iter().flatten();
+    let pieces = rings.map(|ring| Piece::new(ring, None)).collect();
+    (
+        pieces,
+        vec![Cut {
+            crossings: vec![from, to],
+        }],
+    )
 }
 
 /// The two consecutive edges on a ring that are closest to each other.
@@ -282,13 +298,15 @@ mod tests {
                 bend: None,
             };
             let (pieces, cuts) = around.pieces(0.2);
-            assert_eq!((pieces.len(), cuts.len()), (3, 2));
+            assert_eq!((pieces.len(), cuts.len()), (4, 2));
             let corners: Vec<f64> = (pieces.iter())
                 .filter(|piece| piece.ring.iter().all(|corner| corner.speed == 20.0))
                 .map(Piece::area)
                 .collect();
             // Half of the steps from the edges to the corner, 4.5 by 2.5.
             assert_eq!(corners, [0.5 * 4.5 * 2.5; 2]);
+            let whole: f64 = pieces.iter().map(Piece::area).sum();
+            assert_eq!(whole, 64.0, "the pieces cover the cell");
         }
     }
 }
