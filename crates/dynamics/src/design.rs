@@ -8,3 +8,4 @@ pub mod profile;
 pub mod quantities;
 pub mod quantity;
 pub mod rules;
+pub mod soil;

@@ -21,6 +21,7 @@ use crate::methods::{Evaluator, ForceModel, RungeKutta, Start, Stepper};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
 use crate::scene::{Conditions, CrushRule, Scene, Settings};
+use crate::soil::Soil;
 use crate::thrust::Thrust;
 use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
@@ -258,6 +259,7 @@ impl<'a> Search<'a> {
             slope: atan(tangent.norm()),
             pad_friction: approach.friction,
             block_friction: approach.friction,
+            soil: Soil::Rock,
             ground: Ground::default(),
             gravity: None,
             thrust: Thrust::default(),

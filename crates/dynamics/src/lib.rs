@@ -132,7 +132,7 @@
 //! | `equations` | kinematics and equations of motion | [`state`], [`kinematics`], [`motion`], [`response`] |
 //! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], `settings`, [`method`], [`error_control`] |
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], `signal`, [`outcome`] |
-//! | `design` | plain data of a lander | [`parts`], [`quantities`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`invalid`] |
+//! | `design` | plain data of a lander | [`parts`], [`quantities`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`soil`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
 //! | `numbers` | scalars, lanes, registers, one item per leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], `products` |
 
@@ -153,7 +153,9 @@ pub mod landing;
 pub mod methods;
 pub mod model_version;
 
-pub use design::{attitude, crush_load, invalid, parts, profile, quantities, quantity, rules};
+pub use design::{
+    attitude, crush_load, invalid, parts, profile, quantities, quantity, rules, soil,
+};
 pub use equations::{kinematics, motion, response, state};
 pub use lander::{error_control, ground, method, scene, thrust, vehicle};
 use landing::critical_feet;

@@ -8,6 +8,7 @@ use touchdown_dynamics::ground::Ground;
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::soil::Soil;
 use touchdown_dynamics::thrust::Thrust;
 use touchdown_dynamics::vehicle::{
     Footpad, Honeycomb, Inertia, Leg, LegDesign, Linkage, Strut, StrutElement, Vehicle,
@@ -83,6 +84,7 @@ pub fn downhill(horizontal_velocity: f64) -> Result<Scene, Invalid> {
         slope: 10f64.to_radians(),
         pad_friction: 0.8,
         block_friction: 0.8,
+        soil: Soil::Rock,
         ground: Ground::default(),
         gravity: None,
         thrust: Thrust::default(),

@@ -82,20 +82,7 @@ impl Profile {
 
     /// The segments from left to right.
     pub fn segments(&self) -> Vec<Segment> {
-        let last = self.knots.len() - 2;
-        self.knots
-            .windows(2)
-            .enumerate()
-            .map(|(index, pair)| {
-                let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
-                let slope = (y1 - y0) / (x1 - x0);
-                Segment {
-                    offset: y0 - slope * x0,
-                    slope,
-                    upper: if index == last { f64::INFINITY } else { x1 },
-                }
-            })
-            .collect()
+        lines(&self.knots)
     }
 
     /// The segment that holds just above `x`.
@@ -107,4 +94,22 @@ impl Profile {
             .unwrap_or(segments.len() - 1);
         segments[index]
     }
+}
+
+/// The lines through two or more knots, `[x, y]` each, from left to right.
+pub(crate) fn lines(knots: &[[f64; 2]]) -> Vec<Segment> {
+    let last = knots.len() - 2;
+    knots
+        .windows(2)
+        .enumerate()
+        .map(|(index, pair)| {
+            let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+            let slope = (y1 - y0) / (x1 - x0);
+            Segment {
+                offset: y0 - slope * x0,
+                slope,
+                upper: if index == last { f64::INFINITY } else { x1 },
+            }
+        })
+        .collect()
 }

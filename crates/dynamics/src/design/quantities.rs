@@ -276,6 +276,25 @@ quantities! {
     THRUST_OFFSET_Y = new("offset_y_ft", OFF_CENTRE, "the same along y").default(0.0).usually(Between(-1.0, 1.0));
 }
 
+quantities! {
+    /// Numbers of the soil; rock without them.
+    SOIL:
+    BEARING_STRENGTH = new(
+        "bearing_strength_psf", POSITIVE, "pressure σ₀ under which a plate sinks by `bearing_depth_ft`")
+        .usually(Times(0.25, 4.0));
+    BEARING_DEPTH = new(
+        "bearing_depth_ft", Range::closed(1e-4, 100.0), "sinkage z₀ of a plate under that pressure");
+    BEARING_EXPONENT = new(
+        "bearing_exponent", Range::closed(0.5, 2.0), "exponent n of the pressure σ₀ (z/z₀)ⁿ at other sinkages z")
+        .default(1.0)
+        .usually(Between(0.5, 2.0));
+    REBOUND = new(
+        "rebound", Range::closed(1e-4, 1.0),
+        "part of z₀ by which a plate rises when it is unloaded from σ₀: 0 would be no elasticity, 1 no set")
+        .also("no sinking steeper than unloading")
+        .usually(Between(0.001, 0.1));
+}
+
 const HEIGHT: Range = Range::closed(-1000.0, 1000.0);
 const TILT: Range = Range::closed(-60.0, 60.0);
 const TILTS: Usual = Between(-30.0, 30.0);

@@ -12,6 +12,7 @@ use crate::quantities::{
     ANGULAR_VELOCITY_X, ANGULAR_VELOCITY_Y, ANGULAR_VELOCITY_Z, BLOCK_FRICTION, CROSS_SLOPE,
     GRAVITY, HORIZONTAL_VELOCITY, PAD_FRICTION, SLOPE, VERTICAL_VELOCITY,
 };
+use crate::soil::Soil;
 
 /// Touchdown conditions as an input gives them; foot, second, radian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +33,8 @@ pub struct Conditions {
     pub pad_friction: f64,
     /// Nominal friction coefficient μ0 under the body blocks.
     pub block_friction: f64,
+    /// What the ground is made of.
+    pub soil: Soil,
     /// The ground under each leg, if it is not the surface.
     pub ground: Ground,
     /// Acceleration of gravity, ft/s², if not that of the vehicle's file.

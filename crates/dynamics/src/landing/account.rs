@@ -42,9 +42,10 @@ impl Trajectory<'_> {
             .unwrap_or_else(|_| monitor.observe(&self.motion, state));
         let signals = self.motion.signals(state, &self.pieces, false);
         let loads = self.motion.loads(state, &self.pieces);
-        let feet = PerLeg::from_fn(self.leg_count(), |j| Foot {
-            pad_angle: self.modes[j].pad_angle(&self.laws[j], state.leg(j).pad_turn),
-            sets: self.modes[j].sets(&self.laws[j], signals.leg(j)),
+        let feet = PerLeg::from_fn(self.leg_count(), |j| {
+            let (mode, laws) = (&self.modes[j], &self.laws[j]);
+            let pad_angle = mode.pad_angle(laws, state.leg(j).pad_turn);
+            Foot::new(laws, pad_angle, &mode.sets(laws, signals.leg(j)))
         });
         let has_thrust = !self.scene.conditions().thrust.is_none();
         let energies = EnergiesAt {
@@ -57,8 +58,8 @@ impl Trajectory<'_> {
 
     pub(super) fn result(&self, outcome: Outcome) -> Landing {
         let signals = (self.motion).signals(&self.step.before, &self.pieces, false);
-        let pad_crush = PerLeg::from_fn(self.leg_count(), |j| {
-            self.modes[j].pad_crush(&self.laws[j], signals.leg(j))
+        let pads = PerLeg::from_fn(self.leg_count(), |j| {
+            self.modes[j].pad_depths(&self.laws[j], signals.leg(j))
         });
         Landing {
             outcome,
@@ -86,8 +87,9 @@ impl Trajectory<'_> {
             max_stroke_table_share: PerLeg::from_fn(self.leg_count(), |j| {
                 self.peaks.stroke[j] / self.laws[j].table_end()
             }),
-            max_pad_crush: pad_crush.map(|[crush, _]| crush),
-            max_pad_crush_share: pad_crush.map(|[crush, height]| crush / height),
+            max_pad_crush: pads.map(|pad| pad.crush),
+            max_pad_crush_share: pads.map(|pad| pad.crush / pad.height),
+            max_sinkage: pads.map(|pad| pad.sinkage),
             final_rates: final_rates(
                 self.monitor.clone(),
                 &self.motion,

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::attitude::Attitude;
-use crate::contact::Sets;
+use crate::contact::{LegLaws, Sets};
 use crate::motion::{LegLoads, Signal, Signals};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
@@ -161,11 +161,13 @@ pub struct Landing {
     /// That stroke as a share of the one at which the crush table of a cartridge ends: more than 1 means beyond it. Zero
     /// for other struts, and where the table reaches the stroke at which the strut bottoms.
     pub max_stroke_table_share: PerLeg<f64>,
-    /// Greatest interference at which either section of each footpad was crushed, ft; for a pad on its edge that of the
-    /// edge, if its share is greater.
+    /// Greatest crush of either section of each footpad, ft; for a pad on its edge that of the edge, if its share is
+    /// greater.
     pub max_pad_crush: PerLeg<f64>,
     /// That crush as a share of the height up to the hinge: more than 1 means beyond it.
     pub max_pad_crush_share: PerLeg<f64>,
+    /// Greatest sinkage of either section of each footpad into soil, ft: 0 on rock.
+    pub max_sinkage: PerLeg<f64>,
     /// Rates at the end.
     pub final_rates: FinalRates,
     /// First contact of each footpad, s.
@@ -264,6 +266,7 @@ impl Instant {
                     block_normal: loads[j].block_normal,
                     block_friction: loads[j].block_friction,
                     pad_sets: sets.pad,
+                    pad_sinkages: feet[j].sinkages,
                     block_set: sets.block,
                     work: LegWork::from_state(leg.work),
                 }
@@ -277,8 +280,22 @@ impl Instant {
 pub(crate) struct Foot {
     /// Footpad angle α, rad.
     pub(crate) pad_angle: f64,
-    /// Plastic sets of its elements.
+    /// Plastic sets of its elements, without those of the soil.
     pub(crate) sets: Sets,
+    /// Greatest sinkages of its outboard and inboard pad sections so far, ft, on soil.
+    pub(crate) sinkages: Option<[f64; 2]>,
+}
+
+impl Foot {
+    /// The foot of a leg with these laws, its pad at this angle (rad), with these sets of elements and soil together.
+    pub(crate) fn new(laws: &LegLaws, pad_angle: f64, sets: &Sets) -> Self {
+        let (sets, sinkages) = laws.without_soil(sets);
+        Self {
+            pad_angle,
+            sets,
+            sinkages,
+        }
+    }
 }
 
 /// One leg at one instant.
@@ -306,6 +323,8 @@ pub struct LegInstant {
     pub block_friction: f64,
     /// Plastic sets of the outboard and inboard pad sections, ft.
     pub pad_sets: [f64; 2],
+    /// Greatest sinkage of the outboard and inboard pad sections so far, ft, in scenes on soil.
+    pub pad_sinkages: Option<[f64; 2]>,
     /// Plastic set of the block, ft.
     pub block_set: f64,
     /// Work done on this leg's elements since first contact.

@@ -114,6 +114,7 @@ impl<'o> Trajectory<'o> {
             .map(|leg| {
                 leg.laws()
                     .clone()
+                    .on_soil(&scene.conditions().soil, leg.design())
                     .with_crush_rule(rules.crush)
                     .with_contact_rule(rules.contact)
                     .with_friction(settings.friction_profile())

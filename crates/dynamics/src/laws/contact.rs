@@ -19,7 +19,7 @@ use crate::signal::{LegSignals, Signal};
 use crate::strut::{GentleKinks, Stance};
 
 pub use choice::Choice;
-pub use leg_laws::LegLaws;
+pub use leg_laws::{LegLaws, PadDepths};
 
 /// Cosine below which the inclination of a pad is held in its interference.
 const LEAST_INCLINATION: f64 = 0.1;

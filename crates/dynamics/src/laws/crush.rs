@@ -2,7 +2,9 @@
 //!
 //! An element's pressure profile p(I) is its crushing front. Unloading and reloading run along the elastic line
 //! E (I − P), with E the slope of the first segment and P the plastic set. Between events an element is on one straight
-//! line of pressure against interference.
+//! line of pressure against interference. On soil, the front is that of element and soil in series ([`on_soil`]).
+
+mod on_soil;
 
 use std::sync::Arc;
 
@@ -11,6 +13,8 @@ use crate::lanes::per_lane;
 use crate::parts::{Honeycomb, PadEdge};
 use crate::profile::{Profile, Segment};
 use crate::scalar::Real;
+
+pub(crate) use on_soil::elastic_slope;
 
 /// A straight line of relative pressure against interference (ft).
 #[derive(Debug, Clone, Copy)]
@@ -55,6 +59,10 @@ pub struct CrushLaw {
     elastic_slope: f64,
     segments: Arc<[Segment]>,
     pressure_threshold: f64,
+    /// Part of the interference that is sinkage, segment by segment; empty on rock.
+    sinkage: Arc<[Segment]>,
+    /// Elastic sinkage per relative pressure, ft.
+    compliance: f64,
 }
 
 /// Elastic interference I − P above which elements count as in contact, ft.
@@ -94,6 +102,8 @@ impl CrushLaw {
             elastic_slope: segments.first().map_or(0.0, |elastic| elastic.slope),
             segments: segments.into(),
             pressure_threshold,
+            sinkage: Arc::default(),
+            compliance: 0.0,
         }
     }
 
@@ -249,11 +259,16 @@ impl Crush {
                 onset_segment: 0,
             };
         }
+        // Soil yields from the first pressure on.
+        let (onset, onset_segment) = match law.segments[0].slope < law.elastic_slope {
+            true => (0.0, 0),
+            false => (law.segments[0].upper, 1.min(law.segments.len() - 1)),
+        };
         Self {
             stage: Stage::Clear,
             set: 0.0,
-            onset: law.segments[0].upper,
-            onset_segment: 1.min(law.segments.len() - 1),
+            onset,
+            onset_segment,
         }
     }
 

@@ -6,7 +6,7 @@ use crate::landing::final_rates;
 use crate::motion::{Pieces, Signal};
 use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
-use crate::record::{Energies, EnergiesAt, Foot, Instant, Landing, LegWork};
+use crate::record::{Energies, EnergiesAt, Instant, Landing, LegWork};
 use crate::rules::Rules;
 use crate::scene::{Scene, Settings};
 use crate::stability::StabilityMonitor;
@@ -114,7 +114,7 @@ impl<'a> Flight<'a> {
             before = Some((start, taken.length));
         };
         let least = extremes.angle;
-        let pad_crush = self.model.pad_crush(&evaluator.memory);
+        let pads = self.model.pad_depths(&evaluator.memory);
         Landing {
             beyond: None,
             outcome,
@@ -131,8 +131,9 @@ impl<'a> Flight<'a> {
             max_stroke_table_share: PerLeg::from_fn(state.leg_count(), |j| {
                 extremes.stroke[j] / self.model.table_end(j)
             }),
-            max_pad_crush: pad_crush.map(|[crush, _]| crush),
-            max_pad_crush_share: pad_crush.map(|[crush, height]| crush / height),
+            max_pad_crush: pads.map(|pad| pad.crush),
+            max_pad_crush_share: pads.map(|pad| pad.crush / pad.height),
+            max_sinkage: pads.map(|pad| pad.sinkage),
             final_rates: final_rates(
                 self.fresh,
                 self.model.motion(),
@@ -235,10 +236,7 @@ impl<'a> Flight<'a> {
             potential_change: released(self.model.motion(), &self.first, state),
             thrust_work: None,
         };
-        let feet = PerLeg::from_fn(state.leg_count(), |j| Foot {
-            pad_angle: state.leg(j).pad_turn,
-            sets: kept[j],
-        });
+        let feet = self.model.feet(state, &kept);
         let instant = Instant::new(time, state, &seen, energies, &look.signals, &loads, feet);
         (self.observe)(&instant);
         self.last_report = time;

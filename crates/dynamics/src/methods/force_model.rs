@@ -3,10 +3,11 @@
 //!
 //! This is the only place where these methods touch laws and motion.
 
-use crate::contact::{self, Choice, LegLaws, LegMode};
+use crate::contact::{self, Choice, LegLaws, LegMode, PadDepths};
 use crate::motion::{LegLoads, LegPieces, Motion, Pieces, Signal, Signals};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
+use crate::record::Foot;
 use crate::scene::{Scene, Settings};
 use crate::state::State;
 use crate::vehicle::Vehicle;
@@ -48,6 +49,7 @@ impl ForceModel {
             .map(|leg| {
                 leg.laws()
                     .clone()
+                    .on_soil(&scene.conditions().soil, leg.design())
                     .with_crush_rule(settings.rules(vehicle).crush)
                     .with_friction(settings.friction_profile())
             })
@@ -78,10 +80,16 @@ impl ForceModel {
         &self.motion
     }
 
-    /// Greatest interference to which a section of each pad with these sets was crushed, ft, and that with its hinge on
-    /// the ground.
-    pub fn pad_crush(&self, sets: &Sets) -> PerLeg<[f64; 2]> {
-        PerLeg::from_fn(self.laws.len(), |j| self.laws[j].pad_crush(&sets[j]))
+    /// Greatest crush and sinkage of each pad with these sets.
+    pub fn pad_depths(&self, sets: &Sets) -> PerLeg<PadDepths> {
+        PerLeg::from_fn(self.laws.len(), |j| self.laws[j].pad_depths(&sets[j]))
+    }
+
+    /// The feet at a state with these sets.
+    pub(super) fn feet(&self, state: &State<f64>, sets: &Sets) -> PerLeg<Foot> {
+        PerLeg::from_fn(self.laws.len(), |j| {
+            Foot::new(&self.laws[j], state.leg(j).pad_turn, &sets[j])
+        })
     }
 
     /// Chooses the pieces at a state and evaluates. The sets grow by the laws.

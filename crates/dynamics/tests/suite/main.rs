@@ -29,6 +29,7 @@ mod response;
 mod rest;
 mod rigid_polygon;
 mod sample_run;
+mod soil;
 mod symmetry;
 mod table_4_3;
 mod thrust;

@@ -7,7 +7,7 @@ import { NumberSlider } from "./slider.js";
 
 /** Groups in the order of the page. @type {[string, string][]} */
 const GROUPS = [
-  ["touchdown", "Touchdown"], ["attitude", "Attitude"], ["ground", "Ground"], ["thrust", "Thrust"], ["body", "Body"],
+  ["touchdown", "Touchdown"], ["attitude", "Attitude"], ["ground", "Ground"], ["soil", "Soil"], ["thrust", "Thrust"], ["body", "Body"],
   ["inertia", "Inertia"], ["linkage", "Linkage"], ["strut", "Strut"], ["footpad", "Footpad"], ["block", "Body block"],
   ["azimuth", "Azimuths of the legs"], ["footing", "Ground under each leg"], ["solver", "Solver"],
 ];

@@ -126,6 +126,11 @@ fn of_scene(touchdown: &Touchdown, parameter: &Parameter) -> Option<(f64, bool)>
             .filter(|_| has_thrust)
             .map(|value| (value, false));
     }
+    if name.starts_with("soil.") {
+        let has_soil = resolved.iter().any(|(known, _)| known.starts_with("soil."));
+        let default = quantity.default_number().filter(|_| has_soil);
+        return default.map(|value| (value, false));
+    }
     if let Some(of_pad) = name
         .split_once("].block_")
         .map(|(leg, key)| format!("{leg}].{key}"))

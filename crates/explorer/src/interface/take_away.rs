@@ -130,7 +130,7 @@ fn given(touchdown: &Touchdown) -> Vec<(&'static str, f64)> {
 /// Entries of the table `[scene]`.
 fn scene_entries(touchdown: &Touchdown) -> Vec<Entry> {
     let mut entries = Vec::new();
-    let mut thrust = Vec::new();
+    let (mut thrust, mut soil) = (Vec::new(), Vec::new());
     let mut footing: Vec<Vec<Entry>> = Vec::new();
     let knots = touchdown.conditions.thrust_knots();
     if !knots.is_empty() {
@@ -146,6 +146,10 @@ fn scene_entries(touchdown: &Touchdown) -> Vec<Entry> {
             thrust.push(entry(key, number));
             continue;
         }
+        if let Some(key) = name.strip_prefix("soil.") {
+            soil.push(entry(key, number));
+            continue;
+        }
         let of_leg = name
             .strip_prefix("footing[")
             .and_then(|rest| rest.split_once("]."));
@@ -157,8 +161,10 @@ fn scene_entries(touchdown: &Touchdown) -> Vec<Entry> {
             None => entries.push(entry(name, number)),
         }
     }
-    if !thrust.is_empty() {
-        entries.push(entry("thrust", Value::Table(thrust)));
+    for (key, table) in [("thrust", thrust), ("soil", soil)] {
+        if !table.is_empty() {
+            entries.push(entry(key, Value::Table(table)));
+        }
     }
     if !footing.is_empty() {
         let tables = footing.into_iter().map(|leg| node(Value::Table(leg)));

@@ -91,6 +91,7 @@ pub mod tests {
             max_stroke_table_share: [0.0; 3].into(),
             max_pad_crush: [0.0; 3].into(),
             max_pad_crush_share: [0.0; 3].into(),
+            max_sinkage: [0.0; 3].into(),
             final_rates: FinalRates {
                 stability_angle: None,
                 strokes: [0.0; 3].into(),

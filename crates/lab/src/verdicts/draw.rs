@@ -129,6 +129,7 @@ impl Stock {
             slope: random.between(-15f64.to_radians(), 15f64.to_radians()),
             pad_friction: random.between(0.2, 1.5),
             block_friction: random.between(0.2, 1.5),
+            soil: touchdown_dynamics::soil::Soil::Rock,
             ground: uneven(&vehicle, ground, random)?,
             gravity: Some(gravity),
             thrust: thrust(vehicle.mass() * gravity, engine, random)?,

@@ -5,6 +5,7 @@
 
 mod attitude;
 mod footing;
+mod soil;
 mod thrust;
 
 use std::sync::LazyLock;
@@ -27,6 +28,7 @@ use crate::section::{LocatedValue, Section};
 
 use attitude::{EULER, TIP};
 pub(crate) use footing::{FOOTING, FOOTING_KEYS};
+pub(crate) use soil::{SOIL, SOIL_KEYS};
 pub(crate) use thrust::{THRUST, THRUST_KEYS};
 
 /// Alternative to the acceleration of gravity: the body on which the vehicle lands.
@@ -53,10 +55,10 @@ pub(crate) struct Condition {
 }
 
 /// Number of conditions that do not belong to a leg, and of all.
-const OF_ALL_LEGS: usize = CONDITIONS.len() + quantities::THRUST.len();
+const OF_ALL_LEGS: usize = CONDITIONS.len() + quantities::THRUST.len() + quantities::SOIL.len();
 const COUNT: usize = OF_ALL_LEGS + MOST_LEGS * quantities::FOOTING.len();
 
-/// All conditions: of the whole vehicle, of the thrust, of the ground under leg 1, under leg 2, ...
+/// All conditions: of the whole vehicle, of the thrust, of the soil, of the ground under leg 1, under leg 2, ...
 static ALL: LazyLock<Vec<Condition>> = LazyLock::new(|| {
     let of = |table: String, quantities: &'static [Quantity]| {
         quantities.iter().map(move |quantity| Condition {
@@ -68,6 +70,7 @@ static ALL: LazyLock<Vec<Condition>> = LazyLock::new(|| {
         (1..=MOST_LEGS).flat_map(|leg| of(format!("{FOOTING}[{leg}]"), quantities::FOOTING));
     of(String::new(), CONDITIONS)
         .chain(of(THRUST.to_owned(), quantities::THRUST))
+        .chain(of(SOIL.to_owned(), quantities::SOIL))
         .chain(of_legs)
         .collect()
 });
@@ -87,7 +90,7 @@ pub(crate) fn names(legs: usize) -> impl Iterator<Item = &'static str> {
 /// Keys of a table [scene].
 pub(crate) fn scene_keys() -> Vec<&'static str> {
     let keys = CONDITIONS.iter().map(|quantity| quantity.key);
-    keys.chain([GRAVITY, FOOTING, THRUST]).collect()
+    keys.chain([GRAVITY, SOIL, FOOTING, THRUST]).collect()
 }
 
 /// A table of named touchdown conditions; velocities in ft/s, lengths in ft, angles in deg, rates in deg/s.
@@ -111,7 +114,9 @@ impl Default for NamedConditions {
 pub(crate) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'d>> {
     let of_ground = || footing::find(scene, name);
     let of_thrust = || thrust::find(scene, name);
-    scene.optional(name).or_else(of_ground).or_else(of_thrust)
+    let of_soil = || soil::find(scene, name);
+    let of_tables = || of_ground().or_else(of_thrust).or_else(of_soil);
+    scene.optional(name).or_else(of_tables)
 }
 
 /// A missing or invalid condition.
@@ -168,6 +173,7 @@ impl NamedConditions {
             conditions.set(quantities::GRAVITY.key, gravity / METRES_PER_FOOT);
         }
         conditions.read_thrust(scene)?;
+        conditions.read_soil(scene)?;
         conditions.read_footing(scene)?;
         Ok(conditions)
     }
@@ -299,6 +305,7 @@ impl NamedConditions {
                 angle(&quantities::ANGULAR_VELOCITY_Y)?,
                 angle(&quantities::ANGULAR_VELOCITY_Z)?,
             ],
+            soil: self.soil()?,
             ground: self.ground()?,
             gravity: self.gravity()?,
             thrust: self.thrust()?,

@@ -21,7 +21,7 @@ use crate::sweep_file::Sweep;
 use crate::vehicle_file::VehicleFile;
 
 /// Version of the journals written by this program.
-const FORMAT: u32 = 8;
+const FORMAT: u32 = 9;
 
 /// A landing: vehicle, scene and settings.
 pub type Landed<'l> = (&'l Vehicle, &'l Scene, &'l Settings);

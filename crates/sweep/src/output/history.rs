@@ -149,7 +149,7 @@ pub const OF_BODY: [Column<Instant>; 18] = [
 ];
 
 /// Columns of each leg.
-pub const OF_LEG: [Column<LegInstant>; 19] = [
+pub const OF_LEG: [Column<LegInstant>; 20] = [
     Column::number(
         "gamma_#_deg",
         |leg| Some(leg.link_angle.to_degrees()),
@@ -207,6 +207,11 @@ pub const OF_LEG: [Column<LegInstant>; 19] = [
         "plastic set P of the inboard pad section",
     ),
     Column::number(
+        "pad_sinkage_#_ft",
+        |leg| leg.pad_sinkages.map(|[outer, inner]| outer.max(inner)),
+        "greatest sinkage of the footpad so far; only in scenes on soil",
+    ),
+    Column::number(
         "block_set_#_ft",
         |leg| Some(leg.block_set),
         "plastic set P of the block",
@@ -250,7 +255,11 @@ pub fn names(instant: &Instant) -> Vec<String> {
         .filter(|column| column.number_of(instant).is_some());
     let of_body = of_body.map(|column| column.name().to_owned());
     let legs = 1..=instant.legs.len();
-    let of_legs = legs.flat_map(|leg| OF_LEG.iter().map(move |column| column.name_of_leg(leg)));
+    let of_legs = instant.legs.iter().zip(legs).flat_map(|(leg, number)| {
+        let of_leg = OF_LEG.iter();
+        let of_leg = of_leg.filter(|column| column.number_of(leg).is_some());
+        of_leg.map(move |column| column.name_of_leg(number))
+    });
     of_body.chain(of_legs).collect()
 }
 
@@ -288,6 +297,7 @@ mod tests {
             block_normal: 0.0,
             block_friction: 0.0,
             pad_sets: [0.0625, 0.0],
+            pad_sinkages: None,
             block_set: 0.0,
             work: LegWork::default(),
         };

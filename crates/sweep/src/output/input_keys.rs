@@ -80,6 +80,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("sweep", &SWEEP),
         table("scene", &scene_input::scene_keys()).with(quantities::CONDITIONS),
         table("scene.thrust", &scene_input::THRUST_KEYS).with(quantities::THRUST),
+        table("scene.soil", &scene_input::SOIL_KEYS).with(quantities::SOIL),
         table("scene.footing", &scene_input::FOOTING_KEYS).with(quantities::FOOTING),
         table("axis", &axis_input::FORM),
         table("sample", &sample_input::SAMPLE),

@@ -6,7 +6,7 @@ use touchdown_dynamics::outcome::Outcome;
 use crate::column::Column;
 
 /// Columns of tables of landings.
-pub const COLUMNS: [Column<Landing>; 17] = [
+pub const COLUMNS: [Column<Landing>; 18] = [
     Column::word(
         "outcome",
         |landing| landing.outcome.to_string(),
@@ -58,6 +58,11 @@ pub const COLUMNS: [Column<Landing>; 17] = [
         "max_stroke_share_#",
         |landing, leg| landing.max_stroke_share.get(leg).copied(),
         "the same as a share of the stroke at which the strut bottoms",
+    ),
+    Column::legs(
+        "max_sinkage_#_ft",
+        |landing, leg| landing.max_sinkage.get(leg).copied(),
+        "greatest sinkage of the footpad into soil; 0 on rock",
     ),
     Column::legs(
         "pad_contact_#_s",
@@ -205,20 +210,21 @@ mod tests {
              max_strut_force_1_lb,max_strut_force_2_lb,max_strut_force_3_lb,\
              max_stroke_1_ft,max_stroke_2_ft,max_stroke_3_ft,\
              max_stroke_share_1,max_stroke_share_2,max_stroke_share_3,\
+             max_sinkage_1_ft,max_sinkage_2_ft,max_sinkage_3_ft,\
              pad_contact_1_s,pad_contact_2_s,pad_contact_3_s,\
              block_contact_1_s,block_contact_2_s,block_contact_3_s,\
              given_by_contact_ftlb,energy_closure_ftlb,steps,derivative_evaluations,failure"
         );
         let expected = "failure,1.5,29.999999999999996,0.5,29.999999999999996,100,10,1,2,3,\
-                        0.25,0.5,0.125,0.5,1,0.25,0,,0.25,,,,0,0.5,7,70,loaded footpad 2 inclined more than 65 deg";
+                        0.25,0.5,0.125,0.5,1,0.25,0,0.0625,0,0,,0.25,,,,0,0.5,7,70,loaded footpad 2 inclined more than 65 deg";
         let written = |legs| text(cells(&COLUMNS, &example(), legs));
         assert_eq!(written(3), expected);
         // A table for four legs has an empty cell for the leg that is not there.
         assert_eq!(
             written(4),
             expected.replace("1,2,3,", "1,2,3,,").replace(
-                "0.125,0.5,1,0.25,0,,0.25,,,,",
-                "0.125,,0.5,1,0.25,,0,,0.25,,,,,,"
+                "0.125,0.5,1,0.25,0,0.0625,0,0,,0.25,,,,",
+                "0.125,,0.5,1,0.25,,0,0.0625,0,,0,,0.25,,,,,,"
             )
         );
     }

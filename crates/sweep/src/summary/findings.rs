@@ -115,6 +115,7 @@ pub(crate) mod tests {
             max_stroke_table_share: [0.0; 3].into(),
             max_pad_crush: [0.0; 3].into(),
             max_pad_crush_share: [0.0; 3].into(),
+            max_sinkage: [0.0, 0.0625, 0.0].into(),
             final_rates: FinalRates {
                 stability_angle: None,
                 strokes: [0.0; 3].into(),

@@ -310,6 +310,12 @@ fn every_key_with_a_unit_is_read_in_si() {
                 );
                 check(&text, "[scene.thrust]", all, &scene)
             }
+            "scene.soil" => {
+                let text = format!(
+                    "{SCENE}[scene.soil]\nbearing_strength_psf = 800\nbearing_depth_ft = 0.15\nrebound = 0.01\n"
+                );
+                check(&text, "[scene.soil]", all, &scene)
+            }
             "scene.footing" => {
                 let text = format!("{SCENE}[[scene.footing]]\n");
                 check(&text, "[[scene.footing]]", all, &scene)

@@ -92,6 +92,12 @@ pub fn text(report: &LandingReport) -> String {
             (of_table.into_iter()).map(|share| format!("{:.1}", 100.0 * share)),
         );
     }
+    if landing.max_sinkage.iter().any(|depth| *depth > 0.0) {
+        lines.legs(
+            &format!("greatest sinkage, {}", stroke.unit()),
+            (landing.max_sinkage.into_iter()).map(|depth| format!("{:.4}", stroke.number(depth))),
+        );
+    }
     let energy = units.quantity("energy_ftlb");
     let closure = energy.number(energies.closure());
     let thrust = ("+ work of the thrust", energies.thrust);

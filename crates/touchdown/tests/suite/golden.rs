@@ -133,9 +133,11 @@ fn differences(expected: &str, found: &str) -> Vec<String> {
         let rows = text.lines().map(|row| row.split(',').collect::<Vec<_>>());
         rows.collect::<Vec<_>>()
     });
-    if expected.len() != found.len() || expected.first() != found.first() {
-        let told = |rows: &[Vec<&str>]| format!("{} rows under {:?}", rows.len(), rows.first());
-        return vec![format!("{} became {}", told(&expected), told(&found))];
+    if expected.len() != found.len() {
+        return vec![format!("{} rows became {}", expected.len(), found.len())];
+    }
+    if expected.first() != found.first() {
+        return other_columns(&expected, &found);
     }
     let mut columns: BTreeMap<usize, (usize, f64, [&str; 2])> = BTreeMap::new();
     for (before, after) in expected.iter().zip(&found).skip(1) {
@@ -168,6 +170,29 @@ fn differences(expected: &str, found: &str) -> Vec<String> {
         )
     });
     lines.collect()
+}
+
+/// What differs between two tables of other columns: those that are new, those that are gone, and whether others differ.
+fn other_columns(expected: &[Vec<&str>], found: &[Vec<&str>]) -> Vec<String> {
+    let columns = |rows: &[Vec<&str>]| -> BTreeMap<String, Vec<String>> {
+        let named = rows[0].iter().enumerate();
+        let cells = named.map(|(at, name)| {
+            let column = rows[1..].iter().map(|row| row[at].to_owned());
+            ((*name).to_owned(), column.collect())
+        });
+        cells.collect()
+    };
+    let [before, after] = [expected, found].map(columns);
+    let told = |name: &String, word: &str| format!("{name}: {word}");
+    let new = after.keys().filter(|name| !before.contains_key(*name));
+    let gone = before.keys().filter(|name| !after.contains_key(*name));
+    let kept = before
+        .iter()
+        .filter(|(name, cells)| after.get(*name).is_some_and(|others| others != *cells));
+    (new.map(|name| told(name, "is new")))
+        .chain(gone.map(|name| told(name, "is gone")))
+        .chain(kept.map(|(name, _)| told(name, "differs")))
+        .collect()
 }
 
 #[test]

@@ -26,6 +26,7 @@ mod samples;
 mod scene_files;
 mod sensitivities;
 mod set_values;
+mod soil;
 mod starting_files;
 mod surface;
 mod verdicts;

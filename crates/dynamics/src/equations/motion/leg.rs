@@ -4,11 +4,13 @@ use nalgebra::Vector3;
 
 use super::pieces::Pressed;
 use super::{LegLoads, LegPieces, LegSignals};
+use crate::crush::elastic_slope;
 use crate::kinematics::{
     BodyFrame, LegFrame, LegGeometry, LegGround, LegPose, PlanePoint, PointVelocity, SeenGround,
     turned,
 };
 use crate::lanes::per_lane;
+use crate::profile::Profile;
 use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::LegState;
@@ -72,6 +74,10 @@ impl LegMotion<f64> {
         let block_strength = design.block.as_ref().map_or(0.0, |block| {
             0.5 * quarter_circle * block.diameter * block.diameter * block.crush_pressure
         });
+        let soil = &scene.conditions().soil;
+        let elastic = |profile: &Profile, crush_pressure: f64| {
+            elastic_slope(profile.first_slope(), soil, crush_pressure)
+        };
         let link_inertia = design.linkage.inertia;
         Self {
             ground: LegGround::new(scene, index, &geometry, center, leg.extended_angle()),
@@ -84,9 +90,9 @@ impl LegMotion<f64> {
             hinge_damping: pad.hinge_damping,
             pad_strength,
             block_strength,
-            pad_leaning: pad_strength / pad.profile.first_slope(),
+            pad_leaning: pad_strength / elastic(&pad.profile, pad.crush_pressure),
             block_leaning: design.block.as_ref().map_or(0.0, |block| {
-                0.5 * block_strength / block.profile.first_slope()
+                0.5 * block_strength / elastic(&block.profile, block.crush_pressure)
             }),
             pad_friction: scene.conditions().pad_friction,
             block_friction: scene.conditions().block_friction,

@@ -1,7 +1,6 @@
 //! Support of a leg: gaps to the ground, elements that give way, and crush of the footpad.
 
-use super::leg_laws::Heights;
-use super::{LEAST_INCLINATION, LegLaws, LegMode};
+use super::{LEAST_INCLINATION, LegLaws, LegMode, PadDepths};
 use crate::crush::{Crush, CrushLaw};
 use crate::signal::{LegSignals, Signal};
 
@@ -65,28 +64,28 @@ impl LegMode {
         force < greatest
     }
 
-    /// Greatest interference to which the pad was crushed up to these signals, ft, and that with its hinge on the
-    /// ground: of its sections or, if it is on its edge and the edge has less left, of its edge.
-    pub fn pad_crush(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 2] {
+    /// Greatest crush and sinkage of the pad up to these signals: of its sections or, if it is on its edge and the edge
+    /// has less left, of its edge.
+    pub fn pad_depths(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> PadDepths {
         let [outer, inner] = [Signal::OuterInterference, Signal::InnerInterference]
             .map(|signal| signals[signal as usize]);
-        let Heights { pad, edge, .. } = laws.heights;
         let deepest = |depths: [f64; 2]| {
             let sections = self.pad.iter().zip(depths);
-            let crushes = sections.map(|(section, depth)| section.deepest(depth));
-            crushes.fold(0.0, f64::max)
+            let reached = sections.map(|(section, depth)| section.deepest(depth));
+            laws.pad_depths_at(reached.fold(0.0, f64::max))
         };
         if !self.is_on_edge {
-            return [deepest([outer, inner]), pad];
+            return deepest([outer, inner]);
         }
         // The first signal is the depth of the edge; the sections are as they were.
         let sections = deepest(self.pad.map(|section| section.set()));
-        let on_edge = self.edge.deepest(outer);
-        if on_edge * pad > sections * edge {
-            [on_edge, edge]
-        } else {
-            [sections, pad]
-        }
+        let edge = PadDepths {
+            crush: self.edge.deepest(outer),
+            height: laws.heights.edge,
+            ..sections
+        };
+        let has_less_left = edge.crush * sections.height > sections.crush * edge.height;
+        if has_less_left { edge } else { sections }
     }
 }
 

@@ -8,6 +8,7 @@ use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::Stops;
 use crate::parts::{LegDesign, Strut, StrutElement};
 use crate::rules::{ContactRule, CrushRule};
+use crate::soil::Soil;
 use crate::strut::{STOP_STROKE, StrutLaw};
 
 /// cos 65 deg: the model has no law for a loaded pad inclined further.
@@ -52,7 +53,18 @@ fn torque_on_stop(design: &LegDesign) -> f64 {
     stiffness * STOP_STROKE * design.linkage.hardpoint_distance
 }
 
-/// Heights by which elements can be crushed until their hinge or hardpoint is on the ground, ft.
+/// Greatest crush and sinkage of a footpad, ft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PadDepths {
+    /// Crush of its sections, or of its edge.
+    pub crush: f64,
+    /// Crush with its hinge on the ground.
+    pub height: f64,
+    /// Sinkage into soil.
+    pub sinkage: f64,
+}
+
+/// Interferences at which elements are crushed so far that until their hinge or hardpoint is on the ground, ft.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Heights {
     pub(super) pad: f64,
@@ -146,11 +158,53 @@ impl LegLaws {
         }
     }
 
-    /// Greatest interference to which a section of the pad with these sets was crushed, ft, and that with its hinge on
-    /// the ground: for methods that keep no more.
-    pub fn pad_crush(&self, sets: &Sets) -> [f64; 2] {
+    /// Greatest crush and sinkage of a pad whose sections have these sets: for methods that keep no more.
+    pub fn pad_depths(&self, sets: &Sets) -> PadDepths {
         let [outer, inner] = sets.pad.map(|set| self.pad.deepest(set));
-        [outer.max(inner), self.heights.pad]
+        self.pad_depths_at(outer.max(inner))
+    }
+
+    /// Crush and sinkage of a pad whose deepest section reached this interference, ft.
+    pub(super) fn pad_depths_at(&self, deepest: f64) -> PadDepths {
+        let sinkage = self.pad.sinkage_at(deepest);
+        PadDepths {
+            crush: deepest - sinkage,
+            height: self.heights.pad - self.pad.sinkage_at(self.heights.pad),
+            sinkage,
+        }
+    }
+
+    /// These sets without those of the soil, and the sinkages of the pad's sections that left them, ft, if there is soil.
+    pub fn without_soil(&self, sets: &Sets) -> (Sets, Option<[f64; 2]>) {
+        let own = Sets {
+            pad: sets.pad.map(|set| self.pad.own_set(set)),
+            block: self.block.own_set(sets.block),
+            ..*sets
+        };
+        let sinkage = |set| self.pad.sinkage_at(self.pad.deepest(set));
+        let sinkages = self.pad.is_on_soil().then(|| sets.pad.map(sinkage));
+        (own, sinkages)
+    }
+
+    /// Returns these laws on this soil, for the leg of this design. A pad on its edge stands as on rock.
+    pub fn on_soil(self, soil: &Soil, design: &LegDesign) -> Self {
+        let Soil::Yielding(bearing) = soil else {
+            return self;
+        };
+        let of_block = design.block.as_ref();
+        let of_block = of_block.map_or(0.0, |block| block.crush_pressure);
+        let pad = self.pad.on_soil(bearing, design.footpad.crush_pressure);
+        let block = self.block.on_soil(bearing, of_block);
+        Self {
+            heights: Heights {
+                pad: pad.interference_at_crush(self.heights.pad),
+                block: block.interference_at_crush(self.heights.block),
+                ..self.heights
+            },
+            pad,
+            block,
+            ..self
+        }
     }
 
     /// Returns these laws under another crush rule.

@@ -3,10 +3,11 @@
 use touchdown_dynamics::quantity::Quantity;
 
 /// All groups, in display order.
-const ORDER: [&str; 13] = [
+const ORDER: [&str; 14] = [
     "touchdown",
     "attitude",
     "ground",
+    "soil",
     "thrust",
     "body",
     "inertia",
@@ -34,8 +35,13 @@ pub fn of(name: &str, quantity: &Quantity) -> (&'static str, Option<usize>) {
     if let Some(rest) = name.strip_prefix("footing[") {
         return ("footing", leg(rest));
     }
-    if name.starts_with("thrust.") {
-        return ("thrust", None);
+    for table in ["thrust", "soil"] {
+        if name
+            .split_once('.')
+            .is_some_and(|(start, _)| start == table)
+        {
+            return (table, None);
+        }
     }
     let Some(path) = name.strip_prefix("vehicle.") else {
         return (quantity.group.unwrap_or("touchdown"), None);
