@@ -11,6 +11,7 @@
 //! | `words`, `png` | captions, titles, numbers; PNG from SVG |
 
 #![warn(unnameable_types)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod charts;
 mod maps;

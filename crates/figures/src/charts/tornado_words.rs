@@ -5,6 +5,7 @@ use crate::parameter_words::parameter_words;
 use crate::sensitivity_table::{Point, Slope};
 use crate::speed_unit::SpeedUnit;
 use crate::unit::{printed_unit, split_unit};
+use libm::{exp10, log10};
 
 /// Name, value and change of a parameter.
 pub fn name(slope: &Slope) -> String {
@@ -31,7 +32,7 @@ pub fn name(slope: &Slope) -> String {
 pub fn reason(slope: &Slope) -> String {
     let within = |words: &str| match slope.step {
         Some(step) => {
-            let digits = 10f64.powf(2.0 - step.abs().log10().ceil());
+            let digits = exp10(2.0 - log10(step.abs()).ceil());
             let step = label((step * digits).round() / digits);
             format!("{words} within ± {step} {}", printed_unit(&slope.unit))
         }

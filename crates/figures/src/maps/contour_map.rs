@@ -14,6 +14,7 @@ use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
 use crate::text::{Font, text_width};
 use crate::{colour_bar, leading_feet, number, palette};
+use libm::hypot;
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 860.0);
@@ -191,7 +192,7 @@ pub fn draw_lines(
 }
 
 fn distance(a: Point, b: Point) -> f64 {
-    (a.0 - b.0).hypot(a.1 - b.1)
+    hypot(a.0 - b.0, a.1 - b.1)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::style::Colour;
 use crate::surface::Surface;
 use crate::ticks::round_step;
+use libm::{exp10, log10};
 
 /// Borders between bands of colour, rising. There are at most [`Levels::MOST`].
 #[derive(Debug, Clone, PartialEq)]
@@ -114,7 +115,7 @@ fn halve(low: f64, width: f64, heights: &[f64], levels: &mut Vec<f64>) {
 
 /// Returns whether a width is 1, 2, 2.5 or 5 times a power of ten.
 fn is_round(width: f64) -> bool {
-    let digits = width / 10f64.powf(width.log10().floor());
+    let digits = width / exp10(log10(width).floor());
     [1.0, 2.0, 2.5, 5.0, 10.0]
         .iter()
         .any(|round| (digits - round).abs() < 1e-6)

@@ -3,6 +3,7 @@
 use crate::canvas::Point;
 use crate::frame::Area;
 use crate::surface::Surface;
+use libm::sincos;
 
 /// Turn of the eye about the vertical and its height over the horizon, deg.
 const AZIMUTH: f64 = 32.0;
@@ -45,7 +46,7 @@ impl ViewPoint {
     }
 
     fn turned([right, far, up]: [f64; 3]) -> [f64; 3] {
-        let (sin, cos) = AZIMUTH.to_radians().sin_cos();
+        let (sin, cos) = sincos(AZIMUTH.to_radians());
         [cos * right + sin * far, cos * far - sin * right, up]
     }
 
@@ -68,7 +69,7 @@ impl ViewPoint {
 
     fn project(&self, place: [f64; 3]) -> Point {
         let [right, far, up] = Self::turned(place);
-        let (sin, cos) = ELEVATION.to_radians().sin_cos();
+        let (sin, cos) = sincos(ELEVATION.to_radians());
         let x = self.middle[0] + self.scale * right;
         let y = self.middle[1] - self.scale * (sin * far + cos * up);
         (x, y)

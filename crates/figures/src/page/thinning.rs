@@ -1,5 +1,6 @@
 //! Curves without points of no visible effect (Ramer, Douglas and Peucker).
 
+use libm::hypot;
 /// A place on the picture, pixels.
 type Point = (f64, f64);
 
@@ -30,10 +31,10 @@ fn distance((x, y): Point, (x0, y0): Point, (x1, y1): Point) -> f64 {
     let (dx, dy) = (x1 - x0, y1 - y0);
     let square = dx * dx + dy * dy;
     if square == 0.0 {
-        return (x - x0).hypot(y - y0);
+        return hypot(x - x0, y - y0);
     }
     let part = (((x - x0) * dx + (y - y0) * dy) / square).clamp(0.0, 1.0);
-    (x - x0 - part * dx).hypot(y - y0 - part * dy)
+    hypot(x - x0 - part * dx, y - y0 - part * dy)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::number::label;
 use crate::ticks;
+use libm::{exp10, log2, log10, pow};
 
 /// Division of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,8 +20,8 @@ impl Division {
     pub fn place(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
-            Self::Decades => value.log10(),
-            Self::Doublings => value.log2(),
+            Self::Decades => log10(value),
+            Self::Doublings => log2(value),
         }
     }
 
@@ -33,15 +34,14 @@ impl Division {
                 return values.map(|value| (value, label(value))).collect();
             }
             Self::Decades if to - from < 1.0 => {
-                let [low, high] = [from, to].map(|place| 10f64.powf(place));
+                let [low, high] = [from, to].map(exp10);
                 let values = ticks::round_values(low, high, count).into_iter();
-                values.map(|value| (value.log10(), value)).collect()
+                values.map(|value| (log10(value), value)).collect()
             }
             Self::Decades if 3.0 * (to - from) <= count as f64 => {
                 let powers = ticks::multiples(from.floor(), to.ceil(), 1.0).into_iter();
-                let values =
-                    powers.flat_map(|power| [1.0, 2.0, 5.0].map(|m| m * 10f64.powf(power)));
-                let places = values.map(|value| (value.log10(), value));
+                let values = powers.flat_map(|power| [1.0, 2.0, 5.0].map(|m| m * exp10(power)));
+                let places = values.map(|value| (log10(value), value));
                 let is_between =
                     |(place, _): &(f64, f64)| (from - 1e-9..=to + 1e-9).contains(place);
                 places.filter(is_between).collect()
@@ -58,16 +58,16 @@ impl Division {
 fn powers(from: f64, to: f64, count: usize, base: f64) -> Vec<(f64, f64)> {
     let powers = ticks::round_values(from, to, count).into_iter();
     let powers = powers.filter(|power| power.fract() == 0.0);
-    powers.map(|power| (power, base.powf(power))).collect()
+    powers.map(|power| (power, pow(base, power))).collect()
 }
 
 /// A positive number with a power of ten if it is very small or great.
 fn short(value: f64) -> String {
-    let power = (value.log10() + 1e-9).floor();
+    let power = (log10(value) + 1e-9).floor();
     if (-4.0..6.0).contains(&power) {
         return label(value);
     }
-    format!("{}e{}", label(value / 10f64.powf(power)), label(power))
+    format!("{}e{}", label(value / exp10(power)), label(power))
 }
 
 #[cfg(test)]

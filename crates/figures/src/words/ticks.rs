@@ -1,5 +1,6 @@
 //! The values at which an axis is numbered: few, whatever the axis spans.
 
+use libm::{exp10, log10};
 /// Azimuths are numbered every eighth of a turn, deg, or every quarter or half where there is less room.
 const EIGHTH: f64 = 45.0;
 /// Most ticks of an axis.
@@ -7,7 +8,7 @@ const MOST: usize = 60;
 
 /// The least of 1, 2 and 5 times a power of ten that is not below `rough`; 1 if there is none.
 pub fn round_step(rough: f64) -> f64 {
-    let power = 10f64.powf(rough.log10().floor());
+    let power = exp10(log10(rough).floor());
     let steps = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
     let found = steps.into_iter().find(|step| *step >= rough * 0.999);
     found.filter(|step| step.is_normal()).unwrap_or(1.0)
