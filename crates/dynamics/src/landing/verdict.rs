@@ -120,14 +120,13 @@ impl Trajectory<'_> {
         let mut theta = 0.0;
         while theta < reach {
             (stability.monitor).guard(&stability.seen, self.least_angle.0);
-            let event = event.map(|buffer| (reach, buffer));
             let mut end = self.observe(&stability.monitor, reach, event);
             let mut end_theta = reach;
             let share = (stability.monitor).share_within_turn(&stability.seen, &end);
             if share < 1.0 {
                 let part = (share * (reach - theta)).max(self.event_resolution / self.step.length);
                 end_theta = reach.min(theta + part);
-                end = self.observe(&stability.monitor, end_theta, event);
+                end = self.observe(&stability.monitor, end_theta, None);
             }
             let length = (end_theta - theta) * self.step.length;
             let is_plain = self.is_plain(stability, &end, length);
@@ -238,7 +237,7 @@ impl Trajectory<'_> {
         &mut self,
         monitor: &StabilityMonitor,
         theta: f64,
-        event: Option<(f64, usize)>,
+        event: Option<usize>,
     ) -> Observation {
         (self.registers).dispatch(Observe(self, monitor, theta, event))
     }
@@ -309,7 +308,7 @@ struct Observe<'a, 'o>(
     &'a mut Trajectory<'o>,
     &'a StabilityMonitor,
     f64,
-    Option<(f64, usize)>,
+    Option<usize>,
 );
 
 impl NullaryFnOnce for Observe<'_, '_> {
@@ -328,10 +327,9 @@ impl NullaryFnOnce for Observe<'_, '_> {
             between.motion_at(theta, &mut trajectory.within);
             &trajectory.within
         };
-        let known = match event {
-            _ if theta == 1.0 => Some(trajectory.signals.end()),
-            Some((reach, buffer)) if theta == reach => Some(&trajectory.buffers[buffer]),
-            _ => None,
+        let known = match theta == 1.0 {
+            true => Some(trajectory.signals.end()),
+            false => event.map(|buffer| &trajectory.buffers[buffer]),
         };
         let motion = &trajectory.motion;
         let body = state.body();
