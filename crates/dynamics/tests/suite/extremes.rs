@@ -2,7 +2,8 @@
 //! struts) are those that a closely sampled landing shows.
 
 use crate::common::random::{fixed_list, usual_conditions};
-use crate::common::{settings, table_4_1};
+use crate::common::{level, settings, table_4_1};
+use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::land::land_observed;
 use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::per_leg::PerLeg;
@@ -99,4 +100,35 @@ fn no_close_look_sees_more_than_the_extremes_that_are_reported() {
             }
         }
     }
+}
+
+/// The force on strut 2 falls over a step, and within the next rises to its greatest and falls again.
+#[test]
+fn a_force_that_falls_and_then_peaks_within_a_step_is_reported_at_its_greatest() {
+    let conditions = Conditions {
+        vertical_velocity: 17.2929,
+        attitude: Attitude::from_euler(Euler {
+            pitch: -4.9877f64.to_radians(),
+            yaw: 2.1596f64.to_radians(),
+            roll: -7.9801f64.to_radians(),
+        }),
+        angular_velocity: [-5.8348f64.to_radians(), 0.0, 0.0],
+        slope: 16.0733f64.to_radians(),
+        pad_friction: 0.2213,
+        block_friction: 0.2213,
+        ..level(173.8741, 0.0, 8.3251)
+    };
+    let mut seen = 0f64;
+    let landing = land_observed(
+        &table_4_1(),
+        &Scene::new(conditions).unwrap(),
+        &settings(1e-6),
+        INTERVAL,
+        &mut |now: &Instant| seen = seen.max(now.legs[1].strut_force.abs()),
+    );
+    let reported = landing.max_strut_force[1];
+    assert!(
+        reported >= seen * (1.0 - 1e-9),
+        "{reported} reported, {seen} seen"
+    );
 }
