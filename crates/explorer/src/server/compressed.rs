@@ -55,3 +55,25 @@ fn gzip(bytes: &[u8], level: Compression) -> io::Result<Vec<u8>> {
     encoder.write_all(bytes)?;
     encoder.finish()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+
+    use flate2::read::GzDecoder;
+
+    use super::*;
+
+    #[test]
+    fn large_answers_are_compressed_and_small_ones_are_not() {
+        let large = "[0.125]".repeat(SMALL);
+        let packed = answer(&large).unwrap();
+        assert!(packed.len() < large.len() / 10);
+        let mut again = String::new();
+        GzDecoder::new(packed.as_slice())
+            .read_to_string(&mut again)
+            .unwrap();
+        assert_eq!(again, large);
+        assert_eq!(answer("[0.125]"), None);
+    }
+}

@@ -86,3 +86,55 @@ impl AsyncWrite for Impatient {
         Pin::new(&mut self.stream).poll_shutdown(context)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::future::poll_fn;
+    use std::io::Read;
+    use std::net::{Ipv4Addr, TcpListener};
+    use std::thread;
+
+    use super::*;
+
+    #[test]
+    fn a_flush_ends_the_limit_and_a_shutdown_the_stream() {
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).unwrap();
+        let mut client = std::net::TcpStream::connect(listener.local_addr().unwrap()).unwrap();
+        client.set_read_timeout(Some(WRITE_TIME)).unwrap();
+        let (server, _) = listener.accept().unwrap();
+        server.set_nonblocking(true).unwrap();
+        let runtime = tokio::runtime::Builder::new_current_thread()
+            .enable_all()
+            .build()
+            .unwrap();
+        runtime.block_on(async {
+            let mut stream = Impatient::of(TcpStream::from_std(server).unwrap());
+            // Nobody reads: at some point the system takes no more.
+            let mut sent = 0;
+            poll_fn(|context| {
+                loop {
+                    match Pin::new(&mut stream).poll_write(context, &[0; 1 << 16]) {
+                        Poll::Ready(written) => sent += written.unwrap(),
+                        Poll::Pending => return Poll::Ready(()),
+                    }
+                }
+            })
+            .await;
+            assert!(stream.limit.is_some());
+            let reading = thread::spawn(move || {
+                let mut taken = Vec::new();
+                client.read_to_end(&mut taken).map(|_| taken.len())
+            });
+            poll_fn(|context| Pin::new(&mut stream).poll_flush(context))
+                .await
+                .unwrap();
+            assert!(stream.limit.is_none());
+            poll_fn(|context| Pin::new(&mut stream).poll_shutdown(context))
+                .await
+                .unwrap();
+            // The stream is still open here: it was the shutdown that told the client of the end.
+            assert_eq!(reading.join().unwrap().unwrap(), sent);
+            drop(stream);
+        });
+    }
+}

@@ -2,10 +2,14 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
+use std::path::PathBuf;
+
 use serde_json::{Value, json};
 use touchdown_explorer::interface::answer;
+use touchdown_explorer::named::Named;
+use touchdown_sweep::library::{Library, Source};
 
-use crate::common::{ask, named};
+use crate::common::{NAMED, ask, named};
 
 fn numbers(value: &Value) -> Vec<f64> {
     let items = value.as_array().unwrap().iter();
@@ -39,6 +43,45 @@ fn every_kind_of_file_is_a_source() {
         .map(|source| source.name.as_str())
         .collect();
     assert_eq!(names, ["figure-4-09", "six-legs", "figure-4-09-2"]);
+}
+
+#[test]
+fn the_touchdown_beside_results_has_the_search_of_their_record() {
+    for (file, to) in [
+        ("results/figure-4-09.csv", 25.0),
+        ("results/landers/six-legs-map.csv", 6.0 / 0.3048),
+    ] {
+        let source = &named(&[file]).sources[0];
+        assert_eq!(source.search[0], 0.0, "{file}");
+        assert!((source.search[1] - to).abs() < 1e-12, "{file}");
+        let speed = source.conditions.get("horizontal_velocity_fps").unwrap();
+        assert!((speed - 0.5 * to).abs() < 1e-12, "{file}: {speed}");
+    }
+}
+
+#[test]
+fn cases_of_a_scene_are_told_apart_unless_there_is_one() {
+    let names = |cases: &str| -> Vec<String> {
+        let scene = "vehicle = \"three.toml\"\n[scene]\nvertical_velocity_fps = 10\nhorizontal_velocity_fps = 2\n\
+            cross_slope_deg = 180\nslope_deg = 5\nfriction = 1\n";
+        let file = |name: &str, text: String| Source {
+            path: PathBuf::from(name),
+            text,
+        };
+        let vehicle = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
+        let copies = [
+            file("drop.toml", format!("{scene}{cases}")),
+            file("three.toml", vehicle.to_owned()),
+        ];
+        let path = [PathBuf::from("drop.toml")];
+        let named = Named::read(&path, Library::Copies(&copies), None).unwrap();
+        let sources = named.sources.into_iter();
+        sources.map(|source| source.name).collect()
+    };
+    assert_eq!(names(""), ["drop"]);
+    let two = "[[case]]\nhorizontal_velocity_fps = 1\n\
+        [[case]]\nname = \"fast\"\nhorizontal_velocity_fps = 9\n";
+    assert_eq!(names(two), ["drop-1", "drop-fast"]);
 }
 
 #[test]
@@ -207,6 +250,25 @@ fn events_come_in_order_and_end_with_the_verdict() {
 }
 
 #[test]
+fn events_name_the_leg_that_bottoms_and_a_failure_of_the_computation() {
+    let ends = |values: Value| -> Vec<(Value, Value)> {
+        let told = landing(values);
+        let events = told["events"].as_array().unwrap().iter();
+        events
+            .map(|event| (event["kind"].clone(), event["leg"].clone()))
+            .filter(|(kind, _)| {
+                ["bottomed", "failure", "verdict"].contains(&kind.as_str().unwrap())
+            })
+            .collect()
+    };
+    let short = ends(json!({"vehicle.legs[2].strut.minimum_length_ft": 3.0}));
+    assert_eq!(short, [(json!("bottomed"), json!(2))]);
+    // The ground reaches into the body.
+    let high = ends(json!({"footing[2].block_height_ft": 4}));
+    assert_eq!(high, [(json!("failure"), Value::Null)]);
+}
+
+#[test]
 fn every_slider_end_is_a_landing_or_a_complaint_about_other_numbers() {
     let parameters = ask("parameters", &json!({})).unwrap();
     let parameters = parameters["parameters"].as_array().unwrap();
@@ -247,6 +309,60 @@ fn every_slider_end_is_a_landing_or_a_complaint_about_other_numbers() {
             }
         }
     }
+}
+
+#[test]
+fn every_setting_of_the_solver_is_told_and_whether_it_is_given() {
+    let settings = |values: Value| -> Vec<(String, Value, bool)> {
+        let told = ask("parameters", &json!({"touchdown": {"values": values}})).unwrap();
+        let told = told["parameters"].as_array().unwrap().iter();
+        told.filter(|one| one["group"] == "solver")
+            .map(|one| {
+                let name = one["name"].as_str().unwrap().to_owned();
+                (name, one["value"].clone(), one["is_given"] == true)
+            })
+            .collect()
+    };
+    let own = settings(json!({}));
+    let names: Vec<&str> = own.iter().map(|(name, ..)| name.as_str()).collect();
+    for name in ["tolerance", "time_limit_s", "stop", "crush_rule"] {
+        assert!(
+            names.contains(&format!("solver.{name}").as_str()),
+            "{names:?}"
+        );
+    }
+    assert!(own.iter().all(|(_, _, is_given)| !is_given), "{own:?}");
+    let given = settings(json!({"solver.stop": "time", "solver.tolerance": 1e-7}));
+    let changed: Vec<_> = given.iter().filter(|one| !own.contains(one)).collect();
+    let expected = [
+        ("solver.tolerance".to_owned(), json!(1e-7), true),
+        ("solver.stop".to_owned(), json!("time"), true),
+    ];
+    assert_eq!(changed.len(), 2, "{changed:?}");
+    assert!(expected.iter().all(|one| given.contains(one)), "{given:?}");
+}
+
+#[test]
+fn no_number_is_a_negative_zero() {
+    for values in [
+        json!({}),
+        json!({"roll_deg": -90}),
+        json!({"pitch_deg": -10}),
+        json!({"yaw_deg": 10}),
+        json!({"tip_deg": 10, "tip_azimuth_deg": 0}),
+        json!({"tip_deg": 10, "tip_azimuth_deg": 180, "nominal_roll_deg": 0}),
+    ] {
+        let request = json!({"touchdown": {"values": values}}).to_string();
+        let told = answer(&NAMED, "parameters", &request, &|| false).unwrap();
+        assert!(!told.contains(":-0.0,"), "{values}");
+    }
+}
+
+#[test]
+fn the_longest_time_limit_is_allowed() {
+    let touchdown = json!({"values": {"solver.time_limit_s": 1000}});
+    let request = json!({"touchdown": touchdown, "interval_s": 1, "drawing": false});
+    assert_eq!(ask("landing", &request).unwrap()["class"], "stable");
 }
 
 #[test]
@@ -346,8 +462,17 @@ fn a_strip_fills_in_until_it_is_done() {
 }
 
 #[test]
+fn the_first_landings_of_a_strip_are_spread_over_its_range() {
+    let request = json!({"from_fps": 0, "to_fps": 32, "most": 5});
+    let told = ask("strip", &request).unwrap();
+    let landings = told["landings"].as_array().unwrap();
+    let speeds: Vec<&Value> = landings.iter().map(|one| &one["speed_fps"]).collect();
+    assert_eq!(json!(speeds), json!([0.0, 8.0, 16.0, 24.0, 32.0]));
+    assert_eq!(told["is_done"], false);
+}
+
+#[test]
 fn nobody_waits_for_what_is_over() {
-    use crate::common::NAMED;
     use touchdown_explorer::interface::{Fault, answer};
     for name in ["landing", "history_file", "strip", "bands"] {
         let complaint = answer(&NAMED, name, "{}", &|| true).unwrap_err();

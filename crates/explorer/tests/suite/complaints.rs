@@ -152,6 +152,12 @@ fn members_are_named_with_what_is_allowed() {
         ),
         (
             "strip",
+            json!({"from_fps": 0, "to_fps": 0.001}),
+            Some("to_fps"),
+            "more than from_fps",
+        ),
+        (
+            "strip",
             json!({"known": [{"speed_fps": 30, "class": "stable"}]}),
             Some("known.speed_fps"),
             "0 ≤ value ≤ 25",
@@ -213,6 +219,16 @@ fn members_are_named_with_what_is_allowed() {
     ] {
         refused(name, &request, key, fragment);
     }
+}
+
+#[test]
+fn a_complaint_has_its_number_the_value_and_what_is_allowed() {
+    let steep = json!({"touchdown": {"values": {"slope_deg": 95}}});
+    let complaint = ask("landing", &steep).unwrap_err();
+    assert_eq!(complaint.value.as_deref(), Some("95"));
+    assert_eq!(complaint.allowed.as_deref(), Some("-90 < value < 90"));
+    let told: Value = serde_json::from_str(&complaint.json()).unwrap();
+    assert_eq!(told["error"]["value"], "95");
 }
 
 #[test]

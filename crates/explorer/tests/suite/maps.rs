@@ -38,6 +38,41 @@ fn a_map_is_a_grid_with_gaps_and_jumps() {
     assert!(!map["jump_cells"].as_array().unwrap().is_empty());
     let levels = map["levels"].as_array().unwrap();
     assert_eq!(levels.last().unwrap()["speed"], Value::Null);
+    assert_eq!(
+        map["title"],
+        "Figures 4-20, 4-21: first transition V_H over cross-slope and roll"
+    );
+    let kinds = map["kinds"].as_array().unwrap().iter();
+    let kinds: Vec<&Value> = kinds.map(|kind| &kind["class"]).collect();
+    assert_eq!(kinds, ["unstable", "bottomed", "failure", "undecided"]);
+}
+
+#[test]
+fn the_nearest_point_is_so_by_shares_of_the_range_of_each_axis() {
+    let text = "friction,roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,certainty\n\
+        0.5,0,unstable,10,9,10,certain\n1,40,unstable,11,10,11,certain\n1,100,unstable,12,11,12,certain\n";
+    let named = of_table("few.csv", text);
+    // A third of the range of roll away from the first, all of that of friction from the second.
+    let request = r#"{"results": "few", "place": {"friction": 0.5, "roll_deg": 30}}"#;
+    let told: Value =
+        serde_json::from_str(&answer(&named, "at", request, &|| false).unwrap()).unwrap();
+    assert_eq!(told["place"], json!({"friction": 0.5, "roll_deg": 0.0}));
+}
+
+#[test]
+fn a_disputed_transition_is_told_with_its_range() {
+    let text = "roll_deg,first_transition_to,first_transition_fps,bracket_low_fps,bracket_high_fps,certainty,disputed_from_fps,disputed_to_fps\n\
+        0,unstable,11,10.5,11,doubtful,10,12\n5,unstable,12,11.5,12,certain,,\n";
+    let named = of_table("doubts.csv", text);
+    let told: Value = serde_json::from_str(
+        &answer(&named, "map", r#"{"results": "doubts"}"#, &|| false).unwrap(),
+    )
+    .unwrap();
+    let disputed = |point: usize| &told["points"][point]["disputed"];
+    assert_eq!(
+        (disputed(0), disputed(1)),
+        (&json!([10.0, 12.0]), &Value::Null)
+    );
 }
 
 #[test]
@@ -237,8 +272,13 @@ fn landings_of_a_sample_come_in_the_units_asked_for_and_as_they_were_written() {
     assert_eq!(told["results"][0]["values"], json!([1.0]));
     let written = json!({"name": "vertical_velocity_mps", "values": [3.048]});
     assert_eq!(told["inputs"][0]["written"], written);
-    let own = ask(r#"{"results": "drawn"}"#);
-    assert_eq!(own["inputs"][0]["written"], Value::Null);
+    // In its own units it is the table itself.
+    for request in [
+        r#"{"results": "drawn"}"#,
+        r#"{"results": "drawn", "units": "SI"}"#,
+    ] {
+        assert_eq!(ask(request)["inputs"][0]["written"], Value::Null);
+    }
 }
 
 #[test]

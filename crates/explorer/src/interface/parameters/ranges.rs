@@ -54,3 +54,29 @@ pub fn shown(quantity: &Quantity, value: f64) -> [f64; 2] {
         Usual::Beside(reach) => [value - reach, value + reach],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use touchdown_sweep::parameter::Parameter;
+
+    use super::*;
+
+    #[test]
+    fn sliders_reach_as_far_from_the_value_as_is_usual() {
+        let quantity = |range| Quantity::new("reach_ft", Range::ANY, "").usually(range);
+        assert_eq!(shown(&quantity(Usual::Around(2.0)), 0.5), [-1.5, 2.5]);
+        assert_eq!(shown(&quantity(Usual::Around(2.0)), -5.0), [-10.0, 0.0]);
+        assert_eq!(shown(&quantity(Usual::Beside(2.0)), 5.0), [3.0, 7.0]);
+        assert_eq!(shown(&quantity(Usual::Times(0.5, 4.0)), 3.0), [1.5, 12.0]);
+    }
+
+    #[test]
+    fn both_ends_of_what_is_allowed_change_their_unit() {
+        let slope = Parameter::named("slope_deg", 3).unwrap();
+        let allowed = Allowed::of(slope.quantity());
+        let turns = allowed.in_unit(|deg| deg / 360.0);
+        assert_eq!((allowed.lower, allowed.upper), (-90.0, 90.0));
+        assert_eq!((turns.lower, turns.upper), (-0.25, 0.25));
+        assert!(turns.is_lower_open && turns.is_upper_open);
+    }
+}

@@ -99,5 +99,13 @@ mod tests {
                 step: 0.005
             }
         );
+        assert_eq!(
+            slider("slope_deg", [-30.0, 45.0], 15.0),
+            Slider {
+                from: -30.0,
+                to: 45.0,
+                step: 0.5
+            }
+        );
     }
 }
