@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyMapping, PySequence, PyString};
+use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping, PySequence, PyString};
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::Settings;
 use touchdown_dynamics::vehicle;
@@ -212,8 +212,6 @@ fn node(value: &Bound<PyAny>, path: &str, depth: usize) -> PyResult<Node> {
         Value::Number(value.extract()?)
     } else if let Ok(text) = value.cast::<PyString>() {
         Value::Text(text.extract()?)
-    } else if value.is_instance_of::<PyBool>() || value.is_none() {
-        return refuse();
     } else if let Ok(table) = value.cast::<PyDict>() {
         Value::Table(entries(table.as_mapping(), path, depth)?)
     } else if let Ok(table) = value.cast::<PyMapping>() {

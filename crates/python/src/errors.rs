@@ -42,12 +42,7 @@ impl Failure {
 
 /// Error about a file that must not be overwritten, with the option as spelled in Python.
 pub fn in_the_way(error: InputError) -> InputError {
-    match error.to_string() {
-        said if said.contains("--overwrite") => {
-            InputError::other(said.replace("--overwrite", "overwrite=True"))
-        }
-        _ => error,
-    }
+    InputError::other(error.to_string().replace("--overwrite", "overwrite=True"))
 }
 
 /// Runs work and turns a panic into a failure.
