@@ -33,6 +33,7 @@ def complaint(call) -> td.InputError:
         ({"slope_deg": True}, "slope_deg = True: expected a number"),
         ({"slope_deg": [15]}, "slope_deg = [15]: expected a number"),
         ({"slope_deg": object}, "slope_deg = <class 'object'>: expected a number"),
+        ({"slope_deg": set(range(50))}, "slope_deg = a set: expected a number"),
         ({"slope_deg": 15, "slope_rad": 0.1}, "slope_rad = 0.1: expected one spelling of a quantity"),
         ({"gravity": "sun"}, 'gravity = "sun": expected "moon", "mars", "earth" or "ceres"'),
         ({"roll_deg": 1, "tip_deg": 1, "tip_azimuth_deg": 0}, "roll_deg = 1: expected either"),
@@ -52,11 +53,15 @@ def test_complaints_name_key_value_and_what_is_allowed():
     assert error.key == "slop_deg" and "slope_deg" in error.allowed
 
 
-def test_dictionaries_within_themselves():
+def test_dictionaries_within_themselves_and_lists_within_lists():
     thrust: dict[str, object] = {}
     thrust["curve"] = [thrust]
-    error = complaint(lambda: td.Scene(thrust=thrust))
-    assert "expected at most 32 lists and dictionaries within each other" in str(error)
+    lists: list[object] = []
+    for _ in range(40):
+        lists = [lists]
+    for deep in (thrust, lists):
+        error = complaint(lambda deep=deep: td.Scene(thrust=deep))
+        assert "expected at most 32 lists and dictionaries within each other" in str(error)
 
 
 def test_what_a_landing_needs(lander, scene):

@@ -56,7 +56,7 @@ def test_ctrl_c_stops_any_long_call(call, root, tmp_path):
     assert done.returncode == 0 and float(done.stdout) > 0, done.stderr
 
 
-# Begins a landing that takes seconds, interrupts it, and says how long it went on, in milliseconds.
+# Begins a landing that takes seconds, interrupts it, and says for how long cores went on, in seconds.
 INTERRUPTED_LANDING = HEED_CTRL_C + """
 import os, threading, time
 import touchdown as td
@@ -64,13 +64,13 @@ lander = td.vehicles.surveyor()
 scene = td.Scene(vertical_velocity_fps=14, horizontal_velocity_fps=11, cross_slope_deg=180, slope_deg=15, friction=1)
 at = []
 def interrupt():
-    at.append(time.perf_counter())
+    at.append(time.process_time())
     os.kill(os.getpid(), signal.SIGINT)
 threading.Timer(0.2, interrupt).start()
 try:
     td.land(lander, scene, {solver})
 except KeyboardInterrupt:
-    print(1000 * (time.perf_counter() - at[0]))
+    print(time.process_time() - at[0])
 """
 
 
@@ -78,7 +78,8 @@ except KeyboardInterrupt:
 def test_ctrl_c_stops_a_single_landing(solver):
     script = INTERRUPTED_LANDING.replace("{solver}", repr(solver))
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=False)
-    assert done.returncode == 0 and float(done.stdout) > 0, done.stderr
+    # A landing that does not look at signals is waited for, a second.
+    assert done.returncode == 0 and 0 < float(done.stdout) < 1.5, done.stderr
 
 
 # Interrupts the check of so many rows with vehicles of their own, and says what landed and for how long a core went on, in seconds.
