@@ -80,11 +80,12 @@ impl Trajectory<'_> {
         let length = self.step.length;
         let [start_rate, end_rate] = [start, end].map(|all| all.of(j, Signal::LinkRate));
         let stroking = end.of(j, Signal::StrutLever) * end_rate;
-        // Twice as far as a parabola strays between its ends and its turning point.
-        let turning_point = || start_rate + length * first * first / (first - last);
         kinks.strokes.violation(end.of(j, Signal::Stroke)) > RESOLUTION * (length * stroking).abs()
             || kinks.link_rates.violation(end_rate) > RESOLUTION * (length * last).abs()
-            || first * last < 0.0 && kinks.link_rates.exit(turning_point()).is_some()
+            || first * last < 0.0
+                && (kinks.link_rates)
+                    .exit(twice_the_turn(start_rate, [first, last], length))
+                    .is_some()
     }
 
     /// Fraction of the step at which it crosses the first gentle kink, if any.
@@ -131,6 +132,12 @@ impl Trajectory<'_> {
     }
 }
 
+/// Value of a parabola that starts at `value` and whose slopes at the ends of a `length` differ in sign, twice as far from its
+/// start as its turning point is.
+fn twice_the_turn(value: f64, [first, last]: [f64; 2], length: f64) -> f64 {
+    value + length * first * first / (first - last)
+}
+
 /// Time (s) at which a quantity with this value and these first and second derivatives leaves a range, if that is
 /// before `within`.
 fn time_to_leave(range: Bounds, [value, slope, bend]: [f64; 3], within: f64) -> Option<f64> {
@@ -166,6 +173,13 @@ mod tests {
         let mirrored = COURSE.map(|derivative| -derivative);
         let time = time_to_leave(Bounds::below(0.0), mirrored, 0.6);
         assert_eq!(time, Some(0.5));
+    }
+
+    #[test]
+    fn a_parabola_turns_where_its_slope_is_zero() {
+        // 1 + 2t − t²/2 turns at t = 2, at 3.
+        assert_eq!(twice_the_turn(1.0, [2.0, -1.0], 3.0), 5.0);
+        assert_eq!(twice_the_turn(-1.0, [-2.0, 1.0], 3.0), -5.0);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::common::{level, level_scene, settings, table_4_1};
 use touchdown_dynamics::land::{land, land_observed};
 use touchdown_dynamics::landing::{Instant, land_located_while};
 use touchdown_dynamics::outcome::{Class, Outcome};
-use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 
 /// On a slope of 30 deg a friction of 0.4 is less than the tangent of the slope, one of 0.7 is more.
 #[test]
@@ -71,4 +71,46 @@ fn a_landing_goes_on_only_as_long_as_it_is_told_to() {
         left > 0
     });
     assert_eq!((stopped, left), (None, 0));
+}
+
+/// Of a landing that ends while its first strut is being compressed, compared with one that goes on.
+#[test]
+fn rates_at_the_end_are_those_with_which_the_motion_goes_on() {
+    const END: f64 = 0.05;
+    const STEP: f64 = 1e-4;
+    let (vehicle, scene) = (table_4_1(), level_scene(180.0, 5.0, 8.0));
+    let up_to = |end| Settings::new(1e-9, end, CrushRule::PivotRate).unwrap();
+    let rates = land(&vehicle, &scene, &up_to(END)).final_rates;
+    let mut seen = Vec::new();
+    land_observed(
+        &vehicle,
+        &scene,
+        &up_to(2.0 * END),
+        STEP,
+        &mut |now: &Instant| {
+            if (now.time - END).abs() < 1.5 * STEP {
+                seen.push((now.stability_angle, now.legs.map(|leg| leg.stroke)));
+            }
+        },
+    );
+    let [before, at, after] = &seen[..] else {
+        panic!("{seen:?}");
+    };
+    let close = |told: f64, known: f64| {
+        assert!(
+            (told - known).abs() <= 0.01 * known.abs(),
+            "{told} told, {known} seen"
+        );
+    };
+    close(
+        rates.stability_angle.unwrap(),
+        (after.0 - before.0) / (2.0 * STEP),
+    );
+    assert!(rates.strokes[0] > 1.0, "{rates:?}");
+    for leg in 0..3 {
+        let [before, at, after] = [before, at, after].map(|(_, strokes)| strokes[leg]);
+        close(rates.strokes[leg], (after - before) / (2.0 * STEP));
+        let bend = (after - 2.0 * at + before) / (STEP * STEP);
+        close(rates.stroke_accelerations[leg], bend);
+    }
 }

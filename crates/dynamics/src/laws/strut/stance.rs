@@ -244,3 +244,19 @@ fn between_turns(link_rate: f64, slack: f64) -> Bounds {
         Bounds::above(SMOOTHING_RATE)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rate_is_within_its_range_and_the_opposite_rate_in_the_mirrored_one() {
+        const SLACK: f64 = 1e-4;
+        for rate in [1e-9, 0.5, 2.0].map(|part| part * SMOOTHING_RATE) {
+            let (one, other) = (between_turns(rate, SLACK), between_turns(-rate, SLACK));
+            assert!(one.lower <= rate && rate <= one.upper, "{rate}: {one:?}");
+            assert_eq!((one.lower, one.upper), (-other.upper, -other.lower));
+        }
+        assert_eq!(between_turns(0.0, SLACK).lower, -SLACK);
+    }
+}
