@@ -256,6 +256,21 @@ def test_axes_win_over_thrust_and_footing_of_the_scene(lander, scene):
     assert swept(rough, "footing[2].height_ft") == swept(scene.replace(footing=[{"height_ft": 0.5}]), "footing[2].height_ft")
 
 
+def test_soil_by_name_and_by_numbers(lander, scene):
+    named = scene.replace(soil="surveyor-7")
+    numbers = {"bearing_strength_kpa": 21, "bearing_depth_cm": 5, "rebound": 0.004}
+    told = scene.replace(soil=numbers)
+    sunk = td.land(lander, named)
+    assert sunk.max_sinkage_m == pytest.approx(td.land(lander, told).max_sinkage_m, abs=1e-9)
+    assert min(sunk.max_sinkage_m) > 0.02 and td.land(lander, scene).max_sinkage_m == (0, 0, 0)
+    for soil in (named, told):
+        landed = td.land_many(lander, {"soil.bearing_strength_kpa": [21.0, 55.0]}, scene=soil, progress=False)
+        assert landed.max_sinkage_1_ft[0] == pytest.approx(sunk.max_sinkage_ft[0], abs=1e-9)
+        assert landed.max_sinkage_1_ft[1] < landed.max_sinkage_1_ft[0]
+    swept = td.sweep(lander, told, {"soil.bearing_strength_kpa": [55.0]}, job="outcome", progress=False)
+    assert swept.max_sinkage_1.values[0] == pytest.approx(landed.max_sinkage_1_ft[1], rel=1e-2)
+
+
 def test_a_scene_gives_what_the_table_does_not(lander, scene):
     rough = scene.replace(gravity="mars", footing=[{"height_ft": 0.2}, {"height_m": 0.1}])
     landed = td.land_many(lander, {"footing[1].height_m": [0.0, 0.05], "roll_deg": [0, 10]}, scene=rough, progress=False)

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::attitude::Attitude;
-use crate::contact::{LegLaws, Sets};
+use crate::contact::{LegLaws, Sets, Sinkages};
 use crate::motion::{LegLoads, Signal, Signals};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
@@ -266,8 +266,8 @@ impl Instant {
                     block_normal: loads[j].block_normal,
                     block_friction: loads[j].block_friction,
                     pad_sets: sets.pad,
-                    pad_sinkages: feet[j].sinkages,
                     block_set: sets.block,
+                    sinkages: feet[j].sinkages,
                     work: LegWork::from_state(leg.work),
                 }
             }),
@@ -282,8 +282,8 @@ pub(crate) struct Foot {
     pub(crate) pad_angle: f64,
     /// Plastic sets of its elements, without those of the soil.
     pub(crate) sets: Sets,
-    /// Greatest sinkages of its outboard and inboard pad sections so far, ft, on soil.
-    pub(crate) sinkages: Option<[f64; 2]>,
+    /// Greatest sinkages of its elements so far, on soil.
+    pub(crate) sinkages: Option<Sinkages>,
 }
 
 impl Foot {
@@ -323,10 +323,10 @@ pub struct LegInstant {
     pub block_friction: f64,
     /// Plastic sets of the outboard and inboard pad sections, ft.
     pub pad_sets: [f64; 2],
-    /// Greatest sinkage of the outboard and inboard pad sections so far, ft, in scenes on soil.
-    pub pad_sinkages: Option<[f64; 2]>,
     /// Plastic set of the block, ft.
     pub block_set: f64,
+    /// Greatest sinkages of its elements so far, in scenes on soil.
+    pub sinkages: Option<Sinkages>,
     /// Work done on this leg's elements since first contact.
     pub work: LegWork,
 }

@@ -38,6 +38,23 @@ pub struct Sets {
     pub strut: f64,
 }
 
+/// Greatest sinkages so far of the elements of a leg into soil, ft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sinkages {
+    /// Outboard and inboard pad section.
+    pub pad: [f64; 2],
+    /// Block.
+    pub block: f64,
+}
+
+impl Sinkages {
+    /// None, as on rock.
+    pub const NONE: Self = Self {
+        pad: [0.0; 2],
+        block: 0.0,
+    };
+}
+
 /// The discrete state of one leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LegMode {

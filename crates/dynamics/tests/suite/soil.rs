@@ -151,7 +151,7 @@ fn pads_sink_by_the_work_that_they_take() {
     let footpad = &vehicle.legs()[0].design().footpad;
     let last = &instants[instants.len() - 1].legs[0];
     let section = FRAC_PI_8 * footpad.diameter * footpad.diameter;
-    let works = last.pad_sinkages.unwrap().map(|sinkage| {
+    let works = last.sinkages.unwrap().pad.map(|sinkage| {
         let pressure = strength * sinkage / depth;
         assert!(
             pressure < 0.5 * PRESSURE,
@@ -232,7 +232,7 @@ fn sinkage_in_histories_only_grows() {
     .unwrap();
     let (landing, instants) = history(&vehicle, &scene, &settings(1e-6), 0.01);
     for leg in 0..3 {
-        let sunk = instants.iter().map(|at| at.legs[leg].pad_sinkages.unwrap());
+        let sunk = instants.iter().map(|at| at.legs[leg].sinkages.unwrap().pad);
         let deepest = sunk.fold([0.0; 2], |[a, b], [c, d]| {
             assert!(c >= a - 1e-9 && d >= b - 1e-9);
             [c, d]

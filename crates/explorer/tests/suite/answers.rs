@@ -510,3 +510,40 @@ fn a_vehicle_begins_with_a_touchdown_that_it_survives() {
         );
     }
 }
+
+/// On soil its numbers are sliders, and a pad stands in its print: crushed by its own crush alone, as deep below the surface as
+/// it has sunk. A scene file to take away lands alike.
+#[test]
+fn a_pad_stands_in_its_print() {
+    let told = |values: &Value| {
+        let answer = ask("parameters", &json!({"touchdown": {"values": values}})).unwrap();
+        let parameters = answer["parameters"].as_array().unwrap();
+        let names = parameters.iter().map(|one| one["name"].as_str().unwrap());
+        let of_soil = names.filter(|name| name.starts_with("soil."));
+        of_soil.map(str::to_owned).collect::<Vec<_>>()
+    };
+    let rock = json!({"horizontal_velocity_fps": 5});
+    let soil = json!({
+        "horizontal_velocity_fps": 5, "soil.bearing_strength_psf": 440, "soil.bearing_depth_ft": 0.16, "soil.rebound": 0.004,
+    });
+    assert_eq!(told(&rock), [""; 0]);
+    assert_eq!(told(&soil).len(), 4);
+    let depth = |values: &Value, key: &str| {
+        let answer = landing(values.clone());
+        let all = answer["drawing"]["instants"]["legs"][0][key]
+            .as_array()
+            .unwrap();
+        let depths = numbers(&all[all.len() - 1]);
+        depths[0].max(depths[1])
+    };
+    let [on_rock, on_soil] = [&rock, &soil].map(|values| depth(values, "pad_interference"));
+    assert!(
+        on_rock > 0.02 && on_soil < 0.5 * on_rock,
+        "{on_rock} {on_soil}"
+    );
+    let files = ask("scene_file", &json!({"touchdown": {"values": soil}})).unwrap();
+    assert!(
+        files.to_string().contains("bearing_strength_psf = 440"),
+        "{files}"
+    );
+}

@@ -66,6 +66,8 @@ class Landing(InBothUnits):
         stiff for the laws.
     max_strut_force_lb, max_stroke_ft, max_stroke_share : tuple of float
         Largest force, lb, and stroke, ft, of each strut, and the share of its whole stroke that this is.
+    max_sinkage_ft : tuple of float
+        Greatest sinkage of each footpad into soil, ft; 0 on rock.
     pad_contact_s, block_contact_s : tuple of float or None
         First contact of each footpad and body block, s.
     strut_work_ftlb, pad_crush_work_ftlb, pad_friction_work_ftlb : tuple of float
@@ -107,6 +109,7 @@ class Landing(InBothUnits):
     max_strut_force_lb: tuple[float, ...]
     max_stroke_ft: tuple[float, ...]
     max_stroke_share: tuple[float, ...]
+    max_sinkage_ft: tuple[float, ...]
     pad_contact_s: tuple[float | None, ...]
     block_contact_s: tuple[float | None, ...]
     strut_work_ftlb: tuple[float, ...]

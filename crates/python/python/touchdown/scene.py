@@ -99,15 +99,16 @@ class Scene(NeverChanges):
         return Scene(**changed)
 
     def without(self, names: set[str]) -> dict[str, Any]:
-        """The conditions without some, those of thrust and footing included, whatever units either are in."""
+        """The conditions without some, those of thrust, soil and footing included, whatever units either are in."""
         left_out = {same_quantity(name) for name in names}
 
         def kept(values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
             return {name: value for name, value in values.items() if same_quantity(prefix + name) not in left_out}
 
         conditions = kept(self._given)
-        if "thrust" in conditions:
-            conditions["thrust"] = kept(conditions["thrust"], "thrust.")
+        for name in ("thrust", "soil"):
+            if isinstance(conditions.get(name), Mapping):
+                conditions[name] = kept(conditions[name], f"{name}.")
         if "footing" in conditions:
             conditions["footing"] = [kept(one, f"footing[{leg}].") for leg, one in enumerate(conditions["footing"], 1)]
         return conditions

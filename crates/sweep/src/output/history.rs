@@ -149,7 +149,7 @@ pub const OF_BODY: [Column<Instant>; 18] = [
 ];
 
 /// Columns of each leg.
-pub const OF_LEG: [Column<LegInstant>; 20] = [
+pub const OF_LEG: [Column<LegInstant>; 21] = [
     Column::number(
         "gamma_#_deg",
         |leg| Some(leg.link_angle.to_degrees()),
@@ -208,13 +208,18 @@ pub const OF_LEG: [Column<LegInstant>; 20] = [
     ),
     Column::number(
         "pad_sinkage_#_ft",
-        |leg| leg.pad_sinkages.map(|[outer, inner]| outer.max(inner)),
+        |leg| leg.sinkages.map(|sunk| sunk.pad[0].max(sunk.pad[1])),
         "greatest sinkage of the footpad so far; only in scenes on soil",
     ),
     Column::number(
         "block_set_#_ft",
         |leg| Some(leg.block_set),
         "plastic set P of the block",
+    ),
+    Column::number(
+        "block_sinkage_#_ft",
+        |leg| leg.sinkages.map(|sunk| sunk.block),
+        "greatest sinkage of the block so far; only in scenes on soil",
     ),
     Column::number(
         "strut_work_#_ftlb",
@@ -297,7 +302,7 @@ mod tests {
             block_normal: 0.0,
             block_friction: 0.0,
             pad_sets: [0.0625, 0.0],
-            pad_sinkages: None,
+            sinkages: None,
             block_set: 0.0,
             work: LegWork::default(),
         };

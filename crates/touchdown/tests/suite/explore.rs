@@ -20,7 +20,8 @@ const TOUCHDOWNS: [&str; 6] = [
     r#"{"horizontal_velocity_fps": 11.5, "roll_deg": 10.1, "pitch_deg": -3}"#,
     r#"{"horizontal_velocity_mps": 3.3, "vehicle.strut.preload_n": 800, "vehicle.legs[2].strut.preload_lb": 170}"#,
     r#"{"tip_deg": 5, "tip_azimuth_deg": 30, "nominal_roll_deg": 4, "slope_deg": 20, "gravity_mps2": 3.71}"#,
-    r#"{"footing[2].height_ft": 0.5, "footing[3].tilt_along_deg": -5, "angular_velocity_x_dps": 7}"#,
+    r#"{"footing[2].height_ft": 0.5, "footing[3].tilt_along_deg": -5, "angular_velocity_x_dps": 7,
+        "soil.bearing_strength_kpa": 30, "soil.bearing_depth_m": 0.06, "soil.rebound": 0.01}"#,
     r#"{"friction": 0.3, "solver.tolerance": 1e-8, "solver.crush_rule": "section", "vertical_velocity_fps": 25}"#,
 ];
 

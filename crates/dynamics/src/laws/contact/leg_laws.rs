@@ -2,7 +2,7 @@
 
 use libm::{cos, sincos};
 
-use super::Sets;
+use super::{Sets, Sinkages};
 use crate::crush::CrushLaw;
 use crate::friction::{FrictionProfile, Sliding};
 use crate::hinge::Stops;
@@ -174,15 +174,18 @@ impl LegLaws {
         }
     }
 
-    /// These sets without those of the soil, and the sinkages of the pad's sections that left them, ft, if there is soil.
-    pub fn without_soil(&self, sets: &Sets) -> (Sets, Option<[f64; 2]>) {
+    /// These sets without those of the soil, and the sinkages that left them, if there is soil.
+    pub fn without_soil(&self, sets: &Sets) -> (Sets, Option<Sinkages>) {
         let own = Sets {
             pad: sets.pad.map(|set| self.pad.own_set(set)),
             block: self.block.own_set(sets.block),
             ..*sets
         };
-        let sinkage = |set| self.pad.sinkage_at(self.pad.deepest(set));
-        let sinkages = self.pad.is_on_soil().then(|| sets.pad.map(sinkage));
+        let sinkage = |law: &CrushLaw, set: f64| law.sinkage_at(law.deepest(set));
+        let sinkages = self.pad.is_on_soil().then(|| Sinkages {
+            pad: sets.pad.map(|set| sinkage(&self.pad, set)),
+            block: sinkage(&self.block, sets.block),
+        });
         (own, sinkages)
     }
 

@@ -2,6 +2,7 @@
 
 use nalgebra::{Vector3, Vector4};
 use serde::Serialize;
+use touchdown_dynamics::contact::Sinkages;
 use touchdown_dynamics::kinematics::{BodyFrame, PointVelocity, SeenGround};
 use touchdown_dynamics::landing::{Instant, LegInstant};
 use touchdown_dynamics::motion::Motion;
@@ -31,7 +32,7 @@ struct LegColumns {
     pivot: Vec<Triple>,
     /// From the pivot to the centre of the pad's face.
     pad_axis: Vec<Triple>,
-    /// Depths in the ground of the uncrushed faces of the outboard and inboard halves.
+    /// Depths of the uncrushed faces of the outboard and inboard halves in the ground, on soil in their prints.
     pad_interference: Vec<[f64; 2]>,
     /// Plastic sets of both halves.
     pad_crush: Vec<[f64; 2]>,
@@ -118,11 +119,13 @@ impl LegColumns {
         self.pivot.push(triple(&pivot));
         self.pad_axis
             .push(triple(&in_ground_axes(&pose.pad_z.in_leg_axes())));
-        self.pad_interference
-            .push(pose.pad_interference.map(above_zero));
+        let sunk = leg.sinkages.unwrap_or(Sinkages::NONE);
+        let [outer, inner] = pose.pad_interference;
+        let in_print = [outer - sunk.pad[0], inner - sunk.pad[1]];
+        self.pad_interference.push(in_print.map(above_zero));
         self.pad_crush.push(leg.pad_sets.map(rounded));
         self.block_interference
-            .push(above_zero(pose.block_interference));
+            .push(above_zero(pose.block_interference - sunk.block));
         self.block_crush.push(rounded(leg.block_set));
         self.stroke.push(rounded(leg.stroke));
         self.strut_force.push(rounded(leg.strut_force));
