@@ -33,6 +33,7 @@ Examples:
   touchdown-lab verdicts                         # 20000 landings: a quarter of an hour on two cores
   touchdown-lab verdicts --landings 500          # a short run
   touchdown-lab verdicts --landing 1234          # one of them, in full
+  touchdown-lab verdicts --soil --out soil       # the same landings on soil
   touchdown-lab verdicts --small-changes 10000   # whether a millimetre or a gram changes an outcome
 
 Landers with three to eight legs, with equal and with unequal legs, touch down on even and on rough ground, on the Moon, on Mars,
@@ -88,6 +89,9 @@ pub struct Options {
     /// Instead, land so many at up to two thirds of the speed of their first transition, and again with small changes
     #[arg(long, value_name = "N", conflicts_with_all = ["landings", "landing"])]
     small_changes: Option<u64>,
+    /// Land on soil of 5 to 200 kPa at 5 cm in place of rock
+    #[arg(long)]
+    soil: bool,
     /// Seed of the random numbers; the same seed gives the same landings
     #[arg(long, value_name = "N", default_value_t = 1966)]
     seed: u64,
@@ -238,7 +242,7 @@ fn contradiction(verdict: &Outcome, landing: &Landing, drift: f64) -> Option<&'s
 
 /// Runs `verdicts`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let stock = Stock::read()?;
+    let stock = Stock::read(options.soil)?;
     if let Some(number) = options.landing {
         let draw = stock.draw(options.seed, number);
         let draw = [draw];

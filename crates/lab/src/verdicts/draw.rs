@@ -13,6 +13,7 @@ use touchdown_dynamics::ground::{Ground, LegFooting, Patch};
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::parts::{Inertia, LegDesign, StrutElement};
 use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::soil::{Bearing, Soil};
 use touchdown_dynamics::thrust::Thrust;
 use touchdown_dynamics::vehicle::{Leg, Vehicle};
 use touchdown_sweep::document::Document;
@@ -37,10 +38,15 @@ const GROUNDS: [&str; 3] = ["even", "rough", "pits and rocks"];
 /// Kinds of engines.
 const ENGINES: [&str; 3] = ["off", "dies away", "stays on"];
 
+/// Pressures under which soil gives way by 5 cm, lb/ft²: 5 to 200 kPa.
+const STRENGTHS: [f64; 2] = [104.0, 4177.0];
+const DEPTH: f64 = 0.05 / 0.3048;
+
 /// What random landers are made of.
 pub struct Stock {
     shipped: [Vehicle; 2],
     surveyor: Vehicle,
+    is_on_soil: bool,
 }
 
 /// A lander and its touchdown.
@@ -77,8 +83,8 @@ impl Draw {
 }
 
 impl Stock {
-    /// Reads the vehicles that come with the program.
-    pub fn read() -> Result<Self, InputError> {
+    /// Reads the vehicles that come with the program. They land on rock or, all else the same, on soil.
+    pub fn read(is_on_soil: bool) -> Result<Self, InputError> {
         let read = |name: &str, text: &str| {
             let document = Document::parse(Path::new(name), text)?;
             Ok::<_, InputError>(VehicleFile::from_document(document)?.vehicle)
@@ -89,6 +95,7 @@ impl Stock {
         Ok(Self {
             shipped: [read("four-legs.toml", four)?, read("six-legs.toml", six)?],
             surveyor: read("surveyor-table-4-1.toml", surveyor)?,
+            is_on_soil,
         })
     }
 
@@ -129,10 +136,13 @@ impl Stock {
             slope: random.between(-15f64.to_radians(), 15f64.to_radians()),
             pad_friction: random.between(0.2, 1.5),
             block_friction: random.between(0.2, 1.5),
-            soil: touchdown_dynamics::soil::Soil::Rock,
             ground: uneven(&vehicle, ground, random)?,
             gravity: Some(gravity),
             thrust: thrust(vehicle.mass() * gravity, engine, random)?,
+            soil: match self.is_on_soil {
+                true => soil(random)?,
+                false => Soil::Rock,
+            },
         })?;
         Ok(Draw {
             number,
@@ -208,6 +218,18 @@ pub fn like(model: &Vehicle, mass: f64, height: f64, legs: Vec<Leg>) -> Result<V
         yz: -j[(1, 2)],
     };
     Vehicle::new(mass, model.gravity(), height, inertia, legs)
+}
+
+/// Soil of any strength.
+fn soil(random: &mut Random) -> Result<Soil, Invalid> {
+    let strength = random.log_between(STRENGTHS[0], STRENGTHS[1]);
+    let bearing = Bearing::new(
+        strength,
+        DEPTH,
+        random.between(0.7, 1.4),
+        random.log_between(0.002, 0.1),
+    );
+    bearing.map(Soil::Yielding)
 }
 
 /// Ground of its own under each leg, but where it is even.

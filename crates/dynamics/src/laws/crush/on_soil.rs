@@ -39,16 +39,17 @@ impl CrushLaw {
         for line in self.segments.iter() {
             while crush < line.upper {
                 let beneath = soil[yielding];
-                let slope = series(line.slope, beneath.slope);
-                // 0 while the element crushes under constant pressure.
-                let sinking = slope / beneath.slope;
+                // Parts of the way: all of it is crush where the element crushes under constant pressure.
+                let both = line.slope + beneath.slope;
+                let (sinking, crushing) = (line.slope / both, beneath.slope / both);
+                let slope = line.slope * crushing;
                 let pressure = line.offset + line.slope * crush;
                 let greatest = beneath.offset + beneath.slope * beneath.upper;
                 let next = crush + (greatest - pressure).max(0.0) / line.slope;
                 let is_next = line.slope > 0.0 && next < line.upper;
                 let end = if is_next { next } else { line.upper };
                 if end > crush {
-                    let upper = interference + (end - crush) / (1.0 - sinking);
+                    let upper = interference + (end - crush) / crushing;
                     front.push(Segment {
                         offset: pressure - slope * interference,
                         slope,
