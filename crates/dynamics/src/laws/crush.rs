@@ -2,7 +2,7 @@
 //!
 //! An element's pressure profile p(I) is its crushing front. Unloading and reloading run along the elastic line
 //! E (I − P), with E the slope of the first segment and P the plastic set. Between events an element is on one straight
-//! line of pressure against interference. On soil, the front is that of element and soil in series ([`on_soil`]).
+//! line of pressure against interference. On soil, the front is that of element and soil in series.
 
 mod on_soil;
 
