@@ -6,7 +6,7 @@ use crate::invalid::{Invalid, require};
 use crate::profile::{Segment, lines};
 use crate::quantities::{BEARING_DEPTH, BEARING_EXPONENT, BEARING_STRENGTH, REBOUND};
 
-/// What the ground is made of.
+/// Material of the ground.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Soil {
     /// It does not yield.
@@ -16,7 +16,8 @@ pub enum Soil {
     Yielding(Bearing),
 }
 
-/// How soil bears a plate: σ = σ₀ (z/z₀)ⁿ while the plate sinks (Bekker), and back along a straight line. The set is kept.
+/// Bearing of a plate by soil: the pressure σ = σ₀ (z/z₀)ⁿ (lb/ft²; Bekker's law) at a growing sinkage z (ft), a straight line
+/// back, and a set that stays (docs/model.md, "Soil").
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bearing {
     strength: f64,

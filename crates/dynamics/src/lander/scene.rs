@@ -33,7 +33,7 @@ pub struct Conditions {
     pub pad_friction: f64,
     /// Nominal friction coefficient μ0 under the body blocks.
     pub block_friction: f64,
-    /// What the ground is made of.
+    /// Material of the ground.
     pub soil: Soil,
     /// The ground under each leg, if it is not the surface.
     pub ground: Ground,

@@ -73,7 +73,7 @@ fn a_landing_goes_on_only_as_long_as_it_is_told_to() {
     assert_eq!((stopped, left), (None, 0));
 }
 
-/// Of a landing that ends while its first strut is being compressed, compared with one that goes on.
+/// The landing ends while its first strut is being compressed; another one goes on.
 #[test]
 fn rates_at_the_end_are_those_with_which_the_motion_goes_on() {
     const END: f64 = 0.05;

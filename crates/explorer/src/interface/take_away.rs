@@ -130,7 +130,7 @@ fn given(touchdown: &Touchdown) -> Vec<(&'static str, f64)> {
 /// Entries of the table `[scene]`.
 fn scene_entries(touchdown: &Touchdown) -> Vec<Entry> {
     let mut entries = Vec::new();
-    let (mut thrust, mut soil) = (Vec::new(), Vec::new());
+    let mut tables = [("thrust", Vec::new()), ("soil", Vec::new())];
     let mut footing: Vec<Vec<Entry>> = Vec::new();
     let knots = touchdown.conditions.thrust_knots();
     if !knots.is_empty() {
@@ -138,16 +138,16 @@ fn scene_entries(touchdown: &Touchdown) -> Vec<Entry> {
             let numbers = knots.iter().map(|knot| node(Value::Number(knot[index])));
             Value::List(numbers.collect())
         };
-        thrust = vec![entry("time_s", list(0)), entry("force_lb", list(1))];
+        tables[0].1 = vec![entry("time_s", list(0)), entry("force_lb", list(1))];
     }
     for (name, value) in given(touchdown) {
         let number = Value::Number(value);
-        if let Some(key) = name.strip_prefix("thrust.") {
-            thrust.push(entry(key, number));
-            continue;
-        }
-        if let Some(key) = name.strip_prefix("soil.") {
-            soil.push(entry(key, number));
+        let of_table = name.split_once('.').and_then(|(table, key)| {
+            let (_, entries) = tables.iter_mut().find(|(known, _)| *known == table)?;
+            Some((entries, key))
+        });
+        if let Some((entries, key)) = of_table {
+            entries.push(entry(key, number));
             continue;
         }
         let of_leg = name
@@ -161,7 +161,7 @@ fn scene_entries(touchdown: &Touchdown) -> Vec<Entry> {
             None => entries.push(entry(name, number)),
         }
     }
-    for (key, table) in [("thrust", thrust), ("soil", soil)] {
+    for (key, table) in tables {
         if !table.is_empty() {
             entries.push(entry(key, Value::Table(table)));
         }

@@ -4,4 +4,5 @@ mod answers;
 mod common;
 mod complaints;
 mod maps;
+mod strips;
 mod wild_clients;

@@ -172,7 +172,7 @@ fn differences(expected: &str, found: &str) -> Vec<String> {
     lines.collect()
 }
 
-/// What differs between two tables of other columns: those that are new, those that are gone, and whether others differ.
+/// Differences between tables whose columns are not the same: new columns, columns that are gone, and kept ones that differ.
 fn other_columns(expected: &[Vec<&str>], found: &[Vec<&str>]) -> Vec<String> {
     let columns = |rows: &[Vec<&str>]| -> BTreeMap<String, Vec<String>> {
         let named = rows[0].iter().enumerate();

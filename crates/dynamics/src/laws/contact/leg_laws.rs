@@ -64,7 +64,8 @@ pub struct PadDepths {
     pub sinkage: f64,
 }
 
-/// Interferences at which elements are crushed so far that until their hinge or hardpoint is on the ground, ft.
+/// Interferences at which elements are crushed by the whole height up to their hinge or hardpoint, ft; on soil with the sinkage
+/// there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Heights {
     pub(super) pad: f64,

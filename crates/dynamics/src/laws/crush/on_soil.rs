@@ -1,4 +1,4 @@
-//! Elements on soil: crush and sinkage act in series.
+//! Elements on soil: crush and sinkage act in series (docs/model.md, "Soil").
 //!
 //! Both carry the same pressure, so that the interference is the sum of crush and sinkage at that pressure. The sum has a
 //! front and an elastic line as an element alone has, and the same events.

@@ -3,10 +3,11 @@
 use touchdown_dynamics::quantities::{self, CONDITIONS, THRUST};
 use touchdown_dynamics::soil::{Bearing, Soil};
 
-use super::{METRES_PER_FOOT, NamedConditions, SceneFault, conditions};
+use super::{NamedConditions, SceneFault, conditions};
 use crate::input_error::InputError;
 use crate::numbers::keys_of;
 use crate::section::{LocatedValue, Section};
+use crate::spelling::conversion;
 
 /// The table of soil, and its keys.
 pub(crate) const SOIL: &str = "soil";
@@ -22,12 +23,10 @@ const SOILS: [(&str, f64); 6] = [
     ("surveyor-7", 21.0),
     ("luna-13", 68.0),
 ];
-const DEPTH_M: f64 = 0.05;
 /// No soil.
 const ROCK: &str = "rock";
 /// Part of the sinkage that named soils give back: that of the lunar soil in Project Chrono's rover demonstration.
 const REBOUND: f64 = 0.004;
-const PASCALS_PER_PSF: f64 = 47.880258980335846;
 
 /// Names of the conditions of soil, in the order of [`SOIL_KEYS`].
 fn names() -> [&'static str; SOIL_KEYS.len()] {
@@ -62,13 +61,15 @@ impl NamedConditions {
                 return Err(found.complain(&listed()));
             };
             let numbers = [
-                strength * 1000.0 / PASCALS_PER_PSF,
-                DEPTH_M / METRES_PER_FOOT,
-                1.0,
-                REBOUND,
+                ("bearing_strength_kpa", *strength),
+                ("bearing_depth_cm", 5.0),
+                ("bearing_exponent", 1.0),
+                ("rebound", REBOUND),
             ];
-            for (name, number) in names().into_iter().zip(numbers) {
-                self.set(name, number);
+            for ((key, name), (spelling, number)) in SOIL_KEYS.iter().zip(names()).zip(numbers) {
+                if let Some(unit) = conversion(spelling, key) {
+                    self.set(name, unit.to_program(number));
+                }
             }
             return Ok(());
         }
@@ -94,5 +95,23 @@ impl NamedConditions {
         bearing
             .map(Soil::Yielding)
             .map_err(|invalid| self.fault(invalid))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn soils_are_those_of_the_reference() {
+        const PAGE: &str = include_str!("../../../../../docs/reference.md");
+        for (name, strength) in SOILS {
+            let row = format!("| `\"{name}\"` | {strength} kPa |");
+            assert!(PAGE.contains(&row), "{row}");
+        }
+        let rows = PAGE
+            .lines()
+            .filter(|row| row.contains(" kPa | ") && row.starts_with("| `\""));
+        assert_eq!(rows.count(), SOILS.len());
     }
 }
