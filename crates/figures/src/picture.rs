@@ -8,9 +8,11 @@ use crate::contour_map;
 use crate::distribution_chart;
 use crate::division::Division;
 use crate::figure_error::FigureError;
+use crate::heights::Heights;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
 use crate::levels::Levels;
+use crate::map_family;
 use crate::map_table::{self, MapTable};
 use crate::map_view::View;
 use crate::outcome_chart;
@@ -19,6 +21,7 @@ use crate::probability_chart;
 use crate::refined_map;
 use crate::sensitivity_table::{self, SensitivityTable};
 use crate::surface::Surface;
+use crate::table::{Cells, Table};
 use crate::tornado_chart;
 use crate::work_precision::{self, Cost};
 
@@ -26,9 +29,27 @@ use crate::work_precision::{self, Cost};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Picture {
     /// Suffix to the stem of the table's name, empty for the only picture.
-    pub suffix: &'static str,
+    pub suffix: String,
     /// The picture.
     pub svg: String,
+}
+
+/// Suffixes of the pictures of maps.
+const CONTOURS: &str = "-contours";
+const PERSPECTIVE: &str = "-perspective";
+
+impl Picture {
+    /// A picture of some kind, of a family at these cells of its other axes.
+    fn new(kind: &str, cells: &[(String, String)], svg: String) -> Self {
+        let words = cells.iter().map(|(axis, value)| format!("-{axis}={value}"));
+        let words = words.collect::<String>();
+        let is_for_names = |letter: &char| letter.is_alphanumeric() || "-_.=+".contains(*letter);
+        let words = words.chars().filter(is_for_names);
+        Self {
+            suffix: kind.chars().chain(words).collect(),
+            svg,
+        }
+    }
 }
 
 /// Sources of pictures.
@@ -79,22 +100,21 @@ impl Choices {
 }
 
 /// Draws all pictures of a table. Transitions of a sweep over one axis give a profile, over two axes a contour map and
-/// a perspective, over more the same for the lowest transitions over the others. Histories give a chart, sensitivities
-/// a tornado chart, and landings over two axes a chart of outcomes.
+/// a perspective, over more the same for the lowest transitions over the others; over three also a contour map for each value
+/// of the third. A refined map over more than two axes gives a contour map for each of the values of the others. Histories
+/// give a chart, sensitivities a tornado chart, and landings over two axes a chart of outcomes.
 ///
 /// # Errors
 /// When a table is not one that the program writes, a record is not JSON, a table has no picture, or
 /// something was chosen that the table does not have.
 pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureError> {
-    let only = |svg: String| vec![Picture { suffix: "", svg }];
+    let only = |svg: String| vec![Picture::new("", &[], svg)];
     let table = source.table;
     if work_precision::is_one(table) {
         choices.check("work and precision", false, false)?;
         let mut pictures = only(work_precision::draw(table, Cost::Time)?);
-        pictures.push(Picture {
-            suffix: "-evaluations",
-            svg: work_precision::draw(table, Cost::Evaluations)?,
-        });
+        let evaluations = work_precision::draw(table, Cost::Evaluations)?;
+        pictures.push(Picture::new("-evaluations", &[], evaluations));
         return Ok(pictures);
     }
     if is_history(table) {
@@ -119,21 +139,9 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
         return outcome_chart::draw(table, &caption).map(only);
     }
     choices.check("a sweep", true, false)?;
+    let levels = choices.levels.as_ref();
     if map_table::is_one(table) {
-        let map = MapTable::parse(table, source.edges, source.points, source.grid)?;
-        let divisions = map.axes.each_ref().map(|axis| caption.division(axis));
-        let map = map.placed(divisions);
-        let levels = choices.levels.as_ref();
-        return Ok(vec![
-            Picture {
-                suffix: "-contours",
-                svg: refined_map::contours(&map, levels, &caption),
-            },
-            Picture {
-                suffix: "-perspective",
-                svg: refined_map::perspective(&map, levels, &caption),
-            },
-        ]);
+        return refined_maps(source, levels, &caption);
     }
     let all: Vec<String> = (BoundaryTable::axes(table)?.into_iter())
         .map(|axis| axis.name)
@@ -143,6 +151,12 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
         axes => axes.to_vec(),
     };
     let table = BoundaryTable::worst_by(table, &axes)?;
+    let of_each = match table.others.as_slice() {
+        [_] if choices.worst_by.is_empty() && axes.len() == 2 => {
+            family(source.table, &table, levels, &caption)?
+        }
+        _ => Vec::new(),
+    };
     let caption = caption.worst_over(&table.others);
     match axes.len() {
         1 => {
@@ -153,7 +167,11 @@ pub fn draw(source: &Source, choices: &Choices) -> Result<Vec<Picture>, FigureEr
             }
             boundary_profile::draw(&table, bands.as_ref(), &caption).map(only)
         }
-        2 => over_two_axes(table, choices.levels.as_ref(), &caption),
+        2 => {
+            let mut pictures = over_two_axes(table, levels, &caption)?;
+            pictures.extend(of_each);
+            Ok(pictures)
+        }
         count => Err(FigureError::NoPicture(format!(
             "{count} axes cannot be drawn: expected one or two of {}",
             all.join(", ")
@@ -212,51 +230,127 @@ fn drawn_axes(table: &str) -> Result<Vec<String>, FigureError> {
     }
 }
 
-/// A map and a view. If cross-slopes of both signs were swept, also a map of the negative ones with both scales
-/// reversed, which symmetry would make equal to the first.
+/// A contour map and a perspective of a refined map; of one over more than two axes a family of contour maps, one for each of
+/// the values of the others.
+fn refined_maps(
+    source: &Source,
+    levels: Option<&Levels>,
+    caption: &Caption,
+) -> Result<Vec<Picture>, FigureError> {
+    let tables = [source.edges, source.points, source.grid];
+    let placed = |(cells, map): (Cells, MapTable)| {
+        let divisions = map.axes.each_ref().map(|axis| caption.division(axis));
+        (cells, map.placed(divisions))
+    };
+    let family = map_family::refined(source.table, tables)?.into_iter();
+    let family: Vec<(Cells, MapTable)> = family.map(placed).collect();
+    let heights = Heights::of_maps(family.iter().map(|(_, map)| map), levels);
+    let contours = |(cells, map): &(Cells, MapTable)| {
+        let svg = refined_map::contours(map, &heights, &caption.at(cells));
+        Picture::new(CONTOURS, cells, svg)
+    };
+    let mut pictures: Vec<Picture> = family.iter().map(contours).collect();
+    if let [(cells, map)] = family.as_slice()
+        && cells.is_empty()
+    {
+        let svg = refined_map::perspective(map, &heights, caption);
+        pictures.push(Picture::new(PERSPECTIVE, &[], svg));
+    }
+    Ok(pictures)
+}
+
+/// Contour maps of a sweep over three axes, one for each value of the axis over which `worst` is the worst case. Those are
+/// left out whose points do not fill a grid, as may be while a sweep is not complete.
+fn family(
+    table: &str,
+    worst: &BoundaryTable,
+    levels: Option<&Levels>,
+    caption: &Caption,
+) -> Result<Vec<Picture>, FigureError> {
+    let table = Table::parse(table)?;
+    let mut family = Vec::new();
+    for cells in table.different(&worst.others)? {
+        let table = BoundaryTable::worst_of(&table.with(&cells)?, &worst.axes)?;
+        family.extend(Sides::of(table, caption).map(|sides| (cells, sides)));
+    }
+    let heights = Heights::of_surfaces(family.iter().flat_map(|(_, sides)| sides.all()), levels);
+    let contours =
+        |(cells, sides): &(Cells, Sides)| sides.contours(&heights, &caption.at(cells), cells);
+    Ok(family.iter().flat_map(contours).collect())
+}
+
+/// Contour maps and a view.
 fn over_two_axes(
     table: BoundaryTable,
     levels: Option<&Levels>,
     caption: &Caption,
 ) -> Result<Vec<Picture>, FigureError> {
-    let divisions: Vec<Division> = (table.axes.iter())
-        .map(|axis| caption.division(axis))
-        .collect();
-    let is_cross_slope = table.axes[0] == "cross_slope_deg" && divisions[0] == Division::Linear;
-    let table = table.changed(|axis, value| divisions[axis].place(value));
-    let Some(surface) = Surface::of(&table, |slow| !is_cross_slope || slow >= 0.0) else {
+    let axes = table.axes.join(" and ");
+    let Some(sides) = Sides::of(table, caption) else {
         return Err(FigureError::NoPicture(format!(
-            "its points over {} do not fill a grid of at least 2 by 2",
-            table.axes.join(" and ")
+            "its points over {axes} do not fill a grid of at least 2 by 2"
         )));
     };
-    let levels = levels.map_or_else(|| Levels::of(&surface), Levels::clone);
-    let view = View::of(&surface, caption);
-    let mut pictures = vec![
-        Picture {
-            suffix: "-contours",
-            svg: contour_map::draw(&surface, &view, &levels, caption),
-        },
-        Picture {
-            suffix: "-perspective",
-            svg: perspective::draw(&surface, &levels, caption),
-        },
-    ];
-    let has_negative = table.points.iter().any(|point| point.coordinates[0] < 0.0);
-    if is_cross_slope
-        && has_negative
-        && let Some(surface) = Surface::of(&mirrored(table), |slow| slow >= 0.0)
-    {
-        let caption = Caption {
-            title: format!("{}, signs of both scales reversed", caption.title),
-            ..caption.clone()
-        };
-        pictures.push(Picture {
-            suffix: "-contours-negative",
-            svg: contour_map::draw(&surface, &view.mirrored(), &levels, &caption),
-        });
-    }
+    let levels = levels.map_or_else(|| Levels::of(&sides.surface), Levels::clone);
+    let heights = Heights::of_surfaces(sides.all(), Some(&levels));
+    let mut pictures = sides.contours(&heights, caption, &[]);
+    let svg = perspective::draw(&sides.surface, &heights, caption);
+    pictures.insert(1, Picture::new(PERSPECTIVE, &[], svg));
     Ok(pictures)
+}
+
+/// What a table over two axes shows.
+struct Sides {
+    view: View,
+    surface: Surface,
+    /// If cross-slopes of both signs were swept, the negative ones with both scales reversed, which symmetry would make
+    /// equal to the others.
+    mirrored: Option<Surface>,
+}
+
+impl Sides {
+    /// `None` where the points of a table do not fill a grid.
+    fn of(table: BoundaryTable, caption: &Caption) -> Option<Self> {
+        let divisions: Vec<Division> = (table.axes.iter())
+            .map(|axis| caption.division(axis))
+            .collect();
+        let is_cross_slope = table.axes[0] == "cross_slope_deg" && divisions[0] == Division::Linear;
+        let table = table.changed(|axis, value| divisions[axis].place(value));
+        let surface = Surface::of(&table, |slow| !is_cross_slope || slow >= 0.0)?;
+        let has_negative = table.points.iter().any(|point| point.coordinates[0] < 0.0);
+        let has_two = is_cross_slope && has_negative;
+        Some(Self {
+            view: View::of(&surface, caption),
+            surface,
+            mirrored: has_two
+                .then(|| Surface::of(&mirrored(table), |slow| slow >= 0.0))
+                .flatten(),
+        })
+    }
+
+    fn all(&self) -> impl Iterator<Item = &Surface> {
+        [&self.surface].into_iter().chain(&self.mirrored)
+    }
+
+    /// Contour maps of all sides, at some cells of the other axes of a sweep.
+    fn contours(
+        &self,
+        heights: &Heights,
+        caption: &Caption,
+        cells: &[(String, String)],
+    ) -> Vec<Picture> {
+        let svg = contour_map::draw(&self.surface, &self.view, heights, caption);
+        let mut pictures = vec![Picture::new(CONTOURS, cells, svg)];
+        if let Some(surface) = &self.mirrored {
+            let caption = Caption {
+                title: format!("{}, signs of both scales reversed", caption.title),
+                ..caption.clone()
+            };
+            let svg = contour_map::draw(surface, &self.view.mirrored(), heights, &caption);
+            pictures.push(Picture::new("-contours-negative", cells, svg));
+        }
+        pictures
+    }
 }
 
 /// The table with the signs of both axes reversed; straight downhill stays where it is.

@@ -9,7 +9,7 @@ fn pictures(table: &str) -> Result<Vec<Picture>, FigureError> {
     draw(&source, &Choices::default())
 }
 
-fn suffixes(table: &str) -> Vec<&'static str> {
+fn suffixes(table: &str) -> Vec<String> {
     let pictures = pictures(table).unwrap().into_iter();
     pictures.map(|picture| picture.suffix).collect()
 }
@@ -24,23 +24,19 @@ fn two_axes_have_a_map_and_a_view_and_negative_cross_slopes_a_map_of_their_own()
         .map(|row| format!("-{row}\n"))
         .collect();
     let both = format!("{heading}\n{rows}{}", negative.concat());
-    assert_eq!(suffixes(&both).last(), Some(&"-contours-negative"));
+    assert_eq!(suffixes(&both).last().unwrap(), "-contours-negative");
 }
 
 #[test]
 fn single_rows_have_a_profile() {
     let row: String = TABLE.split_inclusive('\n').take(5).collect();
     let pictures = pictures(&row).unwrap();
-    assert_eq!((pictures.len(), pictures[0].suffix), (1, ""));
+    assert_eq!((pictures.len(), &*pictures[0].suffix), (1, ""));
     assert!(pictures[0].svg.contains("Roll angle") && !pictures[0].svg.contains("at worst"));
 }
 
 #[test]
 fn more_axes_are_drawn_at_worst_over_all_but_two() {
-    let with = |value: &str, rows: &str| -> String {
-        let rows = rows.lines().skip(1);
-        rows.map(|row| format!("{value},{row}\n")).collect()
-    };
     let heading = TABLE.lines().next().unwrap();
     let lower = TABLE.replace("unstable,13,13,13", "bottomed,5,5,5");
     let (first, second) = (with("15,soft", TABLE), with("20,stiff", &lower));
@@ -52,6 +48,150 @@ fn more_axes_are_drawn_at_worst_over_all_but_two() {
     assert!(map.contains("Cross-slope angle") && map.contains("Roll angle"));
     // What is drawn is the lower of the two: the walls of the perspective begin below it.
     assert!(pictures[1].svg.contains(">6</text>"));
+}
+
+/// Rows of a table without its heading, each with a cell before it.
+fn with(value: &str, table: &str) -> String {
+    let rows = table.lines().skip(1);
+    rows.map(|row| format!("{value},{row}\n")).collect()
+}
+
+/// Colours of the bar beside a map, and the numbers between them, from above.
+fn bar(svg: &str) -> Vec<&str> {
+    let parts = svg
+        .lines()
+        .filter_map(|line| match line.split('"').nth(1)? {
+            "816" => line
+                .split_once("fill=\"")?
+                .1
+                .split('"')
+                .next()
+                .filter(|_| line.starts_with("<rect")),
+            "842" => line.strip_suffix("</text>")?.rsplit('>').next(),
+            _ => None,
+        });
+    parts.collect()
+}
+
+#[test]
+fn three_axes_have_a_map_for_each_value_of_the_third_with_the_same_levels_and_colours() {
+    let heading = TABLE.lines().next().unwrap();
+    let lower = TABLE.replace("unstable,13,13,13", "bottomed,5,5,5");
+    let table = format!(
+        "friction,{heading}\n{}{}",
+        with("0.5", TABLE),
+        with("1", &lower)
+    );
+    let kinds = [
+        "-contours",
+        "-perspective",
+        "-contours-friction=0.5",
+        "-contours-friction=1",
+    ];
+    assert_eq!(suffixes(&table), kinds);
+    let drawn = pictures(&table).unwrap();
+    let family = [&drawn[2].svg, &drawn[3].svg];
+    for (svg, friction) in family.into_iter().zip(["0.5", "1"]) {
+        assert!(
+            svg.contains(&format!(">, friction {friction}</text>")),
+            "{svg}"
+        );
+        assert!(!svg.contains("at worst"));
+    }
+    assert_eq!(bar(family[0]), bar(family[1]));
+    assert!(bar(family[0]).contains(&"6"), "{:?}", bar(family[0]));
+    // What was chosen is drawn alone.
+    let source = Source {
+        table: &table,
+        ..Source::default()
+    };
+    let worst_by = ["friction", "roll_deg"].map(str::to_owned).to_vec();
+    let choices = Choices {
+        worst_by,
+        ..Choices::default()
+    };
+    assert_eq!(draw(&source, &choices).unwrap().len(), 2);
+}
+
+/// A plane over two axes as triangles, from the first V_H at a slow coordinate of 0 to the second at 10.
+fn plane(friction: &str, from: f64, to: f64) -> String {
+    let at = |slow, fast, speed: f64| format!("{slow},{friction},{fast},1,{speed}\n");
+    let [a, b] = [0, 10].map(|fast| at(0, fast, from));
+    let [c, d] = [0, 10].map(|fast| at(10, fast, to));
+    [&a, &b, &c, &b, &d, &c].map(String::as_str).concat()
+}
+
+#[test]
+fn refined_maps_over_three_axes_have_a_map_for_each_value_of_the_other_with_lines_at_the_same_levels()
+ {
+    let surface = format!(
+        "slope_deg,friction,tip_deg,triangle,first_transition_fps\n{}{}",
+        plane("0.5", 10.0, 20.0),
+        plane("1", 14.0, 24.0)
+    );
+    // Nothing topples at the last friction.
+    let corners = [(0, 0), (0, 10), (10, 0), (10, 10)];
+    let grid = ["0.5", "1", "2"].map(|friction| {
+        let row = |(slow, fast)| format!("{slow},{friction},{fast},15,0.1\n");
+        corners.map(row).concat()
+    });
+    let grid = format!(
+        "slope_deg,friction,tip_deg,first_transition_fps,estimated_error_fps\n{}",
+        grid.concat()
+    );
+    let source = Source {
+        name: "map",
+        table: &surface,
+        grid: Some(&grid),
+        ..Source::default()
+    };
+    let levels = Levels::listed(&[12.0, 16.0, 22.0]).unwrap();
+    let choices = Choices {
+        levels: Some(levels),
+        ..Choices::default()
+    };
+    let drawn = draw(&source, &choices).unwrap();
+    let suffixes: Vec<&str> = drawn.iter().map(|picture| &*picture.suffix).collect();
+    let frictions = ["0.5", "1", "2"];
+    assert_eq!(
+        suffixes,
+        frictions.map(|value| format!("-contours-friction={value}"))
+    );
+    // Lines run across the map, at the slopes at which the planes have the levels.
+    let lines = |svg: &str| -> Vec<String> {
+        let lines = svg
+            .lines()
+            .filter(|line| line.contains("stroke-width=\"1.3\""));
+        let height = |line: &str| {
+            let place = line.split_once("points=\"")?.1.split_once(' ')?.0;
+            Some(place.split_once(',')?.1.to_owned())
+        };
+        lines.map(|line| height(line).unwrap()).collect()
+    };
+    // Ticks from 0 to 10 deg of slope.
+    let ticks = |svg: &str| -> Vec<String> {
+        let ticks = svg
+            .lines()
+            .filter_map(|line| line.strip_prefix("<polyline points=\"70,"));
+        ticks
+            .map(|rest| rest.split(' ').next().unwrap().to_owned())
+            .collect()
+    };
+    const BAR: [&str; 7] = ["#FAE88C", "22", "#9D9677", "16", "#596173", "12", "#203460"];
+    let slopes: [&[usize]; 3] = [&[2, 6], &[2, 8], &[]];
+    for ((picture, friction), slopes) in drawn.iter().zip(frictions).zip(slopes) {
+        let svg = &picture.svg;
+        let expected: Vec<String> = slopes
+            .iter()
+            .map(|slope| ticks(svg)[*slope].clone())
+            .collect();
+        assert_eq!(lines(svg), expected, "{svg}");
+        assert_eq!(bar(svg), BAR, "{svg}");
+        assert!(
+            svg.contains(&format!(">map, friction {friction}</text>")),
+            "{svg}"
+        );
+    }
 }
 
 #[test]

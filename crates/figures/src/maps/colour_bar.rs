@@ -2,12 +2,11 @@
 
 use crate::canvas::Canvas;
 use crate::frame::Area;
-use crate::levels::Levels;
+use crate::heights::Heights;
 use crate::number;
 use crate::palette;
 use crate::speed_unit::SpeedUnit;
 use crate::style::Style;
-use crate::surface::Surface;
 use crate::text::{Anchor, Font};
 
 /// Width of the column with its numbers, pixels.
@@ -38,9 +37,10 @@ pub fn beside(body: Area, overlap: f64) -> [Area; 2] {
 /// Overlap of a contour map with the column, pixels.
 pub const OVERLAP: f64 = 12.0;
 
-/// Draws the colour bands that a surface reaches, the highest on top.
-pub fn draw(canvas: &mut Canvas, area: Area, surface: &Surface, levels: &Levels, unit: SpeedUnit) {
-    let Some((least, greatest)) = surface.range() else {
+/// Draws the colour bands that heights reach, the highest on top.
+pub fn draw(canvas: &mut Canvas, area: Area, heights: &Heights, unit: SpeedUnit) {
+    let levels = &heights.levels;
+    let Some((least, greatest)) = heights.range else {
         return;
     };
     let (left, top) = (area.left + LEFT, area.top + TOP);

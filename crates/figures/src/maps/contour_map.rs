@@ -4,6 +4,7 @@ use crate::axis_title::axis_title;
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
 use crate::frame::{Area, Frame, Scale};
+use crate::heights::Heights;
 use crate::isolines::{self, Place};
 use crate::legend::{Mark, draw_mark};
 use crate::levels::Levels;
@@ -30,7 +31,8 @@ const LABEL: f64 = 11.0;
 const PAPER: f64 = 15.0;
 
 /// Draws the map as SVG.
-pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) -> String {
+pub fn draw(surface: &Surface, view: &View, heights: &Heights, caption: &Caption) -> String {
+    let levels = &heights.levels;
     let entries = map_legend::of_map(surface, caption);
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
@@ -50,7 +52,7 @@ pub fn draw(surface: &Surface, view: &View, levels: &Levels, caption: &Caption) 
     }
     map.draw_lone_points(&mut canvas, levels);
     map.draw_marks(&mut canvas);
-    colour_bar::draw(&mut canvas, right, surface, levels, caption.speed_unit);
+    colour_bar::draw(&mut canvas, right, heights, caption.speed_unit);
     canvas.into_svg()
 }
 

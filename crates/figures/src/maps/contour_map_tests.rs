@@ -7,7 +7,7 @@ fn map() -> String {
     draw(
         &surface,
         &View::of(&surface, &Caption::default()),
-        &levels,
+        &Heights::of_surfaces([&surface], Some(&levels)),
         &Caption::default(),
     )
 }
@@ -55,11 +55,10 @@ fn the_valley_is_marked_where_the_table_has_it() {
 #[test]
 fn every_point_with_a_transition_is_seen_and_every_mark_explained() {
     let drawn = |surface: &Surface| {
-        let levels = Levels::of(surface);
         draw(
             surface,
             &View::of(surface, &Caption::default()),
-            &levels,
+            &Heights::of_surfaces([surface], None),
             &Caption::default(),
         )
     };

@@ -11,8 +11,8 @@ pub struct Levels(Vec<f64>);
 
 /// Approximate number of intervals into which the range of a surface is divided at first.
 const INTERVALS: f64 = 10.0;
-/// An interval is halved if it holds more than this part of a surface's points and more than `FEW` of them, and if its
-/// halves are round.
+/// An interval is halved if it holds more than this part of a surface and more than `FEW` of its points, or what they weigh on
+/// average, and if its halves are round.
 const CROWDED: f64 = 0.125;
 const FEW: f64 = 8.0;
 
@@ -36,7 +36,13 @@ impl Levels {
 
     /// Round levels between the least and the greatest of these velocities, closer where more of them lie.
     pub fn through(heights: &[f64]) -> Self {
-        let ends = heights.iter().copied();
+        let of_one_weight = heights.iter().map(|height| (*height, 1.0));
+        Self::through_weighted(&of_one_weight.collect::<Vec<_>>())
+    }
+
+    /// The same through velocities of different weights, closer where more of the weight lies.
+    pub fn through_weighted(heights: &[(f64, f64)]) -> Self {
+        let ends = heights.iter().map(|(height, _)| *height);
         let (Some(least), Some(greatest)) = (ends.clone().reduce(f64::min), ends.reduce(f64::max))
         else {
             return Self(Vec::new());
@@ -44,11 +50,16 @@ impl Levels {
         let step = round_step((greatest - least) / INTERVALS);
         let first = (least / step).floor();
         let count = ((greatest / step).ceil() - first).clamp(1.0, 2.0 * INTERVALS) as usize;
+        let crowded = Crowded {
+            heights,
+            share: CROWDED.max(FEW / heights.len() as f64),
+            total: heights.iter().map(|(_, weight)| weight).sum(),
+        };
         let mut levels = Vec::new();
         for index in 0..count {
             let low = first + index as f64;
             levels.extend((index > 0).then_some(low * step));
-            halve(low * step, step, heights, &mut levels);
+            crowded.halve(low * step, step, &mut levels);
         }
         levels.retain(|level| least < *level && *level < greatest);
         if levels.is_empty() {
@@ -100,16 +111,24 @@ impl Levels {
     }
 }
 
-/// Adds levels within an interval while its parts are crowded and their width is round.
-fn halve(low: f64, width: f64, heights: &[f64], levels: &mut Vec<f64>) {
-    let inside = |height: &&f64| (low..low + width).contains(*height);
-    let count = heights.iter().filter(inside).count() as f64;
-    let is_crowded = count > FEW.max(CROWDED * heights.len() as f64);
-    if is_crowded && is_round(0.5 * width) {
-        let middle = low + 0.5 * width;
-        halve(low, 0.5 * width, heights, levels);
-        levels.push(middle);
-        halve(middle, 0.5 * width, heights, levels);
+/// Velocities with their weights, and the share of the total beyond which an interval is crowded.
+struct Crowded<'h> {
+    heights: &'h [(f64, f64)],
+    share: f64,
+    total: f64,
+}
+
+impl Crowded<'_> {
+    /// Adds levels within an interval while its parts are crowded and their width is round.
+    fn halve(&self, low: f64, width: f64, levels: &mut Vec<f64>) {
+        let inside = |(height, _): &&(f64, f64)| (low..low + width).contains(height);
+        let weights = self.heights.iter().filter(inside).map(|(_, weight)| weight);
+        if weights.sum::<f64>() / self.total > self.share && is_round(0.5 * width) {
+            let middle = low + 0.5 * width;
+            self.halve(low, 0.5 * width, levels);
+            levels.push(middle);
+            self.halve(middle, 0.5 * width, levels);
+        }
     }
 }
 

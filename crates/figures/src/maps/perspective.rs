@@ -3,6 +3,7 @@
 use crate::axis_title::axis_title;
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
+use crate::heights::Heights;
 use crate::legend::{Mark, draw_mark};
 use crate::levels::Levels;
 use crate::sheet::{self, Height, Sheet};
@@ -21,24 +22,24 @@ const LINES: usize = 6;
 
 /// Draws the surface as SVG. Only cells are drawn whose corners all have a transition and between which the boundary
 /// does not jump, so that gaps stay gaps.
-pub fn draw(surface: &Surface, levels: &Levels, caption: &Caption) -> String {
+pub fn draw(surface: &Surface, heights: &Heights, caption: &Caption) -> String {
     let entries = map_legend::of_perspective(surface, caption);
     let (width, height) = SIZE;
     let Sheet { mut canvas, body } = sheet::begin(width, Height::Whole(height), caption, &entries);
     let [left, right] = colour_bar::beside(body, 0.0);
-    if let Some((heights, step)) = heights(surface) {
-        let point = ViewPoint::on(left, surface, heights);
-        draw_box(&mut canvas, surface, &point, (heights, step), caption);
-        draw_floor_marks(&mut canvas, surface, &point, heights[0]);
-        draw_cells(&mut canvas, surface, levels, &point);
+    if let Some((ends, step)) = floor_and_top(heights) {
+        let point = ViewPoint::on(left, surface, ends);
+        draw_box(&mut canvas, surface, &point, (ends, step), caption);
+        draw_floor_marks(&mut canvas, surface, &point, ends[0]);
+        draw_cells(&mut canvas, surface, &heights.levels, &point);
     }
-    colour_bar::draw(&mut canvas, right, surface, levels, caption.speed_unit);
+    colour_bar::draw(&mut canvas, right, heights, caption.speed_unit);
     canvas.into_svg()
 }
 
 /// Heights of floor and top of the box around a surface, and the step between the lines on its walls.
-pub fn heights(surface: &Surface) -> Option<([f64; 2], f64)> {
-    let (least, greatest) = surface.range()?;
+pub fn floor_and_top(heights: &Heights) -> Option<([f64; 2], f64)> {
+    let (least, greatest) = heights.range?;
     let step = round_step((greatest - least) / HEIGHT_LINES);
     let floor = step * (least / step).floor();
     let top = (step * (greatest / step).ceil()).max(floor + step);
@@ -174,7 +175,11 @@ mod tests {
     #[test]
     fn only_whole_cells_are_drawn() {
         let surface = example();
-        let svg = draw(&surface, &Levels::of(&surface), &Caption::default());
+        let svg = draw(
+            &surface,
+            &Heights::of_surfaces([&surface], None),
+            &Caption::default(),
+        );
         assert!(svg.starts_with("<svg width=\"900\" height=\"700\""));
         let cells = surface.cells();
         let whole = cells.filter(|(_, cell)| matches!(cell, Cell::Whole(_)));

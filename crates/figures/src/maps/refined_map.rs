@@ -2,6 +2,7 @@
 
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
+use crate::heights::Heights;
 use crate::isolines;
 use crate::legend::{Entry, Mark, draw_mark, hatch};
 use crate::levels::Levels;
@@ -14,9 +15,9 @@ use crate::view_point::ViewPoint;
 use crate::{colour_bar, contour_map, hatching, number, palette, perspective};
 
 /// Draws the contour map as SVG.
-pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
+pub(crate) fn contours(map: &MapTable, heights: &Heights, caption: &Caption) -> String {
     let extent = extent(map);
-    let levels = levels.map_or_else(|| Levels::of(&extent), Levels::clone);
+    let levels = &heights.levels;
     let view = View::of(&extent, caption);
     let (width, height) = contour_map::SIZE;
     let whole = Height::Whole(height);
@@ -49,7 +50,7 @@ pub fn contours(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> S
     for place in frame.places(map.patchy.iter().map(|place| view.at(*place))) {
         draw_mark(&mut canvas, patchy(), place, palette::SMALL_MARK);
     }
-    colour_bar::draw(&mut canvas, right, &extent, &levels, caption.speed_unit);
+    colour_bar::draw(&mut canvas, right, heights, caption.speed_unit);
     canvas.into_svg()
 }
 
@@ -84,19 +85,18 @@ fn hatching(grid: &Grid, asked: f64, width: f64) -> Vec<[[f64; 2]; 2]> {
 }
 
 /// Draws the perspective as SVG.
-pub fn perspective(map: &MapTable, levels: Option<&Levels>, caption: &Caption) -> String {
+pub(crate) fn perspective(map: &MapTable, heights: &Heights, caption: &Caption) -> String {
     let extent = extent(map);
-    let levels = levels.map_or_else(|| Levels::of(&extent), Levels::clone);
     let (width, height) = perspective::SIZE;
     let whole = Height::Whole(height);
     let Sheet { mut canvas, body } = sheet::begin(width, whole, caption, &[]);
     let [left, right] = colour_bar::beside(body, 0.0);
-    if let Some((heights, step)) = perspective::heights(&extent) {
-        let point = ViewPoint::on(left, &extent, heights);
-        perspective::draw_box(&mut canvas, &extent, &point, (heights, step), caption);
-        draw_surface(&mut canvas, map, &levels, &point);
+    if let Some((ends, step)) = perspective::floor_and_top(heights) {
+        let point = ViewPoint::on(left, &extent, ends);
+        perspective::draw_box(&mut canvas, &extent, &point, (ends, step), caption);
+        draw_surface(&mut canvas, map, &heights.levels, &point);
     }
-    colour_bar::draw(&mut canvas, right, &extent, &levels, caption.speed_unit);
+    colour_bar::draw(&mut canvas, right, heights, caption.speed_unit);
     canvas.into_svg()
 }
 
@@ -129,14 +129,13 @@ fn draw_surface(canvas: &mut Canvas, map: &MapTable, levels: &Levels, point: &Vi
 
 /// The default levels of a map.
 pub fn levels(map: &MapTable) -> Levels {
-    Levels::of(&extent(map))
+    Heights::of_maps([map], None).levels
 }
 
-/// A surface with only the extent and the heights of a map: it is as wide as what was searched, if that is known.
+/// A surface with only the extent of a map: it is as wide as what was searched, if that is known.
 fn extent(map: &MapTable) -> Surface {
-    let corners = || map.triangles.iter().flatten();
     let ends = |axis: usize| {
-        let of_corners = corners().map(|(place, _)| place[axis]);
+        let of_corners = map.triangles.iter().flatten().map(|(place, _)| place[axis]);
         let of_edges = map.edges.iter().flat_map(|edge| &edge.places);
         let of_grid = map.grid.iter().flat_map(|grid| &grid.coordinates[axis]);
         let all = of_corners
@@ -151,7 +150,7 @@ fn extent(map: &MapTable) -> Surface {
         axes: map.axes.clone(),
         slow: ends(0),
         fast: ends(1),
-        speeds: vec![corners().map(|(_, speed)| Some(*speed)).collect()],
+        speeds: Vec::new(),
         doubtful: Vec::new(),
         jump: f64::INFINITY,
     }

@@ -154,7 +154,11 @@ impl BoundaryTable {
     /// Names the axis that the table does not have or that was named twice, and the row and column
     /// that is not as the sweep writes it.
     pub fn worst_by(csv: &str, axes: &[String]) -> Result<Self, FigureError> {
-        let table = Table::parse(csv)?;
+        Self::worst_of(&Table::parse(csv)?, axes)
+    }
+
+    /// As [`BoundaryTable::worst_by`].
+    pub(crate) fn worst_of(table: &Table, axes: &[String]) -> Result<Self, FigureError> {
         let kind = table.column(KIND)?;
         let velocities = [
             table.column(SPEED)?,

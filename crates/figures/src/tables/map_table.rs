@@ -5,7 +5,8 @@ use crate::division::Division;
 use crate::figure_error::FigureError;
 use crate::table::{Row, Table, has_column};
 
-const TRIANGLE: &str = "triangle";
+/// The column after the axes of a table of triangles.
+pub(crate) const TRIANGLE: &str = "triangle";
 const SPEED: &str = "first_transition_fps";
 const EDGE: &str = "edge";
 const KIND: &str = "edge_kind";
@@ -88,28 +89,38 @@ impl MapTable {
         points: Option<&str>,
         grid: Option<&str>,
     ) -> Result<Self, FigureError> {
-        let table = Table::parse(triangles)?;
-        let (triangle, speed) = (table.column(TRIANGLE)?, table.column(SPEED)?);
-        let [slow, fast] = table.names()[..triangle] else {
+        let parse = |csv: Option<&str>| csv.map(Table::parse).transpose();
+        let triangles = Table::parse(triangles)?;
+        let (edges, points, grid) = (parse(edges)?, parse(points)?, parse(grid)?);
+        Self::of(&triangles, edges.as_ref(), points.as_ref(), grid.as_ref())
+    }
+
+    /// As [`MapTable::parse`].
+    pub(crate) fn of(
+        triangles: &Table,
+        edges: Option<&Table>,
+        points: Option<&Table>,
+        grid: Option<&Table>,
+    ) -> Result<Self, FigureError> {
+        let (triangle, speed) = (triangles.column(TRIANGLE)?, triangles.column(SPEED)?);
+        let [slow, fast] = triangles.names()[..triangle] else {
             return Err(FigureError::NoPicture(
-                "a map over more than two axes is not drawn".to_owned(),
+                "a map is drawn over two axes".to_owned(),
             ));
         };
         let axes = [slow.to_owned(), fast.to_owned()];
-        let corners = table
-            .nonempty_rows()?
+        let corners = triangles
+            .rows()
             .map(|row| Ok((place(row)?, row.number(speed)?)));
         let corners = corners.collect::<Result<Vec<Corner>, FigureError>>()?;
         let (triangles, _) = corners.as_chunks::<3>();
-        let edges = edges.map(edges_of).transpose()?;
-        let points = points.map(|points| BoundaryTable::worst_by(points, &axes));
-        let grid = grid.map(read_grid).transpose()?;
+        let points = points.map(|points| BoundaryTable::worst_of(points, &axes));
         Ok(Self {
             axes,
             triangles: triangles.to_vec(),
-            edges: edges.unwrap_or_default(),
+            edges: edges.map(read_edges).transpose()?.unwrap_or_default(),
             patchy: points.transpose()?.as_ref().map_or_else(Vec::new, patchy),
-            grid,
+            grid: grid.map(read_grid).transpose()?,
         })
     }
 
@@ -144,8 +155,7 @@ fn place(row: Row) -> Result<[f64; 2], FigureError> {
     Ok([row.number(0)?, row.number(1)?])
 }
 
-fn read_grid(csv: &str) -> Result<Grid, FigureError> {
-    let table = Table::parse(csv)?;
+fn read_grid(table: &Table) -> Result<Grid, FigureError> {
     let error = table.column(ERROR)?;
     let places = table.nonempty_rows()?.map(place);
     let places = places.collect::<Result<Vec<_>, FigureError>>()?;
@@ -175,7 +185,10 @@ fn read_grid(csv: &str) -> Result<Grid, FigureError> {
 /// # Errors
 /// When it is not as the program writes it.
 pub fn edges_of(csv: &str) -> Result<Vec<Edge>, FigureError> {
-    let table = Table::parse(csv)?;
+    read_edges(&Table::parse(csv)?)
+}
+
+fn read_edges(table: &Table) -> Result<Vec<Edge>, FigureError> {
     let (edge, kind) = (table.column(EDGE)?, table.column(KIND)?);
     let mut edges: Vec<Edge> = Vec::new();
     let mut last = "";

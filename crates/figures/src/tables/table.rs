@@ -16,6 +16,9 @@ pub fn has_column(csv: &str, names: &[&str]) -> bool {
     heading.split(',').any(|column| names.contains(&column))
 }
 
+/// Cells of a row, each with the name of its column.
+pub type Cells = Vec<(String, String)>;
+
 /// A table.
 pub struct Table {
     heading: StringRecord,
@@ -54,6 +57,46 @@ impl Table {
     pub fn column(&self, name: &str) -> Result<usize, FigureError> {
         self.find(name)
             .ok_or_else(|| FigureError::Table(format!("column {name} is missing")))
+    }
+
+    /// What stands in these columns, each of it once, in the order of the rows.
+    ///
+    /// # Errors
+    /// When one of the columns is missing.
+    pub fn different(&self, columns: &[String]) -> Result<Vec<Cells>, FigureError> {
+        let places = columns.iter().map(|name| self.column(name));
+        let places = places.collect::<Result<Vec<_>, _>>()?;
+        let mut found: Vec<Cells> = Vec::new();
+        for row in self.rows() {
+            let texts = places.iter().map(|place| row.text(*place).to_owned());
+            let cells: Cells = columns.iter().cloned().zip(texts).collect();
+            if !found.contains(&cells) {
+                found.push(cells);
+            }
+        }
+        Ok(found)
+    }
+
+    /// The rows with these cells, without the cells.
+    ///
+    /// # Errors
+    /// When one of their columns is missing.
+    pub fn with(&self, cells: &Cells) -> Result<Self, FigureError> {
+        let places = cells.iter().map(|(name, _)| self.column(name));
+        let places = places.collect::<Result<Vec<_>, _>>()?;
+        let is_one = |row: &&StringRecord| {
+            let mut texts = places.iter().zip(cells);
+            texts.all(|(place, (_, text))| row[*place] == **text)
+        };
+        let rest = |row: &StringRecord| {
+            let texts = row.iter().enumerate();
+            let kept = texts.filter(|(place, _)| !places.contains(place));
+            kept.map(|(_, text)| text).collect()
+        };
+        Ok(Self {
+            heading: rest(&self.heading),
+            rows: self.rows.iter().filter(is_one).map(rest).collect(),
+        })
     }
 
     /// The rows.

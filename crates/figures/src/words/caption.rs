@@ -6,6 +6,7 @@ use crate::axis_title::column_words;
 use crate::division::Division;
 use crate::figure_error::FigureError;
 use crate::number::label;
+use crate::parameter_words::parameter_words;
 use crate::speed_unit::SpeedUnit;
 use crate::unit::split_unit;
 
@@ -117,6 +118,28 @@ impl Caption {
         match self.searched_to {
             Some(speed) => format!("stable up to {} {}", label(speed), self.speed_unit),
             None => "no transition".to_owned(),
+        }
+    }
+
+    /// The caption of one of a family of pictures, with its values of the other axes, as tables have them. Statements on the
+    /// sweep do not hold for it.
+    pub(crate) fn at(&self, cells: &[(String, String)]) -> Self {
+        if cells.is_empty() {
+            return self.clone();
+        }
+        let words = cells.iter().map(|(axis, value)| {
+            let value = value.parse().map_or_else(|_| value.clone(), label);
+            let words = format!("{} {value} {}", parameter_words(axis), split_unit(axis).1);
+            words.trim_end().to_owned()
+        });
+        Self {
+            title: [self.title.clone()]
+                .into_iter()
+                .chain(words)
+                .collect::<Vec<_>>()
+                .join(", "),
+            statement: None,
+            ..self.clone()
         }
     }
 

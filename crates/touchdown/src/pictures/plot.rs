@@ -24,7 +24,8 @@ Examples:
     writes map-contours.png and map-perspective.png, as two axes have two pictures
 
   touchdown plot results/trade.csv --worst-by friction,roll_deg --out map.png
-    draws V_H over two of many axes, at worst over all others
+    draws V_H over two of many axes, at worst over all others; without --worst-by a table over three
+    axes has a contour map for each value of the third, too
 
   touchdown plot landing.csv --columns stroke_#_ft,clearance_ft --out strokes.svg
     draws these columns of a history, # for every leg
@@ -179,7 +180,10 @@ fn overlay(tables: &[Files], out: &Path, choices: &Choices) -> Result<Picture, I
     }
     let svg = picture::overlay(&sources, choices)
         .map_err(|error| InputError::in_file(out, error.to_string()))?;
-    Ok(Picture { suffix: "", svg })
+    Ok(Picture {
+        suffix: String::new(),
+        svg,
+    })
 }
 
 fn write(place: &Path, pictures: &[Picture], forms: &[Form]) -> Result<(), Failure> {

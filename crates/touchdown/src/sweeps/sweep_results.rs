@@ -172,8 +172,8 @@ fn pictures(
         };
         let [slow, fast] = [slow, fast].map(|axis| sweep.units.quantity(axis.name()));
         format!(
-            "pictures show V_H at worst over all axes but two: `touchdown plot {} --worst-by {},{}` \
-             and the like draw others",
+            "{stem}-contours and {stem}-perspective show V_H at worst over all axes but two: \
+             `touchdown plot {} --worst-by {},{}` and the like draw others",
             table.display(),
             slow.name(),
             fast.name()

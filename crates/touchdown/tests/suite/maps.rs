@@ -198,6 +198,31 @@ fn transitions_end_where_the_edges_are() {
     assert_eq!(rows(&bench, "map-grid.csv").len(), 9 * 17);
 }
 
+/// Axes that are not refined have a picture for each of their values, which is drawn again as it was.
+#[test]
+fn a_map_over_three_axes_has_a_picture_for_each_value_of_the_third() {
+    let coarser = map().replace("deg = 2, roll_deg = 2", "deg = 10, roll_deg = 10");
+    let text = coarser
+        .replace("friction = 1.0\n", "")
+        .replace("roll_deg = [20", "friction = [0.9, 1.0]\nroll_deg = [20");
+    let bench = bench_of(&text);
+    let done = run(&bench, &["sweep", "map.toml", "--out", "out"]);
+    let of = |friction: &str, stem: &str| format!("{stem}-contours-friction={friction}.svg");
+    for friction in ["0.9", "1"] {
+        assert!(done.out.contains(&of(friction, "out/map")), "{}", done.out);
+    }
+    run(
+        &bench,
+        &["plot", "out/map-surface.csv", "--out", "again.svg"],
+    );
+    let drawn = ["0.9", "1"].map(|friction| {
+        let [first, again] = ["out/map", "again"].map(|stem| bench.read(&of(friction, stem)));
+        assert_eq!(first, again);
+        first
+    });
+    assert_ne!(drawn[0], drawn[1]);
+}
+
 #[test]
 fn dry_runs_tell_of_the_first_level() {
     let bench = bench();

@@ -138,7 +138,8 @@ fn maps_of_other_vehicles_have_levels_of_their_own() {
     assert!(!picture.contains("jumps") && !picture.contains("1966"));
 }
 
-/// A sweep over more than two axes has pictures of the worst case, and says how to get others.
+/// A sweep over more than two axes has pictures of the worst case, and says how to get others; over three it has one for each
+/// value of the third.
 #[test]
 fn sweeps_over_many_axes_are_drawn_at_worst_over_all_but_two() {
     let bench = Bench::new();
@@ -157,6 +158,16 @@ fn sweeps_over_many_axes_are_drawn_at_worst_over_all_but_two() {
         map.contains("at worst over friction coefficient μ"),
         "{map}"
     );
+    for friction in ["0.9", "1"] {
+        let name = format!("results/many-contours-friction={friction}.svg");
+        assert!(done.out.contains(&name), "{}", done.out);
+        let of_one = bench.read(&name);
+        assert!(
+            of_one.contains(&format!(", friction {friction}</text>")),
+            "{of_one}"
+        );
+        assert!(!of_one.contains("at worst over"), "{of_one}");
+    }
     // The old word for the option still works.
     for option in ["--worst-by", "--least-over"] {
         let axes = "friction,roll_deg";
