@@ -4,7 +4,7 @@
     crates/lab/scripts/map_errors.py truth DIR            # writes DIR/inside.toml and DIR/rim.toml
     touchdown sweep DIR/inside.toml DIR/rim.toml --out DIR
     for b in 3000 6000 11800 24000 48000; do
-      sed "s/^budget_landings.*/budget_landings = $b/; s#= \\"vehicles#= \\"$PWD/sweeps/vehicles#" \\
+      sed "s/^budget_landings.*/error_fps = 0.02\\nbudget_landings = $b/; s#= \\"vehicles#= \\"$PWD/sweeps/vehicles#" \\
         sweeps/map-4-20.toml > DIR/map-$b.toml
     done
     touchdown sweep DIR/map-*.toml --out DIR

@@ -17,7 +17,7 @@ fn copy(from: &Path, to: &Path) {
         let there = to.join(path.file_name().unwrap());
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("csv" | "json") => drop(fs::copy(&path, there).unwrap()),
-            Some("svg") => fs::write(there, "").unwrap(),
+            Some("svg" | "png") => fs::write(there, "").unwrap(),
             None if path.is_dir() => copy(&path, &there),
             _ => {}
         }

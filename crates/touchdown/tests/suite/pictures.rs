@@ -77,6 +77,21 @@ fn committed_pictures_are_drawn_again_from_their_tables() {
 }
 
 #[test]
+fn the_readme_begins_with_the_picture_of_a_map_with_edges() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let read = |name: &str| fs::read_to_string(root.join(name)).unwrap();
+    let page = read("README.md");
+    let (_, first) = page.split_once("![").unwrap();
+    let (_, first) = first.split_once("](").unwrap();
+    let (stem, _) = first.split_once("-contours.png)").unwrap();
+    let record: serde_json::Value = serde_json::from_str(&read(&format!("{stem}.json"))).unwrap();
+    assert!(record["input"]["map"].is_object(), "{stem}");
+    assert!(read(&format!("{stem}-edges.csv")).lines().count() > 2);
+    let picture = fs::read(root.join(format!("{stem}-contours.png"))).unwrap();
+    assert!(picture.starts_with(b"\x89PNG"));
+}
+
+#[test]
 fn pictures_of_the_corpus_are_drawn_as_they_were() {
     let tables = golden().join("expected");
     let mut found = "picture,fingerprint\n".to_owned();
