@@ -43,17 +43,21 @@ impl Caption {
     /// As [`Caption::from_record`].
     pub fn of_table(name: &str, table: &str, record: Option<&str>) -> Result<Self, FigureError> {
         let speed_unit = SpeedUnit::of_table(table);
-        match record {
-            Some(record) => Self::from_record(record, speed_unit),
-            None => Ok(Self {
-                title: name.to_owned(),
+        let mut caption = match record {
+            Some(record) => Self::from_record(record, speed_unit)?,
+            None => Self {
                 speed_unit,
                 ..Self::default()
-            }),
+            },
+        };
+        if caption.title.is_empty() {
+            name.clone_into(&mut caption.title);
         }
+        Ok(caption)
     }
 
-    /// Reads the caption from the record that a sweep writes beside its table, whose speeds are in this unit.
+    /// Reads the caption from the record that a sweep writes beside its table, whose speeds are in this unit, or from the report
+    /// of a landing.
     ///
     /// # Errors
     /// When the record is not JSON, or is in other units than the table. What it leaves out is left out of the picture.
@@ -61,7 +65,11 @@ impl Caption {
         let record: Value = serde_json::from_str(record)
             .map_err(|error| FigureError::Table(format!("record: {error}")))?;
         let text = |value: &Value| value.as_str().map(str::to_owned);
-        let input = &record["input"];
+        // Reports have what was put in beside what came out.
+        let input = match &record["input"] {
+            Value::Null => &record,
+            input => input,
+        };
         let mut parts: Vec<String> = text(&input["vehicle"]["name"]).into_iter().collect();
         for (name, value) in input["scene"].as_object().into_iter().flatten() {
             parts.extend(

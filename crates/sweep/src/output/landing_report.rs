@@ -56,6 +56,7 @@ impl LandingReport<'_> {
         let mut report = json!({
             "program": results::program(self.version),
             "commit": results::COMMIT,
+            "vehicle": { "name": vehicle.name },
             "vehicle_file": vehicle.document.path().display().to_string(),
             "vehicle_fingerprint": fingerprint(&vehicle.document.source().text),
             "set": (self.set.iter())

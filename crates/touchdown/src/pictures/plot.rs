@@ -38,7 +38,7 @@ Examples:
 
 The table of bands (figure-4-09-bands.csv) and the record (figure-4-09.json) are read where they
 stand beside the table: without the one only first transitions are drawn, without the other there
-are no conditions.";
+are no conditions. The record of a history is what `land --json` prints (landing.json).";
 
 /// Options of `plot`.
 #[derive(Debug, Args)]

@@ -215,6 +215,34 @@ fn axes_have_the_scale_of_their_spacing() {
     assert_ne!(counted, listed);
 }
 
+/// A history is titled with vehicle and conditions where the report of its landing stands beside it.
+#[test]
+fn pictures_of_a_history_tell_vehicle_and_conditions() {
+    let bench = Bench::new();
+    let landing = [
+        &crate::common::BASELINE[..],
+        &["--history", "landing.csv", "--json"],
+    ];
+    let done = bench.run(&landing.concat());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let conditions = ">Surveyor, Table 4-1 · ";
+    for is_told in [false, true] {
+        if is_told {
+            bench.write("landing.json", &done.out);
+        }
+        let done = bench.run(&["plot", "landing.csv", "--out", "page.svg"]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let page = bench.read("page.svg");
+        assert!(page.contains(">landing</text>"), "{page}");
+        assert_eq!(page.contains(conditions), is_told, "{page}");
+        assert_eq!(
+            page.contains("11.25 ft/s · cross-slope 180 deg"),
+            is_told,
+            "{page}"
+        );
+    }
+}
+
 /// A landing has a page of few panels; columns can be chosen, and landings drawn over each other.
 #[test]
 fn histories_are_drawn_on_a_page() {
