@@ -272,7 +272,7 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             scene,
             settings,
         } = request;
-        let is_other = vehicle.legs().len() != self.legs
+        let is_other = vehicle.leg_count() != self.legs
             || settings.rules(vehicle).contact != self.contact_rule;
         if settings.method() != Method::Located || is_other {
             return done(*key, land(vehicle, scene, settings));

@@ -9,3 +9,4 @@ pub mod quantities;
 pub mod quantity;
 pub mod rules;
 pub mod soil;
+pub mod three_struts;

@@ -165,7 +165,7 @@ pub fn determine(
             (0.0..=100.0).contains(&v)
         })?;
     }
-    let legs = vehicle.legs().len();
+    let legs = vehicle.leg_count();
     require(
         "impact_time_s (number of times)",
         impact_times.len() as f64,
@@ -307,7 +307,7 @@ impl<'a> Search<'a> {
         let mut points = [Vector3::zeros(); 3];
         for (leg, point) in points.iter_mut().enumerate() {
             let (approach, way) = self.fly(self.times[leg])?;
-            let design = &self.vehicle.legs()[leg];
+            let design = &self.vehicle.hinged_legs()[leg];
             let extended = design.extended_angle();
             let [outboard, _] = pads::centroids(self.vehicle, leg, extended, extended);
             *point = way + approach.attitude.matrix() * outboard;

@@ -42,7 +42,7 @@ pub fn land_with_summary(
         }
         Method::Report(control) => {
             let mut stepper =
-                StepDoubling::new(check(&control, vehicle.legs().len()), control.intervals());
+                StepDoubling::new(check(&control, vehicle.leg_count()), control.intervals());
             let landing = land_by(&mut stepper, touchdown, settings, interval, observe);
             (landing, stepper.into_summary())
         }
@@ -59,8 +59,7 @@ pub fn land_with_summary(
             counted(land_by(stepper, touchdown, settings, interval, observe))
         }
         Method::Milne(control) => {
-            let mut stepper =
-                Milne::new(check(&control, vehicle.legs().len()), control.intervals());
+            let mut stepper = Milne::new(check(&control, vehicle.leg_count()), control.intervals());
             let landing = land_by(&mut stepper, touchdown, settings, interval, observe);
             (landing, stepper.into_summary())
         }

@@ -6,5 +6,6 @@ pub mod ground;
 pub mod method;
 pub mod scene;
 pub mod settings;
+pub mod three_strut_leg;
 pub mod thrust;
 pub mod vehicle;

@@ -154,10 +154,10 @@ pub mod methods;
 pub mod model_version;
 
 pub use design::{
-    attitude, crush_load, invalid, parts, profile, quantities, quantity, rules, soil,
+    attitude, crush_load, invalid, parts, profile, quantities, quantity, rules, soil, three_struts,
 };
 pub use equations::{kinematics, motion, response, state};
-pub use lander::{error_control, ground, method, scene, thrust, vehicle};
+pub use lander::{error_control, ground, method, scene, three_strut_leg, thrust, vehicle};
 use landing::critical_feet;
 pub use landing::{energy, record, stability, touchdown};
 use laws::signal;

@@ -159,7 +159,7 @@ impl Fate {
         let mut fate = Self {
             number: draw.number,
             kinds: draw.kinds(),
-            legs: draw.vehicle.legs().len(),
+            legs: draw.vehicle.leg_count(),
             verdict: landing.outcome,
             verdict_time: landing.end_time,
             evaluations: landing.evaluations,
@@ -337,8 +337,8 @@ fn of_all_draws<T: Send>(
                 .par_iter()
                 .map(|number| stock.draw(options.seed, *number));
             let mut draws: Vec<Draw> = draws.collect();
-            draws.sort_by_key(|draw| draw.vehicle.legs().len());
-            let alike = draws.chunk_by(|a, b| a.vehicle.legs().len() == b.vehicle.legs().len());
+            draws.sort_by_key(|draw| draw.vehicle.leg_count());
+            let alike = draws.chunk_by(|a, b| a.vehicle.leg_count() == b.vehicle.leg_count());
             let groups = alike.flat_map(|group| group.chunks(GROUP));
             (groups.collect::<Vec<_>>().into_par_iter())
                 .map(|group| {

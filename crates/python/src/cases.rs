@@ -64,7 +64,7 @@ pub fn land_many<'py>(
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         if cells.is_empty() && out.is_none() {
             CaseTable::check_heading(&names, &shared)?;
-            let legs = file.vehicle.legs().len();
+            let legs = file.vehicle.leg_count();
             return Ok((Results::new(0, legs, units), Vec::new()));
         }
         let workers = Workers::start(threads)?;

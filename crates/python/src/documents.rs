@@ -84,7 +84,7 @@ impl Vehicle {
     /// Number of legs.
     #[getter]
     fn legs(&self) -> usize {
-        self.vehicle.legs().len()
+        self.vehicle.leg_count()
     }
 
     /// The whole vehicle in program units, as JSON.

@@ -7,6 +7,7 @@ use super::quantity::{Field, Quantity, Range, Usual};
 use crate::parts::{
     Block, Body, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, PadEdge, Strut,
 };
+use crate::three_struts::{BallFootpad, Foot, LegStrut, ThreeStrutDesign};
 
 use Usual::{Around, Beside, Between, Times};
 
@@ -186,6 +187,81 @@ pub const BLOCK: [Field<Block>; 4] = [
     field!(diameter: new("diameter_ft", POSITIVE, "diameter d_B")),
     field!(crush_pressure: new(
         "crush_pressure_psf", POSITIVE, "crush pressure C_B, times the profile")),
+];
+
+/// The place of a leg of three struts.
+pub const THREE_STRUT_LEG: [Field<ThreeStrutDesign>; 1] = [Field {
+    quantity: LEG[0].quantity,
+    read: |leg| leg.azimuth,
+    write: |leg, value| leg.azimuth = value,
+}];
+
+/// The foot of a leg of three struts.
+pub const FOOT: [Field<Foot>; 3] = [
+    field!(radius: new(
+        "foot_radius_ft", POSITIVE, "distance of the foot at rest from the centreline; `\"tripod\"` and `\"cantilever\"` only")
+        .usually(Times(0.75, 1.25))),
+    field!(depth: new(
+        "foot_depth_ft", POSITIVE, "its depth below the plane of the lower hardpoints, likewise")
+        .usually(Times(0.75, 1.25))),
+    field!(mass: new(
+        "foot_mass_slug", POSITIVE, "mass of the foot, which `mass_slug` leaves out, likewise")),
+];
+
+/// Distance of the collar of a leg of kind `"cantilever"` from its primary strut's hardpoint.
+pub const COLLAR: Quantity = Quantity::new(
+    "collar_ft", POSITIVE,
+    "distance along the primary strut from its hardpoint to where the secondary struts end; `\"cantilever\"` only")
+    .also("less than the primary strut is long when it bottoms")
+    .usually(Times(0.75, 1.25));
+
+/// A strut of a leg of three struts.
+pub const LEG_STRUT: [Field<LegStrut>; 7] = [
+    field!(hardpoint_radius: new(
+        "hardpoint_radius_ft", NOT_NEGATIVE, "distance of the hardpoint from the centreline, in the plane of the leg")
+        .usually(Times(0.75, 1.25))),
+    field!(hardpoint_height: new(
+        "hardpoint_height_ft", ANY, "height of the hardpoint over the plane of the lower hardpoints")
+        .usually(Around(1.0))),
+    field!(stiffness: new(
+        "stiffness_lb_per_ft", POSITIVE, "stiffness at which the strut takes up load, unloads and reloads")),
+    field!(damping: new(
+        "damping_lb_s_per_ft", NOT_NEGATIVE, "force against the speed of the stroke, per speed")),
+    field!(square_damping: new(
+        "square_damping_lb_s2_per_ft2", NOT_NEGATIVE, "force against the speed of the stroke, per square of the speed")
+        .default(0.0)),
+    field!(compression_stroke: new(
+        "compression_stroke_ft", POSITIVE, "shortening at which the strut bottoms, which ends the landing")
+        .also("less than the strut is long at rest")),
+    field!(tension_stroke: new(
+        "tension_stroke_ft", POSITIVE, "lengthening at which the strut is drawn out, which ends the landing")),
+];
+
+/// Distance of the secondary struts' hardpoints from the plane of the leg.
+pub const SPREAD: Quantity = Quantity::new(
+    "hardpoint_spread_ft",
+    POSITIVE,
+    "distance of each hardpoint from the plane of the leg; secondary struts only",
+)
+.usually(Times(0.75, 1.25));
+
+/// The footpad of a leg of three struts.
+pub const BALL_FOOTPAD: [Field<BallFootpad>; 3] = [
+    Field {
+        quantity: FOOTPAD[0].quantity,
+        read: |pad| pad.diameter,
+        write: |pad, value| pad.diameter = value,
+    },
+    Field {
+        quantity: FOOTPAD[1].quantity,
+        read: |pad| pad.height,
+        write: |pad, value| pad.height = value,
+    },
+    Field {
+        quantity: FOOTPAD[2].quantity,
+        read: |pad| pad.crush_pressure,
+        write: |pad, value| pad.crush_pressure = value,
+    },
 ];
 
 /// Factor on a table of a strut, a footpad or a block.

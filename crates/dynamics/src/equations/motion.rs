@@ -84,7 +84,7 @@ impl Motion<f64> {
         // A positive definite matrix has an inverse; the vehicle was checked.
         let inverse_inertia = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
         let depth = vehicle.center_of_gravity_height();
-        let legs = vehicle.legs();
+        let legs = vehicle.hinged_legs();
         let center = vehicle.center_of_gravity_offset().map(|offset| -offset);
         Self {
             surface: Surface::new(scene),

@@ -17,7 +17,7 @@ pub(super) fn centroids(
     link_angle: f64,
     pad_angle: f64,
 ) -> [Vector3<f64>; 2] {
-    let design = vehicle.legs()[leg].design();
+    let design = vehicle.hinged_legs()[leg].design();
     let (linkage, footpad) = (&design.linkage, &design.footpad);
     let (sine, cosine) = sincos(design.azimuth);
     let in_plane =

@@ -16,7 +16,7 @@ pub use crate::parts::{
 };
 
 use super::footprint::check_offset;
-use crate::extremes::greatest;
+use super::three_strut_leg::ThreeStrutLeg;
 use crate::invalid::{Invalid, require};
 use crate::per_leg::MOST_LEGS;
 use crate::profile::Profile;
@@ -44,7 +44,75 @@ pub struct Vehicle {
     inertia: Matrix3<f64>,
     rules: Rules,
     ring: Ring,
-    legs: Vec<Leg>,
+    /// Greatest height of the plane of the lower hardpoints over level ground, ft.
+    stance: f64,
+    legs: Legs,
+}
+
+/// The legs of a vehicle, all of one kind, in the order of its file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Legs {
+    /// Legs that turn about one hinge.
+    Hinged(Vec<Leg>),
+    /// Legs of three struts.
+    ThreeStrut(Vec<ThreeStrutLeg>),
+}
+
+impl From<Vec<Leg>> for Legs {
+    fn from(legs: Vec<Leg>) -> Self {
+        Self::Hinged(legs)
+    }
+}
+
+impl<const LEGS: usize> From<[Leg; LEGS]> for Legs {
+    fn from(legs: [Leg; LEGS]) -> Self {
+        Self::Hinged(legs.into())
+    }
+}
+
+impl From<Vec<ThreeStrutLeg>> for Legs {
+    fn from(legs: Vec<ThreeStrutLeg>) -> Self {
+        Self::ThreeStrut(legs)
+    }
+}
+
+/// What all kinds of legs have, for the checks of a vehicle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Stand {
+    /// Azimuth about the centreline, rad.
+    azimuth: f64,
+    /// Pivot of the footpad at rest: x and y of vehicle axes from the centreline, ft.
+    foot: [f64; 2],
+    /// Height of the plane of the lower hardpoints over level ground, ft.
+    stance: f64,
+}
+
+impl Legs {
+    /// Where each leg stands at rest.
+    fn stands(&self) -> Vec<Stand> {
+        let stand = |azimuth: f64, reach: f64, stance| {
+            let (sine, cosine) = sincos(azimuth);
+            Stand {
+                azimuth,
+                foot: [reach * sine, reach * cosine],
+                stance,
+            }
+        };
+        match self {
+            Self::Hinged(legs) => (legs.iter())
+                .map(|leg| stand(leg.design.azimuth, leg.reach(), leg.stance()))
+                .collect(),
+            Self::ThreeStrut(legs) => (legs.iter().map(ThreeStrutLeg::design))
+                .map(|leg| {
+                    stand(
+                        leg.azimuth,
+                        leg.foot.radius,
+                        leg.foot.depth + leg.footpad.height,
+                    )
+                })
+                .collect(),
+        }
+    }
 }
 
 /// A leg whose numbers are consistent.
@@ -132,13 +200,10 @@ impl Leg {
         self.extended_angle
     }
 
-    /// Pivot of the footpad with the strut extended: x and y of vehicle axes from the centreline, ft.
-    fn extended_foot(&self) -> [f64; 2] {
+    /// Distance of the footpad's pivot from the centreline with the strut extended, ft.
+    fn reach(&self) -> f64 {
         let linkage = &self.design.linkage;
-        let reach =
-            linkage.lower_hardpoint_radius + linkage.lower_link_length * cos(self.extended_angle);
-        let (sine, cosine) = sincos(self.design.azimuth);
-        [reach * sine, reach * cosine]
+        linkage.lower_hardpoint_radius + linkage.lower_link_length * cos(self.extended_angle)
     }
 
     /// Height of the lower hardpoints over level ground with the strut extended, ft.
@@ -150,7 +215,7 @@ impl Leg {
 
 /// Checks a crush profile. It starts at zero pressure, and no later segment is steeper than the first, the elastic
 /// line: otherwise crushing would heal.
-fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
+pub(super) fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
     require(
         quantity,
         profile.knots()[0][1],
@@ -177,13 +242,13 @@ fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
 
 /// The legs by azimuth. They have to surround the centreline: with half a turn or more between two neighbours a vehicle
 /// falls over where it stands.
-fn ring_of(legs: &[Leg]) -> Result<Ring, Invalid> {
-    let turn = |leg: usize| legs[leg].design.azimuth.rem_euclid(TAU);
+fn ring_of(legs: &[Stand]) -> Result<Ring, Invalid> {
+    let turn = |leg: usize| legs[leg].azimuth.rem_euclid(TAU);
     let mut ring: Ring = (0..legs.len()).collect();
     ring.sort_by(|&a, &b| turn(a).total_cmp(&turn(b)));
     for (&leg, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
         let gap = (turn(next) - turn(leg)).rem_euclid(TAU).to_degrees();
-        let [here, azimuth] = [leg, next].map(|leg| legs[leg].design.azimuth.to_degrees());
+        let [here, azimuth] = [leg, next].map(|leg| legs[leg].azimuth.to_degrees());
         let allowed = if gap < LEAST_GAP {
             format!("{LEAST_GAP} deg or more from another leg, that at {here:.4} deg")
         } else if gap > GREATEST_GAP {
@@ -230,9 +295,10 @@ impl Vehicle {
         gravity: f64,
         center_of_gravity_height: f64,
         inertia: Inertia,
-        legs: impl Into<Vec<Leg>>,
+        legs: impl Into<Legs>,
     ) -> Result<Self, Invalid> {
         let legs = legs.into();
+        let stands = legs.stands();
         let body = Body {
             mass,
             gravity,
@@ -258,18 +324,19 @@ impl Vehicle {
         )?;
         require(
             "legs",
-            legs.len() as f64,
+            stands.len() as f64,
             &format!("{LEAST_LEGS} to {MOST_LEGS} legs"),
-            |_| (LEAST_LEGS..=MOST_LEGS).contains(&legs.len()),
+            |_| (LEAST_LEGS..=MOST_LEGS).contains(&stands.len()),
         )?;
-        for (index, leg) in legs.iter().enumerate() {
+        for (index, leg) in stands.iter().enumerate() {
             require(
                 &format!("center_of_gravity_height_ft (over footpad {})", index + 1),
-                center_of_gravity_height + leg.stance(),
+                center_of_gravity_height + leg.stance,
                 "the CG above the footpads",
                 |v| v > 0.0,
             )?;
         }
+        let stance = stands.iter().map(|leg| leg.stance);
         Ok(Self {
             mass,
             gravity,
@@ -277,7 +344,8 @@ impl Vehicle {
             center_of_gravity_offset: [0.0; 2],
             inertia: matrix,
             rules: Rules::PHYSICAL,
-            ring: ring_of(&legs)?,
+            ring: ring_of(&stands)?,
+            stance: stance.fold(f64::NEG_INFINITY, f64::max),
             legs,
         })
     }
@@ -292,7 +360,7 @@ impl Vehicle {
     /// # Errors
     /// When the CG is not over the polygon of the extended feet.
     pub fn with_center_of_gravity_offset(self, offset: [f64; 2]) -> Result<Self, Invalid> {
-        let feet: Vec<[f64; 2]> = self.legs.iter().map(Leg::extended_foot).collect();
+        let feet: Vec<[f64; 2]> = self.legs.stands().iter().map(|leg| leg.foot).collect();
         check_offset(offset, &feet)?;
         Ok(Self {
             center_of_gravity_offset: offset,
@@ -322,8 +390,7 @@ impl Vehicle {
 
     /// Height of the CG over level ground on which the vehicle stands with its struts extended, ft.
     pub fn standing_height(&self) -> f64 {
-        let stances = self.legs.iter().map(Leg::stance);
-        self.center_of_gravity_height + greatest(stances)
+        self.center_of_gravity_height + self.stance
     }
 
     /// The legs by azimuth. Each stands next to the ones before and after it, the last next to the first.
@@ -342,7 +409,23 @@ impl Vehicle {
     }
 
     /// The legs in the given order, which all results follow.
-    pub fn legs(&self) -> &[Leg] {
+    pub fn legs(&self) -> &Legs {
         &self.legs
+    }
+
+    /// Number of legs.
+    pub fn leg_count(&self) -> usize {
+        match &self.legs {
+            Legs::Hinged(legs) => legs.len(),
+            Legs::ThreeStrut(legs) => legs.len(),
+        }
+    }
+
+    /// The legs that turn about one hinge: all or none.
+    pub fn hinged_legs(&self) -> &[Leg] {
+        match &self.legs {
+            Legs::Hinged(legs) => legs,
+            Legs::ThreeStrut(_) => &[],
+        }
     }
 }

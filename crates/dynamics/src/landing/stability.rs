@@ -45,7 +45,7 @@ const CALM_SLACK: f64 = 1e-11;
 /// CG height over the surface above which motion has not subsided, ft, with the highest ground under a footpad.
 fn calm_height(vehicle: &Vehicle, scene: &Scene) -> f64 {
     let ground = &scene.conditions().ground;
-    let heights = (0..vehicle.legs().len()).map(|leg| ground.leg(leg).pad.height);
+    let heights = (0..vehicle.leg_count()).map(|leg| ground.leg(leg).pad.height);
     let highest = greatest(heights);
     vehicle.standing_height() + CALM_MARGIN + highest
 }

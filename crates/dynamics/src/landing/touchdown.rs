@@ -12,7 +12,7 @@ use crate::vehicle::Vehicle;
 
 /// Legs at rest: struts extended, pads level with the vehicle.
 pub fn extended_legs(vehicle: &Vehicle) -> PerLeg<LegState<f64>> {
-    let legs = vehicle.legs();
+    let legs = vehicle.hinged_legs();
     PerLeg::from_fn(legs.len(), |j| {
         let angle = legs[j].extended_angle();
         LegState {

@@ -110,7 +110,7 @@ impl<'o> Trajectory<'o> {
         let legs = motion.leg_count();
         let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
         let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
-        let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.legs().iter())
+        let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.hinged_legs().iter())
             .map(|leg| {
                 leg.laws()
                     .clone()

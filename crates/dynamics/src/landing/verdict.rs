@@ -36,7 +36,7 @@ impl StabilityTrack {
         let gravity = scene.gravity(vehicle);
         Self {
             monitor,
-            seen: Observation::none(vehicle.legs().len()),
+            seen: Observation::none(vehicle.leg_count()),
             before: None,
             while_beyond: WHILE * free_fall(vehicle.standing_height(), gravity),
             beyond_since: None,

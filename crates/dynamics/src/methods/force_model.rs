@@ -45,7 +45,7 @@ pub struct Look {
 impl ForceModel {
     /// The model of a vehicle in a scene under the crush rule and friction profile of `settings`.
     pub fn new(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Self {
-        let laws: Vec<LegLaws> = (vehicle.legs().iter())
+        let laws: Vec<LegLaws> = (vehicle.hinged_legs().iter())
             .map(|leg| {
                 leg.laws()
                     .clone()

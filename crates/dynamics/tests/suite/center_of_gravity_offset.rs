@@ -12,7 +12,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 /// A point of a leg by its distance from the centreline and below the CG (ft), in ground axes as the state has the body.
 fn point(vehicle: &Vehicle, leg: usize, reach: f64, drop: f64, state: &State<f64>) -> Vector3<f64> {
-    let (sine, cosine) = vehicle.legs()[leg].design().azimuth.sin_cos();
+    let (sine, cosine) = vehicle.hinged_legs()[leg].design().azimuth.sin_cos();
     let [cg_x, cg_y] = vehicle.center_of_gravity_offset();
     let body = state.body();
     let from_cg = Vector3::new(reach * sine - cg_x, reach * cosine - cg_y, drop);
@@ -20,7 +20,7 @@ fn point(vehicle: &Vehicle, leg: usize, reach: f64, drop: f64, state: &State<f64
 }
 
 fn pivot(vehicle: &Vehicle, leg: usize, state: &State<f64>) -> Vector3<f64> {
-    let linkage = &vehicle.legs()[leg].design().linkage;
+    let linkage = &vehicle.hinged_legs()[leg].design().linkage;
     let (sine, cosine) = state.leg(leg).link_angle.sin_cos();
     let reach = linkage.lower_hardpoint_radius + linkage.lower_link_length * cosine;
     let drop = vehicle.center_of_gravity_height() + linkage.lower_link_length * sine;
@@ -29,7 +29,7 @@ fn pivot(vehicle: &Vehicle, leg: usize, state: &State<f64>) -> Vector3<f64> {
 
 /// Centre of a pad section that has not been crushed: 1 outboard, −1 inboard.
 fn section(vehicle: &Vehicle, leg: usize, side: f64, state: &State<f64>) -> Vector3<f64> {
-    let design = vehicle.legs()[leg].design();
+    let design = vehicle.hinged_legs()[leg].design();
     let (linkage, footpad) = (&design.linkage, &design.footpad);
     let angles = state.leg(leg);
     let (sin_link, cos_link) = angles.link_angle.sin_cos();
@@ -47,7 +47,7 @@ fn section(vehicle: &Vehicle, leg: usize, side: f64, state: &State<f64>) -> Vect
 
 /// Centre of a block of which so much (ft) has been crushed.
 fn block(vehicle: &Vehicle, leg: usize, crushed: f64, state: &State<f64>) -> Vector3<f64> {
-    let block = &vehicle.legs()[leg].design().block.as_ref().unwrap();
+    let block = &vehicle.hinged_legs()[leg].design().block.as_ref().unwrap();
     let drop = vehicle.center_of_gravity_height() + block.height - crushed;
     point(vehicle, leg, block.radius, drop, state)
 }
@@ -96,7 +96,10 @@ fn points_of_legs_are_where_a_rigid_body_has_them() {
                 near("foot", of(signal), *expected, 1e-12);
             }
             let height = vehicle.center_of_gravity_height();
-            let radius = vehicle.legs()[leg].design().linkage.lower_hardpoint_radius;
+            let radius = vehicle.hinged_legs()[leg]
+                .design()
+                .linkage
+                .lower_hardpoint_radius;
             let hardpoint = point(&vehicle, leg, radius, height, &state);
             near(
                 "hardpoint",

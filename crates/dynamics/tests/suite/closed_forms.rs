@@ -55,8 +55,8 @@ fn ballistic_flight() {
 #[test]
 fn the_lowest_pad_section_touches_at_any_tip() {
     let vehicle = table_4_1();
-    let leg = vehicle.legs()[0].design().clone();
-    let (extended, linkage) = (vehicle.legs()[0].extended_angle(), &leg.linkage);
+    let leg = vehicle.hinged_legs()[0].design().clone();
+    let (extended, linkage) = (vehicle.hinged_legs()[0].extended_angle(), &leg.linkage);
     let reach = linkage.lower_hardpoint_radius + linkage.lower_link_length * extended.cos();
     let drop = vehicle.center_of_gravity_height()
         + linkage.lower_link_length * extended.sin()
@@ -83,7 +83,7 @@ fn the_lowest_pad_section_touches_at_any_tip() {
                     first.get_or_insert(instant.position);
                 },
             );
-            let depths = (vehicle.legs().iter()).flat_map(|leg| {
+            let depths = (vehicle.hinged_legs().iter()).flat_map(|leg| {
                 let (sine, cosine) = leg.design().azimuth.sin_cos();
                 [reach + aside, reach - aside].map(|reach| {
                     let section = Vector3::new(reach * sine, reach * cosine, drop);
@@ -302,7 +302,7 @@ fn area_under(profile: &Profile, depth: f64) -> (f64, f64) {
 #[test]
 fn a_vehicle_dropped_on_its_blocks() {
     let vehicle = on_its_blocks();
-    let block = vehicle.legs()[0].design().block.clone().unwrap();
+    let block = vehicle.hinged_legs()[0].design().block.clone().unwrap();
     // 14 ft/s ends on the plateau of the profile, 20 ft/s on the steep rise beyond it.
     for speed in [14.0, 20.0] {
         let scene = Scene::new(Conditions {

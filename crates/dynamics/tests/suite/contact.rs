@@ -117,7 +117,7 @@ fn contact_at_the_face_only_takes_energy() {
 
 /// Of the pads of a leg: A Σ p²/2E (1 + cos²ξ)/2, while they are on their elastic lines, ft·lb.
 fn stored(bare: &Bare, vehicle: &Vehicle, state: &State<f64>, leg: usize) -> f64 {
-    let pad = &vehicle.legs()[leg].design().footpad;
+    let pad = &vehicle.hinged_legs()[leg].design().footpad;
     let signals = bare.signals(state);
     let cosine = signals.of(leg, Signal::PadInclination);
     let slope = pad.profile.first_slope();
@@ -188,7 +188,7 @@ fn landings_at_the_face_take_about_as_many_evaluations() {
             .collect();
         ratios.sort_by(f64::total_cmp);
         let median = ratios[ratios.len() / 2];
-        let legs = vehicle.legs().len();
+        let legs = vehicle.leg_count();
         println!(
             "{legs} legs: {median:.2}, at most {:.1}",
             ratios[ratios.len() - 1]
@@ -272,7 +272,7 @@ fn a_pad_crushed_by_its_height_ends_the_landing() {
     let scene = Scene::new(level(180.0, 0.0, 0.0)).unwrap();
     let [pivot, face] = [ContactRule::Pivot, ContactRule::Face]
         .map(|rule| land(&vehicle, &scene, &settings(1e-6, rule)));
-    let height = vehicle.legs()[0].design().footpad.height;
+    let height = vehicle.hinged_legs()[0].design().footpad.height;
     let deepest = |landing: &Landing| {
         landing
             .max_pad_crush

@@ -91,7 +91,7 @@ fn as_steeper_plane(vehicle: &Vehicle, conditions: Conditions, more: f64) -> Vec
             tilt_across: 0.0,
         }
     };
-    (vehicle.legs().iter().enumerate())
+    (vehicle.hinged_legs().iter().enumerate())
         .map(|(j, leg)| LegFooting {
             pad: patch(motion.geometry(j).pivot(leg.extended_angle())),
             block: patch(motion.geometry(j).block_face()),

@@ -238,7 +238,7 @@ fn points_on_a_line_span_no_surface() {
     let attitude = euler(-20.0, 0.0, 0.0);
     // Outboard centroids (14) in ground axes from the CG.
     let centroids: [Vector3<f64>; 3] = std::array::from_fn(|j| {
-        let leg = &vehicle.legs()[j];
+        let leg = &vehicle.hinged_legs()[j];
         let (link, footpad) = (&leg.design().linkage, &leg.design().footpad);
         let (sine, cosine) = leg.extended_angle().sin_cos();
         let reach = link.lower_hardpoint_radius

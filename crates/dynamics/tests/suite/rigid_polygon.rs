@@ -105,7 +105,7 @@ fn topples(vehicle: &Vehicle, roll_deg: f64, speed: f64) -> bool {
 
 /// h, and b of a foot at the end of its leg.
 fn polygon(vehicle: &Vehicle) -> [f64; 2] {
-    let leg = &vehicle.legs()[0];
+    let leg = &vehicle.hinged_legs()[0];
     let linkage = &leg.design().linkage;
     let (sine, cosine) = leg.extended_angle().sin_cos();
     [

@@ -148,7 +148,7 @@ fn pads_sink_by_the_work_that_they_take() {
         ..level(180.0, 0.0, 0.0)
     });
     let (landing, instants) = history(&vehicle, &scene.unwrap(), &settings(1e-9), 0.01);
-    let footpad = &vehicle.legs()[0].design().footpad;
+    let footpad = &vehicle.hinged_legs()[0].design().footpad;
     let last = &instants[instants.len() - 1].legs[0];
     let section = FRAC_PI_8 * footpad.diameter * footpad.diameter;
     let works = last.sinkages.unwrap().pad.map(|sinkage| {

@@ -240,7 +240,7 @@ fn a_sixth_of_a_turn_permutes_six_legs() {
 #[test]
 fn a_leg_too_short_to_touch_changes_no_motion_and_no_outcome() {
     let three = ring(3);
-    let mut legs = three.legs().to_vec();
+    let mut legs = three.hinged_legs().to_vec();
     let mut short = surveyor_leg(60.0);
     for length in [
         &mut short.linkage.lower_link_length,
@@ -288,7 +288,7 @@ fn a_foot_that_hangs_a_little_higher_is_one_to_stand_on() {
     // The CG is on its far side of the line between its neighbours by less than it is higher: were the vehicle to topple over
     // that line, the foot would come down at once.
     let raised = 0.02;
-    let mut legs = ring(4).legs().to_vec();
+    let mut legs = ring(4).hinged_legs().to_vec();
     let mut design = legs[0].design().clone();
     design.footpad.height -= raised;
     legs[0] = Leg::new(design).unwrap();
@@ -341,7 +341,7 @@ fn legs_in_another_order_are_the_same_lander() {
     // Leg j of the one is leg image_leg[j] of the other.
     for image_leg in [[1, 2, 0], [0, 2, 1]] {
         let one = table_4_1();
-        let mut legs = one.legs().to_vec();
+        let mut legs = one.hinged_legs().to_vec();
         // One that bottoms before the others.
         let mut weak = legs[1].design().clone();
         weak.strut.minimum_length += 0.1;

@@ -37,7 +37,7 @@ fn source(source: &Source) -> Value {
         "title": source.title,
         "file": source.file,
         "kind": source.kind.word(),
-        "legs": source.vehicle.vehicle.legs().len(),
+        "legs": source.vehicle.vehicle.leg_count(),
         "search": {"from_fps": from, "to_fps": to},
     })
 }

@@ -62,7 +62,7 @@ struct InSi {
 pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: Request = read(request)?;
     let touchdown = Touchdown::of(named, &request.touchdown)?;
-    let legs = touchdown.vehicle.vehicle.legs().len();
+    let legs = touchdown.vehicle.vehicle.leg_count();
     let mut told: Vec<Told> = parameter::names(legs)
         .filter_map(|name| tell(&touchdown, Parameter::named(&name, legs)?))
         .collect();
@@ -135,7 +135,7 @@ fn of_scene(touchdown: &Touchdown, parameter: &Parameter) -> Option<(f64, bool)>
         .split_once("].block_")
         .map(|(leg, key)| format!("{leg}].{key}"))
     {
-        let of_pad = Parameter::named(&of_pad, touchdown.vehicle.vehicle.legs().len())?;
+        let of_pad = Parameter::named(&of_pad, touchdown.vehicle.vehicle.leg_count())?;
         return of_scene(touchdown, &of_pad).map(|(value, _)| (value, false));
     }
     if name.starts_with("footing[") {

@@ -194,7 +194,7 @@ fn vehicle(
     {
         return Ok(file.clone());
     }
-    let legs = file.vehicle.legs().len();
+    let legs = file.vehicle.leg_count();
     let is_absent = |one: &&Assignment| Parameter::named(one.parameter().name(), legs).is_none();
     if let Some(one) = set.iter().find(is_absent) {
         let allowed = format!("the number of a leg: the vehicle has {legs}");

@@ -161,7 +161,7 @@ impl Stock {
         let leg = |leg: usize| {
             Leg::new(LegDesign {
                 azimuth: first + TAU * leg as f64 / legs as f64,
-                ..self.surveyor.legs()[0].design().clone()
+                ..self.surveyor.hinged_legs()[0].design().clone()
             })
         };
         let legs: Vec<Leg> = (0..legs).map(leg).collect::<Result<_, _>>()?;
@@ -181,7 +181,7 @@ impl Stock {
         let stiffness = random.log_between(0.3, 3.0);
         let legs: Result<Vec<Leg>, Invalid> = (0..count)
             .map(|leg| {
-                let mut design = model.legs()[0].design().clone();
+                let mut design = model.hinged_legs()[0].design().clone();
                 design.azimuth = apart * (leg as f64 + random.between(-0.2, 0.2));
                 design.footpad.crush_pressure *= stiffness * random.log_between(0.9, 1.1);
                 design.footpad.height *= random.between(0.7, 1.3);
@@ -234,7 +234,7 @@ fn soil(random: &mut Random) -> Result<Soil, Invalid> {
 
 /// Ground of its own under each leg, but where it is even.
 fn uneven(vehicle: &Vehicle, kind: usize, random: &mut Random) -> Result<Ground, Invalid> {
-    let legs: Vec<LegFooting> = (vehicle.legs().iter())
+    let legs: Vec<LegFooting> = (vehicle.hinged_legs().iter())
         .map(|leg| {
             let stance = leg.stance();
             let (height, tilt) = match kind {

@@ -154,7 +154,7 @@ fn changed(draws: &[Draw]) -> Result<Sum, Failure> {
             sum.differences.push(Difference {
                 number: draw.number,
                 kinds: draw.kinds(),
-                legs: draw.vehicle.legs().len(),
+                legs: draw.vehicle.leg_count(),
                 transition,
                 speed,
                 closer: closer_transition(draw, speed / SHARE)?,
@@ -229,7 +229,7 @@ fn first_not_stable(draw: &Draw, speeds: &[f64]) -> Result<Option<f64>, Failure>
 fn variants(vehicle: &Arc<Vehicle>) -> Result<[Arc<Vehicle>; ALIKE], Invalid> {
     let (mass, height) = (vehicle.mass(), vehicle.center_of_gravity_height());
     let [x, y] = vehicle.center_of_gravity_offset();
-    let legs = vehicle.legs().to_vec();
+    let legs = vehicle.hinged_legs().to_vec();
     let aside = like(vehicle, mass, height, legs.clone())?;
     let heavier = like(vehicle, mass + MASS, height, legs.clone())?;
     let mut design = legs[0].design().clone();

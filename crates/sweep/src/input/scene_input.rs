@@ -254,7 +254,12 @@ impl NamedConditions {
                 allowed: "no thrust: only the method \"located\" knows it".to_owned(),
             });
         }
-        let footpads = || vehicle.legs().iter().map(|leg| &leg.design().footpad);
+        let footpads = || {
+            vehicle
+                .hinged_legs()
+                .iter()
+                .map(|leg| &leg.design().footpad)
+        };
         if settings.rules(vehicle).contact == ContactRule::Pivot
             && let Some(damped) = footpads().find(|footpad| footpad.hinge_damping > 0.0)
         {
@@ -273,7 +278,7 @@ impl NamedConditions {
                     .to_owned(),
             });
         }
-        let legs = vehicle.legs().len();
+        let legs = vehicle.leg_count();
         let beyond = names(MOST_LEGS).skip(conditions(legs).len());
         if let Some(name) = beyond.into_iter().find(|name| self.get(name).is_some()) {
             return Err(SceneFault {

@@ -19,7 +19,7 @@ fn the_surveyor_is_read_in_feet_and_radians() {
     assert_eq!(file.name, "Surveyor, Table 4-1");
     assert_eq!(file.vehicle.mass(), 20.0);
     assert_eq!(file.vehicle.inertia()[(0, 1)], -6.81);
-    let leg = &file.vehicle.legs()[1];
+    let leg = &file.vehicle.hinged_legs()[1];
     assert_eq!(leg.design().azimuth, 120f64.to_radians());
     assert_eq!(
         leg.design().strut.damper().unwrap().spring_profile.knots()[19],
@@ -35,7 +35,7 @@ fn a_leg_may_differ_in_anything_its_tables_included() {
          [legs.footpad.profile]\ninterference_in = [0, 1]\nrelative_pressure = [0, 2]\n"
     );
     let vehicle = read(&text).unwrap().vehicle;
-    let [first, _, last] = vehicle.legs() else {
+    let [first, _, last] = vehicle.hinged_legs() else {
         panic!("three legs");
     };
     assert_eq!(
@@ -60,11 +60,11 @@ fn a_scale_multiplies_the_ordinates_of_a_table_for_all_legs_or_one() {
     let vehicle = read(&scaled("[footpad.profile]\nscale = 2"))
         .unwrap()
         .vehicle;
-    let knots = vehicle.legs()[0].design().footpad.profile.knots();
+    let knots = vehicle.hinged_legs()[0].design().footpad.profile.knots();
     assert_eq!(knots[1], [0.1 / 12.0, 0.936]);
     let own = format!("{SURVEYOR}[legs.footpad.profile]\nscale = 3\n");
     let vehicle = read(&own).unwrap().vehicle;
-    let pressure = |leg: usize| vehicle.legs()[leg].design().footpad.profile.knots()[9][1];
+    let pressure = |leg: usize| vehicle.hinged_legs()[leg].design().footpad.profile.knots()[9][1];
     assert_eq!((pressure(0), pressure(2)), (1.0, 3.0));
     let complaint = read(&scaled("[footpad.profile]\nscale = 0")).unwrap_err();
     assert!(
@@ -143,7 +143,14 @@ fn the_surveyor_in_si_is_the_surveyor() {
 fn one_leg_may_have_other_units_than_the_rest() {
     let text = format!("{SURVEYOR}[legs.strut]\npreload_n = 444.82216152605\n");
     let vehicle = read(&text).unwrap().vehicle;
-    let preload = |leg: usize| vehicle.legs()[leg].design().strut.damper().unwrap().preload;
+    let preload = |leg: usize| {
+        vehicle.hinged_legs()[leg]
+            .design()
+            .strut
+            .damper()
+            .unwrap()
+            .preload
+    };
     assert_eq!((preload(0), preload(2)), (185.0, 100.0));
 }
 
@@ -351,7 +358,7 @@ fn with_legs(azimuths: [&str; 3]) -> Result<VehicleFile, InputError> {
 fn legs_keep_their_places_in_the_file() {
     let legs = |azimuths| {
         let vehicle = with_legs(azimuths).unwrap().vehicle;
-        let azimuths = (vehicle.legs().iter())
+        let azimuths = (vehicle.hinged_legs().iter())
             .map(|leg| leg.design().azimuth.to_degrees().round())
             .collect::<Vec<_>>();
         (azimuths, vehicle.ring().to_vec())
@@ -416,7 +423,8 @@ fn with_cartridge(table: &str) -> Result<VehicleFile, InputError> {
 fn struts_may_be_honeycomb_and_legs_may_have_no_block() {
     let table = "stroke_in = [0, 3, 3, 6]\nload_lb = [100, 100, 200, 220]\nscale = 2";
     let vehicle = with_cartridge(table).unwrap().vehicle;
-    let StrutElement::Honeycomb(honeycomb) = &vehicle.legs()[2].design().strut.element else {
+    let StrutElement::Honeycomb(honeycomb) = &vehicle.hinged_legs()[2].design().strut.element
+    else {
         panic!("a cartridge");
     };
     assert!((honeycomb.unloading_stiffness - 4e4).abs() < 1e-2);
@@ -426,7 +434,7 @@ fn struts_may_be_honeycomb_and_legs_may_have_no_block() {
     );
     let bare = format!("{SURVEYOR}block = \"none\"\n");
     let legs = read(&bare).unwrap().vehicle;
-    let has_block: Vec<bool> = (legs.legs().iter())
+    let has_block: Vec<bool> = (legs.hinged_legs().iter())
         .map(|leg| leg.design().block.is_some())
         .collect();
     assert_eq!(has_block, [true, true, false]);

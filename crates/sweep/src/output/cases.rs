@@ -157,7 +157,7 @@ impl CaseTable {
                 return Err(InputError::other("cancelled"));
             }
             let end = cells.len().min(begin + CHECKED_TOGETHER);
-            let legs = |number| checked(number).map(|case| case.vehicle.legs().len());
+            let legs = |number| checked(number).map(|case| case.vehicle.leg_count());
             let all: Vec<Result<usize, InputError>> =
                 (begin..end).into_par_iter().map(legs).collect();
             for legs in all {

@@ -142,7 +142,12 @@ fn rows_may_differ_in_numbers_of_the_vehicle() {
     let cases = read_text(&text).unwrap();
     let of = |case: usize| {
         let vehicle = &cases[case].vehicle;
-        let preload = vehicle.legs()[1].design().strut.damper().unwrap().preload;
+        let preload = vehicle.hinged_legs()[1]
+            .design()
+            .strut
+            .damper()
+            .unwrap()
+            .preload;
         (vehicle.mass(), preload)
     };
     assert_eq!((of(0), of(1)), ((25.0, 185.0), (20.0, 200.0)));

@@ -58,8 +58,8 @@ impl Scales {
     pub fn of(vehicle: &Vehicle, scene: &Scene) -> Self {
         Self {
             fall_time: (2.0 * vehicle.standing_height() / scene.gravity(vehicle)).sqrt(),
-            strokes: PerLeg::from_fn(vehicle.legs().len(), |j| {
-                let strut = &vehicle.legs()[j].design().strut;
+            strokes: PerLeg::from_fn(vehicle.leg_count(), |j| {
+                let strut = &vehicle.hinged_legs()[j].design().strut;
                 strut.extended_length - strut.minimum_length
             }),
         }

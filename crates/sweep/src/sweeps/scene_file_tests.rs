@@ -49,7 +49,11 @@ fn a_case_keeps_what_it_does_not_change() {
         .iter()
         .map(|case| case.scene.conditions().block_friction);
     assert_eq!(friction.collect::<Vec<_>>(), [1.0, 1.0, 0.8, 0.8]);
-    let leg = |case: usize, leg: usize| cases[case].vehicle.vehicle.legs()[leg].design().clone();
+    let leg = |case: usize, leg: usize| {
+        cases[case].vehicle.vehicle.hinged_legs()[leg]
+            .design()
+            .clone()
+    };
     assert_eq!(leg(0, 0).strut.damper().unwrap().preload, 185.0);
     assert_eq!(leg(2, 0).strut.damper().unwrap().preload, 200.0);
     assert_eq!(
@@ -85,9 +89,19 @@ fn a_case_may_change_numbers_in_si() {
     for case in cases {
         assert_eq!(case.scene.conditions().horizontal_velocity, 10.0);
         let vehicle = case.vehicle.vehicle;
-        assert!((vehicle.legs()[0].design().strut.damper().unwrap().preload - 200.0).abs() < 1e-9);
+        assert!(
+            (vehicle.hinged_legs()[0]
+                .design()
+                .strut
+                .damper()
+                .unwrap()
+                .preload
+                - 200.0)
+                .abs()
+                < 1e-9
+        );
         assert!((vehicle.inertia()[(0, 0)] - 140.0).abs() < 1e-9);
-        assert_eq!(vehicle.legs()[1].design().footpad.height, 0.5);
+        assert_eq!(vehicle.hinged_legs()[1].design().footpad.height, 0.5);
     }
     let twice = complaint("[[case]]\nslope_deg = 5\nslope_rad = 0.1\n");
     assert!(

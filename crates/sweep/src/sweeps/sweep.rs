@@ -139,7 +139,7 @@ impl Sweep {
 
     /// Number of legs of its vehicles.
     pub fn leg_count(&self) -> usize {
-        self.vehicle.vehicle.legs().len()
+        self.vehicle.vehicle.leg_count()
     }
 
     /// The search, for a boundary sweep.

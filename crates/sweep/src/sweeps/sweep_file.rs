@@ -110,7 +110,7 @@ impl Sweep {
             document: vehicle,
             ..varied
         };
-        let legs = vehicle.vehicle.legs().len();
+        let legs = vehicle.vehicle.leg_count();
         let fixed = NamedConditions::read(&scene)?;
         let sweep = Self {
             path: path.to_owned(),

@@ -124,7 +124,7 @@ fn any_number_of_the_input_is_an_axis() {
     let case = sweep.case(sweep.design.count() - 1).unwrap();
     assert_eq!(case.vehicle.center_of_gravity_height(), 1.6);
     let damping = |leg: usize| {
-        case.vehicle.legs()[leg]
+        case.vehicle.hinged_legs()[leg]
             .design()
             .strut
             .damper()
@@ -132,7 +132,7 @@ fn any_number_of_the_input_is_an_axis() {
             .compression_damping
     };
     assert_eq!((damping(0), damping(1)), (54.0, 60.0));
-    let pad = &case.vehicle.legs()[2].design().footpad;
+    let pad = &case.vehicle.hinged_legs()[2].design().footpad;
     assert_eq!(pad.profile.knots()[9][1], 1.5);
     assert_eq!(case.settings.tolerance(), 1e-7);
     assert_eq!(case.settings.rule_choices().crush, Some(CrushRule::Section));

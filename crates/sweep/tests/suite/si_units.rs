@@ -431,7 +431,7 @@ fn a_sweep_in_si_goes_on_from_its_journal() {
         .with(&overrides)
         .unwrap();
     let preload = |sweep: &Sweep| {
-        sweep.case(0).unwrap().vehicle.legs()[0]
+        sweep.case(0).unwrap().vehicle.hinged_legs()[0]
             .design()
             .strut
             .damper()

@@ -41,7 +41,7 @@ impl Bare {
         crush: CrushRule,
         contact: ContactRule,
     ) -> Self {
-        let laws: Vec<LegLaws> = (vehicle.legs().iter())
+        let laws: Vec<LegLaws> = (vehicle.hinged_legs().iter())
             .map(|leg| {
                 let laws = leg.laws().clone().with_crush_rule(crush);
                 laws.with_contact_rule(contact)

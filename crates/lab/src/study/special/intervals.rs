@@ -47,7 +47,7 @@ fn land(
 ) -> Result<(IntegrationSummary, Vec<(f64, f64)>), Failure> {
     let control = report(ErrorLimits::default(), first)?;
     let mut stepper = Recorded {
-        method: StepDoubling::new(check(&control, vehicle.legs().len()), control.intervals()),
+        method: StepDoubling::new(check(&control, vehicle.leg_count()), control.intervals()),
         time: 0.0,
         intervals: Vec::new(),
     };

@@ -44,7 +44,7 @@ fn freed(vehicle: &Vehicle) -> Result<Vec<Point>, Failure> {
     body.position.z -= HEIGHT;
     body.velocity *= 0.0;
     state.set_body(&body);
-    let extended = vehicle.legs()[0].extended_angle();
+    let extended = vehicle.hinged_legs()[0].extended_angle();
     let mut leg = state.leg(0);
     leg.link_angle = extended - DEPRESSION;
     state.set_leg(0, &leg);
@@ -52,7 +52,7 @@ fn freed(vehicle: &Vehicle) -> Result<Vec<Point>, Failure> {
     let mut stepper = RungeKutta { interval: INTERVAL };
     let mut evaluator = Evaluator {
         system: &model,
-        memory: PerLeg::same(vehicle.legs().len(), Sets::default()),
+        memory: PerLeg::same(vehicle.leg_count(), Sets::default()),
         evaluations: 0,
     };
     let mut points = Vec::new();
@@ -101,7 +101,7 @@ pub fn chapter(vehicle: &Vehicle) -> Result<Chapter, Failure> {
     let end = points.last().map_or(0.0, |p| p.time);
     let rate = |time: f64| (first - 0.5 * a * time).max(0.0);
     let angle = |time: f64| (rate(time).powi(2) - b) / a;
-    let extended = vehicle.legs()[0].extended_angle();
+    let extended = vehicle.hinged_legs()[0].extended_angle();
     let shown: Vec<&Point> = points.iter().step_by(200).chain(points.last()).collect();
     let exact = |of: &dyn Fn(&Point) -> f64| shown.iter().map(|p| (p.time, of(p))).collect();
     let returns = ((first - b.max(0.0).sqrt()) / (0.5 * a)).min(end);

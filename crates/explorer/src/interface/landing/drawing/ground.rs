@@ -44,7 +44,7 @@ impl Ground {
         let body = touchdown(vehicle, scene, motion).body();
         let frame = motion.frame(&body);
         let mut patches = Vec::new();
-        for (index, leg) in vehicle.legs().iter().enumerate() {
+        for (index, leg) in vehicle.hinged_legs().iter().enumerate() {
             let geometry = motion.geometry(index);
             let [pad, block] = motion.ground(index, &frame);
             let footing = conditions.ground.leg(index);

@@ -56,7 +56,7 @@ impl Instants {
     ) -> Self {
         let mut monitor = StabilityMonitor::new(rules, vehicle, scene);
         let mut columns = Self {
-            legs: vec![LegColumns::default(); vehicle.legs().len()],
+            legs: vec![LegColumns::default(); vehicle.leg_count()],
             ..Self::default()
         };
         for instant in instants {

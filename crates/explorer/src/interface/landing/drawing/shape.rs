@@ -66,12 +66,13 @@ impl Shape {
     pub fn of(vehicle: &Vehicle, motion: &Motion<f64>) -> Self {
         let [x, y] = vehicle.center_of_gravity_offset();
         let center = Vector3::new(-x, -y, 0.0);
-        let legs = vehicle.legs().iter().enumerate();
+        let legs = vehicle.hinged_legs().iter().enumerate();
         let legs: Vec<LegShape> = legs
             .map(|(index, leg)| leg_shape(motion, index, leg, &center))
             .collect();
         let heights = |of: fn(&LegShape) -> &Triple| legs.iter().map(move |leg| of(leg)[2]);
-        let radii = (vehicle.legs().iter()).map(|leg| leg.design().linkage.lower_hardpoint_radius);
+        let radii =
+            (vehicle.hinged_legs().iter()).map(|leg| leg.design().linkage.lower_hardpoint_radius);
         Self {
             center: triple(&center),
             body: Drum {
